@@ -1,0 +1,76 @@
+// Exact geodesic distances from one or many sources, by propagation of windows across the faces.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// Where the distance starts, and with which value.
+struct ExactSource {
+  SurfacePoint point;
+  double offset = 0.0;
+};
+
+/// What a propagation need not compute.
+struct ExactLimits {
+  /// Distances above this need not be found (they are reported as unreachable).
+  double max_distance = unreachable;
+  /// If not empty: stop as soon as the distances of these vertices are final; the others are then upper bounds.
+  std::span<const Index> targets{};
+  /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
+  std::span<const std::uint8_t> face_allowed{};
+};
+
+/// A path over the surface: consecutive points share a face; each lies on a vertex, an edge or in a face.
+struct SurfacePath {
+  std::vector<SurfacePoint> points;
+  double length = 0.0;
+};
+
+/// Exact solver on one mesh. Keeps its memory between runs; one object belongs to one thread.
+///
+/// Windows follow Mitchell, Mount, Papadimitriou (1987) and Surazhsky et al. (2005): on each edge, the lower
+/// envelope of the distances seen through it. Wavefronts are taken up edge by edge in buckets of
+/// distance, after Xu et al. (2015, FWP), and windows dominated by a vertex are cut (Xin, Wang 2009).
+class ExactSolver {
+ public:
+  explicit ExactSolver(std::shared_ptr<const Mesh> mesh);
+  ~ExactSolver();
+  ExactSolver(ExactSolver&&) noexcept;
+  ExactSolver& operator=(ExactSolver&&) noexcept;
+
+  const Mesh& mesh() const;
+
+  /// Propagates from the sources. \throw InvalidInput for a bad source (no source at all is allowed:
+  /// then every distance is infinite).
+  void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
+  /// The same from vertices.
+  void run(std::span<const Index> source_vertices, const ExactLimits& limits = {});
+
+  /// Distance of a vertex, in the mesh's length unit; `unreachable` if no path was found.
+  double distance(Index vertex) const;
+  /// Distance of any point of the surface.
+  double distance(const SurfacePoint& point) const;
+  /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
+  Index nearest_source(Index vertex) const;
+  /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
+  SurfacePath path_to_source(const SurfacePoint& target) const;
+
+  /// Windows made in the last run, for measurements.
+  std::size_t window_count() const;
+  std::size_t memory_bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Exact distances from the sources to all vertices, on one thread. Shape (n).
+std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh, std::span<const Index> source_vertices);
+
+}  // namespace vorogeo

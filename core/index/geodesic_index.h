@@ -1,0 +1,79 @@
+// The index: built once per mesh, immutable, shared by threads and queries.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/fingerprint.h"
+#include "mesh/mesh.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// How an index is built.
+struct IndexOptions {
+  /// First-layer patches of the whole mesh; 0: chosen from the number of vertices.
+  Index first_layer_patches = 0;
+  /// Second-layer patches in one first-layer patch (on average); 0: chosen.
+  Index second_layer_patches = 0;
+  /// Relative average error that pruning of arcs may add; 0 loses nothing. In [0, 1).
+  double delta = 0.0;
+  /// Worker threads; 0: one per core. The result does not depend on it.
+  int threads = 0;
+  /// Start of the random numbers that place the patches.
+  std::uint64_t seed = 0;
+};
+
+/// What an index holds and what it cost.
+struct IndexStatistics {
+  Index vertices = 0;
+  Index faces = 0;
+  Index components = 0;
+  Index first_layer_patches = 0;
+  Index second_layer_patches = 0;
+  Index first_layer_border_vertices = 0;
+  Index second_layer_border_vertices = 0;
+  std::int64_t arcs_before_pruning = 0;
+  std::int64_t arcs = 0;
+  std::int64_t bytes = 0;
+  double seconds = 0.0;  ///< build time; 0 for an index that was loaded
+  double delta = 0.0;
+  std::uint64_t seed = 0;
+};
+
+struct IndexData;
+
+/// Two layers of geodesic Voronoi patches with local exact tables and the graph between them.
+class GeodesicIndex {
+ public:
+  /// Builds the index of a mesh. \throw InvalidInput (no face, delta or patch counts out of range), Cancelled.
+  static std::shared_ptr<const GeodesicIndex> build(std::shared_ptr<const Mesh> mesh, const IndexOptions& options = {},
+                                                    const Progress& progress = {});
+
+  /// Writes the index (not the mesh) to a file; the file appears whole or not at all.
+  /// \throw IndexFileError if it cannot be written.
+  void save(const std::filesystem::path& file) const;
+  /// Reads an index and ties it to its mesh. \throw IndexFileError if the file is missing, damaged, of another
+  /// version, or was built for a mesh with another fingerprint.
+  static std::shared_ptr<const GeodesicIndex> load(const std::filesystem::path& file, std::shared_ptr<const Mesh> mesh);
+
+  const std::shared_ptr<const Mesh>& mesh() const;
+  const Fingerprint& fingerprint() const;
+  const IndexStatistics& statistics() const;
+  /// Patch of each face of mesh(), numbered from 0, in layer 1 or 2. \throw InvalidInput for another layer.
+  std::span<const Index> face_patches(int layer) const;
+
+  const IndexData& data() const { return *data_; }
+
+  explicit GeodesicIndex(std::unique_ptr<IndexData> data);
+  ~GeodesicIndex();
+
+ private:
+  std::unique_ptr<IndexData> data_;
+};
+
+}  // namespace vorogeo

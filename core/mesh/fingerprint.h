@@ -1,0 +1,20 @@
+// Fingerprint of a mesh: equal for equal geometry and connectivity, different after any edit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+/// 128 bits over all positions and all faces, in their order.
+struct Fingerprint {
+  std::array<std::uint64_t, 2> words{};
+  friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
+};
+
+/// Complexity: O(n + m), memory speed.
+Fingerprint fingerprint_of(const Mesh& mesh);
+
+}  // namespace vorogeo

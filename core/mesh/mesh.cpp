@@ -1,0 +1,229 @@
+// Construction of the flat half-edge mesh: edges by sorting, corners of a vertex by walking around it.
+#include "mesh/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+double distance_between(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+void require_finite(const std::vector<Point>& positions) {
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (double coordinate : positions[v]) {
+      if (!std::isfinite(coordinate)) {
+        throw InvalidInput("Vertex " + std::to_string(v) +
+                           " has a coordinate that is not a finite number; repair or remove it.");
+      }
+    }
+  }
+}
+
+/// Indices of the input faces to keep: no vertex twice, no second face over the same three vertices.
+std::vector<Index> usable_faces(const std::vector<std::array<Index, 3>>& faces, Index vertex_count) {
+  std::vector<std::pair<std::array<Index, 3>, Index>> keyed;
+  keyed.reserve(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    auto key = faces[f];
+    for (Index v : key) {
+      if (v < 0 || v >= vertex_count) {
+        throw InvalidInput("Face " + std::to_string(f) + " names vertex " + std::to_string(v) +
+                           ", but the mesh has vertices 0 to " + std::to_string(vertex_count - 1) + ".");
+      }
+    }
+    std::sort(key.begin(), key.end());
+    if (key[0] != key[1] && key[1] != key[2]) keyed.emplace_back(key, static_cast<Index>(f));
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<Index> kept;
+  kept.reserve(keyed.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    if (i == 0 || keyed[i].first != keyed[i - 1].first) kept.push_back(keyed[i].second);
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+}  // namespace
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces)
+    : positions_(std::move(positions)) {
+  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+  if (positions_.size() > most || faces.size() > most / 3) {
+    throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
+  }
+  require_finite(positions_);
+  input_face_ = usable_faces(faces, vertex_count());
+  face_vertices_.reserve(input_face_.size());
+  for (Index f : input_face_) face_vertices_.push_back(faces[f]);
+  link_edges();
+  sort_fans();
+  find_components();
+}
+
+void Mesh::link_edges() {
+  const Index halfedges = 3 * face_count();
+  struct Keyed {
+    Index a, b, halfedge;
+  };
+  // A counting sort by the smaller vertex, then a short sort within each vertex.
+  std::vector<Index> begin(positions_.size() + 1, 0);
+  for (Index h = 0; h < halfedges; ++h) ++begin[std::min(tail(h), head(h)) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Keyed> keyed(halfedges);
+  auto slot = begin;
+  for (Index h = 0; h < halfedges; ++h) {
+    const auto [a, b] = std::minmax(tail(h), head(h));
+    keyed[slot[a]++] = {a, b, h};
+  }
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    std::sort(keyed.begin() + begin[v], keyed.begin() + begin[v + 1], [](const Keyed& x, const Keyed& y) {
+      return x.b != y.b ? x.b < y.b : x.halfedge < y.halfedge;
+    });
+  }
+
+  halfedge_edge_.assign(halfedges, no_index);
+  next_around_edge_.assign(halfedges, no_index);
+  double total_length = 0.0;
+  for (Index i = 0; i < halfedges;) {
+    Index j = i;
+    while (j < halfedges && keyed[j].a == keyed[i].a && keyed[j].b == keyed[i].b) ++j;
+    const auto edge = static_cast<Index>(edge_vertices_.size());
+    edge_vertices_.push_back({keyed[i].a, keyed[i].b});
+    edge_length_.push_back(distance_between(positions_[keyed[i].a], positions_[keyed[i].b]));
+    edge_halfedge_.push_back(keyed[i].halfedge);
+    total_length += edge_length_.back();
+    longest_edge_length_ = std::max(longest_edge_length_, edge_length_.back());
+    for (Index k = i; k < j; ++k) {
+      halfedge_edge_[keyed[k].halfedge] = edge;
+      next_around_edge_[keyed[k].halfedge] = keyed[k + 1 < j ? k + 1 : i].halfedge;
+    }
+    i = j;
+  }
+  mean_edge_length_ = edge_vertices_.empty() ? 0.0 : total_length / static_cast<double>(edge_vertices_.size());
+}
+
+void Mesh::sort_fans() {
+  const Index vertices = vertex_count();
+  corner_begin_.assign(vertices + 1, 0);
+  for (Index h = 0; h < 3 * face_count(); ++h) ++corner_begin_[tail(h) + 1];
+  std::partial_sum(corner_begin_.begin(), corner_begin_.end(), corner_begin_.begin());
+  corners_.resize(3 * static_cast<std::size_t>(face_count()));
+  auto slot = corner_begin_;
+  for (Index h = 0; h < 3 * face_count(); ++h) corners_[slot[tail(h)]++] = h;
+
+  fan_.assign(vertices, Fan::isolated);
+  border_.assign(vertices, 0);
+  total_angle_.assign(vertices, 0.0);
+  std::vector<Index> chain;
+  for (Index v = 0; v < vertices; ++v) {
+    const auto own = corners(v);
+    if (own.empty()) continue;
+    bool manifold = true;
+    Index start = own[0];
+    for (Index h : own) {
+      total_angle_[v] += corner_angle(h);
+      for (Index side : {h, previous_in_face(h)}) {
+        const Index other = next_around_edge_[side];
+        if (other == side) {
+          border_[v] = 1;
+          start = h;
+        } else if (next_around_edge_[other] != side) {
+          manifold = false;
+        }
+      }
+    }
+    if (!manifold) {
+      fan_[v] = Fan::non_manifold;
+      continue;
+    }
+    // Walk from the start corner, entering by a border edge if it has one, until the chain closes or ends.
+    chain.clear();
+    Index corner = start;
+    Index entered = start;
+    if (border_[v] && next_around_edge_[start] != start) entered = previous_in_face(start);
+    do {
+      chain.push_back(corner);
+      const Index leaving = entered == corner ? previous_in_face(corner) : corner;
+      entered = next_around_edge_[leaving];
+      if (entered == leaving) break;
+      corner = tail(entered) == v ? entered : next_in_face(entered);
+    } while (corner != start);
+    if (chain.size() != own.size()) {
+      fan_[v] = Fan::non_manifold;
+    } else {
+      fan_[v] = border_[v] ? Fan::open : Fan::closed;
+      std::copy(chain.begin(), chain.end(), corners_.begin() + corner_begin_[v]);
+    }
+  }
+}
+
+void Mesh::find_components() {
+  std::vector<Index> parent(positions_.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  auto root = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& edge : edge_vertices_) {
+    const auto [a, b] = std::minmax(root(edge[0]), root(edge[1]));
+    parent[b] = a;
+  }
+  component_.assign(positions_.size(), no_index);
+  for (Index v = 0; v < vertex_count(); ++v) {
+    const Index r = root(v);
+    component_[v] = r == v ? component_count_++ : component_[r];
+  }
+}
+
+int Mesh::edge_face_count(Index edge) const {
+  int count = 0;
+  Index h = edge_halfedge_[edge];
+  do {
+    ++count;
+    h = next_around_edge_[h];
+  } while (h != edge_halfedge_[edge]);
+  return count;
+}
+
+double Mesh::corner_angle(Index halfedge) const {
+  const double b = edge_length_[halfedge_edge_[halfedge]];
+  const double c = edge_length_[halfedge_edge_[previous_in_face(halfedge)]];
+  const double a = edge_length_[halfedge_edge_[next_in_face(halfedge)]];
+  // Kahan's formula: accurate for needles, where the law of cosines is not.
+  const double s = std::max(b, c);
+  const double t = std::min(b, c);
+  const double u = std::max(0.0, t >= a ? a - (s - t) : t - (s - a));
+  const double denominator = (s + (t + a)) * std::max(0.0, (s - a) + t);
+  const double numerator = std::max(0.0, (s - t) + a) * u;
+  if (denominator <= 0.0) return numerator <= 0.0 ? 0.0 : std::numbers::pi;
+  return 2.0 * std::atan(std::sqrt(numerator / denominator));
+}
+
+double Mesh::face_area(Index face) const {
+  std::array<double, 3> side{};
+  for (int i = 0; i < 3; ++i) side[i] = edge_length_[halfedge_edge_[3 * face + i]];
+  std::sort(side.begin(), side.end(), std::greater<>());
+  const auto [a, b, c] = side;
+  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return product > 0.0 ? 0.25 * std::sqrt(product) : 0.0;
+}
+
+std::size_t Mesh::memory_bytes() const {
+  auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(halfedge_edge_) +
+         bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) + bytes(edge_halfedge_) +
+         bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
+         bytes(component_);
+}
+
+}  // namespace vorogeo

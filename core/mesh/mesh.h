@@ -1,0 +1,120 @@
+// The flat intrinsic half-edge mesh on which everything in the core runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "support/types.h"
+
+namespace vorogeo {
+
+using Point = std::array<double, 3>;
+
+/// A triangle mesh as connectivity and edge lengths; positions are kept for output only.
+///
+/// Half-edge `3 f + i` lies in face `f` and runs from corner `i` to corner `i + 1 (mod 3)`; the third
+/// corner is its *apex*. The half-edges of one undirected edge form a ring (`next_around_edge`): one on
+/// a border, two inside a surface, three or more on a non-manifold edge. Neighbouring faces need not
+/// be oriented alike, so flipped faces make no difference.
+///
+/// Immutable after construction; may be shared by threads.
+class Mesh {
+ public:
+  /// Builds the connectivity of faces over vertices with the given positions. Lengths are Euclidean.
+  ///
+  /// Left out: faces that name a vertex twice and repeated faces (same three vertices). Faces of zero
+  /// area stay as connections without width: they can be crossed at no cost and hold no area.
+  /// \throw InvalidInput for a vertex index out of range (names the face), a coordinate that is NaN
+  ///        or infinite (names the vertex), or more than 2^31 / 3 faces.
+  /// Complexity: O(n + m log m) for n vertices and m faces.
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces);
+
+  Index vertex_count() const { return static_cast<Index>(positions_.size()); }
+  Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
+  Index edge_count() const { return static_cast<Index>(edge_vertices_.size()); }
+
+  const Point& position(Index vertex) const { return positions_[vertex]; }
+  const std::vector<Point>& positions() const { return positions_; }
+
+  /// The three vertices of a face, in the order of its corners.
+  const std::array<Index, 3>& face_vertices(Index face) const { return face_vertices_[face]; }
+  const std::vector<std::array<Index, 3>>& faces() const { return face_vertices_; }
+  /// The face of the constructor's list that became `face` (faces left out have no counterpart here).
+  Index input_face(Index face) const { return input_face_[face]; }
+  double face_area(Index face) const;
+
+  static Index face_of(Index halfedge) { return halfedge / 3; }
+  static Index next_in_face(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  static Index previous_in_face(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  Index tail(Index halfedge) const { return face_vertices_[halfedge / 3][halfedge % 3]; }
+  Index head(Index halfedge) const { return tail(next_in_face(halfedge)); }
+  Index apex(Index halfedge) const { return tail(previous_in_face(halfedge)); }
+  Index edge_of(Index halfedge) const { return halfedge_edge_[halfedge]; }
+  /// The next half-edge of the same undirected edge; itself on a border.
+  Index next_around_edge(Index halfedge) const { return next_around_edge_[halfedge]; }
+
+  /// The two vertices of an edge, smaller index first; positions along an edge count from the first.
+  const std::array<Index, 2>& edge_vertices(Index edge) const { return edge_vertices_[edge]; }
+  double edge_length(Index edge) const { return edge_length_[edge]; }
+  Index edge_halfedge(Index edge) const { return edge_halfedge_[edge]; }
+  int edge_face_count(Index edge) const;
+  double mean_edge_length() const { return mean_edge_length_; }
+  double longest_edge_length() const { return longest_edge_length_; }
+
+  /// Half-edges that leave a vertex, one for each face corner at it, in the order of `fan`.
+  std::span<const Index> corners(Index vertex) const {
+    return {corners_.data() + corner_begin_[vertex], corners_.data() + corner_begin_[vertex + 1]};
+  }
+  /// How the corners of a vertex lie around it.
+  enum class Fan : std::uint8_t {
+    isolated,     ///< no face
+    closed,       ///< one cycle of faces: an inner vertex
+    open,         ///< one chain of faces: a border vertex
+    non_manifold  ///< several chains or cycles, or a non-manifold edge: paths may turn anywhere
+  };
+  Fan fan(Index vertex) const { return fan_[vertex]; }
+  /// Interior angle of the face at the tail of the half-edge, in radians.
+  double corner_angle(Index halfedge) const;
+  /// Sum of the corner angles at a vertex, in radians.
+  double total_angle(Index vertex) const { return total_angle_[vertex]; }
+  bool is_border(Index vertex) const { return border_[vertex] != 0; }
+  bool is_border_edge(Index edge) const {
+    return next_around_edge_[edge_halfedge_[edge]] == edge_halfedge_[edge];
+  }
+
+  /// Component of each vertex, numbered from 0 in the order of their first vertices; an isolated
+  /// vertex is a component of its own.
+  Index component(Index vertex) const { return component_[vertex]; }
+  Index component_count() const { return component_count_; }
+
+  /// Bytes of heap memory held.
+  std::size_t memory_bytes() const;
+
+ private:
+  void link_edges();
+  void sort_fans();
+  void find_components();
+
+  std::vector<Point> positions_;
+  std::vector<std::array<Index, 3>> face_vertices_;
+  std::vector<Index> input_face_;
+  std::vector<Index> halfedge_edge_;
+  std::vector<Index> next_around_edge_;
+  std::vector<std::array<Index, 2>> edge_vertices_;
+  std::vector<double> edge_length_;
+  std::vector<Index> edge_halfedge_;
+  std::vector<Index> corner_begin_;
+  std::vector<Index> corners_;
+  std::vector<Fan> fan_;
+  std::vector<std::uint8_t> border_;
+  std::vector<double> total_angle_;
+  std::vector<Index> component_;
+  Index component_count_ = 0;
+  double mean_edge_length_ = 0.0;
+  double longest_edge_length_ = 0.0;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,110 @@
+// Threads: workers take items from a shared counter, the caller works along and reports progress.
+#include "support/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace vorogeo {
+
+int resolve_thread_count(int requested) {
+  if (requested > 0) return requested;
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto report_interval = std::chrono::milliseconds(50);
+
+/// What the workers of one parallel_for share.
+struct Shared {
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{0};
+  std::atomic<bool> stop{false};
+  std::mutex mutex;
+  std::condition_variable finished;
+  int running = 0;
+  std::exception_ptr failure;
+
+  void fail(std::exception_ptr error) {
+    stop = true;
+    std::lock_guard lock(mutex);
+    if (!failure) failure = std::move(error);
+  }
+};
+
+}  // namespace
+
+void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
+                  const std::function<void(std::size_t item, int worker)>& body) {
+  Shared shared;
+  auto work = [&](int worker, auto&& after_item) {
+    try {
+      while (!shared.stop) {
+        const std::size_t item = shared.next++;
+        if (item >= count) break;
+        body(item, worker);
+        ++shared.done;
+        after_item();
+      }
+    } catch (...) {
+      shared.fail(std::current_exception());
+    }
+  };
+
+  const int helpers =
+      static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), std::max<std::size_t>(count, 1))) - 1;
+  std::vector<std::jthread> workers;
+  workers.reserve(helpers);
+  for (int worker = 1; worker <= helpers; ++worker) {
+    {
+      std::lock_guard lock(shared.mutex);
+      ++shared.running;
+    }
+    try {
+      workers.emplace_back([&shared, &work, worker] {
+        work(worker, [] {});
+        std::lock_guard lock(shared.mutex);
+        --shared.running;
+        shared.finished.notify_one();
+      });
+    } catch (const std::system_error&) {
+      // The system has no thread left: the others do the work.
+      std::lock_guard lock(shared.mutex);
+      --shared.running;
+      break;
+    }
+  }
+
+  auto last_report = Clock::now();
+  auto report = [&] {
+    last_report = Clock::now();
+    progress.report(count ? static_cast<double>(shared.done) / static_cast<double>(count) : 1.0, activity);
+  };
+  work(0, [&] {
+    if (Clock::now() - last_report >= report_interval) report();
+  });
+  std::unique_lock lock(shared.mutex);
+  while (!shared.finished.wait_for(lock, report_interval, [&] { return shared.running == 0; })) {
+    if (shared.stop) continue;
+    lock.unlock();
+    try {
+      report();
+    } catch (...) {
+      shared.fail(std::current_exception());
+    }
+    lock.lock();
+  }
+  lock.unlock();
+  workers.clear();
+  if (shared.failure) std::rethrow_exception(shared.failure);
+  report();
+}
+
+}  // namespace vorogeo

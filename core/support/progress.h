@@ -1,0 +1,41 @@
+// Progress reports and cancelling of long computations.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+/// Receives the fraction done in [0, 1] and what is being done; returns false to cancel.
+using ProgressFunction = std::function<bool(double fraction, const std::string& activity)>;
+
+/// A span [begin, end] of the whole progress, reported from the calling thread only.
+///
+/// Nested phases take a sub-span, so that the caller sees one number that only grows.
+class Progress {
+ public:
+  Progress() = default;
+  explicit Progress(ProgressFunction function) : function_(std::move(function)) {}
+
+  /// Reports `fraction` of this span. \throw Cancelled if the caller wishes to stop.
+  void report(double fraction, const std::string& activity) const {
+    if (function_ && !function_(begin_ + (end_ - begin_) * fraction, activity)) throw Cancelled();
+  }
+
+  /// The part [begin, end] of this span, as a progress of its own.
+  Progress part(double begin, double end) const {
+    Progress sub(function_);
+    sub.begin_ = begin_ + (end_ - begin_) * begin;
+    sub.end_ = begin_ + (end_ - begin_) * end;
+    return sub;
+  }
+
+ private:
+  ProgressFunction function_;
+  double begin_ = 0.0;
+  double end_ = 1.0;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,17 @@
+// Element indices shared by every room of the core.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace vorogeo {
+
+/// Index of a vertex, edge, half-edge, face or patch; negative means "none".
+using Index = std::int32_t;
+
+inline constexpr Index no_index = -1;
+
+/// Distance of a point that no path reaches.
+inline constexpr double unreachable = std::numeric_limits<double>::infinity();
+
+}  // namespace vorogeo
