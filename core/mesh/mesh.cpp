@@ -82,7 +82,7 @@ void Mesh::link_edges() {
   std::vector<Keyed> keyed(halfedges);
   auto slot = begin;
   for (Index h = 0; h < halfedges; ++h) {
-    const auto [a, b] = std::minmax(tail(h), head(h));
+    const auto [a, b] = std::minmax({tail(h), head(h)});
     keyed[slot[a]++] = {a, b, h};
   }
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
@@ -175,7 +175,7 @@ void Mesh::find_components() {
     return v;
   };
   for (const auto& edge : edge_vertices_) {
-    const auto [a, b] = std::minmax(root(edge[0]), root(edge[1]));
+    const auto [a, b] = std::minmax({root(edge[0]), root(edge[1])});
     parent[b] = a;
   }
   component_.assign(positions_.size(), no_index);
