@@ -1,0 +1,68 @@
+// Fingerprint by multiply-rotate rounds over 64-bit words; works on values, so the byte order does not
+// matter.
+#include "mesh/fingerprint.h"
+
+#include <bit>
+
+namespace vorogeo {
+
+namespace {
+
+/// Four chains of rounds. Words go in pairs; each word of a pair runs through two chains with different
+/// constants, so a collision needs both halves of the 128 bits to meet, and the chains do not wait for each
+/// other.
+class WordHash {
+ public:
+  void add(std::uint64_t first, std::uint64_t second) {
+    chain_[0] = round(chain_[0], first, multiplier_[0], multiplier_[1], 31);
+    chain_[1] = round(chain_[1], second, multiplier_[0], multiplier_[1], 31);
+    chain_[2] = round(chain_[2], first, multiplier_[2], multiplier_[3], 29);
+    chain_[3] = round(chain_[3], second, multiplier_[2], multiplier_[3], 29);
+  }
+
+  std::array<std::uint64_t, 2> finished() const {
+    return {mixed(chain_[0] ^ mixed(chain_[1])), mixed(chain_[2] ^ mixed(chain_[3] + multiplier_[1]))};
+  }
+
+ private:
+  // Odd numbers with about as many ones as zeros: fractional digits of square roots of small primes.
+  static constexpr std::array<std::uint64_t, 4> multiplier_{0x6a09e667f3bcc909, 0xbb67ae8584caa73b,
+                                                            0x3c6ef372fe94f82b, 0xa54ff53a5f1d36f1};
+
+  static std::uint64_t round(std::uint64_t state, std::uint64_t word, std::uint64_t inner,
+                             std::uint64_t outer, int bits) {
+    return std::rotl(state + word * inner, bits) * outer;
+  }
+
+  /// Bijective; every bit of the argument reaches every bit of the result.
+  static std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 32)) * multiplier_[0];
+    x = (x ^ (x >> 29)) * multiplier_[3];
+    return x ^ (x >> 32);
+  }
+
+  std::array<std::uint64_t, 4> chain_{1, 2, 3, 4};
+};
+
+std::uint64_t bits_of(double coordinate) {
+  return std::bit_cast<std::uint64_t>(coordinate == 0.0 ? 0.0 : coordinate);  // -0.0 counts as 0.0
+}
+
+}  // namespace
+
+Fingerprint fingerprint_of(const Mesh& mesh) {
+  WordHash hash;
+  hash.add(static_cast<std::uint64_t>(mesh.vertex_count()), static_cast<std::uint64_t>(mesh.face_count()));
+  for (const Point& p : mesh.positions()) {
+    hash.add(bits_of(p[0]), bits_of(p[1]));
+    hash.add(bits_of(p[2]), 0);
+  }
+  for (const auto& face : mesh.faces()) {
+    const auto low = static_cast<std::uint32_t>(face[0]);
+    const auto high = static_cast<std::uint32_t>(face[1]);
+    hash.add(low | static_cast<std::uint64_t>(high) << 32, static_cast<std::uint32_t>(face[2]));
+  }
+  return {hash.finished()};
+}
+
+}  // namespace vorogeo
