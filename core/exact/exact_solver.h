@@ -10,6 +10,8 @@
 
 namespace vorogeo {
 
+struct ExactGeometry;
+
 /// Where the distance starts, and with which value.
 struct ExactSource {
   SurfacePoint point;
@@ -20,7 +22,8 @@ struct ExactSource {
 struct ExactLimits {
   /// Distances above this need not be found (they are reported as unreachable).
   double max_distance = unreachable;
-  /// If not empty: stop as soon as the distances of these vertices are final; the others are then upper bounds.
+  /// If not empty: stop as soon as the distances of these vertices are final; the others are then upper
+  /// bounds.
   std::span<const Index> targets{};
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
@@ -40,6 +43,8 @@ struct SurfacePath {
 class ExactSolver {
  public:
   explicit ExactSolver(std::shared_ptr<const Mesh> mesh);
+  /// A solver on geometry that several solvers (one per thread) share.
+  explicit ExactSolver(std::shared_ptr<const ExactGeometry> geometry);
   ~ExactSolver();
   ExactSolver(ExactSolver&&) noexcept;
   ExactSolver& operator=(ExactSolver&&) noexcept;
@@ -50,7 +55,7 @@ class ExactSolver {
   /// then every distance is infinite).
   void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
   /// The same from vertices.
-  void run(std::span<const Index> source_vertices, const ExactLimits& limits = {});
+  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {});
 
   /// Distance of a vertex, in the mesh's length unit; `unreachable` if no path was found.
   double distance(Index vertex) const;
@@ -65,12 +70,14 @@ class ExactSolver {
   std::size_t window_count() const;
   std::size_t memory_bytes() const;
 
- private:
   struct State;
+
+ private:
   std::unique_ptr<State> state_;
 };
 
 /// Exact distances from the sources to all vertices, on one thread. Shape (n).
-std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh, std::span<const Index> source_vertices);
+std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh,
+                                         std::span<const Index> source_vertices);
 
 }  // namespace vorogeo

@@ -50,16 +50,19 @@ struct IndexData;
 /// Two layers of geodesic Voronoi patches with local exact tables and the graph between them.
 class GeodesicIndex {
  public:
-  /// Builds the index of a mesh. \throw InvalidInput (no face, delta or patch counts out of range), Cancelled.
-  static std::shared_ptr<const GeodesicIndex> build(std::shared_ptr<const Mesh> mesh, const IndexOptions& options = {},
+  /// Builds the index of a mesh. \throw InvalidInput (no face, delta or patch counts out of range),
+  /// Cancelled.
+  static std::shared_ptr<const GeodesicIndex> build(std::shared_ptr<const Mesh> mesh,
+                                                    const IndexOptions& options = {},
                                                     const Progress& progress = {});
 
   /// Writes the index (not the mesh) to a file; the file appears whole or not at all.
   /// \throw IndexFileError if it cannot be written.
   void save(const std::filesystem::path& file) const;
-  /// Reads an index and ties it to its mesh. \throw IndexFileError if the file is missing, damaged, of another
-  /// version, or was built for a mesh with another fingerprint.
-  static std::shared_ptr<const GeodesicIndex> load(const std::filesystem::path& file, std::shared_ptr<const Mesh> mesh);
+  /// Reads an index and ties it to its mesh. \throw IndexFileError if the file is missing, damaged, of
+  /// another version, or was built for a mesh with another fingerprint.
+  static std::shared_ptr<const GeodesicIndex> load(const std::filesystem::path& file,
+                                                   std::shared_ptr<const Mesh> mesh);
 
   const std::shared_ptr<const Mesh>& mesh() const;
   const Fingerprint& fingerprint() const;

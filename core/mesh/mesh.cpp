@@ -109,7 +109,8 @@ void Mesh::link_edges() {
     }
     i = j;
   }
-  mean_edge_length_ = edge_vertices_.empty() ? 0.0 : total_length / static_cast<double>(edge_vertices_.size());
+  mean_edge_length_ =
+      edge_vertices_.empty() ? 0.0 : total_length / static_cast<double>(edge_vertices_.size());
 }
 
 void Mesh::sort_fans() {

@@ -19,19 +19,19 @@ struct MeshFinding {
 struct MeshReport {
   Index vertices = 0;
   Index faces = 0;
-  MeshFinding non_finite_vertices;       ///< refused by Mesh
-  MeshFinding faces_out_of_range;        ///< refused by Mesh
+  MeshFinding non_finite_vertices;         ///< refused by Mesh
+  MeshFinding faces_out_of_range;          ///< refused by Mesh
   MeshFinding faces_with_repeated_vertex;  ///< left out
-  MeshFinding duplicate_faces;           ///< left out
-  MeshFinding zero_area_faces;           ///< crossed at no cost, no area
-  MeshFinding duplicate_vertices;        ///< same position as an earlier vertex; not joined
-  MeshFinding isolated_vertices;         ///< unreachable
-  MeshFinding non_manifold_edges;        ///< paths may turn into any of their faces
-  MeshFinding non_manifold_vertices;     ///< paths may pass from any face to any other
-  MeshFinding inconsistent_edges;        ///< two faces of opposite orientation: no influence
+  MeshFinding duplicate_faces;             ///< left out
+  MeshFinding zero_area_faces;             ///< crossed at no cost, no area
+  MeshFinding duplicate_vertices;          ///< same position as an earlier vertex; not joined
+  MeshFinding isolated_vertices;           ///< unreachable
+  MeshFinding non_manifold_edges;          ///< paths may turn into any of their faces
+  MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
+  MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no influence
   std::array<Index, 2> first_non_manifold_edge{no_index, no_index};
   Index border_edges = 0;
-  Index components = 0;                  ///< of vertices with a face
+  Index components = 0;  ///< of vertices with a face
 
   /// False if a Mesh cannot be made from it.
   bool usable() const { return faces > 0 && non_finite_vertices.count == 0 && faces_out_of_range.count == 0; }

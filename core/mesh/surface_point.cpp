@@ -11,7 +11,8 @@ namespace vorogeo {
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) {
     if (point.vertex < 0 || point.vertex >= mesh.vertex_count()) {
-      throw InvalidInput("Vertex " + std::to_string(point.vertex) + " does not exist: the mesh has vertices 0 to " +
+      throw InvalidInput("Vertex " + std::to_string(point.vertex) +
+                         " does not exist: the mesh has vertices 0 to " +
                          std::to_string(mesh.vertex_count() - 1) + ".");
     }
     return point;

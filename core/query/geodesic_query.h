@@ -22,9 +22,9 @@ class GeodesicQuery {
   /// \throw InvalidInput for a vertex out of range.
   double distance(Index source, Index target);
 
-  /// Distances from the nearest of the sources to every vertex (SSAD, MSAD), `unreachable` where there is none.
-  /// Shape (n). Distances above max_distance are `unreachable`. Duplicate sources count once.
-  /// \throw InvalidInput for a vertex out of range, or if there is no source.
+  /// Distances from the nearest of the sources to every vertex (SSAD, MSAD), `unreachable` where there is
+  /// none. Shape (n). Distances above max_distance are `unreachable`. Duplicate sources count once. \throw
+  /// InvalidInput for a vertex out of range, or if there is no source.
   std::vector<double> distance_field(std::span<const Index> sources, double max_distance = unreachable);
 
   const GeodesicIndex& index() const;

@@ -58,8 +58,9 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
     }
   };
 
-  const int helpers =
-      static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), std::max<std::size_t>(count, 1))) - 1;
+  const int helpers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads),
+                                                             std::max<std::size_t>(count, 1))) -
+                      1;
   std::vector<std::jthread> workers;
   workers.reserve(helpers);
   for (int worker = 1; worker <= helpers; ++worker) {

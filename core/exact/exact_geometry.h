@@ -1,0 +1,37 @@
+// What the exact solver needs of a mesh in the plane: computed once, shared by all solvers of a mesh.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+/// A face unfolded next to one of its edges: the edge on the x axis from its first vertex, the face below it.
+struct FaceFrame {
+  double apex_x;      ///< along the edge
+  double apex_depth;  ///< below the edge, >= 0
+  Index first_side;   ///< half-edge between the edge's first vertex and the apex
+  Index second_side;  ///< half-edge between the edge's second vertex and the apex
+  Index apex;
+  bool first_side_reversed;   ///< positions on that edge count from the apex
+  bool second_side_reversed;  ///< likewise
+};
+
+/// Frames of all half-edges and the angles around all vertices.
+struct ExactGeometry {
+  explicit ExactGeometry(std::shared_ptr<const Mesh> mesh);
+
+  std::shared_ptr<const Mesh> mesh;
+  std::vector<FaceFrame> frame;  ///< by half-edge
+  /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, a border, or non-manifold.
+  std::vector<std::uint8_t> can_bend;
+  /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner
+  /// begins.
+  std::vector<double> corner_begin;
+  /// Whether the corner begins at its own edge (rather than at that of the previous half-edge of the face).
+  std::vector<std::uint8_t> begins_at_own_edge;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,77 @@
+// The memory of an exact solver: what a run leaves behind and what evaluation and path tracing read.
+#pragma once
+
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include "exact/bucket_queue.h"
+#include "exact/envelope.h"
+#include "exact/exact_geometry.h"
+#include "exact/exact_solver.h"
+
+namespace vorogeo {
+
+/// Distance of a vertex so far and how it was reached.
+struct VertexState {
+  double distance = unreachable;
+  /// Direction in which the path arrives, as angle in the fan; negative: unknown or a source.
+  double arrival = -1.0;
+  Index source = no_index;
+  /// The vertex from which the path came along an edge; no_index: through a face, or a source.
+  Index along_edge_from = no_index;
+};
+
+struct ExactSolver::State {
+  explicit State(std::shared_ptr<const ExactGeometry> shared_geometry);
+
+  void reset();
+  void start_at(const ExactSource& source, Index id);
+  void propagate();
+  void take_vertex(Index vertex);
+  void take_edge(Index edge);
+  void cross_face(const Window& window, Index halfedge);
+  void emit(Index vertex, Index corner, double least_angle, double greatest_angle);
+  void emit_from(const ExactSource& source, Index id, Index halfedge);
+  void emit_fan(Index vertex);
+  void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
+  void add_window(Index edge, Window window);
+
+  bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
+  /// Sources that lie in a face or on one of its edges.
+  std::vector<Index> sources_in(Index face) const;
+
+  std::shared_ptr<const ExactGeometry> geometry;
+  const Mesh& mesh;
+  std::vector<ExactSource> sources;
+  std::unordered_multimap<Index, Index> face_sources;
+  std::span<const std::uint8_t> face_allowed;
+  double max_distance = unreachable;
+
+  std::vector<VertexState> vertices;
+  std::vector<Index> touched_vertices;
+  WindowEnvelope envelope;
+  /// Vertices are items [0, n), edges follow.
+  BucketQueue queue;
+};
+
+/// Where the straight way back from a point of a face leads: the best of all ways into that face.
+struct BackStep {
+  double distance = unreachable;  ///< of the point, by this way
+  Index source = no_index;        ///< the source itself, in this face
+  Index vertex = no_index;        ///< through this vertex
+  Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
+  double x = 0.0;
+};
+
+/// Plane coordinates of a point of a face: half-edge 3 f on the x axis from its tail, apex above.
+struct FacePlane {
+  FacePlane(const ExactGeometry& geometry, Index face);
+  std::array<double, 2> at(const std::array<double, 3>& barycentric) const;
+  std::array<std::array<double, 2>, 3> corner;
+};
+
+/// The best way to a point given by barycentric coordinates in `face`.
+BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric);
+
+}  // namespace vorogeo
