@@ -120,7 +120,10 @@ double WindowEnvelope::insert(Index edge, const Window& window) {
   if (first_[edge] == no_index) touched_.push_back(edge);
 
   Index previous = no_index;
-  auto link = [&](Index id) { (previous == no_index ? first_[edge] : pool_[previous].next) = id; };
+  auto link = [&](Index id) {
+    (previous == no_index ? first_[edge] : pool_[previous].next) = id;
+    if (id != no_index) pool_[id].previous = previous;
+  };
   // The piece of the new window that is won so far but not yet linked: [piece, ...), if open.
   double piece = window.begin;
   bool open = false;
@@ -135,11 +138,14 @@ double WindowEnvelope::insert(Index edge, const Window& window) {
     least = std::min(least, window.distance(std::clamp(window.source_x, piece, end)));
   };
 
-  Index current = first_[edge];
+  Index current = first_[edge] == no_index ? no_index : hint_[edge];
+  while (current != no_index && pool_[current].begin > window.begin) current = pool_[current].previous;
+  if (current == no_index) current = first_[edge];
   while (current != no_index && pool_[current].end <= window.begin) {
     previous = current;
     current = pool_[current].next;
   }
+  if (previous == no_index && current != no_index) previous = pool_[current].previous;
   double reached = window.begin;
   while (current != no_index && pool_[current].begin < window.end) {
     const Window old = pool_[current];
@@ -153,6 +159,7 @@ double WindowEnvelope::insert(Index edge, const Window& window) {
     reached = r;
     if (division.cuts == 0 && !division.new_first) {
       close_piece(l, current);
+      link(current);
       previous = current;
       current = old.next;
       continue;
@@ -219,6 +226,8 @@ double WindowEnvelope::insert(Index edge, const Window& window) {
     piece = std::max(reached, window.begin);
   }
   close_piece(window.end, current);
+  if (current != no_index) pool_[current].previous = previous;
+  hint_[edge] = previous != no_index ? previous : current;
   return least;
 }
 

@@ -12,7 +12,10 @@ namespace vorogeo {
 /// touched.
 class WindowEnvelope {
  public:
-  void resize(std::size_t edges) { first_.assign(edges, no_index); }
+  void resize(std::size_t edges) {
+    first_.assign(edges, no_index);
+    hint_.assign(edges, no_index);
+  }
 
   /// Adds a window where it is shorter than the windows there, and cuts those where it is.
   /// Ties (relative 1e-12) are left with the older window.
@@ -26,7 +29,7 @@ class WindowEnvelope {
   void clear();
   std::size_t made() const { return made_; }
   std::size_t memory_bytes() const {
-    return pool_.capacity() * sizeof(Window) + first_.capacity() * sizeof(Index);
+    return pool_.capacity() * sizeof(Window) + 2 * first_.capacity() * sizeof(Index);
   }
 
  private:
@@ -36,6 +39,8 @@ class WindowEnvelope {
   std::vector<Window> pool_;
   std::vector<Index> free_;
   std::vector<Index> first_;
+  /// Where the last insertion ended: the next one is mostly near, as windows arrive sorted.
+  std::vector<Index> hint_;
   std::vector<Index> touched_;
   std::size_t made_ = 0;
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// Bucket width in mean edge lengths: narrow enough for few repeated propagations, wide enough for few
 /// buckets.
-constexpr double bucket_width = 0.5;
+constexpr double bucket_width = 0.25;
 /// How far beside a window, in lengths of the edge, a vertex may lie and still be reached by it.
 constexpr double vertex_tolerance = 1e-11;
 /// Widening of the sector into which a vertex emits, in radians.
@@ -148,8 +148,8 @@ void ExactSolver::State::emit(Index vertex, Index corner, double least_angle, do
   const Index edge = mesh.edge_of(opposite);
   const double length = mesh.edge_length(edge);
   const VertexState& state = vertices[vertex];
-  Window window{0.0,          length,   frame.apex_x, frame.apex_depth, state.distance, opposite,
-                state.source, no_index, false};
+  Window window{0.0,      length,       frame.apex_x, frame.apex_depth, state.distance,
+                opposite, state.source, no_index,     no_index,         false};
   const double width = mesh.corner_angle(corner);
   if (least_angle > 0.0 || greatest_angle < width) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
@@ -237,7 +237,7 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
   const double at_apex = source.point.barycentric[(tail + 2) % 3];
   const double at_second = source.point.barycentric[along ? (tail + 1) % 3 : tail];
   add_window(edge, {0.0, mesh.edge_length(edge), at_second * mesh.edge_length(edge) + at_apex * frame.apex_x,
-                    at_apex * frame.apex_depth, source.offset, halfedge, id, no_index, false});
+                    at_apex * frame.apex_depth, source.offset, halfedge, id, no_index, no_index, false});
 }
 
 void ExactSolver::State::start_at(const ExactSource& source, Index id) {

@@ -20,6 +20,7 @@ struct Window {
   Index came_from;  ///< half-edge of the edge in the face the window came through
   Index source;     ///< which of the sources
   Index next;       ///< next window of the same edge, in order of `begin`
+  Index previous;
   bool propagated;  ///< already taken across the faces on the other side
 
   double distance(double x) const { return offset + plane_distance(x); }
