@@ -1,0 +1,62 @@
+// Conversions between numpy arrays and the vectors of the core.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo::python {
+
+namespace nb = nanobind;
+
+/// What the Python package hands over: it has checked and converted everything before.
+using VertexArray = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using FaceArray = nb::ndarray<const Index, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using IdArray = nb::ndarray<const Index, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+using DoubleArray = nb::ndarray<nb::numpy, double, nb::ndim<1>>;
+using IndexArray = nb::ndarray<nb::numpy, Index, nb::ndim<1>>;
+
+inline std::vector<Point> points_of(const VertexArray& vertices) {
+  std::vector<Point> points(vertices.shape(0));
+  const double* value = vertices.data();
+  for (Point& point : points) {
+    for (double& coordinate : point) coordinate = *value++;
+  }
+  return points;
+}
+
+inline std::vector<std::array<Index, 3>> triangles_of(const FaceArray& faces) {
+  std::vector<std::array<Index, 3>> triangles(faces.shape(0));
+  const Index* value = faces.data();
+  for (auto& triangle : triangles) {
+    for (Index& vertex : triangle) vertex = *value++;
+  }
+  return triangles;
+}
+
+inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces) {
+  return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces));
+}
+
+inline std::span<const Index> ids_of(const IdArray& ids) { return {ids.data(), ids.shape(0)}; }
+
+/// A numpy array that owns the values; the caller holds the GIL.
+template <class T>
+nb::ndarray<nb::numpy, T, nb::ndim<1>> to_numpy(std::vector<T>&& values) {
+  auto owned = std::make_unique<std::vector<T>>(std::move(values));
+  T* data = owned->data();
+  const std::size_t size = owned->size();
+  nb::capsule owner(owned.get(), [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
+  owned.release();
+  return nb::ndarray<nb::numpy, T, nb::ndim<1>>(data, {size}, owner);
+}
+
+}  // namespace vorogeo::python

@@ -1,0 +1,14 @@
+// The compiled extension vorogeo._core: the core behind the Python package, which checks all arguments.
+#include <nanobind/nanobind.h>
+
+#include "errors.h"
+#include "index_binding.h"
+#include "mesh_binding.h"
+
+NB_MODULE(_core, module) {
+  module.doc() =
+      "The core of VoroGeo; use the functions of the package vorogeo, which check their arguments.";
+  vorogeo::python::translate_errors();
+  vorogeo::python::bind_mesh_functions(module);
+  vorogeo::python::bind_index(module);
+}

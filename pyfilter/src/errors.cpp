@@ -1,0 +1,40 @@
+// Turns the errors of the core into those of the Python package.
+#include "errors.h"
+
+#include "support/error.h"
+
+namespace vorogeo::python {
+
+namespace {
+
+/// The exception classes; they live as long as the interpreter.
+struct Classes {
+  nb::handle error, invalid_input, index_file, cancelled;
+};
+
+Classes classes;
+
+void translate(const std::exception_ptr& exception, void*) {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const InvalidInput& e) {
+    PyErr_SetString(classes.invalid_input.ptr(), e.what());
+  } catch (const IndexFileError& e) {
+    PyErr_SetString(classes.index_file.ptr(), e.what());
+  } catch (const Cancelled& e) {
+    PyErr_SetString(classes.cancelled.ptr(), e.what());
+  } catch (const Error& e) {
+    PyErr_SetString(classes.error.ptr(), e.what());
+  }
+}
+
+}  // namespace
+
+void translate_errors() {
+  nb::module_ errors = nb::module_::import_("vorogeo.errors");
+  auto take = [&](const char* name) { return nb::object(errors.attr(name)).release(); };
+  classes = {take("Error"), take("InvalidInput"), take("IndexFileError"), take("Cancelled")};
+  nb::register_exception_translator(translate);
+}
+
+}  // namespace vorogeo::python

@@ -1,0 +1,145 @@
+// The class _core.Index: a built index with its queries, without argument checks.
+#include "index_binding.h"
+
+#include <nanobind/stl/filesystem.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "arrays.h"
+#include "index/geodesic_index.h"
+#include "progress_bridge.h"
+#include "query_pool.h"
+#include "support/parallel.h"
+
+namespace vorogeo::python {
+
+namespace {
+
+/// What a Python index object holds.
+class IndexHandle {
+ public:
+  IndexHandle(std::shared_ptr<const GeodesicIndex> index, std::size_t input_faces, int threads)
+      : pool_(std::move(index), threads), input_faces_(input_faces) {}
+
+  const GeodesicIndex& index() const { return pool_.index(); }
+
+  double distance(Index source, Index target) {
+    nb::gil_scoped_release release;
+    return pool_.lend([&](GeodesicQuery& query) { return query.distance(source, target); });
+  }
+
+  DoubleArray distances(const IdArray& sources, const IdArray& targets) {
+    const auto from = ids_of(sources);
+    const auto to = ids_of(targets);
+    std::vector<double> values(from.size());
+    auto fill = [&](std::size_t begin, std::size_t end) {
+      pool_.lend([&](GeodesicQuery& query) {
+        for (std::size_t i = begin; i < end; ++i) values[i] = query.distance(from[i], to[i]);
+        return true;
+      });
+    };
+    constexpr std::size_t pairs_at_once = 256;
+    if (values.size() <= pairs_at_once) {
+      nb::gil_scoped_release release;
+      fill(0, values.size());
+    } else {
+      ProgressBridge bridge{nb::handle(Py_None)};
+      bridge.run([&](const Progress& progress) {
+        const std::size_t count = (values.size() + pairs_at_once - 1) / pairs_at_once;
+        parallel_for(count, pool_.threads(), progress, "Distances", [&](std::size_t item, int) {
+          fill(item * pairs_at_once, std::min(values.size(), (item + 1) * pairs_at_once));
+        });
+      });
+    }
+    return to_numpy(std::move(values));
+  }
+
+  DoubleArray distance_field(const IdArray& sources, double max_distance) {
+    std::vector<double> values;
+    {
+      nb::gil_scoped_release release;
+      values = pool_.lend(
+          [&](GeodesicQuery& query) { return query.distance_field(ids_of(sources), max_distance); });
+    }
+    return to_numpy(std::move(values));
+  }
+
+  /// Patches by input face; no_index for a face that the mesh leaves out.
+  IndexArray face_patches(int layer) const {
+    const std::span<const Index> patches = index().face_patches(layer);
+    std::vector<Index> values(input_faces_, no_index);
+    for (Index f = 0; f < static_cast<Index>(patches.size()); ++f)
+      values[index().mesh()->input_face(f)] = patches[f];
+    return to_numpy(std::move(values));
+  }
+
+  void save(const std::filesystem::path& file) const {
+    nb::gil_scoped_release release;
+    index().save(file);
+  }
+
+  nb::dict statistics() const {
+    const IndexStatistics& s = index().statistics();
+    nb::dict d;
+    d["vertices"] = s.vertices;
+    d["faces"] = s.faces;
+    d["components"] = s.components;
+    d["first_layer_patches"] = s.first_layer_patches;
+    d["second_layer_patches"] = s.second_layer_patches;
+    d["first_layer_border_vertices"] = s.first_layer_border_vertices;
+    d["second_layer_border_vertices"] = s.second_layer_border_vertices;
+    d["arcs_before_pruning"] = s.arcs_before_pruning;
+    d["arcs"] = s.arcs;
+    d["bytes"] = s.bytes;
+    d["seconds"] = s.seconds;
+    d["delta"] = s.delta;
+    d["seed"] = s.seed;
+    return d;
+  }
+
+ private:
+  QueryPool pool_;
+  std::size_t input_faces_;
+};
+
+std::unique_ptr<IndexHandle> build(const VertexArray& vertices, const FaceArray& faces,
+                                   Index first_layer_patches, Index second_layer_patches, double delta,
+                                   int threads, std::uint64_t seed, nb::object progress) {
+  IndexOptions options;
+  options.first_layer_patches = first_layer_patches;
+  options.second_layer_patches = second_layer_patches;
+  options.delta = delta;
+  options.threads = threads;
+  options.seed = seed;
+  ProgressBridge bridge(progress);
+  auto index = bridge.run([&](const Progress& report) {
+    return GeodesicIndex::build(mesh_of(vertices, faces), options, report);
+  });
+  return std::make_unique<IndexHandle>(std::move(index), faces.shape(0), threads);
+}
+
+std::unique_ptr<IndexHandle> load(const std::filesystem::path& file, const VertexArray& vertices,
+                                  const FaceArray& faces, int threads) {
+  nb::gil_scoped_release release;
+  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces));
+  return std::make_unique<IndexHandle>(std::move(index), faces.shape(0), threads);
+}
+
+}  // namespace
+
+void bind_index(nb::module_& module) {
+  nb::class_<IndexHandle>(module, "Index")
+      .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("first_layer_patches"),
+                  nb::arg("second_layer_patches"), nb::arg("delta"), nb::arg("threads"), nb::arg("seed"),
+                  nb::arg("progress").none())
+      .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"), nb::arg("threads"))
+      .def("distance", &IndexHandle::distance, nb::arg("source"), nb::arg("target"))
+      .def("distances", &IndexHandle::distances, nb::arg("sources"), nb::arg("targets"))
+      .def("distance_field", &IndexHandle::distance_field, nb::arg("sources"), nb::arg("max_distance"))
+      .def("face_patches", &IndexHandle::face_patches, nb::arg("layer"))
+      .def("save", &IndexHandle::save, nb::arg("file"))
+      .def("statistics", &IndexHandle::statistics);
+}
+
+}  // namespace vorogeo::python

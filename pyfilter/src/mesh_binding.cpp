@@ -1,0 +1,75 @@
+// The functions of _core that need no index: exact distances and the mesh check.
+#include "mesh_binding.h"
+
+#include <nanobind/stl/string.h>
+
+#include "arrays.h"
+#include "exact/exact_solver.h"
+#include "mesh/mesh_check.h"
+
+namespace vorogeo::python {
+
+namespace {
+
+DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const IdArray& sources,
+                                 double max_distance) {
+  std::vector<double> values;
+  {
+    nb::gil_scoped_release release;
+    const auto mesh = mesh_of(vertices, faces);
+    ExactSolver solver(mesh);
+    ExactLimits limits;
+    limits.max_distance = max_distance;
+    solver.run_from_vertices(ids_of(sources), limits);
+    values.resize(mesh->vertex_count());
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const double distance = solver.distance(v);
+      values[v] = distance <= max_distance ? distance : unreachable;
+    }
+  }
+  return to_numpy(std::move(values));
+}
+
+nb::tuple finding(const MeshFinding& found) { return nb::make_tuple(found.count, found.first); }
+
+nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
+  MeshReport report;
+  {
+    nb::gil_scoped_release release;
+    report = check_mesh(points_of(vertices), triangles_of(faces));
+  }
+  nb::list sentences;
+  for (const std::string& sentence : report.sentences()) sentences.append(sentence);
+  nb::dict findings;
+  nb::dict d;
+  d["findings"] = findings;
+  d["vertices"] = report.vertices;
+  d["faces"] = report.faces;
+  findings["non_finite_vertices"] = finding(report.non_finite_vertices);
+  findings["faces_out_of_range"] = finding(report.faces_out_of_range);
+  findings["faces_with_repeated_vertex"] = finding(report.faces_with_repeated_vertex);
+  findings["duplicate_faces"] = finding(report.duplicate_faces);
+  findings["zero_area_faces"] = finding(report.zero_area_faces);
+  findings["duplicate_vertices"] = finding(report.duplicate_vertices);
+  findings["isolated_vertices"] = finding(report.isolated_vertices);
+  findings["non_manifold_edges"] = finding(report.non_manifold_edges);
+  findings["non_manifold_vertices"] = finding(report.non_manifold_vertices);
+  findings["inconsistent_edges"] = finding(report.inconsistent_edges);
+  d["first_non_manifold_edge"] =
+      nb::make_tuple(report.first_non_manifold_edge[0], report.first_non_manifold_edge[1]);
+  d["border_edges"] = report.border_edges;
+  d["components"] = report.components;
+  d["usable"] = report.usable();
+  d["sentences"] = nb::tuple(sentences);
+  return d;
+}
+
+}  // namespace
+
+void bind_mesh_functions(nb::module_& module) {
+  module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
+             nb::arg("sources"), nb::arg("max_distance"));
+  module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"));
+}
+
+}  // namespace vorogeo::python

@@ -1,0 +1,77 @@
+// Carries the core's progress reports to a Python function, and Ctrl-C back.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <string>
+
+#include "support/progress.h"
+
+namespace vorogeo::python {
+
+namespace nb = nanobind;
+
+/// Runs a computation without the GIL; takes it only to report.
+///
+/// The Python function is called with (fraction, text) when the text changes, at the end, and at most
+/// fifty times a second between; the fraction never falls. A result of False cancels. An exception of the
+/// function, or Ctrl-C, stops the computation and is raised unchanged.
+class ProgressBridge {
+ public:
+  /// `function`: a callable, or None for Ctrl-C alone. Both `function` and this object outlive the run.
+  explicit ProgressBridge(nb::handle function) : function_(function) {}
+  ProgressBridge(const ProgressBridge&) = delete;
+  ProgressBridge& operator=(const ProgressBridge&) = delete;
+
+  /// Calls `body(progress)` with the GIL released. The caller holds the GIL.
+  template <class Body>
+  auto run(Body&& body) {
+    const Progress progress(
+        [this](double fraction, const std::string& activity) { return report(fraction, activity); });
+    try {
+      nb::gil_scoped_release release;
+      return body(progress);
+    } catch (const Cancelled&) {
+      if (failure_) std::rethrow_exception(failure_);
+      throw;
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto interval = std::chrono::milliseconds(20);
+
+  bool report(double fraction, const std::string& activity) {
+    const auto now = Clock::now();
+    const bool news = activity != activity_ || (fraction >= 1.0 && fraction_ < 1.0);
+    if (!news && now - last_ < interval) return true;
+    last_ = now;
+    activity_ = activity;
+    fraction_ = fraction > 1.0 ? 1.0 : (fraction > fraction_ ? fraction : fraction_);
+
+    nb::gil_scoped_acquire acquire;
+    try {
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+      if (function_.is_none()) return true;
+      const nb::object answer = function_(fraction_, activity_);
+      if (answer.is_none()) return true;
+      const int truth = PyObject_IsTrue(answer.ptr());
+      if (truth < 0) throw nb::python_error();
+      return truth != 0;
+    } catch (...) {
+      failure_ = std::current_exception();
+      return false;
+    }
+  }
+
+  nb::handle function_;
+  Clock::time_point last_{};
+  std::string activity_;
+  double fraction_ = 0.0;
+  std::exception_ptr failure_;
+};
+
+}  // namespace vorogeo::python

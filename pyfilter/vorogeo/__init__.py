@@ -1,0 +1,33 @@
+"""VoroGeo: geodesic distances on triangle meshes, for numpy and PyMeshLab.
+
+On numpy arrays: `GeodesicIndex` is built once per mesh and then answers distances between vertices and distance fields;
+`exact_distance_field` needs no index; `check_mesh` reports what a mesh contains. When PyMeshLab is installed, importing
+this package also loads the VoroGeo filters into it and binds them as methods of ``pymeshlab.MeshSet``.
+"""
+
+from importlib.metadata import version as _version
+
+from .errors import Cancelled, Error, IndexFileError, InvalidInput, PluginError
+from .exact import exact_distance_field
+from .index import GeodesicIndex, IndexStatistics
+from .mesh_check import MeshFinding, MeshReport, check_mesh
+from .plugin import load_on_import as _load_on_import
+from .plugin import load_plugin
+
+__version__ = _version("vorogeo")
+__all__ = [
+    "Cancelled",
+    "Error",
+    "GeodesicIndex",
+    "IndexFileError",
+    "IndexStatistics",
+    "InvalidInput",
+    "MeshFinding",
+    "MeshReport",
+    "PluginError",
+    "check_mesh",
+    "exact_distance_field",
+    "load_plugin",
+]
+
+_load_on_import()

@@ -1,0 +1,202 @@
+"""Checks arguments and turns them into the arrays that the compiled core takes."""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import InvalidInput
+
+MAX_THREADS = 1024
+_INT32 = np.iinfo(np.int32)
+
+
+def _array(name: str, value: Any, wanted: str) -> NDArray[Any]:
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"{name}: cannot be read as an array ({error}); give {wanted}.") from None
+    if array.dtype.kind not in "fiub":
+        raise InvalidInput(f"{name}: is no array of numbers (it is {_describe(value, array)}); give {wanted}.")
+    return array
+
+
+def _describe(value: Any, array: NDArray[Any]) -> str:
+    if array.ndim == 0 and not isinstance(value, np.ndarray):
+        return type(value).__name__
+    return f"an array of {array.dtype}"
+
+
+def _triples(name: str, array: NDArray[Any], wanted: str) -> None:
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
+
+
+def _integers(name: str, array: NDArray[Any], wanted: str) -> None:
+    if array.dtype.kind not in "iu":
+        raise InvalidInput(f"{name}: has type {array.dtype}, not integer; give {wanted}.")
+
+
+def vertices(value: ArrayLike, finite: bool = True) -> NDArray[np.float64]:
+    """Vertex positions as contiguous float64 of shape (n, 3); finite unless told otherwise."""
+    wanted = "the positions as real numbers of shape (n, 3)"
+    array = _array("vertices", value, wanted)
+    _triples("vertices", array, wanted)
+    if array.dtype.kind == "b":
+        raise InvalidInput(f"vertices: has type bool; give {wanted}.")
+    if len(array) > _INT32.max:
+        raise InvalidInput(f"vertices: has {len(array)} rows; at most {_INT32.max} are possible.")
+    points = np.ascontiguousarray(array, dtype=np.float64)
+    if finite and not np.isfinite(points).all():
+        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        raise InvalidInput(
+            f"vertices[{row}]: {points[row].tolist()} is not finite; repair or remove this vertex and its faces."
+        )
+    return points
+
+
+def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+    """Faces as contiguous int32 of shape (m, 3), each entry in [0, vertex_count)."""
+    array = _face_array(value)
+    bad = (array < 0) | (array >= vertex_count)
+    if bad.any():
+        row = int(np.flatnonzero(bad.any(axis=1))[0])
+        vertex = int(array[row][bad[row]][0])
+        raise InvalidInput(f"faces[{row}]: names vertex {vertex}, but {_vertex_range(vertex_count)}.")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def unchecked_faces(value: ArrayLike) -> NDArray[np.int32]:
+    """Faces as contiguous int32 of shape (m, 3); entries that are no vertex index become -1 or the largest int32."""
+    array = _face_array(value)
+    wide = array.astype(np.uint64 if array.dtype.kind == "u" else np.int64)
+    wide[wide > _INT32.max] = _INT32.max
+    if array.dtype.kind == "i":
+        wide[wide < 0] = -1
+    return np.ascontiguousarray(wide, dtype=np.int32)
+
+
+def _face_array(value: ArrayLike) -> NDArray[Any]:
+    wanted = "the vertex ids of the triangles as integers of shape (m, 3)"
+    array = _array("faces", value, wanted)
+    _triples("faces", array, wanted)
+    _integers("faces", array, wanted)
+    if len(array) > _INT32.max // 3:
+        raise InvalidInput(f"faces: has {len(array)} rows; at most {_INT32.max // 3} are possible.")
+    return array
+
+
+def _vertex_range(vertex_count: int) -> str:
+    if vertex_count == 0:
+        return "the mesh has no vertices"
+    return f"the mesh has vertices 0 to {vertex_count - 1}"
+
+
+def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+    """Vertex ids as contiguous int32 of shape () or (k,), each in [0, vertex_count)."""
+    wanted = "a vertex id or a one-dimensional array of vertex ids (integers)"
+    array = _array(name, value, wanted)
+    if array.ndim > 1:
+        raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
+    if array.size == 0:
+        return np.empty(0, dtype=np.int32)
+    _integers(name, array, wanted)
+    bad = (array < 0) | (array >= vertex_count)
+    if bad.any():
+        place = "" if array.ndim == 0 else f"[{int(np.flatnonzero(bad)[0])}]"
+        vertex = int(array[bad][0])
+        raise InvalidInput(f"{name}{place}: there is no vertex {vertex}; {_vertex_range(vertex_count)}.")
+    return np.asarray(array, dtype=np.int32, order="C")
+
+
+def source_ids(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+    """One or more vertex ids as int32 of shape (k,), k >= 1."""
+    ids = np.atleast_1d(vertex_ids("sources", value, vertex_count))
+    if ids.size == 0:
+        raise InvalidInput("sources: is empty; give at least one vertex id.")
+    return ids
+
+
+def integer(name: str, value: Any, low: int, high: int) -> int:
+    """An integer in [low, high]."""
+    try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
+        number = operator.index(value)
+    except TypeError:
+        raise InvalidInput(f"{name}: {value!r} is no integer; give one from {low} to {high}.") from None
+    if not low <= number <= high:
+        raise InvalidInput(f"{name}: {number} is out of range; give an integer from {low} to {high}.")
+    return number
+
+
+def real(name: str, value: Any, wanted: str) -> float:
+    """A real number that is not NaN."""
+    try:
+        if isinstance(value, (bool, np.bool_, str, bytes)):
+            raise TypeError
+        number = float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidInput(f"{name}: {value!r} is no real number; give {wanted}.") from None
+    if math.isnan(number):
+        raise InvalidInput(f"{name}: is NaN; give {wanted}.")
+    return number
+
+
+def max_distance(value: float | None) -> float:
+    """A distance limit; infinity for None."""
+    if value is None:
+        return math.inf
+    wanted = "a length of 0 or more in the unit of the vertices, or None for no limit"
+    number = real("max_distance", value, wanted)
+    if number < 0:
+        raise InvalidInput(f"max_distance: {number} is negative; give {wanted}.")
+    return number
+
+
+def delta(value: float) -> float:
+    """The pruning threshold, in [0, 1)."""
+    wanted = "a relative error from 0 (nothing is lost) to below 1"
+    number = real("delta", value, wanted)
+    if not 0 <= number < 1:
+        raise InvalidInput(f"delta: {number} is out of range; give {wanted}.")
+    return number
+
+
+def patches(value: tuple[int, int] | None) -> tuple[int, int]:
+    """The numbers of patches (n1, n2); 0 means chosen from the mesh."""
+    if value is None:
+        return 0, 0
+    wanted = "None or two integers (n1, n2), 0 for an automatic number"
+    if isinstance(value, (str, bytes)):
+        raise InvalidInput(f"patches: {value!r} is no pair; give {wanted}.")
+    try:
+        pair = list(value)
+    except TypeError:
+        raise InvalidInput(f"patches: {value!r} is no pair; give {wanted}.") from None
+    if len(pair) != 2:
+        raise InvalidInput(f"patches: has {len(pair)} entries; give {wanted}.")
+    return integer("patches[0]", pair[0], 0, _INT32.max), integer("patches[1]", pair[1], 0, _INT32.max)
+
+
+def threads(value: int | None) -> int:
+    """Number of threads; 0 for None, which means one per core."""
+    return 0 if value is None else integer("threads", value, 1, MAX_THREADS)
+
+
+def file_path(value: str | os.PathLike[str]) -> str:
+    """A file name without NUL characters."""
+    try:
+        path = os.fsdecode(value)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"file: {value!r} is no file name; give a string or a path.") from None
+    if "\0" in path:
+        raise InvalidInput(f"file: {value!r} holds a NUL character; give another name.")
+    if not path:
+        raise InvalidInput("file: is empty; give a file name.")
+    return path

@@ -1,0 +1,21 @@
+"""The errors of the package; every message names the offending element and says what to do."""
+
+
+class Error(Exception):
+    """Base of every error that vorogeo raises on purpose."""
+
+
+class InvalidInput(Error, ValueError):
+    """An argument or a mesh that cannot be used."""
+
+
+class IndexFileError(Error, OSError):
+    """An index file that is missing, truncated, damaged, of another version or of another mesh."""
+
+
+class Cancelled(Error):
+    """The progress function asked to stop; nothing was changed."""
+
+
+class PluginError(Error, RuntimeError):
+    """The filters cannot be added to the installed PyMeshLab."""

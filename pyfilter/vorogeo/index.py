@@ -1,0 +1,256 @@
+"""The geodesic index on numpy arrays: built once per mesh, then asked for distances."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from . import _core
+from .errors import InvalidInput
+from .progress import ProgressFunction, reporter
+
+
+@dataclass(frozen=True)
+class IndexStatistics:
+    """What an index holds and what it cost.
+
+    Attributes
+    ----------
+    vertices, faces, components : int
+        Size of the mesh; degenerate and repeated faces are not counted.
+    first_layer_patches, second_layer_patches : int
+        Patches of the mesh in each layer.
+    first_layer_border_vertices, second_layer_border_vertices : int
+        Vertices shared by patches of each layer.
+    arcs_before_pruning, arcs : int
+        Arcs of the graph between border vertices.
+    bytes : int
+        Memory held by the index.
+    seconds : float
+        Time of the build; 0 for an index that was loaded.
+    delta : float
+        Relative average error that pruning was allowed to add.
+    seed : int
+        Start of the random numbers that placed the patches.
+    """
+
+    vertices: int
+    faces: int
+    components: int
+    first_layer_patches: int
+    second_layer_patches: int
+    first_layer_border_vertices: int
+    second_layer_border_vertices: int
+    arcs_before_pruning: int
+    arcs: int
+    bytes: int
+    seconds: float
+    delta: float
+    seed: int
+
+
+class GeodesicIndex:
+    """Index of a triangle mesh for geodesic distances.
+
+    Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
+    exists. The index is immutable and may be used by several threads at once; long computations release the GIL.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+        Finite positions; any real type and layout.
+    faces : array_like of int, shape (m, 3)
+        Vertex ids of the triangles, 0 to n - 1.
+    patches : (int, int), optional
+        Numbers of patches: of the mesh, and of each patch again. 0, or None for both, chooses from n.
+    delta : float, default 0
+        Relative average error that pruning of the graph may add, in [0, 1). 0 loses nothing.
+    threads : int, optional
+        Threads of the build and of each field; None is one per core. The results do not depend on it.
+    seed : int, default 0
+        Start of the random numbers that place the patches, 0 to 2**64 - 1.
+    progress : callable or bool, optional
+        Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never falls; a result of
+        False cancels. True shows a tqdm bar.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+    Cancelled
+        If `progress` returned False.
+    MemoryError
+        If the index does not fit into memory.
+
+    Examples
+    --------
+    >>> index = vorogeo.GeodesicIndex(vertices, faces)
+    >>> index.distance(0, 17)
+    >>> index.distance_field([0, 17])
+    """
+
+    __slots__ = ("__weakref__", "_handle", "_statistics")
+
+    _handle: _core.Index
+    _statistics: IndexStatistics
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        patches: tuple[int, int] | None = None,
+        delta: float = 0.0,
+        threads: int | None = None,
+        seed: int = 0,
+        progress: ProgressFunction | bool | None = None,
+    ) -> None:
+        points = check.vertices(vertices)
+        triangles = check.faces(faces, len(points))
+        n1, n2 = check.patches(patches)
+        delta = check.delta(delta)
+        workers = check.threads(threads)
+        seed = check.integer("seed", seed, 0, 2**64 - 1)
+        with reporter(progress) as report:
+            handle = _core.Index.build(points, triangles, n1, n2, delta, workers, seed, report)
+        self._adopt(handle)
+
+    @classmethod
+    def load(
+        cls, file: str | os.PathLike[str], vertices: ArrayLike, faces: ArrayLike, threads: int | None = None
+    ) -> GeodesicIndex:
+        """Read an index that was saved for this very mesh.
+
+        Parameters
+        ----------
+        file : str or path
+            A file written by `save`.
+        vertices : array_like, shape (n, 3)
+            Positions of the mesh that the index was built for.
+        faces : array_like of int, shape (m, 3)
+            Its triangles.
+        threads : int, optional
+            Threads of each field; None is one per core.
+
+        Raises
+        ------
+        IndexFileError
+            (an OSError) If the file is missing, truncated, damaged, of another version or of another mesh.
+        InvalidInput
+            (a ValueError) If an argument has a wrong shape, type or range.
+        """
+        path = check.file_path(file)
+        points = check.vertices(vertices)
+        triangles = check.faces(faces, len(points))
+        index = cls.__new__(cls)
+        index._adopt(_core.Index.load(path, points, triangles, check.threads(threads)))
+        return index
+
+    def _adopt(self, handle: _core.Index) -> None:
+        self._handle = handle
+        self._statistics = IndexStatistics(**handle.statistics())
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Write the index, without the mesh, to a file, which appears whole or not at all.
+
+        Raises
+        ------
+        IndexFileError
+            (an OSError) If it cannot be written.
+        """
+        self._handle.save(check.file_path(file))
+
+    @overload
+    def distance(self, source: int | np.integer, target: int | np.integer) -> float: ...
+    @overload
+    def distance(self, source: ArrayLike, target: ArrayLike) -> float | NDArray[np.float64]: ...
+    def distance(self, source: ArrayLike, target: ArrayLike) -> float | NDArray[np.float64]:
+        """Distance between two vertices, or between the vertices of each of k pairs.
+
+        Parameters
+        ----------
+        source, target : int, or array_like of int of shape (k,)
+            Vertex ids, 0 to n - 1; both single or both of the same length.
+
+        Returns
+        -------
+        float, or ndarray of float64, shape (k,)
+            In the unit of the vertices; infinity between components. Symmetric.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If an id is no integer or out of range, or if the lengths differ.
+        """
+        count = self._statistics.vertices
+        if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
+            return self._handle.distance(source, target)
+        sources = check.vertex_ids("source", source, count)
+        targets = check.vertex_ids("target", target, count)
+        if sources.shape != targets.shape:
+            raise InvalidInput(
+                f"source has shape {sources.shape} and target {targets.shape}; "
+                "give two vertex ids, or two arrays of one length (distance_field goes from one vertex to all)."
+            )
+        if sources.ndim == 0:
+            return self._handle.distance(int(sources), int(targets))
+        return self._handle.distances(sources, targets)
+
+    def distance_field(self, sources: ArrayLike, max_distance: float | None = None) -> NDArray[np.float64]:
+        """Distance of every vertex from its nearest source.
+
+        Parameters
+        ----------
+        sources : int or array_like of int, shape (k,), k >= 1
+            Vertex ids, 0 to n - 1; repeated ones count once.
+        max_distance : float, optional
+            Distances above it become infinity; None for no limit.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            In the unit of the vertices; infinity where no source can be reached.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If there is no source, an id is no integer or out of range, or the limit is negative.
+        """
+        ids = check.source_ids(sources, self._statistics.vertices)
+        return self._handle.distance_field(ids, check.max_distance(max_distance))
+
+    def face_patches(self, layer: int) -> NDArray[np.int32]:
+        """Patch of each face, numbered from 0.
+
+        Parameters
+        ----------
+        layer : {1, 2}
+            The large or the small patches.
+
+        Returns
+        -------
+        ndarray of int32, shape (m,)
+            -1 for a face that is left out (a vertex twice, or a repetition of an earlier face).
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) For another layer.
+        """
+        return self._handle.face_patches(check.integer("layer", layer, 1, 2))
+
+    @property
+    def statistics(self) -> IndexStatistics:
+        """What the index holds and what it cost."""
+        return self._statistics
+
+    def __repr__(self) -> str:
+        s = self._statistics
+        return (
+            f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
+            f"{s.second_layer_patches}), delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
+        )

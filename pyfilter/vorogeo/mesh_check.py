@@ -1,0 +1,97 @@
+"""A report on what a mesh contains that a user should know before trusting distances on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from . import _arguments as check
+from . import _core
+
+
+@dataclass(frozen=True)
+class MeshFinding:
+    """One kind of finding: how many elements, and the first of them (-1 if there is none)."""
+
+    count: int
+    first: int
+
+
+@dataclass(frozen=True)
+class MeshReport:
+    """What `check_mesh` found; elements by their row in the given arrays.
+
+    Attributes
+    ----------
+    vertices, faces : int
+        Rows of the arrays.
+    non_finite_vertices, faces_out_of_range : MeshFinding
+        Refused by everything that computes distances.
+    faces_with_repeated_vertex, duplicate_faces : MeshFinding
+        Left out.
+    zero_area_faces : MeshFinding
+        Crossed at no cost.
+    duplicate_vertices : MeshFinding
+        At the position of an earlier vertex; they are not joined.
+    isolated_vertices : MeshFinding
+        Without a face; unreachable.
+    non_manifold_edges, non_manifold_vertices : MeshFinding
+        Paths may turn there into any of the faces.
+    inconsistent_edges : MeshFinding
+        Between two faces of opposite orientation; without influence.
+    first_non_manifold_edge : (int, int)
+        Its vertices, or (-1, -1).
+    border_edges, components : int
+        Edges with one face; connected parts that have a face.
+    usable : bool
+        Whether distances can be computed on the mesh.
+    sentences : tuple of str
+        One sentence for each finding that is not zero, naming its first element.
+    """
+
+    vertices: int
+    faces: int
+    non_finite_vertices: MeshFinding
+    faces_out_of_range: MeshFinding
+    faces_with_repeated_vertex: MeshFinding
+    duplicate_faces: MeshFinding
+    zero_area_faces: MeshFinding
+    duplicate_vertices: MeshFinding
+    isolated_vertices: MeshFinding
+    non_manifold_edges: MeshFinding
+    non_manifold_vertices: MeshFinding
+    inconsistent_edges: MeshFinding
+    first_non_manifold_edge: tuple[int, int]
+    border_edges: int
+    components: int
+    usable: bool
+    sentences: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return "\n".join((f"{self.vertices} vertices, {self.faces} faces.", *self.sentences))
+
+
+def check_mesh(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
+    """Report on a mesh; bad geometry and bad vertex ids are findings, not errors.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+        Positions; may hold NaN and infinity.
+    faces : array_like of int, shape (m, 3)
+        Vertex ids of the triangles; may be out of range.
+
+    Returns
+    -------
+    MeshReport
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an array has a wrong shape or type.
+    """
+    found = _core.check_mesh(check.vertices(vertices, finite=False), check.unchecked_faces(faces))
+    findings: dict[str, Any] = {name: MeshFinding(*value) for name, value in found.pop("findings").items()}
+    return MeshReport(**findings, **found)
