@@ -1,0 +1,147 @@
+// Computes a distance field by either method and writes it into the layer.
+#include "distance_field.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "exact/exact_solver.h"
+#include "index_of_layer.h"
+#include "query/geodesic_query.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Light grey: no colour of the ramp.
+vcg::Color4b color_without_distance() { return {160, 160, 160, 255}; }
+
+struct Field {
+  std::shared_ptr<const Mesh> mesh;
+  std::vector<double> distances;
+  double seconds = 0.0;
+  Results about_index;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The limit to compute with: `unreachable` stands for none.
+double max_distance_of(const FilterCall& call) {
+  const double value = call.parameters.getFloat("max_distance");
+  if (!std::isfinite(value) || value < 0.0) {
+    std::ostringstream text;
+    text << "max_distance is " << value
+         << ". Give a positive length in the unit of the mesh, or 0 for no limit.";
+    throw InvalidInput(text.str());
+  }
+  return value == 0.0 ? unreachable : value;
+}
+
+Field field_by_index(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+                     double max_distance) {
+  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  call.progress.report(0.9, "Geodesic distances");
+  const auto start = Clock::now();
+  Field field;
+  field.mesh = found.index->mesh();
+  field.distances = GeodesicQuery(found.index).distance_field(sources, max_distance);
+  field.seconds = seconds_since(start);
+  field.about_index = {{"index_reused", found.reused},
+                       {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+  return field;
+}
+
+Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+                            double max_distance) {
+  for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
+  call.progress.report(0.0, "Exact geodesic distances");
+  const auto start = Clock::now();
+  Field field;
+  field.mesh = layer_mesh.make_mesh();
+  ExactSolver solver(field.mesh);
+  ExactLimits limits;
+  limits.max_distance = max_distance;
+  solver.run_from_vertices(sources, limits);
+  field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
+  for (Index v = 0; v < field.mesh->vertex_count(); ++v) {
+    field.distances[v] = solver.distance(v) <= max_distance ? solver.distance(v) : unreachable;
+  }
+  field.seconds = seconds_since(start);
+  return field;
+}
+
+}  // namespace
+
+RichFloat max_distance_parameter() {
+  return RichFloat(
+      "max_distance", 0, "Max distance",
+      "Distances above this length, in the unit of the mesh, are not computed: those vertices get "
+      "quality -1. 0 means no limit.");
+}
+
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+                             Method method) {
+  const double limit = max_distance_of(call);
+  Field field = method == Method::index ? field_by_index(call, layer_mesh, sources, limit)
+                                        : field_by_exact_solver(call, layer_mesh, sources, limit);
+  const Mesh& mesh = *field.mesh;
+  std::vector<bool> has_source(static_cast<std::size_t>(mesh.component_count()), false);
+  for (Index source : sources) has_source[mesh.component(source)] = true;
+  double largest = 0.0;
+  int reached = 0;
+  int no_path = 0;
+  int beyond = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (std::isfinite(field.distances[v])) {
+      ++reached;
+      largest = std::max(largest, field.distances[v]);
+    } else {
+      ++(has_source[mesh.component(v)] ? beyond : no_path);
+    }
+  }
+  call.progress.report(1.0, "Writing quality and colours");
+
+  call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    CVertexO& vertex = call.layer.cm.vert[layer_mesh.host_vertex(v)];
+    const double distance = field.distances[v];
+    if (std::isfinite(distance)) {
+      vertex.Q() = static_cast<Scalarm>(distance);
+      vertex.C().SetColorRamp(0.0F, static_cast<float>(largest), static_cast<float>(distance));
+    } else {
+      vertex.Q() = static_cast<Scalarm>(quality_without_distance);
+      vertex.C() = color_without_distance();
+    }
+  }
+
+  std::ostringstream text;
+  text.precision(17);
+  text << "Distances from " << sources.size() << " source vertices to " << reached
+       << " vertices, the largest " << largest << ", in " << field.seconds << " s";
+  call.log(text.str());
+  if (no_path > 0) {
+    call.log("No path leads to " + std::to_string(no_path) +
+             " vertices, in other components than the sources; their quality is -1 and their colour grey");
+  }
+  if (beyond > 0) {
+    call.log(std::to_string(beyond) +
+             " vertices lie beyond max_distance; their quality is -1 and their colour grey");
+  }
+  Results results = std::move(field.about_index);
+  results["source_vertices"] = static_cast<int>(sources.size());
+  results["reached_vertices"] = reached;
+  results["unreachable_vertices"] = no_path;
+  results["vertices_beyond_max_distance"] = beyond;
+  results["max_distance"] = largest;
+  results["seconds"] = field.seconds;
+  return results;
+}
+
+}  // namespace vorogeo::plugin

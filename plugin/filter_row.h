@@ -1,0 +1,41 @@
+// What one filter is: a row of names, help, masks and functions; and what it gets when it is applied.
+#pragma once
+
+#include <QString>
+#include <QVariant>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "host_api.h"
+#include "support/progress.h"
+
+namespace vorogeo::plugin {
+
+class IndexCache;
+
+/// Named values a filter returns. Only int, double and bool are used: they arrive in Python in every version.
+using Results = std::map<std::string, QVariant>;
+
+/// One application of a filter to the current layer.
+struct FilterCall {
+  MeshModel& layer;
+  const RichParameterList& parameters;
+  IndexCache& indexes;
+  Progress progress;
+  std::function<void(const std::string&)> log;
+};
+
+/// One filter. Its function throws before it changes the layer, or not at all.
+struct FilterRow {
+  QString menu_name;
+  QString python_name;
+  QString help;
+  FilterPlugin::FilterClass filter_class;
+  /// What the filter changes: a sum of MeshModel::MeshElement.
+  int changes;
+  RichParameterList (*parameters)(const MeshModel& layer);
+  Results (*apply)(FilterCall& call);
+};
+
+}  // namespace vorogeo::plugin

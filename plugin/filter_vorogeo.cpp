@@ -1,0 +1,100 @@
+// The plugin's answers to the host, and the one place where errors and progress cross to it.
+#include "filter_vorogeo.h"
+
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "filters/rows.h"
+#include "support/error.h"
+
+using vorogeo::plugin::FilterCall;
+using vorogeo::plugin::FilterRow;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The host's progress bar redraws at every call, so calls are at least this far apart.
+constexpr std::chrono::milliseconds callback_interval{20};
+
+vorogeo::Progress progress_to(vcg::CallBackPos* callback) {
+  if (callback == nullptr) return {};
+  return vorogeo::Progress(
+      [callback, last = Clock::time_point{}](double fraction, const std::string& activity) mutable {
+        const auto now = Clock::now();
+        if (now - last < callback_interval) return true;
+        last = now;
+        return callback(static_cast<int>(100.0 * fraction), activity.c_str());
+      });
+}
+
+}  // namespace
+
+FilterVorogeo::FilterVorogeo() : rows_(vorogeo::plugin::all_rows()) {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    typeList.push_back(static_cast<ActionIDType>(i));
+    actionList.push_back(new QAction(rows_[i].menu_name, this));
+  }
+}
+
+QString FilterVorogeo::pluginName() const { return "FilterVorogeo"; }
+
+QString FilterVorogeo::vendor() const { return "VoroGeo"; }
+
+const FilterRow& FilterVorogeo::row(ActionIDType filter) const {
+  if (filter < 0 || static_cast<std::size_t>(filter) >= rows_.size()) {
+    throw MLException(QString("VoroGeo has no filter with number %1.").arg(filter));
+  }
+  return rows_[static_cast<std::size_t>(filter)];
+}
+
+const FilterRow& FilterVorogeo::row(const QAction* action) const { return row(ID(action)); }
+
+QString FilterVorogeo::filterName(ActionIDType filter) const { return row(filter).menu_name; }
+
+QString FilterVorogeo::pythonFilterName(ActionIDType filter) const { return row(filter).python_name; }
+
+QString FilterVorogeo::filterInfo(ActionIDType filter) const { return row(filter).help; }
+
+FilterPlugin::FilterClass FilterVorogeo::getClass(const QAction* action) const {
+  return row(action).filter_class;
+}
+
+int FilterVorogeo::postCondition(const QAction* action) const { return row(action).changes; }
+
+FilterPlugin::FilterArity FilterVorogeo::filterArity(const QAction*) const { return SINGLE_MESH; }
+
+RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshModel& layer) {
+  return row(action).parameters(layer);
+}
+
+RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshDocument& document) {
+  return document.mm() == nullptr ? RichParameterList() : row(action).parameters(*document.mm());
+}
+
+std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action,
+                                                           const RichParameterList& parameters,
+                                                           MeshDocument& document, unsigned int&,
+                                                           vcg::CallBackPos* callback) {
+  try {
+    if (document.mm() == nullptr) {
+      throw vorogeo::InvalidInput("There is no layer. Load or create a triangle mesh first.");
+    }
+    FilterCall call{*document.mm(), parameters, indexes_, progress_to(callback),
+                    [this](const std::string& sentence) { log(GLLogStream::FILTER, sentence); }};
+    return row(action).apply(call);
+  } catch (const MLException&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw MLException(
+        "There is not enough memory for this filter on this mesh. Close other layers or use a smaller mesh.");
+  } catch (const std::exception& error) {
+    throw MLException(QString::fromUtf8(error.what()));
+  } catch (...) {
+    throw MLException("An unknown error happened inside VoroGeo; the layer was not changed.");
+  }
+}
+
+MESHLAB_PLUGIN_NAME_EXPORTER(FilterVorogeo)

@@ -1,0 +1,44 @@
+// The plugin as the host sees it: answers all questions about its filters from the table of rows.
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "filter_row.h"
+#include "host_api.h"
+#include "index_cache.h"
+
+/// All filters of VoroGeo. Nothing happens before a filter is applied: the host loads and unloads the library
+/// several times to look at it.
+class FilterVorogeo : public QObject, public FilterPlugin {
+  Q_OBJECT
+  MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
+  Q_INTERFACES(FilterPlugin)
+
+ public:
+  FilterVorogeo();
+
+  QString pluginName() const override;
+  QString vendor() const override;
+  QString filterName(ActionIDType filter) const override;
+  QString pythonFilterName(ActionIDType filter) const override;
+  QString filterInfo(ActionIDType filter) const override;
+  FilterClass getClass(const QAction* action) const override;
+  int postCondition(const QAction* action) const override;
+  FilterArity filterArity(const QAction* action) const override;
+  RichParameterList initParameterList(const QAction* action, const MeshModel& layer) override;
+  RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override;
+
+  /// Runs a filter on the current layer. Every error becomes an MLException with the same sentence; the layer
+  /// is then as it was.
+  std::map<std::string, QVariant> applyFilter(const QAction* action, const RichParameterList& parameters,
+                                              MeshDocument& document, unsigned int& changes,
+                                              vcg::CallBackPos* callback) override;
+
+ private:
+  const vorogeo::plugin::FilterRow& row(ActionIDType filter) const;
+  const vorogeo::plugin::FilterRow& row(const QAction* action) const;
+
+  std::vector<vorogeo::plugin::FilterRow> rows_;
+  vorogeo::plugin::IndexCache indexes_;
+};

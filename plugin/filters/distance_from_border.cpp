@@ -1,0 +1,52 @@
+// Filter: distance of every vertex from the nearest border of the surface.
+#include "distance_field.h"
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichParameterList from_border_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(max_distance_parameter());
+  return list;
+}
+
+/// Vertices of edges with one face.
+std::vector<Index> border_vertices(const Mesh& mesh) {
+  std::vector<Index> border;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_border(v)) border.push_back(v);
+  }
+  if (border.empty()) {
+    throw InvalidInput(
+        "The surface has no border: every edge has two faces. Choose another source, for example a "
+        "selection.");
+  }
+  return border;
+}
+
+Results distances_from_border(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  return write_distance_field(call, layer_mesh, border_vertices(*layer_mesh.make_mesh()), Method::index);
+}
+
+}  // namespace
+
+FilterRow distance_from_border_row() {
+  return {
+      "Geodesic distance from the border (VoroGeo)",
+      "compute_scalar_by_vorogeo_distance_from_border_per_vertex",
+      "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the shortest path "
+      "over the surface. Border vertices are those of edges with only one face. A component without a "
+      "border is unreachable.</p>" +
+          help_on_field() + help_on_index() + references_of_index(),
+      FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
+      MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+      from_border_parameters,
+      distances_from_border};
+}
+
+}  // namespace vorogeo::plugin

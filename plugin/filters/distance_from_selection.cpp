@@ -1,0 +1,74 @@
+// Filters: distance of every vertex from the nearest selected vertex, from the index or exact.
+#include "distance_field.h"
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichParameterList from_selection_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(max_distance_parameter());
+  return list;
+}
+
+std::vector<Index> selected_vertices(const CMeshO& layer, const LayerMesh& layer_mesh) {
+  std::vector<Index> selected;
+  for (std::size_t v = 0; v < layer_mesh.arrays().input_of_vertex.size(); ++v) {
+    if (layer.vert[layer_mesh.host_vertex(static_cast<Index>(v))].IsS())
+      selected.push_back(static_cast<Index>(v));
+  }
+  if (selected.empty()) {
+    throw InvalidInput(
+        "No vertex is selected. Select the vertices where distances shall start; a selection of faces can be "
+        "turned into one with 'Select Vertices from Faces'.");
+  }
+  return selected;
+}
+
+Results distances_from_selection(FilterCall& call, Method method) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  return write_distance_field(call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh), method);
+}
+
+Results index_distances_from_selection(FilterCall& call) {
+  return distances_from_selection(call, Method::index);
+}
+Results exact_distances_from_selection(FilterCall& call) {
+  return distances_from_selection(call, Method::exact);
+}
+
+FilterPlugin::FilterClass field_class() {
+  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
+}
+
+}  // namespace
+
+FilterRow distance_from_selection_row() {
+  return {"Geodesic distance from the selection (VoroGeo)",
+          "compute_scalar_by_vorogeo_distance_from_selection_per_vertex",
+          "<p>Geodesic distance of every vertex from the nearest selected vertex: the length of the shortest "
+          "path "
+          "over the surface.</p>" +
+              help_on_field() + help_on_index() + references_of_index(),
+          field_class(),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          from_selection_parameters,
+          index_distances_from_selection};
+}
+
+FilterRow exact_distance_from_selection_row() {
+  return {"Exact geodesic distance from the selection (VoroGeo)",
+          "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
+          "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of the "
+          "shortest path over the surface.</p>" +
+              help_on_field() + help_on_exact() + references_of_exact(),
+          field_class(),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          from_selection_parameters,
+          exact_distances_from_selection};
+}
+
+}  // namespace vorogeo::plugin

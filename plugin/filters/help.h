@@ -1,0 +1,18 @@
+// Paragraphs of help text that several filters share, in the HTML subset that the host shows.
+#pragma once
+
+#include <QString>
+
+namespace vorogeo::plugin {
+
+/// What the index is, and that it follows the mesh.
+QString help_on_index();
+/// What ends up in quality and colour, and which vertices get -1.
+QString help_on_field();
+/// What exact means, and when to prefer the index.
+QString help_on_exact();
+/// The papers: the index method, and those of the exact solver.
+QString references_of_index();
+QString references_of_exact();
+
+}  // namespace vorogeo::plugin

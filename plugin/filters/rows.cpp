@@ -1,0 +1,12 @@
+// Puts the rows of all filters together.
+#include "filters/rows.h"
+
+namespace vorogeo::plugin {
+
+std::vector<FilterRow> all_rows() {
+  return {build_index_row(),          distance_from_point_row(),       distance_from_selection_row(),
+          distance_from_border_row(), exact_distance_from_point_row(), exact_distance_from_selection_row(),
+          patch_colors_row(),         distance_between_vertices_row()};
+}
+
+}  // namespace vorogeo::plugin

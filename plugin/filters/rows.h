@@ -1,0 +1,22 @@
+// The table of all filters: one row each, made in the file of the filter.
+#pragma once
+
+#include <vector>
+
+#include "filter_row.h"
+
+namespace vorogeo::plugin {
+
+FilterRow build_index_row();
+FilterRow distance_from_point_row();
+FilterRow distance_from_selection_row();
+FilterRow distance_from_border_row();
+FilterRow exact_distance_from_point_row();
+FilterRow exact_distance_from_selection_row();
+FilterRow patch_colors_row();
+FilterRow distance_between_vertices_row();
+
+/// In the order in which the host lists them.
+std::vector<FilterRow> all_rows();
+
+}  // namespace vorogeo::plugin

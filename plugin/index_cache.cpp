@@ -1,0 +1,29 @@
+// A list in the order of use; a handful of entries, so it is searched from the front.
+#include "index_cache.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vorogeo::plugin {
+
+bool IndexCache::Entry::fits(const VcgMeshArrays& arrays) const {
+  return faces == arrays.faces && index->mesh()->positions() == arrays.positions;
+}
+
+std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays) {
+  const std::lock_guard lock(mutex_);
+  const auto entry =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.fits(arrays); });
+  if (entry == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, entry);
+  return entries_.front().index;
+}
+
+void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index) {
+  const std::lock_guard lock(mutex_);
+  entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });
+  entries_.push_front({arrays.faces, std::move(index)});
+  if (entries_.size() > capacity) entries_.pop_back();
+}
+
+}  // namespace vorogeo::plugin

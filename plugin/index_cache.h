@@ -1,0 +1,41 @@
+// The indexes of the meshes a user is working with, so that a second question does not build again.
+#pragma once
+
+#include <array>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "index/geodesic_index.h"
+#include "mesh/vcg_adapter.h"
+
+namespace vorogeo::plugin {
+
+/// The few indexes used last, each with the mesh it was built for.
+///
+/// An index is found by comparing the whole mesh, all positions and all faces, not a name or a hash of it:
+/// after any edit there is no index until one is built again, and after undoing the edit the old one fits
+/// again. May be used by several threads.
+class IndexCache {
+ public:
+  /// The index of exactly this mesh, or nothing.
+  std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays);
+  /// Keeps an index, in the place of another one of the same mesh or else of the one used longest ago.
+  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index);
+
+ private:
+  struct Entry {
+    /// All faces given, also those that a Mesh leaves out: an edit may turn one of them into a proper face.
+    std::vector<std::array<Index, 3>> faces;
+    std::shared_ptr<const GeodesicIndex> index;
+
+    bool fits(const VcgMeshArrays& arrays) const;
+  };
+  static constexpr std::size_t capacity = 4;
+
+  std::mutex mutex_;
+  std::list<Entry> entries_;  ///< used last first
+};
+
+}  // namespace vorogeo::plugin

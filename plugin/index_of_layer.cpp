@@ -1,0 +1,35 @@
+// Builds indexes for filters and says in the log what was built.
+#include "index_of_layer.h"
+
+#include <sstream>
+
+#include "index_cache.h"
+
+namespace vorogeo::plugin {
+
+std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
+                                                 const IndexOptions& options, const Progress& progress) {
+  for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
+  const auto index = GeodesicIndex::build(layer_mesh.make_mesh(), options, progress);
+  const IndexStatistics& s = index->statistics();
+  std::ostringstream text;
+  text << "Geodesic index: " << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
+       << s.second_layer_patches << " second-layer patches with " << s.first_layer_border_vertices << " and "
+       << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs ("
+       << s.arcs_before_pruning << " before pruning), " << s.bytes << " bytes, built in " << s.seconds
+       << " s";
+  call.log(text.str());
+  return index;
+}
+
+IndexOfLayer index_of_layer(FilterCall& call, const LayerMesh& layer_mesh) {
+  if (auto index = call.indexes.find(layer_mesh.arrays())) {
+    call.log("Geodesic index: reused, the mesh has not changed since it was built");
+    return {std::move(index), true};
+  }
+  auto index = build_index(call, layer_mesh, {}, call.progress.part(0.0, 0.9));
+  call.indexes.put(layer_mesh.arrays(), index);
+  return {std::move(index), false};
+}
+
+}  // namespace vorogeo::plugin

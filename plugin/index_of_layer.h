@@ -1,0 +1,26 @@
+// The index of a layer: taken from the cache when it fits, else built.
+#pragma once
+
+#include <memory>
+
+#include "filter_row.h"
+#include "index/geodesic_index.h"
+#include "layer_mesh.h"
+
+namespace vorogeo::plugin {
+
+/// An index and how it was come by.
+struct IndexOfLayer {
+  std::shared_ptr<const GeodesicIndex> index;
+  bool reused = false;
+};
+
+/// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
+std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
+                                                 const IndexOptions& options, const Progress& progress);
+
+/// The cached index of this mesh, whatever its options; if there is none, one with default options, which is
+/// then cached. Building takes the first nine tenths of the progress.
+IndexOfLayer index_of_layer(FilterCall& call, const LayerMesh& layer_mesh);
+
+}  // namespace vorogeo::plugin
