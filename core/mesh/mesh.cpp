@@ -36,8 +36,9 @@ std::vector<Index> usable_faces(const std::vector<std::array<Index, 3>>& faces, 
     auto key = faces[f];
     for (Index v : key) {
       if (v < 0 || v >= vertex_count) {
-        throw InvalidInput("Face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                           ", but the mesh has vertices 0 to " + std::to_string(vertex_count - 1) + ".");
+        throw InvalidInput(
+            "Face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but the mesh has " +
+            (vertex_count == 0 ? "no vertices." : "vertices 0 to " + std::to_string(vertex_count - 1) + "."));
       }
     }
     std::sort(key.begin(), key.end());

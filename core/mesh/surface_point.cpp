@@ -17,6 +17,7 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
     }
     return point;
   }
+  if (point.face == no_index) throw InvalidInput("A surface point needs a vertex or a face.");
   if (point.face < 0 || point.face >= mesh.face_count()) {
     throw InvalidInput("Face " + std::to_string(point.face) + " does not exist: the mesh has faces 0 to " +
                        std::to_string(mesh.face_count() - 1) + ".");
