@@ -103,9 +103,10 @@ class IndexHandle {
   std::size_t input_faces_;
 };
 
-std::unique_ptr<IndexHandle> build(const VertexArray& vertices, const FaceArray& faces,
-                                   Index first_layer_patches, Index second_layer_patches, double delta,
-                                   int threads, std::uint64_t seed, nb::object progress) {
+/// The Python object takes over what build and load return.
+IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index first_layer_patches,
+                   Index second_layer_patches, double delta, int threads, std::uint64_t seed,
+                   nb::object progress) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
@@ -116,14 +117,14 @@ std::unique_ptr<IndexHandle> build(const VertexArray& vertices, const FaceArray&
   auto index = bridge.run([&](const Progress& report) {
     return GeodesicIndex::build(mesh_of(vertices, faces), options, report);
   });
-  return std::make_unique<IndexHandle>(std::move(index), faces.shape(0), threads);
+  return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
 
-std::unique_ptr<IndexHandle> load(const std::filesystem::path& file, const VertexArray& vertices,
-                                  const FaceArray& faces, int threads) {
+IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices, const FaceArray& faces,
+                  int threads) {
   nb::gil_scoped_release release;
   auto index = GeodesicIndex::load(file, mesh_of(vertices, faces));
-  return std::make_unique<IndexHandle>(std::move(index), faces.shape(0), threads);
+  return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+"""Meshes for the tests: shapes whose distances have a formula, and the shared test meshes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
+
+SHARED = Path(__file__).resolve().parents[3] / "shared" / "meshes"
+
+
+def plane_grid(columns: int, rows: int, width: float = 1.0, height: float = 1.0) -> Mesh:
+    """A flat rectangle of columns x rows vertices; every distance is Euclidean."""
+    x, y = np.meshgrid(np.linspace(0, width, columns), np.linspace(0, height, rows))
+    vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    return vertices, _grid_faces(columns, rows)
+
+
+def bent_grid(columns: int, rows: int) -> Mesh:
+    """A wavy rectangle, without symmetries."""
+    vertices, faces = plane_grid(columns, rows, 2.0, 1.3)
+    x, y = vertices[:, 0], vertices[:, 1]
+    vertices[:, 2] = 0.3 * np.sin(3 * x + 1) * np.cos(4 * y) + 0.1 * np.sin(11 * x * y)
+    return vertices, faces
+
+
+def prism(sides: int, rows: int, height: float) -> Mesh:
+    """An open tube of `rows` rings of `sides` vertices on the unit circle; it unrolls into a plane."""
+    angle = np.tile(2 * np.pi * np.arange(sides) / sides, rows)
+    z = np.repeat(np.linspace(0, height, rows), sides)
+    faces = []
+    for row in range(rows - 1):
+        for i in range(sides):
+            a, b = row * sides + i, row * sides + (i + 1) % sides
+            faces += [[a, b, b + sides], [a, b + sides, a + sides]]
+    return np.column_stack([np.cos(angle), np.sin(angle), z]), np.array(faces, dtype=np.int32)
+
+
+def prism_distances(sides: int, rows: int, height: float, source: int) -> NDArray[np.float64]:
+    """Distances of all vertices of `prism` from one of them, by unrolling."""
+    ids = np.arange(sides * rows)
+    steps = np.abs(ids % sides - source % sides)
+    steps = np.minimum(steps, sides - steps)
+    rise = (ids // sides - source // sides) * height / (rows - 1)
+    return np.hypot(steps * 2 * np.sin(np.pi / sides), rise)
+
+
+def cube() -> Mesh:
+    """The unit cube with two triangles a side; vertex 4 x + 2 y + z lies at (x, y, z)."""
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    faces = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+    return corners, np.array(faces, dtype=np.int32)
+
+
+def side_by_side(first: Mesh, second: Mesh, gap: float = 10.0) -> Mesh:
+    """Both meshes as two components; the vertices of the first come first."""
+    vertices = np.vstack([first[0], second[0] + [gap, 0, 0]])
+    return vertices, np.vstack([first[1], second[1] + len(first[0])]).astype(np.int32)
+
+
+def shared(name: str) -> Mesh:
+    """One of the shared test meshes; skips the test where the folder is missing."""
+    file = SHARED / f"{name}.ply"
+    if not file.is_file():
+        pytest.skip(f"the shared test mesh {file} is not there")
+    data = file.read_bytes()
+    header, body = data.split(b"end_header\n", 1)
+    counts = [int(line.split()[-1]) for line in header.decode().splitlines() if line.startswith("element")]
+    vertices = np.frombuffer(body, "<f4", 3 * counts[0]).reshape(-1, 3).astype(float)
+    rows = np.frombuffer(body, np.dtype([("size", "u1"), ("ids", "<i4", 3)]), counts[1], 12 * counts[0])
+    assert (rows["size"] == 3).all()
+    return vertices, np.ascontiguousarray(rows["ids"])
+
+
+def _grid_faces(columns: int, rows: int) -> NDArray[np.int32]:
+    a = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    lower = np.column_stack([a, a + 1, a + columns + 1])
+    upper = np.column_stack([a, a + columns + 1, a + columns])
+    return np.vstack([lower, upper]).astype(np.int32)

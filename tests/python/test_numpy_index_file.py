@@ -1,0 +1,105 @@
+"""Index files: round trip, and every damaged, foreign or stale file is refused."""
+
+import numpy as np
+import pytest
+import vorogeo
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from sample_meshes import bent_grid
+
+MESH = bent_grid(30, 25)
+
+
+@pytest.fixture(scope="module")
+def index():
+    return vorogeo.GeodesicIndex(*MESH, patches=(3, 3))
+
+
+@pytest.fixture(scope="module")
+def saved(index, tmp_path_factory):
+    file = tmp_path_factory.mktemp("index") / "mesh with spaces ö.index"
+    index.save(file)
+    return file
+
+
+def test_round_trip(index, saved):
+    loaded = vorogeo.GeodesicIndex.load(saved, *MESH)
+    np.testing.assert_array_equal(loaded.distance_field([5, 600]), index.distance_field([5, 600]))
+    a, b = np.random.default_rng(1).integers(0, 750, (2, 200))
+    np.testing.assert_array_equal(loaded.distance(a, b), index.distance(a, b))
+    for layer in (1, 2):
+        np.testing.assert_array_equal(loaded.face_patches(layer), index.face_patches(layer))
+    assert loaded.statistics.seconds == 0
+    assert loaded.statistics.arcs == index.statistics.arcs
+
+
+def test_takes_strings_and_paths_and_overwrites(index, saved, tmp_path):
+    file = tmp_path / "a.index"
+    file.write_bytes(b"something else")
+    index.save(str(file))
+    assert file.read_bytes() == saved.read_bytes()
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.index"]
+    vorogeo.GeodesicIndex.load(str(file), *MESH, threads=1)
+
+
+def test_stale_after_any_edit_of_the_mesh(saved):
+    vertices, faces = MESH
+    moved = vertices.copy()
+    moved[17, 2] = np.nextafter(moved[17, 2], 9)
+    swapped = faces.copy()
+    swapped[[0, 1]] = swapped[[1, 0]]
+    longer = np.vstack([vertices, [9, 9, 9]])
+    for edited in ((moved, faces), (vertices, swapped), (vertices, faces[:-1]), (longer, faces)):
+        with pytest.raises(vorogeo.IndexFileError, match="mesh"):
+            vorogeo.GeodesicIndex.load(saved, *edited)
+
+
+def test_missing_file_is_an_os_error(tmp_path):
+    with pytest.raises(OSError, match=r"no\.index"):
+        vorogeo.GeodesicIndex.load(tmp_path / "no.index", *MESH)
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo.GeodesicIndex.load(tmp_path, *MESH)
+
+
+def test_unwritable_place(index, tmp_path):
+    with pytest.raises(vorogeo.IndexFileError, match="nowhere"):
+        index.save(tmp_path / "nowhere" / "a.index")
+
+
+@pytest.mark.parametrize("content", [b"", b"ply\nformat ascii 1.0\n", bytes(5000), b"\xff" * 5000])
+def test_other_files_are_refused(tmp_path, content):
+    file = tmp_path / "other"
+    file.write_bytes(content)
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo.GeodesicIndex.load(file, *MESH)
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.data())
+def test_truncated_files_are_refused(saved, tmp_path, data):
+    content = saved.read_bytes()
+    file = tmp_path / "short"
+    file.write_bytes(content[: data.draw(st.integers(0, len(content) - 1))])
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo.GeodesicIndex.load(file, *MESH)
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.data())
+def test_flipped_bits_are_refused(saved, tmp_path, data):
+    content = bytearray(saved.read_bytes())
+    place = data.draw(st.one_of(st.integers(0, 255), st.integers(0, len(content) - 1)))
+    content[place] ^= 1 << data.draw(st.integers(0, 7))
+    file = tmp_path / "flipped"
+    file.write_bytes(content)
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo.GeodesicIndex.load(file, *MESH)
+
+
+@pytest.mark.parametrize("file", ["", "a\0b", 3, None])
+def test_bad_file_names(index, file):
+    with pytest.raises(ValueError, match="file: "):
+        index.save(file)
+    with pytest.raises(ValueError, match="file: "):
+        vorogeo.GeodesicIndex.load(file, *MESH)
