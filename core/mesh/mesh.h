@@ -73,7 +73,8 @@ class Mesh {
     isolated,     ///< no face
     closed,       ///< one cycle of faces: an inner vertex
     open,         ///< one chain of faces: a border vertex
-    non_manifold  ///< several chains or cycles, or a non-manifold edge: paths may turn anywhere
+    non_manifold  ///< several chains or cycles, a non-manifold edge or one of length 0: paths may turn
+                  ///< anywhere
   };
   Fan fan(Index vertex) const { return fan_[vertex]; }
   /// Interior angle of the face at the tail of the half-edge, in radians.

@@ -11,7 +11,7 @@ namespace vorogeo {
 namespace {
 
 /// A face counts as having no area below this share of its longest edge squared. Rounding of double
-/// coordinates alone leaves about 1e-16; the thinnest needles of real CAD meshes keep more than 1e-6.
+/// coordinates alone leaves about 1e-16; the thinnest needles of real CAD meshes keep more than 1e-7.
 constexpr double zero_area_share = 1e-14;
 
 void note(MeshFinding& finding, std::size_t element) {

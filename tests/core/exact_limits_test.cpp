@@ -1,0 +1,120 @@
+// Limits of the exact solver: bounded distance, targets, allowed faces.
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "exact/exact_solver.h"
+#include "support/error.h"
+#include "support/exhaustive.h"
+#include "support/near.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+using test::expect_near;
+using test::Shape;
+using test::Soup;
+constexpr double pi = std::numbers::pi;
+
+TEST(ExactLimits, DistancesUpToTheBoundAreExactOthersUnreachable) {
+  const Shape shape = test::plane_grid(20, 20, 2.0, 2.0, 0.2);
+  const auto mesh = test::make_mesh(shape.soup);
+  ExactSolver solver(mesh);
+  for (double bound : {0.0, 0.05, 0.4, 1.1, 10.0}) {
+    ExactLimits limits;
+    limits.max_distance = bound;
+    solver.run_from_vertices(std::array<Index, 1>{220}, limits);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const double expected = shape.vertex_distance(220, v);
+      if (expected <= bound) {
+        expect_near(solver.distance(v), expected, *mesh, 1e-11, "vertex " + std::to_string(v));
+      } else {
+        ASSERT_EQ(solver.distance(v), unreachable)
+            << "vertex " << v << " at " << expected << ", bound " << bound;
+      }
+    }
+  }
+}
+
+TEST(ExactLimits, BoundSavesWork) {
+  const auto mesh = test::make_mesh(test::plane_grid(60, 60, 2.0, 2.0, 0.2).soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{30 * 61 + 30});
+  const std::size_t all = solver.window_count();
+  ExactLimits limits;
+  limits.max_distance = 0.2;
+  solver.run_from_vertices(std::array<Index, 1>{30 * 61 + 30}, limits);
+  EXPECT_LT(solver.window_count(), all / 10);
+}
+
+TEST(ExactLimits, TargetsAreExactOthersUpperBounds) {
+  const Shape shape = test::cone(14, 12, 2.5 * pi, 2.0);
+  const auto mesh = test::make_mesh(shape.soup);
+  ExactSolver solver(mesh);
+  for (Index source : {1, 60, 160}) {
+    const std::array<Index, 3> targets{source + 1, 75, 20};
+    ExactLimits limits;
+    limits.targets = targets;
+    solver.run_from_vertices(std::array{source}, limits);
+    for (Index v : targets) {
+      expect_near(solver.distance(v), shape.vertex_distance(source, v), *mesh, 1e-11,
+                  "target " + std::to_string(v));
+    }
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_GE(solver.distance(v), shape.vertex_distance(source, v) - 1e-11);
+    }
+  }
+}
+
+TEST(ExactLimits, UnreachableTargetsEndTheRun) {
+  const auto mesh = test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(0)));
+  ExactSolver solver(mesh);
+  const std::array<Index, 2> targets{50, 7};
+  ExactLimits limits;
+  limits.targets = targets;
+  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  EXPECT_EQ(solver.distance(50), unreachable);
+  EXPECT_LT(solver.distance(7), 4.0);
+}
+
+TEST(ExactLimits, OnlyAllowedFacesAreEntered) {
+  // Against brute force on a mesh that has only the allowed faces.
+  for (unsigned seed : {1U, 2U, 3U}) {
+    const Soup soup = test::random_sphere(60, seed);
+    std::mt19937 random(seed);
+    Soup part{soup.positions, {}};
+    std::vector<std::uint8_t> allowed;
+    for (const auto& face : soup.faces) {
+      allowed.push_back(random() % 4 != 0);
+      if (allowed.back()) part.faces.push_back(face);
+    }
+    const auto part_mesh = test::make_mesh(part);
+    const test::ExhaustiveGeodesics exact(*part_mesh);
+    ExactSolver solver(test::make_mesh(soup));
+    ExactLimits limits;
+    limits.face_allowed = allowed;
+    for (Index source : {0, 20, 59}) {
+      solver.run_from_vertices(std::array{source}, limits);
+      for (Index v = 0; v < 60; ++v) {
+        if (exact.distance(source, v) == unreachable) {
+          EXPECT_EQ(solver.distance(v), unreachable) << source << ", " << v;
+        } else {
+          EXPECT_NEAR(solver.distance(v), exact.distance(source, v), 1e-11) << source << ", " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExactLimits, WrongTargetsAreRefused) {
+  ExactSolver solver(test::make_mesh(test::icosphere(0)));
+  const std::array<Index, 2> targets{3, 12};
+  ExactLimits limits;
+  limits.targets = targets;
+  EXPECT_THROW(solver.run_from_vertices(std::array<Index, 1>{0}, limits), InvalidInput);
+}
+
+}  // namespace
+}  // namespace vorogeo
