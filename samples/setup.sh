@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# Sets up everything the samples and tests run with. Run it as often as you like: what is done is not done again.
+#
+# Usage: samples/setup.sh [--tests]
+#   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
+#   packages of samples/requirements.txt, the plugin for PyMeshLab 2025.7 in build/plugin-2025.07-double, and the Python
+#   package vorogeo in .venv.
+#   --tests: also what only the tests need: GoogleTest, and PyMeshLab 2022.2 in build/venv-2022 with its plugin and vorogeo.
+#
+# VOROGEO_JOBS: compilers at a time (default: one per core). VOROGEO_NO_PACKAGES=1: leave the system's packages alone.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+with_tests=no
+for argument in "$@"; do
+  case "$argument" in
+    --tests) with_tests=yes ;;
+    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests]" >&2; exit 2 ;;
+  esac
+done
+
+die() {
+  echo "samples/setup.sh: $*" >&2
+  exit 1
+}
+say() { echo "setup: $*"; }
+logs=build/logs
+mkdir -p "$logs"
+
+# Runs a step unless its stamp says that it succeeded with the same input before. The stamp lies in the folder
+# that the step makes, so that removing the folder removes the stamp.
+# Usage: once NAME STAMP INPUT COMMAND...
+once() {
+  local name="$1" stamp="$2" input="$3" log="$logs/$1.log"
+  shift 3
+  if [ "$(cat "$stamp" 2>/dev/null)" = "$input" ]; then
+    return
+  fi
+  rm -f "$stamp"
+  say "$name (log: $log)"
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    die "$name failed; the lines above are the end of $log"
+  fi
+  echo "$input" >"$stamp"
+}
+
+packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyring
+          python3 python3-venv python3-dev
+          qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
+          libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
+if [ "$with_tests" = yes ]; then
+  packages+=(libgtest-dev clang-format)
+fi
+
+install_packages() {
+  local missing=() package as_root=()
+  for package in "${packages[@]}"; do
+    if [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+      missing+=("$package")
+    fi
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || die "these Debian packages are missing and need root to be installed:" \
+                                      "apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing Debian packages: ${missing[*]}"
+  local install=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends
+                 "${missing[@]}")
+  if ! "${install[@]}" >"$logs/packages.log" 2>&1; then  # the lists may be missing or old
+    "${as_root[@]}" apt-get update -qq >"$logs/packages.log" 2>&1 || true
+    if ! "${install[@]}" >>"$logs/packages.log" 2>&1; then
+      tail -n 15 "$logs/packages.log" >&2
+      die "the packages could not be installed; the lines above are the end of $logs/packages.log"
+    fi
+  fi
+}
+
+if [ "${VOROGEO_NO_PACKAGES:-}" != 1 ]; then
+  command -v apt-get >/dev/null && command -v dpkg-query >/dev/null ||
+    die "apt is not available: this set-up is for Debian 12. Elsewhere install what these packages hold and run it" \
+        "again with VOROGEO_NO_PACKAGES=1: ${packages[*]}"
+  install_packages
+fi
+
+jobs="${VOROGEO_JOBS:-$(nproc)}"
+python="$(command -v python3)" || die "python3 is not installed"
+python_version="$("$python" -c 'import sys; print(".".join(map(str, sys.version_info[:2])))')"
+
+# Usage: make_venv FOLDER REQUIREMENTS
+make_venv() {
+  rm -rf "$1"
+  "$python" -m venv "$1"
+  "$1/bin/pip" install --disable-pip-version-check -r "$2"
+}
+venv() { once "$1" "$2/.stamp" "$python_version $(sha256sum <"$3")" make_venv "$2" "$3"; }
+
+# Usage: build_plugin VERSION
+# Leaves the plugin in build/plugin-VERSION-double/plugin and a copy in build/plugins/VERSION, as pyfilter takes it.
+build_plugin() {
+  local folder="build/plugin-$1-double"
+  cmake --preset "plugin-$1-double"
+  cmake --build "$folder" --target filter_vorogeo --parallel "$jobs"
+  mkdir -p "build/plugins/$1"
+  if ! cmp -s "$folder/plugin/libfilter_vorogeo.so" "build/plugins/$1/libfilter_vorogeo.so"; then
+    cp "$folder/plugin/libfilter_vorogeo.so" "build/plugins/$1/.new"
+    mv "build/plugins/$1/.new" "build/plugins/$1/libfilter_vorogeo.so"
+  fi
+}
+plugin() { once "plugin-$1" "build/plugins/$1/.stamp" "$(sources core plugin)" build_plugin "$1"; }
+
+# The plugin that only the tests load, beside the one it tests.
+build_probe() { cmake --build "build/plugin-$1-double" --target filter_probe --parallel "$jobs"; }
+probe() {
+  once "probe-$1" "build/plugins/$1/.stamp-probe" "$(sources plugin tests/plugin/probe)" build_probe "$1"
+}
+
+# One line for the contents of folders of the project and the files that configure the build.
+sources() {
+  find "$@" CMakeLists.txt CMakePresets.json VERSION -type f ! -path '*/__pycache__/*' ! -name '*.md' -print0 |
+    sort -z | xargs -0 sha256sum | sha256sum
+}
+
+# Usage: install_vorogeo VENV VERSION
+install_vorogeo() {
+  CMAKE_BUILD_PARALLEL_LEVEL="$jobs" "$1/bin/pip" install --disable-pip-version-check --no-build-isolation \
+    --no-deps --force-reinstall "--config-settings=cmake.define.VOROGEO_PLUGIN_DIR=$PWD/build/plugins" \
+    "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter
+}
+vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2"; }
+
+venv venv .venv samples/requirements.txt
+plugin 2025.07
+vorogeo .venv 2025.07
+if [ "$with_tests" = yes ]; then
+  probe 2025.07
+  venv venv-2022 build/venv-2022 samples/requirements-2022.txt
+  plugin 2022.02
+  probe 2022.02
+  vorogeo build/venv-2022 2022.02
+fi
+say "ready"
