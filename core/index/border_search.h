@@ -1,0 +1,55 @@
+// Distances of the border nodes of a layer, by Dijkstra's algorithm over the patch tables with edge
+// unfolding.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "index/patch_layer.h"
+
+namespace vorogeo {
+
+/// One search at a time over the nodes of a layer; starts anew in time of the nodes touched. The layer must
+/// outlive it. One object belongs to one thread.
+class BorderSearch {
+ public:
+  explicit BorderSearch(const PatchLayer& layer);
+
+  /// Forgets the last search.
+  void start();
+  /// A node whose distance is known from outside the search, as a start.
+  void add(Index node, double distance);
+  /// Settles all nodes within max_distance over the patches p with patch_allowed[p] != 0 (empty: all).
+  void run(std::span<const std::uint8_t> patch_allowed = {}, double max_distance = unreachable);
+
+  double distance(Index node) const { return state_[node].distance; }
+
+  /// Distance of a member (column) of a patch through its border, the least sum given as the row of the
+  /// crossing: improved by unfolding the border edges at that row where their distances belong to one wave.
+  double across(Index patch, Index row, Index column, double sum) const;
+  /// Nodes with a finite distance.
+  std::span<const Index> reached() const { return touched_; }
+
+ private:
+  struct NodeState {
+    double distance = unreachable;
+    Index patch = no_index;  ///< the patch through which it was reached; no_index: a start
+    Index row = no_index;    ///< the row of the node before it
+    bool settled = false;
+  };
+  struct Entry {
+    double key;
+    Index node;
+    bool operator<(const Entry& other) const { return key > other.key; }
+  };
+
+  void lower(Index node, double distance, Index patch, Index row);
+  bool one_wave(const NodeState& a, const NodeState& b) const;
+
+  const PatchLayer& layer_;
+  std::vector<NodeState> state_;
+  std::vector<Index> touched_;
+  std::vector<Entry> heap_;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,96 @@
+// Building an index, phase by phase.
+#include "index/geodesic_index.h"
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "index/overlay.h"
+#include "support/error.h"
+
+namespace vorogeo {
+
+void IndexData::lay_out() {
+  work = make_work_mesh(*mesh, partition);
+  geometry = std::make_shared<const ExactGeometry>(work.mesh);
+  second = lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {});
+  std::vector<std::uint8_t> is_node(work.mesh->vertex_count());
+  for (Index v = 0; v < work.mesh->vertex_count(); ++v) is_node[v] = second.vertex_node[v] != no_index;
+  std::vector<Index> first_label(work.second_layer);
+  for (Index& label : first_label) label = partition.parent[label];
+  first = lay_out_patches(*work.mesh, first_label, partition.first_layer_count, is_node);
+
+  home_patch.assign(work.mesh->vertex_count(), no_index);
+  home_column.assign(work.mesh->vertex_count(), no_index);
+  for (Index p = 0; p < second.patch_count; ++p) {
+    const auto members = second.members(p);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (home_patch[members[i]] != no_index) continue;
+      home_patch[members[i]] = p;
+      home_column[members[i]] = static_cast<Index>(i);
+    }
+  }
+}
+
+void IndexData::count() {
+  statistics.vertices = mesh->vertex_count();
+  statistics.faces = mesh->face_count();
+  statistics.components = mesh->component_count();
+  statistics.first_layer_patches = first.patch_count;
+  statistics.second_layer_patches = second.patch_count;
+  statistics.first_layer_border_vertices = first.node_count();
+  statistics.second_layer_border_vertices = second.node_count();
+  statistics.arcs_before_pruning = graph.arcs_before_pruning;
+  statistics.arcs = static_cast<std::int64_t>(graph.arc.size() / 2);
+  statistics.bytes = static_cast<std::int64_t>(
+      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() +
+      sizeof(Index) *
+          (home_patch.size() + home_column.size() + work.work_vertex.size() + work.user_vertex.size() +
+           work.second_layer.size() + partition.first_layer.size() + partition.second_layer.size()));
+}
+
+std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,
+                                                          const IndexOptions& options,
+                                                          const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!(options.delta >= 0.0 && options.delta < 1.0)) {
+    throw InvalidInput("delta is " + std::to_string(options.delta) +
+                       "; it must be at least 0 (nothing lost) and below 1.");
+  }
+  auto data = std::make_unique<IndexData>();
+  data->mesh = std::move(mesh);
+  data->fingerprint = fingerprint_of(*data->mesh);
+  data->statistics.delta = options.delta;
+  data->statistics.seed = options.seed;
+  data->partition = make_partition(
+      std::make_shared<const ExactGeometry>(data->mesh),
+      {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
+      progress.part(0.0, 0.1));
+  data->lay_out();
+  fill_local_tables(data->geometry, data->work.second_layer, data->second, options.threads,
+                    progress.part(0.1, 0.8));
+  compose_tables(data->second, data->partition.parent, data->first, options.threads, progress.part(0.8, 0.9));
+  data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
+                                  options.threads, progress.part(0.9, 1.0));
+  data->count();
+  data->statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::make_shared<const GeodesicIndex>(std::move(data));
+}
+
+GeodesicIndex::GeodesicIndex(std::unique_ptr<IndexData> data) : data_(std::move(data)) {}
+GeodesicIndex::~GeodesicIndex() = default;
+
+const std::shared_ptr<const Mesh>& GeodesicIndex::mesh() const { return data_->mesh; }
+const Fingerprint& GeodesicIndex::fingerprint() const { return data_->fingerprint; }
+const IndexStatistics& GeodesicIndex::statistics() const { return data_->statistics; }
+
+std::span<const Index> GeodesicIndex::face_patches(int layer) const {
+  if (layer == 1) return data_->partition.first_layer;
+  if (layer == 2) return data_->partition.second_layer;
+  throw InvalidInput("Layer " + std::to_string(layer) +
+                     " does not exist: layers are 1 (large patches) and 2.");
+}
+
+}  // namespace vorogeo

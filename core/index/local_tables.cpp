@@ -1,0 +1,101 @@
+// Local exact tables: the border nodes between the same patches share one halo.
+#include "index/local_tables.h"
+
+#include <algorithm>
+#include <map>
+
+#include "exact/exact_solver.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Faces of patches and rim together, relative to those of the patches alone.
+constexpr double halo_growth = 2.25;
+
+}  // namespace
+
+Halo::Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count)
+    : mesh_(mesh), face_begin_(patch_count + 1, 0), mask_(mesh.face_count(), 0) {
+  for (Index patch : label) ++face_begin_[patch + 1];
+  for (Index p = 0; p < patch_count; ++p) face_begin_[p + 1] += face_begin_[p];
+}
+
+void Halo::surround(std::span<const Index> patches) {
+  for (Index f : faces_) mask_[f] = 0;
+  faces_.clear();
+  for (Index p : patches) {
+    for (Index f = face_begin_[p]; f < face_begin_[p + 1]; ++f) {
+      mask_[f] = 1;
+      faces_.push_back(f);
+    }
+  }
+  // Ring by ring: all faces that share a vertex with the last ring.
+  const auto wanted = static_cast<std::size_t>(halo_growth * static_cast<double>(faces_.size()));
+  std::size_t ring = 0;
+  while (ring < faces_.size() && faces_.size() < wanted) {
+    const std::size_t end = faces_.size();
+    for (; ring < end; ++ring) {
+      for (Index v : mesh_.face_vertices(faces_[ring])) {
+        for (Index corner : mesh_.corners(v)) {
+          const Index f = Mesh::face_of(corner);
+          if (mask_[f]) continue;
+          mask_[f] = 1;
+          faces_.push_back(f);
+        }
+      }
+    }
+  }
+}
+
+void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
+                       PatchLayer& layer, int threads, const Progress& progress) {
+  std::map<std::vector<Index>, std::vector<Index>> nodes_between;
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    std::vector<Index> patches;
+    for (const PatchRow& at : layer.patches_of(node)) patches.push_back(at.patch);
+    nodes_between[patches].push_back(node);
+  }
+  const std::vector<std::pair<std::vector<Index>, std::vector<Index>>> groups(nodes_between.begin(),
+                                                                              nodes_between.end());
+  struct Scratch {
+    Scratch(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label, Index patches)
+        : solver(geometry), halo(*geometry->mesh, label, patches) {}
+    ExactSolver solver;
+    Halo halo;
+    std::vector<Index> targets;
+  };
+  const int workers = static_cast<int>(
+      std::min<std::size_t>(resolve_thread_count(threads), std::max<std::size_t>(groups.size(), 1)));
+  std::vector<std::unique_ptr<Scratch>> scratch(workers);
+  parallel_for(groups.size(), workers, progress, "Computing exact distances inside patches",
+               [&](std::size_t group, int worker) {
+                 auto& own = scratch[worker];
+                 if (!own) own = std::make_unique<Scratch>(geometry, label, layer.patch_count);
+                 const auto& [patches, nodes] = groups[group];
+                 own->halo.surround(patches);
+                 own->targets.clear();
+                 for (Index p : patches) {
+                   const auto members = layer.members(p);
+                   own->targets.insert(own->targets.end(), members.begin(), members.end());
+                 }
+                 ExactLimits limits;
+                 limits.face_allowed = own->halo.mask();
+                 limits.targets = own->targets;
+                 for (Index node : nodes) {
+                   const Index source = layer.node_vertex[node];
+                   own->solver.run_from_vertices(std::span(&source, 1), limits);
+                   for (const PatchRow& at : layer.patches_of(node)) {
+                     const auto members = layer.members(at.patch);
+                     float* row = layer.row(at.patch, at.row);
+                     for (std::size_t i = 0; i < members.size(); ++i) {
+                       row[i] = static_cast<float>(own->solver.distance(members[i]));
+                     }
+                   }
+                 }
+               });
+  make_symmetric(layer);
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,39 @@
+// Exact distances inside second-layer patches.
+#pragma once
+
+#include <memory>
+
+#include "exact/exact_geometry.h"
+#include "index/patch_layer.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// The faces of some patches and a rim around them, as a mask for the exact solver.
+///
+/// A shortest path between points of the patches may leave them for a short way; the rim (halo) lets it.
+class Halo {
+ public:
+  /// `label`: patch of each face, ascending, so that the faces of a patch are consecutive.
+  Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count);
+
+  /// Marks the patches and a rim around them; earlier marks are taken back. Complexity: O(faces marked).
+  void surround(std::span<const Index> patches);
+  /// 1 for the marked faces. Shape (faces).
+  std::span<const std::uint8_t> mask() const { return mask_; }
+  /// The marked faces.
+  std::span<const Index> faces() const { return faces_; }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<Index> face_begin_;
+  std::vector<std::uint8_t> mask_;
+  std::vector<Index> faces_;
+};
+
+/// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
+/// halo.
+void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
+                       PatchLayer& layer, int threads, const Progress& progress);
+
+}  // namespace vorogeo

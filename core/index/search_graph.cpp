@@ -1,0 +1,175 @@
+// Pruning patch by patch (greedy spanner), then landmarks by farthest-point choice.
+#include "index/search_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <queue>
+
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+struct KeptArc {
+  Index a, b;  ///< rows
+  float length;
+};
+
+/// The arcs of one patch that remain: arcs in ascending order, each kept only if those kept before it make no
+/// way that is at most (1 + delta) times as long (Althofer et al. 1993). Complexity O(k^2 kept) for k border
+/// nodes.
+std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double delta) {
+  const Index k = layer.border_size(patch);
+  std::vector<KeptArc> kept;
+  std::vector<KeptArc> candidates;
+  for (Index i = 0; i < k; ++i) {
+    const float* row = layer.row(patch, i);
+    for (Index j = i + 1; j < k; ++j) {
+      if (row[j] < std::numeric_limits<float>::infinity()) candidates.push_back({i, j, row[j]});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const KeptArc& x, const KeptArc& y) {
+    return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
+  });
+  const auto factor = static_cast<float>(1.0 + delta);
+  if (delta == 0.0) {
+    // Nothing may be lost: only arcs that two others replace to the last bit.
+    for (const KeptArc& arc : candidates) {
+      const float* from_a = layer.row(patch, arc.a);
+      const float* from_b = layer.row(patch, arc.b);
+      bool dominated = false;
+      for (Index c = 0; c < k && !dominated; ++c) {
+        dominated = from_a[c] > 0.0f && from_b[c] > 0.0f &&
+                    static_cast<double>(from_a[c]) + from_b[c] <= static_cast<double>(arc.length);
+      }
+      if (!dominated) kept.push_back(arc);
+    }
+    return kept;
+  }
+  std::vector<float> way(static_cast<std::size_t>(k) * k, std::numeric_limits<float>::infinity());
+  for (Index i = 0; i < k; ++i) way[static_cast<std::size_t>(i) * k + i] = 0.0f;
+  for (const KeptArc& arc : candidates) {
+    if (way[static_cast<std::size_t>(arc.a) * k + arc.b] <= factor * arc.length) continue;
+    kept.push_back(arc);
+    const float* from_a = way.data() + static_cast<std::size_t>(arc.a) * k;
+    const float* from_b = way.data() + static_cast<std::size_t>(arc.b) * k;
+    for (Index i = 0; i < k; ++i) {
+      float* from_i = way.data() + static_cast<std::size_t>(i) * k;
+      const float over_a = from_i[arc.a] + arc.length;
+      const float over_b = from_i[arc.b] + arc.length;
+      if (over_a >= from_i[arc.b] && over_b >= from_i[arc.a]) continue;
+      for (Index j = 0; j < k; ++j) {
+        from_i[j] = std::min(from_i[j], std::min(over_a + from_b[j], over_b + from_a[j]));
+      }
+    }
+  }
+  return kept;
+}
+
+/// Distances from one node over the whole graph.
+std::vector<double> graph_distances(const SearchGraph& graph, Index start) {
+  std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  distance[start] = 0.0;
+  queue.emplace(0.0, start);
+  while (!queue.empty()) {
+    const auto [key, node] = queue.top();
+    queue.pop();
+    if (key > distance[node]) continue;
+    for (const Arc& arc : graph.arcs(node)) {
+      const double through = key + arc.length;
+      if (through < distance[arc.target]) {
+        distance[arc.target] = through;
+        queue.emplace(through, arc.target);
+      }
+    }
+  }
+  return distance;
+}
+
+/// Landmarks far from one another; the first is farthest from node 0.
+void place_landmarks(SearchGraph& graph) {
+  constexpr int count = SearchGraph::landmark_count;
+  const std::size_t nodes = graph.arc_begin.size() - 1;
+  graph.landmark_distance.assign(nodes * count, 0.0);
+  if (nodes == 0) return;
+  std::vector<double> nearest = graph_distances(graph, 0);
+  for (int l = 0; l < count; ++l) {
+    const auto farthest = std::max_element(nearest.begin(), nearest.end()) - nearest.begin();
+    const auto distance = graph_distances(graph, static_cast<Index>(farthest));
+    for (std::size_t node = 0; node < nodes; ++node) {
+      if (distance[node] == unreachable) continue;
+      graph.landmark_distance[node * count + l] = distance[node];
+      nearest[node] = l == 0 ? distance[node] : std::min(nearest[node], distance[node]);
+    }
+  }
+}
+
+}  // namespace
+
+SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
+                              std::span<const Index> parent, double delta, int threads,
+                              const Progress& progress) {
+  const std::size_t patches = static_cast<std::size_t>(second.patch_count) + first.patch_count;
+  const double children = static_cast<double>(second.patch_count) / std::max<Index>(1, first.patch_count);
+  std::vector<std::vector<KeptArc>> kept(patches);
+  parallel_for(patches, threads, progress.part(0.0, 0.7), "Pruning the graph", [&](std::size_t i, int) {
+    const auto p = static_cast<Index>(i);
+    kept[i] = p < second.patch_count ? prune_patch(second, p, delta)
+                                     : prune_patch(first, p - second.patch_count, delta / children);
+  });
+
+  struct Joined {
+    Index a, b;  ///< nodes, a < b
+    float length;
+    Index patch;
+    Index parent;  ///< first-layer patch, for arcs of the second layer
+  };
+  SearchGraph graph;
+  std::vector<Joined> joined;
+  auto append = [&](const PatchLayer& layer, Index patch, bool first_layer) {
+    const auto k = static_cast<std::int64_t>(layer.border_size(patch));
+    graph.arcs_before_pruning += k * (k - 1) / 2;
+    for (const KeptArc& arc : kept[first_layer ? second.patch_count + patch : patch]) {
+      Index a = second.vertex_node[layer.node_vertex[layer.nodes(patch)[arc.a]]];
+      Index b = second.vertex_node[layer.node_vertex[layer.nodes(patch)[arc.b]]];
+      if (a > b) std::swap(a, b);
+      joined.push_back(
+          {a, b, arc.length, first_layer ? -1 - patch : patch, first_layer ? -1 - patch : parent[patch]});
+    }
+  };
+  for (Index p = 0; p < second.patch_count; ++p) append(second, p, false);
+  for (Index p = 0; p < first.patch_count; ++p) append(first, p, true);
+  kept.clear();
+  // Two nodes on the border between two patches of one parent: one arc is enough.
+  std::sort(joined.begin(), joined.end(), [](const Joined& x, const Joined& y) {
+    return std::tie(x.a, x.b, x.parent, x.length, x.patch) < std::tie(y.a, y.b, y.parent, y.length, y.patch);
+  });
+  joined.erase(std::unique(joined.begin(), joined.end(),
+                           [](const Joined& x, const Joined& y) {
+                             return x.a == y.a && x.b == y.b && x.parent == y.parent;
+                           }),
+               joined.end());
+
+  graph.arc_begin.assign(second.node_count() + 1, 0);
+  for (const Joined& arc : joined) {
+    ++graph.arc_begin[arc.a + 1];
+    ++graph.arc_begin[arc.b + 1];
+  }
+  std::partial_sum(graph.arc_begin.begin(), graph.arc_begin.end(), graph.arc_begin.begin());
+  graph.arc.resize(2 * joined.size());
+  auto slot = graph.arc_begin;
+  for (const Joined& arc : joined) {
+    graph.arc[slot[arc.a]++] = {arc.b, arc.length, arc.patch};
+    graph.arc[slot[arc.b]++] = {arc.a, arc.length, arc.patch};
+  }
+  progress.report(0.8, "Placing landmarks");
+  place_landmarks(graph);
+  progress.report(1.0, "Placing landmarks");
+  return graph;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,51 @@
+// The two-layer graph over the second-layer nodes, pruned, with landmarks for its lower bounds.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "index/patch_layer.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// An arc of the two-layer graph: a distance inside one patch of one layer.
+struct Arc {
+  Index target;  ///< second-layer node
+  float length;
+  Index patch;  ///< second-layer patch p, or -1 - p for first-layer patch p
+
+  bool in_first_layer() const { return patch < 0; }
+  Index patch_index() const { return patch < 0 ? -1 - patch : patch; }
+};
+
+/// Undirected graph: each arc is stored at both ends. Nodes are those of the second layer.
+struct SearchGraph {
+  std::vector<std::int64_t> arc_begin;  ///< by node
+  std::vector<Arc> arc;
+  std::int64_t arcs_before_pruning = 0;
+  static constexpr int landmark_count = 8;
+  /// Distance of each node from each landmark over the whole graph, 0 where a landmark does not reach.
+  std::vector<double> landmark_distance;  ///< shape (nodes, landmark_count)
+
+  std::span<const Arc> arcs(Index node) const {
+    return {arc.data() + arc_begin[node], arc.data() + arc_begin[node + 1]};
+  }
+  const double* landmarks(Index node) const {
+    return landmark_distance.data() + static_cast<std::size_t>(node) * landmark_count;
+  }
+  std::size_t memory_bytes() const {
+    return arc_begin.size() * sizeof(arc_begin[0]) + arc.size() * sizeof(Arc) +
+           landmark_distance.size() * sizeof(double);
+  }
+};
+
+/// Makes the graph from the tables of both layers. An arc is dropped if other kept arcs of its patch make a
+/// way at most (1 + delta) times as long; in the first layer, delta is divided by the mean number of
+/// second-layer patches in a first-layer patch, since its arcs are that much longer. With delta = 0 all
+/// distances stay as they are.
+SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
+                              std::span<const Index> parent, double delta, int threads,
+                              const Progress& progress);
+
+}  // namespace vorogeo

@@ -1,0 +1,126 @@
+// Splitting of border edges and renumbering by patch.
+#include "index/work_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vorogeo {
+
+namespace {
+
+/// Longest border edge as a fraction of the square root of the area of the smaller patch beside it. A round
+/// patch of a regular mesh with 350 vertices has 0.06.
+constexpr double longest_border_edge = 0.1;
+constexpr Index most_pieces = 32;
+
+/// Number of pieces of each edge: 1 unless it is a long border edge.
+std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
+  std::vector<double> area(partition.second_layer_count, 0.0);
+  for (Index f = 0; f < mesh.face_count(); ++f) area[partition.second_layer[f]] += mesh.face_area(f);
+  std::vector<Index> pieces(mesh.edge_count(), 1);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index first = mesh.edge_halfedge(e);
+    double least = area[partition.second_layer[Mesh::face_of(first)]];
+    bool border = false;
+    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      const Index patch = partition.second_layer[Mesh::face_of(h)];
+      border |= patch != partition.second_layer[Mesh::face_of(first)];
+      least = std::min(least, area[patch]);
+    }
+    if (!border || least <= 0.0) continue;
+    const double wanted = std::ceil(mesh.edge_length(e) / (longest_border_edge * std::sqrt(least)));
+    pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(most_pieces)));
+  }
+  return pieces;
+}
+
+/// A face while its edges are being split: triangles so far, with the one that still holds each edge.
+class FaceSplitter {
+ public:
+  explicit FaceSplitter(const std::array<Index, 3>& corners) : triangles_{corners} {}
+
+  /// Puts the points (from a to b) on the edge a-b: its triangle becomes a fan around the third corner.
+  void split(Index a, Index b, const std::vector<Index>& points) {
+    if (points.empty()) return;
+    for (auto& triangle : triangles_) {
+      for (int i = 0; i < 3; ++i) {
+        if (triangle[i] != a || triangle[(i + 1) % 3] != b) continue;
+        const Index apex = triangle[(i + 2) % 3];
+        triangle = {a, points.front(), apex};
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          triangles_.push_back({points[k], k + 1 < points.size() ? points[k + 1] : b, apex});
+        }
+        return;
+      }
+    }
+  }
+
+  const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
+
+ private:
+  std::vector<std::array<Index, 3>> triangles_;
+};
+
+}  // namespace
+
+WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
+  const auto pieces = pieces_of_edges(mesh, partition);
+  std::vector<Point> positions = mesh.positions();
+  std::vector<Index> first_point(mesh.edge_count(), no_index);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (pieces[e] == 1) continue;
+    first_point[e] = static_cast<Index>(positions.size());
+    const Point a = mesh.position(mesh.edge_vertices(e)[0]);
+    const Point b = mesh.position(mesh.edge_vertices(e)[1]);
+    for (Index k = 1; k < pieces[e]; ++k) {
+      const double t = static_cast<double>(k) / pieces[e];
+      positions.push_back({std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)});
+    }
+  }
+
+  std::vector<Index> order(mesh.face_count());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index f, Index g) { return partition.second_layer[f] < partition.second_layer[g]; });
+  std::vector<std::array<Index, 3>> faces;
+  WorkMesh work;
+  faces.reserve(order.size());
+  std::vector<Index> points;
+  for (Index f : order) {
+    FaceSplitter splitter(mesh.face_vertices(f));
+    for (int i = 0; i < 3; ++i) {
+      const Index h = 3 * f + i;
+      const Index e = mesh.edge_of(h);
+      points.clear();
+      for (Index k = 1; k < pieces[e]; ++k) points.push_back(first_point[e] + k - 1);
+      if (mesh.tail(h) != mesh.edge_vertices(e)[0]) std::reverse(points.begin(), points.end());
+      splitter.split(mesh.tail(h), mesh.head(h), points);
+    }
+    for (const auto& triangle : splitter.triangles()) {
+      faces.push_back(triangle);
+      work.second_layer.push_back(partition.second_layer[f]);
+    }
+  }
+
+  // Vertices in the order in which the sorted faces first name them.
+  std::vector<Index> renamed(positions.size(), no_index);
+  std::vector<Point> sorted;
+  sorted.reserve(positions.size());
+  for (auto& face : faces) {
+    for (Index& v : face) {
+      if (renamed[v] == no_index) {
+        renamed[v] = static_cast<Index>(sorted.size());
+        sorted.push_back(positions[v]);
+        work.user_vertex.push_back(v < mesh.vertex_count() ? v : no_index);
+      }
+      v = renamed[v];
+    }
+  }
+  renamed.resize(mesh.vertex_count());
+  work.work_vertex = std::move(renamed);
+  work.mesh = std::make_shared<const Mesh>(std::move(sorted), faces);
+  return work;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,35 @@
+// The two layers of geodesic Voronoi patches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "exact/exact_geometry.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// How many patches, and how they are placed.
+struct PartitionOptions {
+  Index first_layer_patches = 0;   ///< of the mesh; 0: chosen from the number of vertices
+  Index second_layer_patches = 0;  ///< per first-layer patch, on average; 0: chosen
+  std::uint64_t seed = 0;
+  int threads = 0;
+};
+
+/// Patch of each face in both layers. Each second-layer patch lies in one first-layer patch; no patch is
+/// empty.
+struct Partition {
+  std::vector<Index> first_layer;   ///< by face
+  std::vector<Index> second_layer;  ///< by face, numbered so that the patches of one parent are consecutive
+  std::vector<Index> parent;        ///< first-layer patch, by second-layer patch
+  Index first_layer_count = 0;
+  Index second_layer_count = 0;
+};
+
+/// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
+/// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
+Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const PartitionOptions& options,
+                         const Progress& progress);
+
+}  // namespace vorogeo

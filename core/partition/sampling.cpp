@@ -1,0 +1,148 @@
+// Farthest-point sampling and Lloyd relaxation by breadth-first search.
+#include "partition/sampling.h"
+
+#include <algorithm>
+#include <random>
+
+namespace vorogeo {
+
+namespace {
+
+constexpr int lloyd_rounds = 4;
+constexpr Index far = std::numeric_limits<Index>::max();
+
+/// Breadth-first distances over the edges of a part, from growing sets of vertices.
+class HopField {
+ public:
+  HopField(const Mesh& mesh, const MeshPart& part)
+      : mesh_(mesh), part_(part), hops_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
+
+  void reset() {
+    for (Index v : part_.vertices) {
+      hops_[v] = far;
+      cell_[v] = no_index;
+    }
+  }
+
+  /// Lowers the distances to those from the front, whose vertices have distance 0; vertices for which
+  /// `enters(from, to)` is false are not entered from there.
+  template <class Enters>
+  void grow(std::vector<Index> front, Enters&& enters) {
+    for (Index v : front) hops_[v] = 0;
+    std::vector<Index> next;
+    for (Index hop = 1; !front.empty(); ++hop) {
+      next.clear();
+      for (Index v : front) {
+        for_each_neighbour(v, [&](Index u) {
+          if (hops_[u] <= hop || !enters(v, u)) return;
+          hops_[u] = hop;
+          cell_[u] = cell_[v];
+          next.push_back(u);
+        });
+      }
+      front.swap(next);
+    }
+  }
+
+  template <class Visit>
+  void for_each_neighbour(Index v, Visit&& visit) const {
+    for (Index corner : mesh_.corners(v)) {
+      if (!part_.face_allowed.empty() && !part_.face_allowed[Mesh::face_of(corner)]) continue;
+      visit(mesh_.head(corner));
+      visit(mesh_.apex(corner));
+    }
+  }
+
+  Index hops(Index v) const { return hops_[v]; }
+  Index cell(Index v) const { return cell_[v]; }
+  void set_cell(Index v, Index cell) { cell_[v] = cell; }
+
+ private:
+  const Mesh& mesh_;
+  const MeshPart& part_;
+  std::vector<Index> hops_;
+  std::vector<Index> cell_;
+};
+
+constexpr auto anywhere = [](Index, Index) { return true; };
+
+/// Vertices by distance, taken from the farthest; entries whose distance has fallen are put back lower.
+class FarthestFirst {
+ public:
+  void add(Index v, Index hops) {
+    if (static_cast<std::size_t>(hops) >= at_.size()) at_.resize(hops + 1);
+    at_[hops].push_back(v);
+  }
+  Index take(const HopField& field) {
+    while (!at_.empty()) {
+      if (at_.back().empty()) {
+        at_.pop_back();
+        continue;
+      }
+      const Index v = at_.back().back();
+      at_.back().pop_back();
+      const Index hops = field.hops(v);
+      if (static_cast<std::size_t>(hops) + 1 == at_.size()) return v;
+      at_[hops].push_back(v);
+    }
+    return no_index;
+  }
+
+ private:
+  std::vector<std::vector<Index>> at_;
+};
+
+}  // namespace
+
+std::vector<Index> spread_samples(const Mesh& mesh, const MeshPart& part, Index count, std::uint64_t seed) {
+  std::vector<Index> samples;
+  if (part.vertices.empty()) return samples;
+  HopField field(mesh, part);
+  // One sample in each piece, the first at random.
+  std::mt19937_64 random(seed);
+  samples.push_back(part.vertices[random() % part.vertices.size()]);
+  field.grow({samples.back()}, anywhere);
+  for (Index v : part.vertices) {
+    if (field.hops(v) != far) continue;
+    samples.push_back(v);
+    field.grow({v}, anywhere);
+  }
+  FarthestFirst queue;
+  for (Index v : part.vertices) queue.add(v, field.hops(v));
+  while (static_cast<Index>(samples.size()) < count) {
+    const Index v = queue.take(field);
+    if (v == no_index || field.hops(v) == 0) break;
+    samples.push_back(v);
+    field.grow({v}, anywhere);
+  }
+
+  std::vector<Index> front;
+  for (int round = 0; round < lloyd_rounds && samples.size() > 1; ++round) {
+    field.reset();
+    for (std::size_t i = 0; i < samples.size(); ++i) field.set_cell(samples[i], static_cast<Index>(i));
+    field.grow(samples, anywhere);
+    std::vector<Index> cell_of(part.vertices.size());
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) cell_of[i] = field.cell(part.vertices[i]);
+    front.clear();
+    for (Index v : part.vertices) {
+      bool border = false;
+      field.for_each_neighbour(v, [&](Index u) { border |= field.cell(u) != field.cell(v); });
+      if (border) front.push_back(v);
+    }
+    if (front.empty()) break;
+    field.reset();
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) field.set_cell(part.vertices[i], cell_of[i]);
+    field.grow(front, [&](Index from, Index to) { return field.cell(from) == field.cell(to); });
+    // The vertex deepest inside a cell; the present sample stays where no other is deeper.
+    std::vector<Index> deepest(samples);
+    for (Index v : part.vertices) {
+      if (field.hops(v) == far) continue;
+      Index& best = deepest[field.cell(v)];
+      if (field.hops(best) == far || field.hops(v) > field.hops(best)) best = v;
+    }
+    samples = deepest;
+  }
+  return samples;
+}
+
+}  // namespace vorogeo

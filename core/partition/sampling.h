@@ -1,0 +1,26 @@
+// Well-spread sample vertices, as seeds of Voronoi patches.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+/// The part of a mesh that one patch covers: vertices and whether a face belongs to it.
+struct MeshPart {
+  std::span<const Index> vertices;             ///< with at least one face of the part, ascending
+  std::span<const std::uint8_t> face_allowed;  ///< empty: all faces
+};
+
+/// Samples of the part, spread by farthest-point sampling in the number of edges and then moved to the
+/// centres of their cells (Lloyd); counting edges rather than length gives dense regions more samples, so
+/// that the cells have similar numbers of vertices.
+///
+/// At least one sample for each connected piece of the part, otherwise `count`, at most one per vertex.
+/// Deterministic for a seed. Complexity: O((n + m) log count).
+std::vector<Index> spread_samples(const Mesh& mesh, const MeshPart& part, Index count, std::uint64_t seed);
+
+}  // namespace vorogeo

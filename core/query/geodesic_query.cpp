@@ -1,0 +1,161 @@
+// Two-point distances and distance fields from an index.
+#include "query/geodesic_query.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "exact/exact_solver.h"
+#include "index/border_search.h"
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "query/field_sweep.h"
+#include "query/graph_route.h"
+#include "query/route_unfolding.h"
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+struct GeodesicQuery::State {
+  State(std::shared_ptr<const GeodesicIndex> shared_index, int requested_threads)
+      : index(std::move(shared_index)),
+        data(index->data()),
+        threads(resolve_thread_count(requested_threads)),
+        solver(data.geometry),
+        halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
+        search(data.second),
+        router(data),
+        sweeps(threads),
+        is_near(data.second.patch_count, 0) {}
+
+  Index work_vertex(Index vertex, const char* role) const {
+    if (vertex < 0 || vertex >= data.mesh->vertex_count()) {
+      throw InvalidInput(std::string(role) + " vertex " + std::to_string(vertex) +
+                         " does not exist: the mesh has vertices 0 to " +
+                         std::to_string(data.mesh->vertex_count() - 1) + ".");
+    }
+    return data.work.work_vertex[vertex];
+  }
+  std::vector<Index> patches_of(Index work) const {
+    const Index node = data.second.vertex_node[work];
+    if (node == no_index) return {data.home_patch[work]};
+    std::vector<Index> patches;
+    for (const PatchRow& at : data.second.patches_of(node)) patches.push_back(at.patch);
+    return patches;
+  }
+  double distance_nearby(Index source, Index target, const std::vector<Index>& shared, double upper_bound);
+
+  std::shared_ptr<const GeodesicIndex> index;
+  const IndexData& data;
+  int threads;
+  ExactSolver solver;
+  Halo halo;
+  BorderSearch search;
+  GraphRouter router;
+  std::vector<FieldSweep> sweeps;
+  std::vector<std::uint8_t> is_near;
+};
+
+GeodesicQuery::GeodesicQuery(std::shared_ptr<const GeodesicIndex> index, int threads)
+    : state_(std::make_unique<State>(std::move(index), threads)) {}
+GeodesicQuery::~GeodesicQuery() = default;
+GeodesicQuery::GeodesicQuery(GeodesicQuery&&) noexcept = default;
+GeodesicQuery& GeodesicQuery::operator=(GeodesicQuery&&) noexcept = default;
+
+const GeodesicIndex& GeodesicQuery::index() const { return *state_->index; }
+
+double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& shared,
+                                             double upper_bound) {
+  halo.surround(shared);
+  ExactLimits limits;
+  limits.face_allowed = halo.mask();
+  limits.targets = std::span(&target, 1);
+  // The bound is a sum of table entries, rounded to single precision.
+  limits.max_distance = upper_bound * (1.0 + 1e-6);
+  solver.run_from_vertices(std::span(&source, 1), limits);
+  return std::min(upper_bound, solver.distance(target));
+}
+
+double GeodesicQuery::distance(Index source, Index target) {
+  State& state = *state_;
+  const IndexData& data = state.data;
+  Index s = state.work_vertex(source, "Source");
+  Index t = state.work_vertex(target, "Target");
+  if (source == target) return 0.0;
+  if (s == no_index || t == no_index || data.mesh->component(source) != data.mesh->component(target)) {
+    return unreachable;
+  }
+  // One order for both directions makes the answer symmetric to the last bit.
+  if (s > t) std::swap(s, t);
+  const RouteEnd from = route_end(data, s);
+  const RouteEnd to = route_end(data, t);
+  const GraphRoute route = state.router.route(from, to);
+  std::vector<Index> shared;
+  const auto target_patches = state.patches_of(t);
+  for (Index p : state.patches_of(s)) {
+    if (std::find(target_patches.begin(), target_patches.end(), p) != target_patches.end())
+      shared.push_back(p);
+  }
+  if (!shared.empty()) return state.distance_nearby(s, t, shared, route.length);
+  if (route.length == unreachable) return unreachable;
+  return std::min(route.length, unfolded_length(data, route, s, t));
+}
+
+std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources, double max_distance) {
+  State& state = *state_;
+  const IndexData& data = state.data;
+  if (sources.empty()) throw InvalidInput("There is no source vertex; name at least one.");
+  std::vector<double> field(data.mesh->vertex_count(), unreachable);
+  std::vector<Index> starts;
+  std::vector<Index> near;
+  for (Index source : sources) {
+    const Index work = state.work_vertex(source, "Source");
+    field[source] = 0.0;
+    if (work == no_index) continue;
+    starts.push_back(work);
+    for (Index p : state.patches_of(work)) {
+      if (state.is_near[p]) continue;
+      state.is_near[p] = 1;
+      near.push_back(p);
+    }
+  }
+  if (starts.empty()) return field;
+
+  // Near field: exact in the patches of the sources.
+  state.halo.surround(near);
+  std::vector<Index> targets;
+  for (Index p : near)
+    targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
+  ExactLimits limits;
+  limits.face_allowed = state.halo.mask();
+  limits.targets = targets;
+  limits.max_distance = max_distance;
+  state.solver.run_from_vertices(starts, limits);
+
+  state.search.start();
+  for (Index p : near) {
+    for (Index node : data.second.nodes(p)) {
+      state.search.add(node, state.solver.distance(data.second.node_vertex[node]));
+    }
+  }
+  state.search.run({}, max_distance);
+
+  parallel_for(data.second.patch_count, state.threads, {}, "", [&](std::size_t patch, int worker) {
+    const auto p = static_cast<Index>(patch);
+    const auto found = state.sweeps[worker].sweep(data.second, state.search, p);
+    const auto members = data.second.members(p);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const Index user = data.work.user_vertex[members[i]];
+      // A border node belongs to several patches: the first of them writes it.
+      if (user == no_index || data.home_patch[members[i]] != p) continue;
+      double distance = found[i];
+      if (state.is_near[p]) distance = std::min(distance, state.solver.distance(members[i]));
+      field[user] = distance <= max_distance ? distance : unreachable;
+    }
+  });
+  for (Index p : near) state.is_near[p] = 0;
+  return field;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,131 @@
+// Bidirectional A* over the two-layer graph.
+#include "query/graph_route.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorogeo {
+
+RouteEnd route_end(const IndexData& data, Index work_vertex) {
+  RouteEnd end;
+  const PatchLayer& second = data.second;
+  const Index node = second.vertex_node[work_vertex];
+  auto add_parent = [&](Index patch) {
+    const Index parent = data.partition.parent[patch];
+    if (std::find(end.parents.begin(), end.parents.end(), parent) == end.parents.end())
+      end.parents.push_back(parent);
+  };
+  if (node != no_index) {
+    end.starts.push_back({node, 0.0});
+    for (const PatchRow& at : second.patches_of(node)) add_parent(at.patch);
+    return end;
+  }
+  end.patch = data.home_patch[work_vertex];
+  add_parent(end.patch);
+  const auto nodes = second.nodes(end.patch);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double distance = second.row(end.patch, static_cast<Index>(i))[data.home_column[work_vertex]];
+    if (distance < unreachable) end.starts.push_back({nodes[i], distance});
+  }
+  return end;
+}
+
+GraphRouter::GraphRouter(const IndexData& data)
+    : data_(data), state_(data.second.node_count()), parent_open_(data.first.patch_count, 0) {}
+
+GraphRouter::NodeState& GraphRouter::touch(Index node) {
+  NodeState& state = state_[node];
+  if (state.stamp == stamp_) return state;
+  state.stamp = stamp_;
+  for (int side : {0, 1}) {
+    state.distance[side] = unreachable;
+    state.before[side] = no_index;
+    state.done[side] = false;
+  }
+  const double* landmark = data_.graph.landmarks(node);
+  double bound[2] = {0.0, 0.0};
+  for (int side : {0, 1}) {
+    for (int l = 0; l < SearchGraph::landmark_count; ++l) {
+      bound[side] = std::max(bound[side], std::abs(landmark[l] - end_landmarks_[side][l]));
+    }
+  }
+  state.potential = 0.5 * (bound[1] - bound[0]);
+  return state;
+}
+
+void GraphRouter::lower(int side, Index node, double distance, Index before, Index arc_patch) {
+  NodeState& state = touch(node);
+  if (distance >= state.distance[side]) return;
+  state.distance[side] = distance;
+  state.before[side] = before;
+  state.arc_patch[side] = arc_patch;
+  heap_[side].push_back({distance + (side == 0 ? state.potential : -state.potential), node});
+  std::push_heap(heap_[side].begin(), heap_[side].end());
+  const double joined = state.distance[0] + state.distance[1];
+  if (joined < best_) {
+    best_ = joined;
+    meeting_ = node;
+  }
+}
+
+void GraphRouter::settle(int side) {
+  const Entry entry = heap_[side].front();
+  std::pop_heap(heap_[side].begin(), heap_[side].end());
+  heap_[side].pop_back();
+  NodeState& state = state_[entry.node];
+  if (state.done[side]) return;
+  state.done[side] = true;
+  ++settled_;
+  const double distance = state.distance[side];
+  for (const Arc& arc : data_.graph.arcs(entry.node)) {
+    if (!arc.in_first_layer() && parent_open_[data_.partition.parent[arc.patch]] != stamp_) continue;
+    lower(side, arc.target, distance + arc.length, entry.node, arc.patch);
+  }
+}
+
+GraphRoute GraphRouter::route(const RouteEnd& source, const RouteEnd& target) {
+  if (++stamp_ == 0) {
+    for (auto& state : state_) state.stamp = 0;
+    std::fill(parent_open_.begin(), parent_open_.end(), 0);
+    stamp_ = 1;
+  }
+  best_ = unreachable;
+  meeting_ = no_index;
+  settled_ = 0;
+  const RouteEnd* ends[2] = {&source, &target};
+  for (int side : {0, 1}) {
+    heap_[side].clear();
+    for (Index parent : ends[side]->parents) parent_open_[parent] = stamp_;
+    end_landmarks_[side].assign(SearchGraph::landmark_count, unreachable);
+    for (const auto& start : ends[side]->starts) {
+      const double* landmark = data_.graph.landmarks(start.node);
+      for (int l = 0; l < SearchGraph::landmark_count; ++l) {
+        end_landmarks_[side][l] = std::min(end_landmarks_[side][l], landmark[l] + start.distance);
+      }
+    }
+  }
+  for (int side : {0, 1}) {
+    for (const auto& start : ends[side]->starts) lower(side, start.node, start.distance, no_index, no_index);
+  }
+  while (!heap_[0].empty() && !heap_[1].empty()) {
+    if (heap_[0].front().key + heap_[1].front().key >= best_) break;
+    settle(heap_[0].size() <= heap_[1].size() ? 0 : 1);
+  }
+
+  GraphRoute route;
+  route.length = best_;
+  if (meeting_ == no_index) return route;
+  for (Index node = meeting_; node != no_index; node = state_[node].before[0]) {
+    route.nodes.push_back(node);
+    if (state_[node].before[0] != no_index) route.arc_patches.push_back(state_[node].arc_patch[0]);
+  }
+  std::reverse(route.nodes.begin(), route.nodes.end());
+  std::reverse(route.arc_patches.begin(), route.arc_patches.end());
+  for (Index node = meeting_; state_[node].before[1] != no_index; node = state_[node].before[1]) {
+    route.arc_patches.push_back(state_[node].arc_patch[1]);
+    route.nodes.push_back(state_[node].before[1]);
+  }
+  return route;
+}
+
+}  // namespace vorogeo
