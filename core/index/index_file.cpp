@@ -1,0 +1,134 @@
+// The container of index files. Layout, little endian: magic (8 bytes), version (u32), byte order mark (u32),
+// then blocks: element size (u64), number of elements (u64), checksum of the contents (u64), the contents.
+#include "index/index_file.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <random>
+
+namespace vorogeo {
+
+namespace {
+
+constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
+constexpr std::uint32_t version = 1;
+constexpr std::uint32_t byte_order = 0x01020304;
+
+/// A 64-bit checksum at memory speed: every bit of the input changes the result (multiply, rotate, add).
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0x9e3779b97f4a7c15ull ^ bytes.size();
+  auto add = [&](std::uint64_t word) {
+    sum = (std::rotl(sum, 29) ^ word) * 0xff51afd7ed558ccdull + 0x2545f4914f6cdd1dull;
+  };
+  std::size_t i = 0;
+  for (; i + 8 <= bytes.size(); i += 8) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes.data() + i, 8);
+    add(word);
+  }
+  std::uint64_t last = 0;
+  std::memcpy(&last, bytes.data() + i, bytes.size() - i);
+  add(last);
+  return sum ^ (sum >> 32);
+}
+
+}  // namespace
+
+IndexFileWriter::IndexFileWriter(const std::filesystem::path& file) : file_(file) {
+  temporary_ = file;
+  temporary_ += ".part" + std::to_string(std::random_device{}());
+  out_.open(temporary_, std::ios::binary | std::ios::trunc);
+  if (!out_) {
+    throw IndexFileError("Cannot write the index file " + file.string() +
+                         "; check that the folder exists and may be written to.");
+  }
+  out_.write(magic.data(), magic.size());
+  for (std::uint32_t number : {version, byte_order})
+    out_.write(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+
+IndexFileWriter::~IndexFileWriter() {
+  if (temporary_.empty()) return;
+  out_.close();
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void IndexFileWriter::write(std::span<const std::byte> bytes, std::size_t element_size) {
+  const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, checksum(bytes)};
+  out_.write(reinterpret_cast<const char*>(head.data()), sizeof(head));
+  out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+void IndexFileWriter::finish() {
+  out_.close();
+  std::error_code error;
+  if (out_) std::filesystem::rename(temporary_, file_, error);
+  if (!out_ || error) {
+    throw IndexFileError("Writing the index file " + file_.string() + " failed; is the disk full?");
+  }
+  temporary_.clear();
+}
+
+IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file) {
+  std::error_code error;
+  left_ = std::filesystem::file_size(file, error);
+  in_.open(file, std::ios::binary);
+  if (error || !in_) throw IndexFileError("Cannot open the index file " + file.string() + ".");
+  const auto found = number<std::array<char, 8>>();
+  if (found != magic) throw IndexFileError(file.string() + " is not an index file of VoroGeo.");
+  const auto found_version = number<std::uint32_t>();
+  const auto found_order = number<std::uint32_t>();
+  if (found_version != version || found_order != byte_order) {
+    throw IndexFileError("The index file " + file.string() + " has format version " +
+                         std::to_string(found_version) + ", this program reads version " +
+                         std::to_string(version) + "; build the index again.");
+  }
+}
+
+template <class T>
+T IndexFileReader::number() {
+  T value;
+  read(std::as_writable_bytes(std::span<T, 1>(&value, 1)).first(sizeof(T)));
+  return value;
+}
+
+void IndexFileReader::fail(const std::string& what) const {
+  throw IndexFileError("The index file " + file_.string() + " " + what + "; build the index again.");
+}
+
+std::size_t IndexFileReader::next_count(std::size_t element_size) {
+  const auto size = number<std::uint64_t>();
+  count_ = number<std::uint64_t>();
+  if (size != element_size) fail("is damaged (unexpected block)");
+  if (left_ < sizeof(std::uint64_t) || count_ > (left_ - sizeof(std::uint64_t)) / element_size)
+    fail("is truncated");
+  counted_ = true;
+  return count_;
+}
+
+void IndexFileReader::expect(std::size_t count, std::size_t element_size) {
+  if (!counted_) next_count(element_size);
+  counted_ = false;
+  if (count_ != count) fail("is damaged (a block has the wrong size)");
+}
+
+void IndexFileReader::read(std::span<std::byte> bytes) {
+  if (bytes.size() > left_) fail("is truncated");
+  in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!in_) fail("could not be read");
+  left_ -= bytes.size();
+}
+
+void IndexFileReader::read_checked(std::span<std::byte> contents) {
+  const auto expected = number<std::uint64_t>();
+  read(contents);
+  if (checksum(contents) != expected) fail("is damaged (a checksum does not match)");
+}
+
+void IndexFileReader::finish() {
+  if (left_ != 0) fail("is damaged (it goes on after its end)");
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,123 @@
+// Which parts of an index go into its file, and the checks that tie a file to a mesh.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "index/geodesic_index.h"
+#include "index/index_data.h"
+#include "index/index_file.h"
+
+namespace vorogeo {
+
+namespace {
+
+void save_layer(IndexFileWriter& out, const PatchLayer& layer) { out.block(layer.table); }
+
+/// Distances must be numbers of at least 0; infinity is what a patch cannot reach.
+template <class T>
+void require_distances(IndexFileReader& in, const std::vector<T>& values) {
+  for (T value : values) {
+    if (!(value >= T(0))) in.fail("is damaged (a distance is negative or no number)");
+  }
+}
+
+void load_layer(IndexFileReader& in, PatchLayer& layer) {
+  layer.table = in.block<float>(layer.table.size());
+  require_distances(in, layer.table);
+}
+
+/// Every patch from 0 to count - 1 owns a face, and no face another.
+void require_labels(IndexFileReader& in, const std::vector<Index>& label, Index count) {
+  std::vector<std::uint8_t> used(std::max<Index>(count, 0), 0);
+  for (Index patch : label) {
+    if (patch < 0 || patch >= count) in.fail("is damaged (a face has no patch)");
+    used[patch] = 1;
+  }
+  if (std::find(used.begin(), used.end(), 0) != used.end()) in.fail("is damaged (a patch has no face)");
+}
+
+void load_partition(IndexFileReader& in, Partition& partition, Index faces) {
+  partition.first_layer = in.block<Index>(faces);
+  partition.second_layer = in.block<Index>(faces);
+  partition.parent = in.block<Index>();
+  if (partition.parent.size() > static_cast<std::size_t>(faces))
+    in.fail("is damaged (more patches than faces)");
+  partition.second_layer_count = static_cast<Index>(partition.parent.size());
+  for (Index parent : partition.parent) {
+    if (parent < 0 || parent > faces) in.fail("is damaged (a patch has no parent)");
+    partition.first_layer_count = std::max(partition.first_layer_count, parent + 1);
+  }
+  require_labels(in, partition.first_layer, partition.first_layer_count);
+  require_labels(in, partition.second_layer, partition.second_layer_count);
+  for (std::size_t f = 0; f < partition.first_layer.size(); ++f) {
+    if (partition.parent[partition.second_layer[f]] != partition.first_layer[f]) {
+      in.fail("is damaged (the two layers contradict each other)");
+    }
+  }
+}
+
+void load_graph(IndexFileReader& in, SearchGraph& graph, Index nodes, Index second_patches,
+                Index first_patches) {
+  graph.arc_begin = in.block<std::int64_t>(static_cast<std::size_t>(nodes) + 1);
+  graph.arc = in.block<Arc>();
+  graph.landmark_distance = in.block<double>(static_cast<std::size_t>(nodes) * SearchGraph::landmark_count);
+  require_distances(in, graph.landmark_distance);
+  if (graph.arc_begin.front() != 0 || graph.arc_begin.back() != static_cast<std::int64_t>(graph.arc.size()) ||
+      !std::is_sorted(graph.arc_begin.begin(), graph.arc_begin.end())) {
+    in.fail("is damaged (the arcs are not in order)");
+  }
+  for (const Arc& arc : graph.arc) {
+    const Index patches = arc.in_first_layer() ? first_patches : second_patches;
+    if (arc.target < 0 || arc.target >= nodes || arc.patch_index() < 0 || arc.patch_index() >= patches ||
+        !(arc.length >= 0.0f)) {
+      in.fail("is damaged (an arc leads nowhere)");
+    }
+  }
+}
+
+}  // namespace
+
+void GeodesicIndex::save(const std::filesystem::path& file) const {
+  IndexFileWriter out(file);
+  out.block(std::span<const std::uint64_t>(data_->fingerprint.words));
+  const auto& statistics = data_->statistics;
+  out.block(std::vector<double>{statistics.delta});
+  out.block(std::vector<std::uint64_t>{statistics.seed,
+                                       static_cast<std::uint64_t>(data_->graph.arcs_before_pruning)});
+  out.block(data_->partition.first_layer);
+  out.block(data_->partition.second_layer);
+  out.block(data_->partition.parent);
+  save_layer(out, data_->second);
+  save_layer(out, data_->first);
+  out.block(data_->graph.arc_begin);
+  out.block(data_->graph.arc);
+  out.block(data_->graph.landmark_distance);
+  out.finish();
+}
+
+std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::path& file,
+                                                         std::shared_ptr<const Mesh> mesh) {
+  IndexFileReader in(file);
+  auto data = std::make_unique<IndexData>();
+  data->mesh = std::move(mesh);
+  data->fingerprint = fingerprint_of(*data->mesh);
+  const auto words = in.block<std::uint64_t>(2);
+  if (!std::equal(words.begin(), words.end(), data->fingerprint.words.begin())) {
+    throw IndexFileError("The index file " + file.string() +
+                         " was built for another mesh, or the mesh was edited since; build the index again.");
+  }
+  data->statistics.delta = in.block<double>(1)[0];
+  const auto numbers = in.block<std::uint64_t>(2);
+  data->statistics.seed = numbers[0];
+  data->graph.arcs_before_pruning = static_cast<std::int64_t>(numbers[1]);
+  load_partition(in, data->partition, data->mesh->face_count());
+  data->lay_out();
+  load_layer(in, data->second);
+  load_layer(in, data->first);
+  load_graph(in, data->graph, data->second.node_count(), data->second.patch_count, data->first.patch_count);
+  in.finish();
+  data->count();
+  return std::make_shared<const GeodesicIndex>(std::move(data));
+}
+
+}  // namespace vorogeo
