@@ -173,25 +173,26 @@ std::vector<std::string> MeshReport::sentences() const {
   say(non_finite_vertices,
       "vertex has a coordinate that is not a finite number|vertices have a coordinate that is not a finite "
       "number",
-      vertex(non_finite_vertices), "such a mesh is refused: repair or remove the vertices.");
+      vertex(non_finite_vertices), "such a mesh is refused: repair it or remove its bad vertices.");
   say(faces_out_of_range, "face names a vertex that does not exist|faces name a vertex that does not exist",
       face(faces_out_of_range),
-      "such a mesh is refused: the vertices are numbered from 0 to " + std::to_string(vertices - 1) +
-          "; repair or remove the faces.");
+      "such a mesh is refused: it has " +
+          (vertices == 0 ? std::string("no vertices") : "vertices 0 to " + std::to_string(vertices - 1)) +
+          "; repair it or remove its bad faces.");
   say(faces_with_repeated_vertex, "face names a vertex twice|faces name a vertex twice",
       face(faces_with_repeated_vertex), "left out.");
   say(duplicate_faces,
       "face has the three vertices of an earlier face|faces have the three vertices of an earlier face",
       face(duplicate_faces), "left out.");
   say(zero_area_faces, "face has no area|faces have no area", face(zero_area_faces),
-      "kept as connections without width, which paths cross at no cost.");
+      "kept as a connection without width, which paths cross at no cost.");
   say(duplicate_vertices,
       "vertex lies at the position of an earlier vertex|vertices lie at the position of an earlier vertex",
       vertex(duplicate_vertices),
-      "they are not joined, so paths pass only where faces connect them; merge close vertices first if they "
-      "should be one.");
+      "not joined to it, so paths pass only where faces connect; merge close vertices first if they should "
+      "be one.");
   say(isolated_vertices, "vertex belongs to no face|vertices belong to no face", vertex(isolated_vertices),
-      "no path reaches them.");
+      "not reached by any path.");
   say(non_manifold_edges, "edge has three or more faces|edges have three or more faces",
       "between vertices " + std::to_string(first_non_manifold_edge[0]) + " and " +
           std::to_string(first_non_manifold_edge[1]) + ", at face " +

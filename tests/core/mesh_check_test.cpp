@@ -45,10 +45,9 @@ TEST(MeshCheck, NoFace) {
 TEST(MeshCheck, NonFiniteVertices) {
   Soup soup = test::icosphere(0);
   soup.positions[4][1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(
-      only_sentence(soup),
-      "1 vertex has a coordinate that is not a finite number (vertex 4); such a mesh is refused: repair or "
-      "remove the vertices.");
+  EXPECT_EQ(only_sentence(soup),
+            "1 vertex has a coordinate that is not a finite number (vertex 4); such a mesh is refused: "
+            "repair it or remove its bad vertices.");
   soup.positions[2][0] = std::numeric_limits<double>::infinity();
   const MeshReport report = check(soup);
   EXPECT_EQ(report.non_finite_vertices.count, 2);
@@ -61,11 +60,12 @@ TEST(MeshCheck, FacesOutOfRange) {
   soup.faces.push_back({0, 1, 12});
   soup.faces.push_back({0, -1, 3});
   EXPECT_EQ(only_sentence(soup),
-            "2 faces name a vertex that does not exist (the first: face 20); such a mesh is refused: the "
-            "vertices are "
-            "numbered from 0 to 11; repair or remove the faces.");
+            "2 faces name a vertex that does not exist (the first: face 20); such a mesh is refused: it has "
+            "vertices 0 to 11; repair it or remove its bad faces.");
   EXPECT_FALSE(check(soup).usable());
-  EXPECT_FALSE(check({{}, {{0, 1, 2}}}).sentences().empty());
+  EXPECT_EQ(only_sentence({{}, {{0, 1, 2}}}),
+            "1 face names a vertex that does not exist (face 0); such a mesh is refused: it has no vertices; "
+            "repair it or remove its bad faces.");
 }
 
 TEST(MeshCheck, FacesLeftOut) {
@@ -84,7 +84,7 @@ TEST(MeshCheck, FacesLeftOut) {
 TEST(MeshCheck, ZeroAreaFaces) {
   const Soup soup = test::with_zero_area_cap(test::plane_grid(2, 2, 2.0, 2.0).soup, 2, 0);
   EXPECT_EQ(only_sentence(soup),
-            "1 face has no area (face 9); kept as connections without width, which paths cross at no cost.");
+            "1 face has no area (face 9); kept as a connection without width, which paths cross at no cost.");
   // A thin face is not a face without area, however small or large the whole is.
   for (double scale : {1e-150, 1.0, 1e150}) {
     auto thin = [&](double height) {
@@ -112,7 +112,7 @@ TEST(MeshCheck, DuplicateVertices) {
 
 TEST(MeshCheck, IsolatedVertices) {
   EXPECT_EQ(only_sentence(test::with_isolated_vertex(test::icosphere(0), {5, 5, 5})),
-            "1 vertex belongs to no face (vertex 12); no path reaches them.");
+            "1 vertex belongs to no face (vertex 12); not reached by any path.");
 }
 
 TEST(MeshCheck, NonManifoldEdges) {

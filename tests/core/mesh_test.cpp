@@ -146,6 +146,15 @@ TEST(Mesh, FanKinds) {
   EXPECT_EQ(sphere->fan(12), Mesh::Fan::isolated);
 }
 
+TEST(Mesh, AnEdgeOfLengthZeroLetsPathsTurnAtItsEnds) {
+  // Two squares side by side, one end of their common side doubled and sewn by a face without width.
+  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
+                  {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 2}, {1, 4, 2}});
+  EXPECT_EQ(mesh.fan(1), Mesh::Fan::non_manifold);
+  EXPECT_EQ(mesh.fan(4), Mesh::Fan::non_manifold);
+  EXPECT_EQ(mesh.fan(2), Mesh::Fan::open);
+}
+
 TEST(Mesh, FlippedFacesLeaveEdgesAndFansAsTheyAre) {
   const Soup soup = test::torus(6, 5, 2.0, 0.5);
   const auto straight = make_mesh(soup);
