@@ -1,0 +1,144 @@
+"""Meshes, exact distances and comparisons for the plugin tests."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+import pygeodesic.geodesic
+import pymeshlab
+import pytest
+
+INDEX = "compute_geodesic_index_by_vorogeo"
+FROM_POINT = "compute_scalar_by_vorogeo_distance_from_given_point_per_vertex"
+FROM_SELECTION = "compute_scalar_by_vorogeo_distance_from_selection_per_vertex"
+FROM_BORDER = "compute_scalar_by_vorogeo_distance_from_border_per_vertex"
+EXACT_FROM_POINT = "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex"
+EXACT_FROM_SELECTION = "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex"
+PATCHES = "compute_color_by_vorogeo_patches_per_face"
+TWO_VERTICES = "get_vorogeo_distance_between_vertices"
+ALL_FILTERS = [
+    INDEX,
+    FROM_POINT,
+    FROM_SELECTION,
+    FROM_BORDER,
+    EXACT_FROM_POINT,
+    EXACT_FROM_SELECTION,
+    PATCHES,
+    TWO_VERTICES,
+]
+
+Arrays = tuple[np.ndarray, np.ndarray]
+
+
+def grid(columns: int, rows: int, spacing: float = 1.0) -> Arrays:
+    """A flat rectangle of columns x rows squares, each split into two triangles."""
+    x, y = np.meshgrid(np.arange(columns + 1), np.arange(rows + 1))
+    vertices = np.column_stack([x.ravel() * spacing, y.ravel() * spacing, np.zeros(x.size)])
+    corner = (np.arange(rows)[:, None] * (columns + 1) + np.arange(columns)).ravel()
+    faces = np.concatenate(
+        [
+            np.column_stack([corner, corner + 1, corner + columns + 2]),
+            np.column_stack([corner, corner + columns + 2, corner + columns + 1]),
+        ]
+    )
+    return vertices.astype(float), faces.astype(np.int32)
+
+
+def sphere(subdivisions: int) -> Arrays:
+    """A unit icosphere."""
+    golden = (1 + 5**0.5) / 2
+    vertices = np.array(
+        [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0], [0, -1, golden], [0, 1, golden],
+         [0, -1, -golden], [0, 1, -golden], [golden, 0, -1], [golden, 0, 1], [-golden, 0, -1], [-golden, 0, 1]]
+    )  # fmt: skip
+    faces = np.array(
+        [[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6],
+         [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10],
+         [8, 6, 7], [9, 8, 1]]
+    )  # fmt: skip
+    for _ in range(subdivisions):
+        edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+        unique, number = np.unique(edges, axis=0, return_inverse=True)
+        a, b, c = (number.reshape(3, -1) + len(vertices)).astype(int)
+        vertices = np.concatenate([vertices, vertices[unique].mean(axis=1)])
+        v0, v1, v2 = faces.T
+        faces = np.concatenate([np.column_stack(t) for t in [(v0, a, c), (v1, b, a), (v2, c, b), (a, b, c)]])
+    return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces.astype(np.int32)
+
+
+def side_by_side(*parts: Arrays) -> Arrays:
+    """Several meshes in one, as components of their own."""
+    offsets = np.cumsum([0] + [len(vertices) for vertices, _ in parts[:-1]])
+    vertices = np.concatenate([v + np.array([10.0 * i, 0, 0]) for i, (v, _) in enumerate(parts)])
+    return vertices, np.concatenate([f + o for (_, f), o in zip(parts, offsets, strict=True)])
+
+
+def mesh_set(vertices: np.ndarray, faces: np.ndarray | None = None) -> pymeshlab.MeshSet:
+    """A MeshSet with one layer."""
+    ms = pymeshlab.MeshSet()
+    ms.add_mesh(pymeshlab.Mesh(vertices) if faces is None else pymeshlab.Mesh(vertices, faces))
+    return ms
+
+
+def select_vertices(ms: pymeshlab.MeshSet, numbers: list[int]) -> None:
+    """Select exactly these vertices of the current layer."""
+    mesh = ms.current_mesh()
+    condition = " || ".join(f"(vi == {number})" for number in numbers)
+    ms.apply_filter("compute_selection_by_condition_per_vertex", condselect=condition)
+    assert mesh.selected_vertex_number() == len(numbers)
+
+
+def exact_distances(vertices: np.ndarray, faces: np.ndarray, sources: list[int]) -> np.ndarray:
+    """Distances from the nearest source by pygeodesic, an independent exact solver (MMP)."""
+    solver = pygeodesic.geodesic.PyGeodesicAlgorithmExact(vertices, faces)
+    return solver.geodesicDistances(np.asarray(sources), None)[0]
+
+
+def field(ms: pymeshlab.MeshSet) -> np.ndarray:
+    """Quality of the vertices of the current layer."""
+    return ms.current_mesh().vertex_scalar_array()
+
+
+def arrays(ms: pymeshlab.MeshSet) -> Arrays:
+    """Vertices and faces of the current layer."""
+    return ms.current_mesh().vertex_matrix(), ms.current_mesh().face_matrix()
+
+
+def assert_close_to_exact(values: np.ndarray, exact: np.ndarray, mean: float, largest: float) -> None:
+    """Relative errors over all vertices but the sources."""
+    others = exact > 0
+    errors = np.abs(values[others] - exact[others]) / exact[others]
+    np.testing.assert_array_equal(values[~others], 0.0)
+    assert errors.mean() <= mean
+    assert errors.max() <= largest
+
+
+def state(ms: pymeshlab.MeshSet) -> dict[str, np.ndarray]:
+    """Everything a filter of the plugin could have changed."""
+    mesh = ms.current_mesh()
+    result = {
+        "vertices": mesh.vertex_matrix().copy(),
+        "faces": mesh.face_matrix().copy(),
+        "vertex selection": np.asarray(mesh.vertex_selection_array()).copy(),
+        "vertex colours": mesh.vertex_color_matrix().copy(),
+    }
+    result["quality"] = mesh.vertex_scalar_array().copy()
+    result["has face colours"] = np.array(mesh.has_face_color())
+    if mesh.has_face_color():
+        result["face colours"] = mesh.face_color_matrix().copy()
+    return result
+
+
+@contextmanager
+def fails_and_changes_nothing(ms: pymeshlab.MeshSet, message: str) -> Iterator[None]:
+    """The block raises an error with a message that contains this text; the layer is as before."""
+    before = state(ms)
+    with pytest.raises(pymeshlab.PyMeshLabException, match=re.escape(message)):
+        yield
+    after = state(ms)
+    assert before.keys() == after.keys()
+    for name, values in before.items():
+        np.testing.assert_array_equal(values, after[name], err_msg=name)

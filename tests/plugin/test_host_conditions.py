@@ -1,0 +1,114 @@
+"""What PyMeshLab itself never does: cancelling, no progress function, deleted elements in the layer."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from support import (
+    ALL_FILTERS,
+    EXACT_FROM_POINT,
+    EXACT_FROM_SELECTION,
+    FROM_BORDER,
+    FROM_POINT,
+    FROM_SELECTION,
+    INDEX,
+    PATCHES,
+    TWO_VERTICES,
+    arrays,
+    assert_close_to_exact,
+    exact_distances,
+    fails_and_changes_nothing,
+    field,
+    grid,
+    mesh_set,
+    select_vertices,
+)
+
+
+def rectangle(size: float):
+    """A mesh of its own for every test, so that no test finds the index of another."""
+    ms = mesh_set(*grid(12, 12, spacing=size))
+    select_vertices(ms, [0, 50])
+    return ms
+
+
+@pytest.mark.parametrize("name", ALL_FILTERS)
+def test_cancelled_filter_changes_nothing(name):
+    ms = rectangle(1.0 + ALL_FILTERS.index(name) / 64)
+    with fails_and_changes_nothing(ms, "Cancelled: nothing was changed."):
+        ms.apply_filter("probe_apply", filter=name, calls_allowed=0)
+
+
+@pytest.mark.parametrize("name", ALL_FILTERS)
+def test_filter_works_without_a_progress_function(name):
+    ms = rectangle(2.0)
+    assert ms.apply_filter("probe_apply", filter=name, without_callback=True)["probe_calls"] == 0
+
+
+@pytest.mark.parametrize("name", ALL_FILTERS)
+def test_progress_only_grows(name):
+    result = rectangle(3.0 + ALL_FILTERS.index(name) / 64).apply_filter("probe_apply", filter=name)
+    assert result["probe_calls"] > 0
+    assert not result["probe_percentage_fell"]
+    assert 0 <= result["probe_last_percentage"] <= 100
+
+
+@pytest.mark.parametrize("name", [FROM_POINT, EXACT_FROM_POINT])
+def test_deleted_elements_are_skipped(name):
+    ms = rectangle(4.0)
+    start = 100  # of the 169 vertices before the deletion
+    deleted = [0, 30, 31, 44]
+    result = ms.apply_filter(
+        "probe_apply",
+        filter=name,
+        numbers=f"vertex_index={start}",
+        deleted_vertices=";".join(map(str, deleted)),
+        deleted_faces="200;230",
+    )
+    assert ms.current_mesh().vertex_number() == 165
+    assert result["start_vertex"] == start
+    exact = exact_distances(*arrays(ms), [start - len(deleted)])
+    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+
+
+@pytest.mark.parametrize("name", [FROM_SELECTION, EXACT_FROM_SELECTION])
+def test_deleted_vertices_are_no_sources(name):
+    ms = rectangle(5.0)
+    result = ms.apply_filter("probe_apply", filter=name, deleted_vertices="0")
+    assert result["source_vertices"] == 1
+    assert field(ms)[49] == 0
+
+
+def test_deleted_elements_make_a_border():
+    ms = rectangle(1.0)
+    result = ms.apply_filter("probe_apply", filter=FROM_BORDER, deleted_vertices="84")  # the middle
+    assert result["source_vertices"] == 4 * 12 + 6
+
+
+@pytest.mark.parametrize("name", [INDEX, PATCHES])
+def test_deleted_faces_have_no_patch(name):
+    result = rectangle(6.0).apply_filter("probe_apply", filter=name, deleted_faces="3;4;5")
+    assert result["vertices" if name == INDEX else "patches"] > 0
+
+
+@pytest.mark.parametrize(
+    ("name", "parameter"), [(FROM_POINT, "vertex_index"), (EXACT_FROM_POINT, "vertex_index"), (TWO_VERTICES, "target")]
+)
+def test_deleted_vertex_is_refused_as_start(name, parameter):
+    ms = rectangle(7.0)
+    with pytest.raises(Exception, match=f"{parameter} is 30, but this vertex was deleted"):
+        ms.apply_filter("probe_apply", filter=name, numbers=f"{parameter}=30", deleted_vertices="30")
+
+
+def test_all_faces_deleted_is_a_point_cloud():
+    ms = rectangle(8.0)
+    faces = ";".join(map(str, range(ms.current_mesh().face_number())))
+    with pytest.raises(Exception, match="is a point cloud"):
+        ms.apply_filter("probe_apply", filter=FROM_POINT, deleted_faces=faces)
+
+
+def test_not_finite_vertex_is_named_by_its_number_in_the_host():
+    vertices, faces = grid(4, 4)
+    vertices[9] = np.nan
+    with pytest.raises(Exception, match="Vertex 9 has a coordinate"):
+        mesh_set(vertices, faces).apply_filter("probe_apply", filter=FROM_POINT, deleted_vertices="1;2")

@@ -1,0 +1,126 @@
+"""The filters that answer from the index, against exact distances."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from support import (
+    EXACT_FROM_POINT,
+    EXACT_FROM_SELECTION,
+    FROM_BORDER,
+    FROM_POINT,
+    FROM_SELECTION,
+    INDEX,
+    TWO_VERTICES,
+    arrays,
+    assert_close_to_exact,
+    exact_distances,
+    field,
+    grid,
+    mesh_set,
+    select_vertices,
+    sphere,
+)
+
+
+@pytest.mark.parametrize("name", ["fandisk", "rocker_arm", "homer"])
+def test_field_of_real_meshes_is_close_to_exact(shared_mesh, name):
+    ms = mesh_set(np.zeros((1, 3)))
+    ms.load_new_mesh(shared_mesh(name))
+    vertices, faces = arrays(ms)
+    for source in (17, len(vertices) // 2):
+        ms.apply_filter(FROM_POINT, vertex_index=source)
+        exact = exact_distances(vertices, faces, [source])
+        assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+        others = exact > 0
+        assert np.quantile(np.abs(field(ms)[others] / exact[others] - 1), 0.99) <= 0.005
+
+
+def test_field_agrees_with_the_exact_filter_on_a_sphere():
+    ms = mesh_set(*sphere(4))
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
+    exact = field(ms).copy()
+    ms.apply_filter(FROM_POINT, vertex_index=5)
+    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+
+
+def test_field_keeps_double_precision():
+    ms = mesh_set(*sphere(2))
+    ms.apply_filter(FROM_POINT, vertex_index=5)
+    assert np.any(field(ms) != field(ms).astype(np.float32))
+
+
+def test_selection_gives_distance_from_the_nearest_selected_vertex():
+    ms = mesh_set(*sphere(4))
+    select_vertices(ms, [3, 500, 2000])
+    ms.apply_filter(EXACT_FROM_SELECTION)
+    exact = field(ms).copy()
+    result = ms.apply_filter(FROM_SELECTION)
+    assert result["source_vertices"] == 3
+    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+
+
+def test_border_of_a_rectangle():
+    vertices, faces = grid(30, 12)
+    ms = mesh_set(vertices, faces)
+    result = ms.apply_filter(FROM_BORDER)
+    x, y = vertices[:, 0], vertices[:, 1]
+    expected = np.minimum(np.minimum(x, 30 - x), np.minimum(y, 12 - y))
+    assert_close_to_exact(field(ms), expected, mean=0.0005, largest=0.05)
+    assert result["source_vertices"] == 2 * (30 + 12)
+    assert result["max_distance"] == pytest.approx(6, rel=0.001)
+
+
+def test_two_vertices_agree_with_the_exact_filter_and_are_symmetric():
+    vertices, faces = sphere(4)
+    ms = mesh_set(vertices, faces)
+    exact = exact_distances(vertices, faces, [7])
+    rng = np.random.default_rng(1)
+    for target in rng.choice(np.arange(8, len(vertices)), 40, replace=False):
+        there = ms.apply_filter(TWO_VERTICES, source=7, target=int(target))["distance"]
+        back = ms.apply_filter(TWO_VERTICES, source=int(target), target=7)["distance"]
+        assert there == back
+        assert there == pytest.approx(exact[target], rel=0.02)
+
+
+def test_a_vertex_is_at_distance_zero_from_itself():
+    assert mesh_set(*sphere(2)).apply_filter(TWO_VERTICES, source=9, target=9)["distance"] == 0
+
+
+def test_index_values_describe_the_mesh_and_the_parameters():
+    vertices, faces = sphere(4)
+    ms = mesh_set(vertices, faces)
+    result = ms.apply_filter(INDEX, n1=12, n2=5)
+    assert set(result) == {
+        "vertices", "first_layer_patches", "second_layer_patches", "first_layer_border_vertices",
+        "second_layer_border_vertices", "arcs_before_pruning", "arcs", "bytes", "seconds",
+    }  # fmt: skip
+    assert result["vertices"] == len(vertices)
+    assert result["first_layer_patches"] == 12
+    assert result["second_layer_patches"] > 12
+    assert 0 < result["first_layer_border_vertices"] < result["second_layer_border_vertices"] < len(vertices)
+    assert 0 < result["arcs"] <= result["arcs_before_pruning"]
+    assert result["bytes"] > 0
+    assert result["seconds"] > 0
+
+
+def test_index_is_the_same_for_every_number_of_threads():
+    counts = []
+    for threads in (1, 2):
+        result = mesh_set(*sphere(4)).apply_filter(INDEX, threads=threads, seed=3)
+        del result["seconds"]
+        counts.append(result)
+    assert counts[0] == counts[1]
+
+
+def test_delta_leaves_out_arcs():
+    arcs = [mesh_set(*sphere(4)).apply_filter(INDEX, delta=delta)["arcs"] for delta in (0.0, 0.02)]
+    assert arcs[1] < arcs[0]
+
+
+def test_index_file_is_written(tmp_path):
+    file = tmp_path / "sphere.vgi"
+    result = mesh_set(*sphere(3)).apply_filter(INDEX, index_file=str(file))
+    assert file.stat().st_size > 100
+    assert [entry.name for entry in tmp_path.iterdir()] == ["sphere.vgi"]
+    assert result["vertices"] == 642

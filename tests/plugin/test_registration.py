@@ -1,0 +1,65 @@
+"""The host knows every filter by name, with its parameters, help and masks."""
+
+from __future__ import annotations
+
+import pymeshlab
+import pytest
+from support import (
+    ALL_FILTERS,
+    EXACT_FROM_POINT,
+    EXACT_FROM_SELECTION,
+    FROM_BORDER,
+    FROM_POINT,
+    FROM_SELECTION,
+    INDEX,
+    PATCHES,
+    TWO_VERTICES,
+    grid,
+    mesh_set,
+)
+
+VERTEX_COLOR, VERTEX_QUALITY, FACE_COLOR = 0x8, 0x10, 0x8000
+
+
+@pytest.mark.parametrize("name", ALL_FILTERS)
+def test_filter_is_in_the_list_of_filters(name):
+    assert name in pymeshlab.filter_list()
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters"),
+    [
+        (INDEX, {"n1", "n2", "delta", "index_file", "threads", "seed"}),
+        (FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
+        (EXACT_FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
+        (FROM_SELECTION, {"max_distance"}),
+        (EXACT_FROM_SELECTION, {"max_distance"}),
+        (FROM_BORDER, {"max_distance"}),
+        (PATCHES, {"layer"}),
+        (TWO_VERTICES, {"source", "target"}),
+    ],
+)
+def test_parameters_have_python_names(name, parameters):
+    assert set(mesh_set(*grid(2, 2)).filter_parameter_values(name)) == parameters
+
+
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        (INDEX, 0),
+        (FROM_POINT, VERTEX_COLOR | VERTEX_QUALITY),
+        (EXACT_FROM_POINT, VERTEX_COLOR | VERTEX_QUALITY),
+        (FROM_SELECTION, VERTEX_COLOR | VERTEX_QUALITY),
+        (EXACT_FROM_SELECTION, VERTEX_COLOR | VERTEX_QUALITY),
+        (FROM_BORDER, VERTEX_COLOR | VERTEX_QUALITY),
+        (PATCHES, FACE_COLOR),
+        (TWO_VERTICES, 0),
+    ],
+)
+def test_help_and_masks(name, changes):
+    result = mesh_set(*grid(2, 2)).apply_filter("probe_help", filter=name)
+    assert result["help_length"] > 500
+    assert result["cites"]
+    assert result["names_itself"]
+    assert result["filter_class"] != 0
+    assert result["changes"] == changes
