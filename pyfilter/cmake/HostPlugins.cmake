@@ -53,6 +53,7 @@ foreach(host IN LISTS VOROGEO_HOSTS)
                -DVOROGEO_HOST_SCALAR=double
                -DVOROGEO_HOST_SOURCE=${host_source}
     BUILD_ALWAYS ON
+    USES_TERMINAL_BUILD ON # one after the other, with output
     BUILD_BYPRODUCTS "${binary_dir}/${plugin_file}"
     INSTALL_COMMAND ""
     DEPENDS vorogeo_core)

@@ -81,6 +81,7 @@ def test_ctrl_c_stops_a_build_without_a_function():
         with pytest.raises(KeyboardInterrupt):
             vorogeo.GeodesicIndex(*mesh)
     finally:
+        timer.cancel()
         timer.join()
     assert time.perf_counter() - begin < 20
 
