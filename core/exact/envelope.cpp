@@ -9,6 +9,8 @@ namespace vorogeo {
 namespace {
 
 constexpr double tie = 1e-12;
+/// Relative error of a distance at which a crossing counts as found.
+constexpr double sharp = 1e-14;
 
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
 struct Division {
@@ -42,34 +44,37 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
   return found;
 }
 
-/// The one place in (l, r) where the difference of the distances changes sign.
+/// The one place in (l, r) where the difference of the distances changes sign: a root in closed form, made
+/// sharp by Newton's method, since the closed form cancels when the pseudo-sources are far; bisection if that
+/// fails.
 double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
   std::array<double, 2> x{};
   const int found = crossings(fresh, old, l, r, x);
-  auto difference = [&](double at) { return fresh.distance(at) - old.distance(at); };
-  double best = 0.5 * (l + r);
-  double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < found; ++i) {
-    const double error = std::abs(difference(x[i]));
-    if (error < least) {
-      least = error;
-      best = x[i];
+    double at = x[i];
+    for (int step = 0; step < 3; ++step) {
+      const double to_fresh = fresh.plane_distance(at);
+      const double to_old = old.plane_distance(at);
+      const double difference = fresh.offset + to_fresh - (old.offset + to_old);
+      if (std::abs(difference) <= sharp * (old.offset + to_old)) return at;
+      const double slope = (at - fresh.source_x) / to_fresh - (at - old.source_x) / to_old;
+      const double next = at - difference / slope;
+      if (!(next > l && next < r)) break;
+      at = next;
     }
   }
-  if (least <= tie * old.distance(best)) return best;
+  double best = 0.5 * (l + r);
   for (int i = 0; i < 100 && r - l > 1e-15 * (std::abs(l) + std::abs(r)); ++i) {
     best = 0.5 * (l + r);
-    ((difference(best) < 0.0) == fresh_at_l ? l : r) = best;
+    ((fresh.distance(best) < old.distance(best)) == fresh_at_l ? l : r) = best;
   }
   return best;
 }
 
 /// Divides [l, r], where both windows have a say.
-Division divide(const Window& fresh, const Window& old, double l, double r) {
+Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
-  const double fresh_l = fresh.distance(l);
-  const double fresh_r = fresh.distance(r);
   const bool wins_l = fresh_l < old_l - tie * old_l;
   const bool wins_r = fresh_r < old_r - tie * old_r;
   Division division;
@@ -115,7 +120,7 @@ Index WindowEnvelope::make(const Window& window, double begin, double end, Index
   return id;
 }
 
-double WindowEnvelope::insert(Index edge, const Window& window) {
+double WindowEnvelope::insert(Index edge, const Window& window, double at_begin, double at_end) {
   double least = unreachable;
   if (first_[edge] == no_index) touched_.push_back(edge);
 
@@ -155,7 +160,8 @@ double WindowEnvelope::insert(Index edge, const Window& window) {
       open = true;
       piece = reached;
     }
-    const Division division = divide(window, old, l, r);
+    const Division division = divide(window, old, l, r, l == window.begin ? at_begin : window.distance(l),
+                                     r == window.end ? at_end : window.distance(r));
     reached = r;
     if (division.cuts == 0 && !division.new_first) {
       close_piece(l, current);

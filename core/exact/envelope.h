@@ -19,8 +19,9 @@ class WindowEnvelope {
 
   /// Adds a window where it is shorter than the windows there, and cuts those where it is.
   /// Ties (relative 1e-12) are left with the older window.
+  /// `at_begin`, `at_end`: the window's distances at its ends, which the caller has at hand.
   /// Returns the least distance of the parts that were added, infinity if there are none.
-  double insert(Index edge, const Window& window);
+  double insert(Index edge, const Window& window, double at_begin, double at_end);
 
   Index first(Index edge) const { return first_[edge]; }
   Window& window(Index id) { return pool_[id]; }

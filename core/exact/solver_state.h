@@ -30,10 +30,11 @@ struct ExactSolver::State {
   void propagate();
   void take_vertex(Index vertex);
   void take_edge(Index edge);
-  void cross_face(const Window& window, Index halfedge);
+  void cross_face(Index halfedge);
+  void reach_apex(const Window& window, Index halfedge, double distance);
   void emit(Index vertex, Index corner, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
-  void emit_fan(Index vertex);
+  void emit_fan(Index vertex, bool everywhere);
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
   void add_window(Index edge, Window window);
 
@@ -51,6 +52,7 @@ struct ExactSolver::State {
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
   WindowEnvelope envelope;
+  std::vector<Window> crossing;  ///< the windows being handed on
   /// Vertices are items [0, n), edges follow.
   BucketQueue queue;
 };

@@ -12,7 +12,7 @@ namespace vorogeo {
 namespace {
 
 /// Faces of patches and rim together, relative to those of the patches alone.
-constexpr double halo_growth = 2.25;
+constexpr double halo_growth = 1.5;
 
 }  // namespace
 
