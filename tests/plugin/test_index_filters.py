@@ -124,3 +124,18 @@ def test_index_file_is_written(tmp_path):
     assert file.stat().st_size > 100
     assert [entry.name for entry in tmp_path.iterdir()] == ["sphere.vgi"]
     assert result["vertices"] == 642
+
+
+@pytest.mark.parametrize("name", ["greek_helmet", "office_chair", "cow"])
+def test_meshes_with_components_borders_and_non_manifold_edges(shared_mesh, name):
+    ms = mesh_set(np.zeros((1, 3)))
+    ms.load_new_mesh(shared_mesh(name))
+    exact_result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=100)
+    exact = field(ms).copy()
+    result = ms.apply_filter(FROM_POINT, vertex_index=100)
+    np.testing.assert_array_equal(field(ms) == -1, exact == -1)
+    assert result["unreachable_vertices"] == exact_result["unreachable_vertices"] == np.count_nonzero(exact == -1)
+    reached = exact > 0
+    errors = np.abs(field(ms)[reached] / exact[reached] - 1)
+    assert errors.mean() <= 0.002
+    assert errors.max() <= 0.1
