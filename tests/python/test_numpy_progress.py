@@ -11,7 +11,7 @@ import vorogeo
 
 from sample_meshes import bent_grid
 
-MESH = bent_grid(60, 50)
+MESH = bent_grid(40, 30)
 
 
 def test_fractions_rise_to_one_on_the_calling_thread():
