@@ -1,0 +1,148 @@
+// Lower envelope of windows on an edge: against the least of all windows at many places.
+#include "exact/envelope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace vorogeo {
+namespace {
+
+Window window(double begin, double end, double source_x, double source_y, double offset, Index source = 0) {
+  Window w{};
+  w.begin = begin;
+  w.end = end;
+  w.source_x = source_x;
+  w.source_y = source_y;
+  w.offset = offset;
+  w.source = source;
+  w.next = no_index;
+  w.previous = no_index;
+  return w;
+}
+
+double insert(WindowEnvelope& envelope, Index edge, const Window& w) {
+  return envelope.insert(edge, w, w.distance(w.begin), w.distance(w.end));
+}
+
+std::vector<Window> windows_of(const WindowEnvelope& envelope, Index edge) {
+  std::vector<Window> list;
+  for (Index id = envelope.first(edge); id != no_index; id = envelope.window(id).next) {
+    list.push_back(envelope.window(id));
+  }
+  return list;
+}
+
+/// Distance that the envelope gives at x, unreachable in a gap.
+double value_at(const std::vector<Window>& list, double x) {
+  for (const Window& w : list) {
+    if (x >= w.begin && x <= w.end) return w.distance(x);
+  }
+  return unreachable;
+}
+
+TEST(WindowEnvelope, AloneAWindowStaysWhole) {
+  WindowEnvelope envelope;
+  envelope.resize(2);
+  EXPECT_DOUBLE_EQ(insert(envelope, 1, window(0.2, 0.9, 0.5, 1.0, 2.0)), 3.0);
+  EXPECT_EQ(envelope.first(0), no_index);
+  const auto list = windows_of(envelope, 1);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].begin, 0.2);
+  EXPECT_EQ(list[0].end, 0.9);
+}
+
+TEST(WindowEnvelope, TwoPointsAreDividedByTheirBisector) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  insert(envelope, 0, window(0.0, 10.0, 2.0, 1.0, 0.0, 0));
+  insert(envelope, 0, window(0.0, 10.0, 7.0, 1.0, 0.0, 1));
+  const auto list = windows_of(envelope, 0);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_NEAR(list[0].end, 4.5, 1e-12);
+  EXPECT_NEAR(list[1].begin, 4.5, 1e-12);
+  EXPECT_EQ(list[0].source, 0);
+  EXPECT_EQ(list[1].source, 1);
+}
+
+TEST(WindowEnvelope, ANearPointWithALateStartOwnsTheMiddle) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  insert(envelope, 0, window(0.0, 10.0, 5.0, 6.0, 0.0, 0));
+  // At the middle 5.5 against 6, at the ends sqrt(25.25) + 5 = 10.02 against sqrt(61) = 7.81.
+  EXPECT_DOUBLE_EQ(insert(envelope, 0, window(0.0, 10.0, 5.0, 0.5, 5.0, 1)), 5.5);
+  const auto list = windows_of(envelope, 0);
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[1].source, 1);
+  EXPECT_NEAR(list[1].distance(list[1].begin), list[0].distance(list[0].end), 1e-12);
+  EXPECT_NEAR(list[1].distance(list[1].end), list[2].distance(list[2].begin), 1e-12);
+}
+
+TEST(WindowEnvelope, WhatIsLongerEverywhereIsNotAdded) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  insert(envelope, 0, window(0.0, 1.0, 0.5, 1.0, 0.0));
+  EXPECT_EQ(insert(envelope, 0, window(0.1, 0.9, 0.5, 1.0, 0.25, 1)), unreachable);
+  EXPECT_EQ(windows_of(envelope, 0).size(), 1U);
+  EXPECT_EQ(insert(envelope, 0, window(0.0, 1.0, 0.5, 1.0, 0.0, 2)), unreachable)
+      << "ties stay with the older";
+}
+
+TEST(WindowEnvelope, RandomWindowsGiveTheLeastEverywhere) {
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    WindowEnvelope envelope;
+    envelope.resize(1);
+    std::vector<Window> all;
+    const int count = 2 + static_cast<int>(seed % 12);
+    for (int i = 0; i < count; ++i) {
+      const double begin = unit(random);
+      const double end = begin + (1.0 - begin) * unit(random);
+      // From points on the edge itself to far and nearly flat ones.
+      const double away = seed % 3 == 0 ? 0.01 : std::exp(6.0 * unit(random) - 3.0);
+      all.push_back(window(begin, end, 3.0 * unit(random) - 1.0, away * unit(random), unit(random), i));
+      insert(envelope, 0, all.back());
+    }
+    const auto list = windows_of(envelope, 0);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      ASSERT_LT(list[i].begin, list[i].end);
+      ASSERT_LE(i == 0 ? 0.0 : list[i - 1].end, list[i].begin) << "seed " << seed;
+    }
+    for (int k = 0; k <= 500; ++k) {
+      const double x = k / 500.0;
+      double least = unreachable;
+      for (const Window& w : all) {
+        if (x >= w.begin && x <= w.end) least = std::min(least, w.distance(x));
+      }
+      const double found = value_at(list, x);
+      if (least == unreachable) {
+        ASSERT_EQ(found, unreachable) << "seed " << seed << ", x " << x;
+      } else {
+        ASSERT_NEAR(found, least, 1e-9) << "seed " << seed << ", x " << x;
+      }
+    }
+  }
+}
+
+TEST(WindowEnvelope, ClearForgetsAllEdges) {
+  WindowEnvelope envelope;
+  envelope.resize(3);
+  for (int round = 0; round < 3; ++round) {
+    for (Index edge = 0; edge < 3; ++edge) {
+      insert(envelope, edge, window(0.0, 0.5, 0.2, 1.0, 0.0));
+      insert(envelope, edge, window(0.3, 1.0, 0.8, 1.0, 0.0, 1));
+      EXPECT_EQ(windows_of(envelope, edge).size(), 2U);
+    }
+    EXPECT_GE(envelope.made(), 6U);
+    envelope.clear();
+    EXPECT_EQ(envelope.made(), 0U);
+    for (Index edge = 0; edge < 3; ++edge) EXPECT_EQ(envelope.first(edge), no_index);
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo

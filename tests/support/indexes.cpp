@@ -1,0 +1,82 @@
+// Indexes, error statistics and reference searches for the tests of core/index and core/query.
+#include "support/indexes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorogeo::test {
+
+std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches,
+                                                Index second_layer_patches, double delta, int threads) {
+  IndexOptions options;
+  options.first_layer_patches = first_layer_patches;
+  options.second_layer_patches = second_layer_patches;
+  options.delta = delta;
+  options.threads = threads;
+  return GeodesicIndex::build(make_mesh(soup), options);
+}
+
+Soup hills(int cells, double height) {
+  Soup soup = plane_grid(cells, cells, 1.0, 1.0, 0.2, 5).soup;
+  for (Point& p : soup.positions) p[2] = height * std::sin(9.0 * p[0]) * std::cos(7.0 * p[1] + p[0]);
+  return soup;
+}
+
+void ErrorCollector::add(double actual, double exact) {
+  if ((actual == unreachable) != (exact == unreachable)) ++contradictions;
+  if (exact == unreachable || !(exact > 0.0)) return;
+  errors_.push_back(actual / exact - 1.0);
+}
+
+ErrorStatistics ErrorCollector::statistics() const {
+  ErrorStatistics result;
+  result.count = errors_.size();
+  if (errors_.empty()) return result;
+  std::vector<double> sizes;
+  for (double error : errors_) {
+    sizes.push_back(std::abs(error));
+    result.mean += std::abs(error);
+    result.greatest = std::max(result.greatest, error);
+    result.least = std::min(result.least, error);
+  }
+  result.mean /= static_cast<double>(errors_.size());
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), at, sizes.end());
+  result.p99 = *at;
+  return result;
+}
+
+std::vector<Index> random_vertices(Index count, int wanted, unsigned seed) {
+  std::mt19937 random(seed);
+  std::set<Index> chosen;
+  while (static_cast<int>(chosen.size()) < std::min<int>(wanted, count)) {
+    chosen.insert(static_cast<Index>(random() % static_cast<unsigned>(count)));
+  }
+  std::vector<Index> result(chosen.begin(), chosen.end());
+  std::shuffle(result.begin(), result.end(), random);
+  return result;
+}
+
+std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex) {
+  std::set<Index> patches;
+  for (Index corner : mesh.corners(vertex)) patches.insert(face_label[Mesh::face_of(corner)]);
+  return patches;
+}
+
+double ReferenceRouter::length(Index source, Index target) {
+  const RouteEnd from = route_end(data_, source);
+  const RouteEnd to = route_end(data_, target);
+  std::set<Index> open(from.parents.begin(), from.parents.end());
+  open.insert(to.parents.begin(), to.parents.end());
+  auto [found, added] = known_.try_emplace({source, open});
+  if (added) {
+    found->second = dijkstra(data_.graph, from.starts, [&](const Arc& arc) {
+      return arc.in_first_layer() || open.contains(data_.partition.parent[arc.patch]);
+    });
+  }
+  double least = unreachable;
+  for (const auto& start : to.starts) least = std::min(least, found->second[start.node] + start.distance);
+  return least;
+}
+
+}  // namespace vorogeo::test

@@ -1,0 +1,87 @@
+// Small indexes for tests, and what is measured on them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "index/geodesic_index.h"
+#include "index/index_data.h"
+#include "query/graph_route.h"
+#include "support/shapes.h"
+
+namespace vorogeo::test {
+
+/// An index of a soup with the given numbers of patches (0: automatic).
+std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches = 0,
+                                                Index second_layer_patches = 0, double delta = 0.0,
+                                                int threads = 0);
+
+/// A terrain over plane_grid: smooth hills, so that shortest paths bend and distances have no formula.
+Soup hills(int cells, double height);
+
+/// Relative errors of distances, over all pairs with a finite exact distance above 0.
+struct ErrorStatistics {
+  double mean = 0.0;      ///< of the absolute values
+  double p99 = 0.0;       ///< 99 % of the absolute values are at most this
+  double greatest = 0.0;  ///< overestimate, 0 if there is none
+  double least = 0.0;     ///< underestimate as a negative number, 0 if there is none
+  std::size_t count = 0;
+};
+
+/// Collects distances beside exact ones. A point reached by one of the two only is counted in
+/// `contradictions`.
+class ErrorCollector {
+ public:
+  void add(double actual, double exact);
+  ErrorStatistics statistics() const;
+  std::size_t contradictions = 0;
+
+ private:
+  std::vector<double> errors_;
+};
+
+/// A few random different numbers of [0, count), always the same for a seed.
+std::vector<Index> random_vertices(Index count, int wanted, unsigned seed);
+
+/// Patches of the faces at a vertex.
+std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex);
+
+/// Plain Dijkstra over the arcs of a graph that `usable` lets through. Shape (nodes).
+template <class Usable>
+std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEnd::Start>& starts,
+                             Usable&& usable) {
+  std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
+  std::set<std::pair<double, Index>> queue;
+  auto lower = [&](Index node, double value) {
+    if (value >= distance[node]) return;
+    queue.erase({distance[node], node});
+    distance[node] = value;
+    queue.insert({value, node});
+  };
+  for (const auto& start : starts) lower(start.node, start.distance);
+  while (!queue.empty()) {
+    const auto [value, node] = *queue.begin();
+    queue.erase(queue.begin());
+    for (const Arc& arc : graph.arcs(node)) {
+      if (usable(arc)) lower(arc.target, value + arc.length);
+    }
+  }
+  return distance;
+}
+
+/// Shortest routes by definition: second-layer arcs only in the first-layer patches of the two ends.
+class ReferenceRouter {
+ public:
+  explicit ReferenceRouter(const IndexData& data) : data_(data) {}
+  double length(Index source, Index target);
+
+ private:
+  const IndexData& data_;
+  std::map<std::pair<Index, std::set<Index>>, std::vector<double>> known_;
+};
+
+}  // namespace vorogeo::test
