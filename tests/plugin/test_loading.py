@@ -31,11 +31,10 @@ def test_shows_only_the_entry_points_of_qt():
     assert symbols == {"qt_plugin_instance", "qt_plugin_query_metadata"}
 
 
-@pytest.mark.parametrize("scalar", ["float"])
-def test_host_refuses_the_plugin_of_another_scalar(scalar):
-    other = PROJECT / "build" / f"plugin-{host_version()}-{scalar}" / "plugin" / PLUGIN.name
+def test_host_refuses_the_plugin_of_another_scalar():
+    other = PROJECT / "build" / f"plugin-{host_version()}-float" / "plugin" / PLUGIN.name
     if not other.is_file():
-        pytest.skip(f"there is no {other}: build the preset plugin-{host_version()}-{scalar}")
+        pytest.skip(f"there is no {other}: build the preset plugin-{host_version()}-float")
     with pytest.raises(pymeshlab.PyMeshLabException, match="different floating point precision"):
         pymeshlab.load_plugin(str(other))
 
@@ -45,5 +44,5 @@ def test_host_refuses_the_plugin_of_another_version():
     other = PROJECT / "build" / f"plugin-{version}-double" / "plugin" / PLUGIN.name
     if not other.is_file():
         pytest.skip(f"there is no {other}: run 'bash samples/setup.sh --tests'")
-    with pytest.raises(pymeshlab.PyMeshLabException, match=r"different version|does not seem to be a Qt Plugin"):
+    with pytest.raises(pymeshlab.PyMeshLabException, match="different version"):
         pymeshlab.load_plugin(str(other))
