@@ -2,6 +2,7 @@
 #include "index/border_search.h"
 
 #include <algorithm>
+#include <array>
 
 #include "index/unfolding.h"
 
@@ -44,12 +45,18 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   if (at.patch == patch) return sum;
   const double beyond = layer_.row(patch, row)[column];
   double best = sum;
+  std::array<BorderSample, 2> beside{};
+  int known = 0;
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
     const NodeState& other = state_[nodes[next.row]];
     if (other.distance == unreachable || other.patch == patch || !one_wave(at, other)) continue;
-    best = std::min(best, unfolded_distance(next.length, at.distance, other.distance, beyond,
-                                            layer_.row(patch, next.row)[column]));
+    const BorderSample sample{other.distance, layer_.row(patch, next.row)[column], next.length};
+    best =
+        std::min(best, unfolded_distance(sample.length, at.distance, sample.source, beyond, sample.target));
+    if (known < 2) beside[known] = sample;
+    ++known;
   }
+  if (known == 2) best = std::min(best, parabola_distance(at.distance, beyond, beside[0], beside[1]));
   return best;
 }
 

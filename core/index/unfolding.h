@@ -1,4 +1,4 @@
-// Edge unfolding: the straight line across a border edge, from distances to its two ends on either side.
+// Crossing a border between its vertices: edge unfolding, and the parabola through three border vertices.
 #pragma once
 
 #include <cmath>
@@ -25,6 +25,43 @@ inline double unfolded_distance(double length, double source_a, double source_b,
   const double crossing = source_x + shift * (source_y / height);
   if (!(crossing > 0.0 && crossing < length)) return unreachable;
   return std::sqrt(shift * shift + height * height);
+}
+
+/// A border vertex near a crossing: distances of source and target from it, and the length of the border edge
+/// that leads to it from the middle one.
+struct BorderSample {
+  double source;
+  double target;
+  double length;
+};
+
+/// Distance across a border from three consecutive border vertices, of which the middle one (`source`,
+/// `target`) has the least sum. Measured across the path, the sum grows with the square of the offset from
+/// the true crossing, by the curvature of both waves; the three sums give that parabola and so its lowest
+/// value. Unlike unfolding it does not take the waves for circles around source and target, which bends at
+/// saddle vertices make too flat. `unreachable` if the lowest point is not between the outer vertices or the
+/// sums do not bend upwards.
+inline double parabola_distance(double source, double target, const BorderSample& before,
+                                const BorderSample& after) {
+  constexpr double least_edges = 3.0;
+  if (std::fmin(source, target) < least_edges * std::fmax(before.length, after.length)) return unreachable;
+  const double sum = source + target;
+  auto offset = [&](const BorderSample& sample) {
+    // Cosine of the angle between path and border edge, as the mean of what both sides say.
+    const double cosine = 0.5 * ((sample.source - source) - (sample.target - target)) / sample.length;
+    return sample.length * std::sqrt(std::fmax(0.0, 1.0 - cosine * cosine));
+  };
+  const double left = -offset(before);
+  const double right = offset(after);
+  if (!(left < 0.0 && right > 0.0)) return unreachable;
+  const double to_left = (before.source + before.target - sum) / left;
+  const double to_right = (after.source + after.target - sum) / right;
+  const double curvature = (to_right - to_left) / (right - left);
+  const double slope = to_right - curvature * right;
+  if (!(curvature > 0.0)) return unreachable;
+  const double lowest = -0.5 * slope / curvature;
+  if (!(lowest > left && lowest < right)) return unreachable;
+  return sum + 0.5 * slope * lowest;
 }
 
 }  // namespace vorogeo

@@ -2,6 +2,7 @@
 #include "query/route_unfolding.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "index/unfolding.h"
@@ -52,14 +53,20 @@ double cross(const Leg& leg, const std::vector<Near>& near, Index column) {
   if (best_near == nullptr) return unreachable;
   const double at_node = best_near->distance;
   const Index best_row = row_in(layer, best_near->vertex, leg.patch);
+  std::array<BorderSample, 2> beside{};
+  int known = 0;
   for (const BorderNeighbour& next : layer.neighbours(leg.patch, best_row)) {
     const Index vertex = layer.node_vertex[layer.nodes(leg.patch)[next.row]];
     for (const Near& x : near) {
       if (x.vertex != vertex) continue;
-      best = std::min(best, unfolded_distance(next.length, at_node, x.distance, best_beyond,
-                                              layer.row(leg.patch, next.row)[column]));
+      const BorderSample sample{x.distance, layer.row(leg.patch, next.row)[column], next.length};
+      best = std::min(best,
+                      unfolded_distance(sample.length, at_node, sample.source, best_beyond, sample.target));
+      if (known < 2) beside[known] = sample;
+      ++known;
     }
   }
+  if (known == 2) best = std::min(best, parabola_distance(at_node, best_beyond, beside[0], beside[1]));
   return best;
 }
 
