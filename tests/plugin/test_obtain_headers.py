@@ -113,3 +113,46 @@ def test_damaged_cache_is_not_used(tmp_path):
     result = run("2025.07", cache=tmp_path, PATH=f"{tools}:{os.environ['PATH']}")
     assert result.returncode != 0
     assert "taken from the cache" not in result.stderr
+
+
+def git(folder: Path, *arguments: str) -> None:
+    """Run git in a folder."""
+    settings = ("-c", "user.name=Test", "-c", "user.email=test@localhost", "-c", "protocol.file.allow=always")
+    subprocess.run(["git", *settings, *arguments], cwd=folder, check=True, capture_output=True)
+
+
+def test_git_tag_with_its_submodule(tmp_path):
+    """Where Debian's source package cannot be had, the tag is cloned; here from repositories on this disk."""
+    server = tmp_path / "server"
+    meshlab, vcglib = server / "meshlab", server / "vcglib"
+    make_tree(meshlab, "2025.07")
+    (meshlab / "src" / "vcglib").rename(vcglib)
+    for repository in (vcglib, meshlab):
+        git(repository, "init", "-q")
+    git(vcglib, "add", ".")
+    git(vcglib, "commit", "-q", "-m", "VCG")
+    git(meshlab, "submodule", "add", "-q", str(vcglib), "src/vcglib")
+    git(meshlab, "config", "-f", ".gitmodules", "submodule.src/vcglib.url", "https://github.com/cnr-isti-vclab/vcglib")
+    git(meshlab, "add", ".")
+    git(meshlab, "commit", "-q", "-m", "MeshLab")
+    git(meshlab, "tag", "MeshLab-2025.07")
+
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    (tools / "apt-get").write_text("#!/bin/sh\nexit 1\n")
+    (tools / "apt-get").chmod(0o755)
+    cache = tmp_path / "cache"
+    result = run(
+        "2025.07",
+        cache=cache,
+        PATH=f"{tools}:{os.environ['PATH']}",
+        GIT_CONFIG_COUNT="2",
+        GIT_CONFIG_KEY_0=f"url.file://{server}/.insteadOf",
+        GIT_CONFIG_VALUE_0="https://github.com/cnr-isti-vclab/",
+        GIT_CONFIG_KEY_1="protocol.file.allow",
+        GIT_CONFIG_VALUE_1="always",
+    )
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.splitlines()[-1] == str(cache / "2025.07")
+    assert "cloned from MeshLab's repository" in result.stderr
+    assert (cache / "2025.07" / "src/vcglib/vcg/complex/complex.h").is_file()
