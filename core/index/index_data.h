@@ -26,7 +26,7 @@ struct IndexData {
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
   std::vector<Index> home_column;  ///< and its place among the members of that patch
 
-  /// Work mesh, empty layers and homes, all of which follow from mesh and partition alone.
+  /// Work mesh, layers without tables, and homes, all of which follow from mesh and partition alone.
   void lay_out();
   /// Fills in what the statistics say of the parts.
   void count();

@@ -15,8 +15,9 @@ constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
 constexpr std::uint32_t version = 1;
 constexpr std::uint32_t byte_order = 0x01020304;
 
-/// A 64-bit checksum at memory speed: every bit of the input changes the result (multiply, rotate, add).
-std::uint64_t checksum(std::span<const std::byte> bytes) {
+}  // namespace
+
+std::uint64_t block_checksum(std::span<const std::byte> bytes) {
   std::uint64_t sum = 0x9e3779b97f4a7c15ull ^ bytes.size();
   auto add = [&](std::uint64_t word) {
     sum = (std::rotl(sum, 29) ^ word) * 0xff51afd7ed558ccdull + 0x2545f4914f6cdd1dull;
@@ -32,8 +33,6 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   add(last);
   return sum ^ (sum >> 32);
 }
-
-}  // namespace
 
 IndexFileWriter::IndexFileWriter(const std::filesystem::path& file) : file_(file) {
   temporary_ = file;
@@ -56,7 +55,7 @@ IndexFileWriter::~IndexFileWriter() {
 }
 
 void IndexFileWriter::write(std::span<const std::byte> bytes, std::size_t element_size) {
-  const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, checksum(bytes)};
+  const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, block_checksum(bytes)};
   out_.write(reinterpret_cast<const char*>(head.data()), sizeof(head));
   out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
@@ -124,7 +123,7 @@ void IndexFileReader::read(std::span<std::byte> bytes) {
 void IndexFileReader::read_checked(std::span<std::byte> contents) {
   const auto expected = number<std::uint64_t>();
   read(contents);
-  if (checksum(contents) != expected) fail("is damaged (a checksum does not match)");
+  if (block_checksum(contents) != expected) fail("is damaged (a checksum does not match)");
 }
 
 void IndexFileReader::finish() {

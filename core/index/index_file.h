@@ -13,6 +13,10 @@
 
 namespace vorogeo {
 
+/// Checksum of the contents of a block, at memory speed: every bit of the input changes it (multiply, rotate,
+/// add).
+std::uint64_t block_checksum(std::span<const std::byte> bytes);
+
 /// Writes to a temporary file beside the target and renames it at the end, so that the target is whole or
 /// absent.
 class IndexFileWriter {

@@ -51,6 +51,7 @@ void Halo::surround(std::span<const Index> patches) {
 
 void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
                        PatchLayer& layer, int threads, const Progress& progress) {
+  make_tables(layer);
   std::map<std::vector<Index>, std::vector<Index>> nodes_between;
   for (Index node = 0; node < layer.node_count(); ++node) {
     std::vector<Index> patches;

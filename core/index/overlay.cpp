@@ -32,6 +32,7 @@ void ParentSurroundings::mark(Index first_layer_patch, std::vector<std::uint8_t>
 
 void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first, int threads,
                     const Progress& progress) {
+  make_tables(first);
   const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : search(layer) {}

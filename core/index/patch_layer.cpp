@@ -70,7 +70,6 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     layer.table_begin.push_back(layer.table_begin.back() +
                                 static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p));
   }
-  layer.table.assign(layer.table_begin.back(), std::numeric_limits<float>::infinity());
 
   // Border edges: faces of two or more patches meet there.
   std::vector<std::vector<BorderNeighbour>> neighbours(layer.border_node.size());
@@ -108,6 +107,10 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     layer.neighbour_begin.push_back(static_cast<Index>(layer.neighbour.size()));
   }
   return layer;
+}
+
+void make_tables(PatchLayer& layer) {
+  layer.table.assign(layer.table_begin.back(), std::numeric_limits<float>::infinity());
 }
 
 void make_symmetric(PatchLayer& layer) {

@@ -67,10 +67,14 @@ struct PatchLayer {
   std::size_t memory_bytes() const;
 };
 
-/// Lays out a layer: nodes, members, borders and empty tables. `label`: patch of each face. `candidate`:
-/// which vertices may be members (empty: all with a face in the patch).
+/// Lays out a layer: nodes, members, borders and the places of the tables. `label`: patch of each face.
+/// `candidate`: which vertices may be members (empty: all with a face in the patch).
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate);
+
+/// Makes room for the tables; all distances are unreachable. Apart from the layout, as a damaged index file
+/// could ask for tables of any size.
+void make_tables(PatchLayer& layer);
 
 /// Makes the distances between two nodes of a patch equal in both directions: the smaller one. The two can
 /// differ since each row is solved in the surroundings of its own node.

@@ -22,7 +22,7 @@ void require_distances(IndexFileReader& in, const std::vector<T>& values) {
 }
 
 void load_layer(IndexFileReader& in, PatchLayer& layer) {
-  layer.table = in.block<float>(layer.table.size());
+  layer.table = in.block<float>(layer.table_begin.back());
   require_distances(in, layer.table);
 }
 
@@ -56,21 +56,36 @@ void load_partition(IndexFileReader& in, Partition& partition, Index faces) {
   }
 }
 
-void load_graph(IndexFileReader& in, SearchGraph& graph, Index nodes, Index second_patches,
-                Index first_patches) {
+/// Whether a second-layer node lies on the border of a patch.
+bool on_border(const PatchLayer& second, const PatchLayer& layer, Index node, Index patch) {
+  const Index own = layer.vertex_node[second.node_vertex[node]];
+  if (own == no_index) return false;
+  const auto patches = layer.patches_of(own);
+  return std::any_of(patches.begin(), patches.end(), [&](const PatchRow& at) { return at.patch == patch; });
+}
+
+void load_graph(IndexFileReader& in, SearchGraph& graph, const PatchLayer& second, const PatchLayer& first) {
+  const Index nodes = second.node_count();
   graph.arc_begin = in.block<std::int64_t>(static_cast<std::size_t>(nodes) + 1);
   graph.arc = in.block<Arc>();
   graph.landmark_distance = in.block<double>(static_cast<std::size_t>(nodes) * SearchGraph::landmark_count);
   require_distances(in, graph.landmark_distance);
+  if (std::find(graph.landmark_distance.begin(), graph.landmark_distance.end(), unreachable) !=
+      graph.landmark_distance.end()) {
+    in.fail("is damaged (a landmark is infinitely far)");
+  }
   if (graph.arc_begin.front() != 0 || graph.arc_begin.back() != static_cast<std::int64_t>(graph.arc.size()) ||
       !std::is_sorted(graph.arc_begin.begin(), graph.arc_begin.end())) {
     in.fail("is damaged (the arcs are not in order)");
   }
-  for (const Arc& arc : graph.arc) {
-    const Index patches = arc.in_first_layer() ? first_patches : second_patches;
-    if (arc.target < 0 || arc.target >= nodes || arc.patch_index() < 0 || arc.patch_index() >= patches ||
-        !(arc.length >= 0.0f)) {
-      in.fail("is damaged (an arc leads nowhere)");
+  for (Index node = 0; node < nodes; ++node) {
+    for (const Arc& arc : graph.arcs(node)) {
+      const PatchLayer& layer = arc.in_first_layer() ? first : second;
+      if (arc.target < 0 || arc.target >= nodes || !(arc.length >= 0.0f) ||
+          !on_border(second, layer, node, arc.patch_index()) ||
+          !on_border(second, layer, arc.target, arc.patch_index())) {
+        in.fail("is damaged (an arc leads nowhere)");
+      }
     }
   }
 }
@@ -114,7 +129,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->lay_out();
   load_layer(in, data->second);
   load_layer(in, data->first);
-  load_graph(in, data->graph, data->second.node_count(), data->second.patch_count, data->first.patch_count);
+  load_graph(in, data->graph, data->second, data->first);
   in.finish();
   data->count();
   return std::make_shared<const GeodesicIndex>(std::move(data));

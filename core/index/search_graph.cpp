@@ -41,7 +41,9 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
       const float* from_b = layer.row(patch, arc.b);
       bool dominated = false;
       for (Index c = 0; c < k && !dominated; ++c) {
-        dominated = from_a[c] > 0.0f && from_b[c] > 0.0f &&
+        // Both shorter than the arc, else two arcs that differ by less than a digit would replace each other.
+        dominated = from_a[c] > 0.0f && from_b[c] > 0.0f && from_a[c] < arc.length &&
+                    from_b[c] < arc.length &&
                     static_cast<double>(from_a[c]) + from_b[c] <= static_cast<double>(arc.length);
       }
       if (!dominated) kept.push_back(arc);

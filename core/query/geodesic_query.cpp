@@ -106,6 +106,12 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   State& state = *state_;
   const IndexData& data = state.data;
   if (sources.empty()) throw InvalidInput("There is no source vertex; name at least one.");
+  if (!(max_distance >= 0.0)) {
+    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
+                       "; it must be at least 0.");
+  }
+  // All checked before anything is marked: a refused call leaves the query as it was.
+  for (Index source : sources) state.work_vertex(source, "Source");
   std::vector<double> field(data.mesh->vertex_count(), unreachable);
   std::vector<Index> starts;
   std::vector<Index> near;
