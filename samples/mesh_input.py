@@ -18,7 +18,7 @@ def load(file: str | Path) -> pymeshlab.MeshSet:
     try:
         mesh_set.load_new_mesh(str(file))
     except pymeshlab.PyMeshLabException as error:
-        reason = str(error).strip().splitlines()[-1]
+        reason = str(error).strip().splitlines()[-1].removeprefix("Error details: ")
         sys.exit(f"{file} cannot be read as a mesh ({reason}). Give a PLY, OBJ, STL, OFF, GLB or other mesh file.")
     mesh = mesh_set.current_mesh()
     if mesh.face_number() == 0:

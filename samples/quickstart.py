@@ -14,12 +14,14 @@ import table
 
 
 def front_point(mesh: pymeshlab.Mesh) -> np.ndarray:
-    """Middle of the front side (largest z, or largest y if z is up) of the bounding box, where pictures look at it."""
+    """Middle of the side of the bounding box that pictures look at: largest z, or least y if the mesh lies flat."""
     box = mesh.bounding_box()
     point = 0.5 * (box.min() + box.max())
     size = box.max() - box.min()
-    front = 1 if size[2] < 0.5 * min(size[0], size[1]) else 2
-    point[front] = box.max()[front]
+    if size[2] < 0.5 * min(size[0], size[1]):
+        point[1] = box.min()[1]
+    else:
+        point[2] = box.max()[2]
     return point
 
 

@@ -66,10 +66,14 @@ def print_table(
 
 
 def print_queries(index: vorogeo.GeodesicIndex) -> None:
-    """Times of the questions themselves, without the filter around them."""
-    pairs = np.random.default_rng(1).integers(0, index.statistics.vertices, size=(500, 2)).tolist()
+    """Times of the questions themselves, without the filter around them; pairs that a path joins."""
+    pairs = np.random.default_rng(1).integers(0, index.statistics.vertices, size=(2000, 2))
+    pairs = pairs[np.isfinite(index.distance(pairs[:, 0], pairs[:, 1]))][:500].tolist()
     field_times = [seconds(lambda s=s: index.distance_field(s)) for s, _ in pairs[:10]]
     pair_times = [seconds(lambda s=s, t=t: index.distance(s, t)) for s, t in pairs]
+    if not pairs:
+        print("no path joins any of 2000 random pairs of vertices")
+        return
     print(f"field: {1e3 * statistics.median(field_times):.1f} ms (median of {len(field_times)} random sources)")
     print(f"two points: {1e6 * statistics.median(pair_times):.0f} microseconds (median of {len(pairs)} random pairs)")
 
@@ -129,6 +133,10 @@ def print_row(name: str, exact: np.ndarray, run: Callable[[], Fields]) -> None:
         print(f"{name:<45}  crashed on this mesh", flush=True)
         return
     compared = exact > 0
+    nonsense = np.isnan(found[compared]).mean()
+    if nonsense > 0:
+        print(f"{name:<45}{time_of_field:>8.3f} s  NaN for {100 * nonsense:.0f} % of the vertices", flush=True)
+        return
     error = 100 * np.abs(found[compared] - exact[compared]) / exact[compared]
     figures = zip((error.mean(), np.quantile(error, 0.99), error.max()), (10, 8, 8), strict=True)
     columns = "".join(f"{figure:>{width}.{4 if figure < 0.1 else 2}f} %" for figure, width in figures)
