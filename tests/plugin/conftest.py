@@ -6,20 +6,13 @@ They run with whichever supported PyMeshLab the running Python has; see test_old
 from __future__ import annotations
 
 import os
-import re
 from pathlib import Path
 
 import pymeshlab
 import pytest
+from support import PROJECT, host_version
 
-PROJECT = Path(__file__).resolve().parents[2]
 MESHES = PROJECT.parent / "shared" / "meshes"
-
-
-def host_version() -> str:
-    """MeshLab version inside the installed PyMeshLab, such as '2025.07'."""
-    year, month = re.match(r"(\d+)\.(\d+)", pymeshlab.pmeshlab.__version__).groups()
-    return f"{year}.{int(month):02d}"
 
 
 def _load(file: Path, first_filter: str) -> None:

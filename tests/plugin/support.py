@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 import pygeodesic.geodesic
@@ -30,7 +31,15 @@ ALL_FILTERS = [
     TWO_VERTICES,
 ]
 
+PROJECT = Path(__file__).resolve().parents[2]
+
 Arrays = tuple[np.ndarray, np.ndarray]
+
+
+def host_version() -> str:
+    """MeshLab version inside the installed PyMeshLab, such as '2025.07'."""
+    year, month = re.match(r"(\d+)\.(\d+)", pymeshlab.pmeshlab.__version__).groups()
+    return f"{year}.{int(month):02d}"
 
 
 def grid(columns: int, rows: int, spacing: float = 1.0) -> Arrays:

@@ -7,7 +7,7 @@ import subprocess
 
 import pymeshlab
 import pytest
-from conftest import PROJECT, host_version
+from support import PROJECT, host_version
 
 PLUGIN = PROJECT / "build" / f"plugin-{host_version()}-double" / "plugin" / "libfilter_vorogeo.so"
 ALLOWED = {"libmeshlab-common", "libQt5Core", "libQt5Gui", "libQt5Widgets", "libQt5OpenGL", "libQt5Xml",

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import PROJECT
+from support import PROJECT
 
 SCRIPT = PROJECT / "plugin" / "host" / "obtain_headers.sh"
 NEEDED = [

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import PROJECT, host_version
+from support import PROJECT, host_version
 
 # absolute() and not resolve(): the link to the interpreter is what makes it the virtual environment's
 OLDER_PYTHON = Path(
