@@ -68,6 +68,7 @@ Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const
   ExactSolver solver(field.mesh);
   ExactLimits limits;
   limits.max_distance = max_distance;
+  limits.progress = &call.progress;
   solver.run_from_vertices(sources, limits);
   field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
   for (Index v = 0; v < field.mesh->vertex_count(); ++v) {

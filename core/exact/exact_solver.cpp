@@ -1,6 +1,7 @@
 // Runs of the exact solver: sources in, buckets in order of distance, distances out.
 #include "exact/exact_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace {
 /// Bucket width in mean edge lengths: narrow enough for few repeated propagations, wide enough for few
 /// buckets.
 constexpr double bucket_width = 0.25;
+
+/// Items of the queue between two reports of progress: some milliseconds.
+constexpr int items_per_report = 4096;
 
 }  // namespace
 
@@ -52,6 +56,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     state.start_at(state.sources[i], static_cast<Index>(i));
 
   std::size_t settled = 0;
+  std::int64_t items = 0;
   const bool stop_at_targets = !limits.targets.empty();
   for (;;) {
     if (stop_at_targets) {
@@ -59,6 +64,11 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
       while (settled < limits.targets.size() && state.vertices[limits.targets[settled]].distance <= bound)
         ++settled;
       if (settled == limits.targets.size()) break;
+    }
+    if (limits.progress != nullptr && ++items % items_per_report == 0) {
+      limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
+                                  static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
+                              "Computing exact distances");
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;

@@ -7,6 +7,7 @@
 
 #include "mesh/mesh.h"
 #include "mesh/surface_point.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 
@@ -27,6 +28,8 @@ struct ExactLimits {
   std::span<const Index> targets{};
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
+  /// If set: told the fraction of vertices reached, from the calling thread; may cancel the run.
+  const Progress* progress = nullptr;
 };
 
 /// A path over the surface: consecutive points share a face; each lies on a vertex, an edge or in a face.
@@ -51,8 +54,8 @@ class ExactSolver {
 
   const Mesh& mesh() const;
 
-  /// Propagates from the sources. \throw InvalidInput for a bad source (no source at all is allowed:
-  /// then every distance is infinite).
+  /// Propagates from the sources. \throw Cancelled, InvalidInput for a bad source (no source at all is
+  /// allowed: then every distance is infinite).
   void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
   /// The same from vertices.
   void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {});

@@ -76,7 +76,8 @@ Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const Pa
   progress.report(0.1, "Growing first-layer patches");
   {
     ExactSolver solver(geometry);
-    label_voronoi_faces(solver, whole, all_faces, samples, partition.first_layer);
+    const Progress growing = progress.part(0.1, 0.5);
+    label_voronoi_faces(solver, whole, all_faces, samples, partition.first_layer, &growing);
   }
   partition.first_layer_count = compact(partition.first_layer, all_faces, static_cast<Index>(samples.size()));
 

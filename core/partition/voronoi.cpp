@@ -26,10 +26,11 @@ Index face_label(const ExactSolver& solver, const std::array<Index, 3>& vertices
 }  // namespace
 
 void label_voronoi_faces(ExactSolver& solver, const MeshPart& part, std::span<const Index> faces,
-                         std::span<const Index> samples, std::span<Index> label) {
+                         std::span<const Index> samples, std::span<Index> label, const Progress* progress) {
   const Mesh& mesh = solver.mesh();
   ExactLimits limits;
   limits.face_allowed = part.face_allowed;
+  limits.progress = progress;
   solver.run_from_vertices(samples, limits);
   for (Index f : faces) label[f] = face_label(solver, mesh.face_vertices(f));
 

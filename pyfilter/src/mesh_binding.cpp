@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "exact/exact_solver.h"
 #include "mesh/mesh_check.h"
+#include "progress_bridge.h"
 
 namespace vorogeo::python {
 
@@ -13,20 +14,21 @@ namespace {
 
 DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const IdArray& sources,
                                  double max_distance) {
-  std::vector<double> values;
-  {
-    nb::gil_scoped_release release;
+  ProgressBridge bridge(nb::none());
+  auto values = bridge.run([&](const Progress& progress) {
     const auto mesh = mesh_of(vertices, faces);
     ExactSolver solver(mesh);
     ExactLimits limits;
     limits.max_distance = max_distance;
+    limits.progress = &progress;
     solver.run_from_vertices(ids_of(sources), limits);
-    values.resize(mesh->vertex_count());
+    std::vector<double> distances(mesh->vertex_count());
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       const double distance = solver.distance(v);
-      values[v] = distance <= max_distance ? distance : unreachable;
+      distances[v] = distance <= max_distance ? distance : unreachable;
     }
-  }
+    return distances;
+  });
   return to_numpy(std::move(values));
 }
 

@@ -37,7 +37,7 @@ def exact_distance_field(
 
     Notes
     -----
-    Exact propagation of windows (Mitchell, Mount, Papadimitriou 1987). Releases the GIL.
+    Exact propagation of windows (Mitchell, Mount, Papadimitriou 1987). Releases the GIL; Ctrl-C stops it.
     """
     points = check.vertices(vertices)
     triangles = check.faces(faces, len(points))
