@@ -1,0 +1,114 @@
+// Halo and local tables: the rim around patches, and distances against exact ones over the whole mesh.
+#include "index/local_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "exact/exact_solver.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+using test::Soup;
+
+/// Second layer of an index with filled tables.
+std::shared_ptr<const GeodesicIndex> index_of(const Soup& soup, int threads = 0) {
+  return test::make_index(soup, 3, 4, 0.0, threads);
+}
+
+TEST(Halo, MarksThePatchesAndARimAroundThem) {
+  const auto index = index_of(test::icosphere(4));
+  const IndexData& data = index->data();
+  Halo halo(*data.work.mesh, data.work.second_layer, data.second.patch_count);
+  std::vector<std::vector<Index>> choices;
+  for (Index p = 0; p < data.second.patch_count; ++p) choices.push_back({p});
+  choices.push_back({0, 1});
+  choices.push_back({2, 7, 9});
+  for (const auto& patches : choices) {
+    halo.surround(patches);
+    const std::set<Index> marked(halo.faces().begin(), halo.faces().end());
+    EXPECT_EQ(marked.size(), halo.faces().size()) << "each face once";
+    std::size_t own = 0;
+    for (Index f = 0; f < data.work.mesh->face_count(); ++f) {
+      EXPECT_EQ(halo.mask()[f] != 0, marked.contains(f));
+      const bool inside =
+          std::find(patches.begin(), patches.end(), data.work.second_layer[f]) != patches.end();
+      own += inside;
+      EXPECT_TRUE(!inside || marked.contains(f)) << "a face of the patch is missing";
+    }
+    // At least one ring of faces, not much more than the patches themselves.
+    EXPECT_GT(marked.size(), own + own / 5);
+    EXPECT_LT(marked.size(), 3 * own);
+  }
+}
+
+TEST(Halo, StopsWhereTheMeshEnds) {
+  const auto index = index_of(test::two_components(test::icosphere(1), test::icosphere(1)));
+  const IndexData& data = index->data();
+  Halo halo(*data.work.mesh, data.work.second_layer, data.second.patch_count);
+  std::vector<Index> all(data.second.patch_count);
+  for (Index p = 0; p < data.second.patch_count; ++p) all[p] = p;
+  halo.surround(all);
+  EXPECT_EQ(static_cast<Index>(halo.faces().size()), data.work.mesh->face_count());
+  halo.surround(std::vector<Index>{});
+  EXPECT_TRUE(halo.faces().empty());
+  EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), data.work.mesh->face_count());
+}
+
+/// Errors of the table entries of some nodes of the second layer.
+test::ErrorCollector table_errors(const IndexData& data) {
+  test::ErrorCollector errors;
+  ExactSolver solver(data.geometry);
+  for (Index node : test::random_vertices(data.second.node_count(), 80, 3)) {
+    const Index source = data.second.node_vertex[node];
+    solver.run_from_vertices(std::array{source});
+    for (const PatchRow& at : data.second.patches_of(node)) {
+      const auto members = data.second.members(at.patch);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        errors.add(data.second.row(at.patch, at.row)[i], solver.distance(members[i]));
+      }
+    }
+  }
+  return errors;
+}
+
+TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
+  const auto errors = table_errors(index_of(test::plane_grid(36, 36, 1.0, 1.0, 0.2).soup)->data());
+  EXPECT_EQ(errors.contradictions, 0U);
+  const auto found = errors.statistics();
+  EXPECT_GT(found.count, 5000U);
+  EXPECT_LT(found.greatest, 1e-6);
+  EXPECT_GT(found.least, -1e-6);
+}
+
+TEST(LocalTables, OnCurvedSurfacesNeverBelowTheExactDistanceAndSeldomAbove) {
+  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::random_sphere(1500, 6),
+                           test::torus(50, 24, 2.0, 0.8), test::book_of_three_pages(14, 2.0, 1.0).soup}) {
+    const auto errors = table_errors(index_of(soup)->data());
+    EXPECT_EQ(errors.contradictions, 0U);
+    const auto found = errors.statistics();
+    EXPECT_GT(found.least, -1e-6);
+    EXPECT_LT(found.mean, 1e-4);
+    EXPECT_LT(found.p99, 1e-6) << "hardly any path leaves the halo";
+  }
+}
+
+TEST(LocalTables, TheSameWhateverTheThreads) {
+  const auto one = index_of(test::hills(30, 0.2), 1);
+  for (int threads : {2, 5})
+    EXPECT_EQ(index_of(test::hills(30, 0.2), threads)->data().second.table, one->data().second.table);
+}
+
+TEST(LocalTables, WhatAPatchDoesNotReachIsUnreachable) {
+  // One patch over both spheres cannot be, but a patch may have vertices that only its halo joins: all finite
+  // here.
+  const auto index = index_of(test::two_components(test::icosphere(3), test::icosphere(2)));
+  for (float value : index->data().second.table) EXPECT_LT(value, 4.0f);
+}
+
+}  // namespace
+}  // namespace vorogeo
