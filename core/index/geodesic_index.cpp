@@ -32,6 +32,26 @@ void IndexData::lay_out() {
       home_column[members[i]] = static_cast<Index>(i);
     }
   }
+  link_layers();
+}
+
+void IndexData::link_layers() {
+  parent_column.assign(second.border_node.size(), no_index);
+  std::vector<Index> column(work.mesh->vertex_count(), no_index);
+  Index last_parent = no_index;
+  // Patches of one parent are consecutive.
+  for (Index p = 0; p < second.patch_count; ++p) {
+    const Index parent = partition.parent[p];
+    if (parent != last_parent) {
+      const auto members = first.members(parent);
+      for (std::size_t i = 0; i < members.size(); ++i) column[members[i]] = static_cast<Index>(i);
+      last_parent = parent;
+    }
+    const auto nodes = second.nodes(p);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      parent_column[second.border_begin[p] + i] = column[second.node_vertex[nodes[i]]];
+    }
+  }
 }
 
 void IndexData::count() {
@@ -45,7 +65,7 @@ void IndexData::count() {
   statistics.arcs_before_pruning = graph.arcs_before_pruning;
   statistics.arcs = static_cast<std::int64_t>(graph.arc.size() / 2);
   statistics.bytes = static_cast<std::int64_t>(
-      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() +
+      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
       sizeof(Index) *
           (home_patch.size() + home_column.size() + work.work_vertex.size() + work.user_vertex.size() +
            work.second_layer.size() + partition.first_layer.size() + partition.second_layer.size()));
@@ -71,9 +91,13 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
   data->lay_out();
   fill_local_tables(data->geometry, data->work.second_layer, data->second, options.threads,
                     progress.part(0.1, 0.8));
-  compose_tables(data->second, data->partition.parent, data->first, options.threads, progress.part(0.8, 0.9));
+  compose_tables(data->second, data->partition.parent, data->first, options.threads,
+                 progress.part(0.8, 0.85));
+  if (node_table_fits(data->first.node_count(), data->mesh->vertex_count())) {
+    data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.95));
+  }
   data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
-                                  options.threads, progress.part(0.9, 1.0));
+                                  options.threads, progress.part(0.95, 1.0));
   data->count();
   data->statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::make_shared<const GeodesicIndex>(std::move(data));

@@ -6,6 +6,7 @@
 
 #include "exact/exact_geometry.h"
 #include "index/geodesic_index.h"
+#include "index/node_table.h"
 #include "index/patch_layer.h"
 #include "index/search_graph.h"
 #include "index/work_mesh.h"
@@ -22,12 +23,19 @@ struct IndexData {
   std::shared_ptr<const ExactGeometry> geometry;  ///< of the work mesh
   PatchLayer first;
   PatchLayer second;
+  NodeTable node_table;  ///< of the first layer
   SearchGraph graph;
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
   std::vector<Index> home_column;  ///< and its place among the members of that patch
 
+  /// Place of a second-layer border node among the members of its patch's first-layer patch, by
+  /// second.border_begin[patch] + row.
+  std::vector<Index> parent_column;
+
   /// Work mesh, layers without tables, and homes, all of which follow from mesh and partition alone.
   void lay_out();
+  /// Fills in parent_column; the last step of lay_out().
+  void link_layers();
   /// Fills in what the statistics say of the parts.
   void count();
 };

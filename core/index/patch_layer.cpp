@@ -42,16 +42,25 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   layer.vertex_node.assign(mesh.vertex_count(), no_index);
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
-  layer.incidence_begin.push_back(0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const auto patches = patches_at(v);
-    if (patches.size() < 2) {
-      if (!patches.empty() && (candidate.empty() || candidate[v])) inner[patches[0]].push_back(v);
-      continue;
+    if (patches.size() >= 2) {
+      layer.node_vertex.push_back(v);
+    } else if (!patches.empty() && (candidate.empty() || candidate[v])) {
+      inner[patches[0]].push_back(v);
     }
-    layer.vertex_node[v] = layer.node_count();
-    layer.node_vertex.push_back(v);
-    for (Index p : patches) {
+  }
+  // Nodes between the same patches follow one another, so that scans over a border run through memory.
+  std::stable_sort(layer.node_vertex.begin(), layer.node_vertex.end(), [&](Index a, Index b) {
+    const auto of_a = patches_at(a);
+    const auto of_b = patches_at(b);
+    return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+  });
+  layer.incidence_begin.push_back(0);
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    const Index v = layer.node_vertex[node];
+    layer.vertex_node[v] = node;
+    for (Index p : patches_at(v)) {
       layer.incidence.push_back({p, static_cast<Index>(border[p].size())});
       border[p].push_back(v);
     }

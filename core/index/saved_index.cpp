@@ -26,6 +26,16 @@ void load_layer(IndexFileReader& in, PatchLayer& layer) {
   require_distances(in, layer.table);
 }
 
+void load_node_table(IndexFileReader& in, NodeTable& table, Index nodes) {
+  table.distance = in.block<float>();
+  if (table.distance.empty()) return;
+  if (table.distance.size() != static_cast<std::size_t>(nodes) * nodes) {
+    in.fail("is damaged (the table of borders has the wrong size)");
+  }
+  require_distances(in, table.distance);
+  table.count = nodes;
+}
+
 /// Every patch from 0 to count - 1 owns a face, and no face another.
 void require_labels(IndexFileReader& in, const std::vector<Index>& label, Index count) {
   std::vector<std::uint8_t> used(std::max<Index>(count, 0), 0);
@@ -104,6 +114,7 @@ void GeodesicIndex::save(const std::filesystem::path& file) const {
   out.block(data_->partition.parent);
   save_layer(out, data_->second);
   save_layer(out, data_->first);
+  out.block(data_->node_table.distance);
   out.block(data_->graph.arc_begin);
   out.block(data_->graph.arc);
   out.block(data_->graph.landmark_distance);
@@ -129,6 +140,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->lay_out();
   load_layer(in, data->second);
   load_layer(in, data->first);
+  load_node_table(in, data->node_table, data->first.node_count());
   load_graph(in, data->graph, data->second, data->first);
   in.finish();
   data->count();

@@ -12,6 +12,7 @@
 #include "query/field_sweep.h"
 #include "query/graph_route.h"
 #include "query/route_unfolding.h"
+#include "query/table_route.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -25,7 +26,8 @@ struct GeodesicQuery::State {
         solver(data.geometry),
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
         search(data.second),
-        router(data),
+        graph_router(data),
+        table_router(data),
         sweeps(threads),
         is_near(data.second.patch_count, 0) {}
 
@@ -44,6 +46,7 @@ struct GeodesicQuery::State {
     for (const PatchRow& at : data.second.patches_of(node)) patches.push_back(at.patch);
     return patches;
   }
+  GraphRoute route(const RouteEnd& from, const RouteEnd& to);
   double distance_nearby(Index source, Index target, const std::vector<Index>& shared, double upper_bound);
 
   std::shared_ptr<const GeodesicIndex> index;
@@ -52,7 +55,8 @@ struct GeodesicQuery::State {
   ExactSolver solver;
   Halo halo;
   BorderSearch search;
-  GraphRouter router;
+  GraphRouter graph_router;
+  TableRouter table_router;
   std::vector<FieldSweep> sweeps;
   std::vector<std::uint8_t> is_near;
 };
@@ -64,6 +68,19 @@ GeodesicQuery::GeodesicQuery(GeodesicQuery&&) noexcept = default;
 GeodesicQuery& GeodesicQuery::operator=(GeodesicQuery&&) noexcept = default;
 
 const GeodesicIndex& GeodesicQuery::index() const { return *state_->index; }
+
+GraphRoute GeodesicQuery::State::route(const RouteEnd& from, const RouteEnd& to) {
+  if (data.node_table.count == 0) return graph_router.route(from, to);
+  GraphRoute best = table_router.route(from, to);
+  const bool neighbours = std::find_first_of(from.parents.begin(), from.parents.end(), to.parents.begin(),
+                                             to.parents.end()) != from.parents.end();
+  if (neighbours) {
+    // The way may stay inside a first-layer patch.
+    GraphRoute inside = graph_router.route(from, to);
+    if (inside.length < best.length) best = std::move(inside);
+  }
+  return best;
+}
 
 double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& shared,
                                              double upper_bound) {
@@ -90,7 +107,7 @@ double GeodesicQuery::distance(Index source, Index target) {
   if (s > t) std::swap(s, t);
   const RouteEnd from = route_end(data, s);
   const RouteEnd to = route_end(data, t);
-  const GraphRoute route = state.router.route(from, to);
+  const GraphRoute route = state.route(from, to);
   std::vector<Index> shared;
   const auto target_patches = state.patches_of(t);
   for (Index p : state.patches_of(s)) {

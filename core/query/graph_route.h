@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "index/index_data.h"
@@ -22,7 +23,11 @@ struct RouteEnd {
 /// The end of a route at a work vertex.
 RouteEnd route_end(const IndexData& data, Index work_vertex);
 
-/// A shortest route: nodes in order, the arc patch (as in Arc) between each two, and the whole length.
+/// Stands for an arc patch where a route goes from one first-layer node to another by the node table.
+inline constexpr Index by_node_table = std::numeric_limits<Index>::min();
+
+/// A shortest route: second-layer nodes in order, the arc patch (as in Arc, or by_node_table) between each
+/// two, and the whole length.
 struct GraphRoute {
   double length = unreachable;
   std::vector<Index> nodes;

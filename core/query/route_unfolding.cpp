@@ -1,4 +1,4 @@
-// Walks a route patch by patch with the distances of a few border nodes at each crossing.
+// Walks a route table by table with the distances of a few border nodes at each crossing.
 #include "query/route_unfolding.h"
 
 #include <algorithm>
@@ -11,18 +11,11 @@ namespace vorogeo {
 
 namespace {
 
-/// A border node near the route and its distance from the source.
+/// A border node near the route: the route's own node first, then its border neighbours.
 struct Near {
   Index vertex;
-  double distance;
-};
-
-/// One patch of the route and where it leaves it: a node, or the target.
-struct Leg {
-  const PatchLayer* layer;
-  Index patch;
-  Index exit_vertex;  ///< work vertex; no_index: the target, at column `target_column`
-  Index target_column;
+  double distance;  ///< from the source
+  double length;    ///< of the border edge to the route's own node
 };
 
 Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
@@ -34,87 +27,130 @@ Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
   return no_index;
 }
 
-/// Least distance of a column of a patch over the near nodes, then over the border edges at the best of them.
-double cross(const Leg& leg, const std::vector<Near>& near, Index column) {
-  const PatchLayer& layer = *leg.layer;
+/// The table by which a route goes on: that of a patch of either layer, or the node table.
+struct Leg {
+  enum class Table { second, first, nodes };
+  Table table;
+  Index patch;        ///< unused for the node table
+  Index exit_vertex;  ///< where the route leaves it; the target at last
+};
+
+/// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
+double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
+  if (leg.table == Leg::Table::nodes) {
+    const Index a = data.first.vertex_node[from];
+    const Index b = data.first.vertex_node[to];
+    return a == no_index || b == no_index ? unreachable : data.node_table.row(a)[b];
+  }
+  const PatchLayer& layer = leg.table == Leg::Table::first ? data.first : data.second;
+  auto column_of = [&](Index vertex) {
+    if (leg.table == Leg::Table::second) {
+      if (data.second.vertex_node[vertex] != no_index) return row_in(data.second, vertex, leg.patch);
+      return data.home_patch[vertex] == leg.patch ? data.home_column[vertex] : no_index;
+    }
+    for (const PatchRow& at : data.second.patches_of(data.second.vertex_node[vertex])) {
+      if (data.partition.parent[at.patch] != leg.patch) continue;
+      return data.parent_column[data.second.border_begin[at.patch] + at.row];
+    }
+    return no_index;
+  };
+  Index row = row_in(layer, from, leg.patch);
+  Index other = to;
+  if (row == no_index) {
+    row = row_in(layer, to, leg.patch);
+    other = from;
+  }
+  const Index column = row == no_index ? no_index : column_of(other);
+  return column == no_index ? unreachable : layer.row(leg.patch, row)[column];
+}
+
+/// Least distance of a vertex over the near nodes, then over the border edges at the best of them.
+double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& near, Index vertex) {
+  std::array<double, 8> beyond{};
+  const std::size_t count = std::min(near.size(), beyond.size());
   double best = unreachable;
-  double best_beyond = 0.0;
-  const Near* best_near = nullptr;
-  for (const Near& x : near) {
-    const Index row = row_in(layer, x.vertex, leg.patch);
-    if (row == no_index) continue;
-    const double beyond = layer.row(leg.patch, row)[column];
-    if (x.distance + beyond < best) {
-      best = x.distance + beyond;
-      best_beyond = beyond;
-      best_near = &x;
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    beyond[i] = distance_by(data, leg, near[i].vertex, vertex);
+    if (near[i].distance + beyond[i] < best) {
+      best = near[i].distance + beyond[i];
+      least = i;
     }
   }
-  if (best_near == nullptr) return unreachable;
-  const double at_node = best_near->distance;
-  const Index best_row = row_in(layer, best_near->vertex, leg.patch);
+  if (best == unreachable) return best;
   std::array<BorderSample, 2> beside{};
   int known = 0;
-  for (const BorderNeighbour& next : layer.neighbours(leg.patch, best_row)) {
-    const Index vertex = layer.node_vertex[layer.nodes(leg.patch)[next.row]];
-    for (const Near& x : near) {
-      if (x.vertex != vertex) continue;
-      const BorderSample sample{x.distance, layer.row(leg.patch, next.row)[column], next.length};
-      best = std::min(best,
-                      unfolded_distance(sample.length, at_node, sample.source, best_beyond, sample.target));
-      if (known < 2) beside[known] = sample;
-      ++known;
-    }
+  for (std::size_t i = 0; i < count; ++i) {
+    // The route's own node is the one neighbour of the others.
+    if (i == least || (least != 0 && i != 0) || beyond[i] == unreachable) continue;
+    const BorderSample sample{near[i].distance, beyond[i], near[std::max(i, least)].length};
+    best = std::min(best, unfolded_distance(sample.length, near[least].distance, sample.source, beyond[least],
+                                            sample.target));
+    if (known < 2) beside[known] = sample;
+    ++known;
   }
-  if (known == 2) best = std::min(best, parabola_distance(at_node, best_beyond, beside[0], beside[1]));
+  if (known == 2) {
+    best = std::min(best, parabola_distance(near[least].distance, beyond[least], beside[0], beside[1]));
+  }
   return best;
 }
 
 std::vector<Leg> legs_of(const IndexData& data, const GraphRoute& route, Index source, Index target) {
   std::vector<Leg> legs;
-  auto add = [&](const PatchLayer& layer, Index patch, Index exit_vertex, Index column) {
+  auto add = [&](Leg::Table table, Index patch, Index exit_vertex) {
     // Two arcs in a row through one patch are one way through it.
-    if (!legs.empty() && legs.back().layer == &layer && legs.back().patch == patch) legs.pop_back();
-    legs.push_back({&layer, patch, exit_vertex, column});
+    if (!legs.empty() && legs.back().table == table && legs.back().patch == patch) legs.pop_back();
+    legs.push_back({table, patch, exit_vertex});
   };
   auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
   if (data.second.vertex_node[source] == no_index) {
-    add(data.second, data.home_patch[source], vertex_of(route.nodes.front()), no_index);
+    add(Leg::Table::second, data.home_patch[source], vertex_of(route.nodes.front()));
   }
   for (std::size_t i = 0; i < route.arc_patches.size(); ++i) {
+    const Index exit = vertex_of(route.nodes[i + 1]);
     const Arc arc{0, 0.0f, route.arc_patches[i]};
-    add(arc.in_first_layer() ? data.first : data.second, arc.patch_index(), vertex_of(route.nodes[i + 1]),
-        no_index);
+    if (arc.patch == by_node_table) {
+      add(Leg::Table::nodes, no_index, exit);
+    } else {
+      add(arc.in_first_layer() ? Leg::Table::first : Leg::Table::second, arc.patch_index(), exit);
+    }
   }
   if (data.second.vertex_node[target] == no_index) {
-    add(data.second, data.home_patch[target], no_index, data.home_column[target]);
+    add(Leg::Table::second, data.home_patch[target], target);
   }
   return legs;
+}
+
+/// Calls visit(vertex, length) for the border neighbours of the vertex where the route goes from one leg to
+/// the next: along the border of the patch on either side that has it on its border.
+template <class Visit>
+void for_each_neighbour(const IndexData& data, const Leg& leg, const Leg& next, Visit&& visit) {
+  for (const Leg* side : {&leg, &next}) {
+    if (side->table == Leg::Table::nodes) continue;
+    const PatchLayer& layer = side->table == Leg::Table::first ? data.first : data.second;
+    const Index row = row_in(layer, leg.exit_vertex, side->patch);
+    if (row == no_index) continue;
+    for (const BorderNeighbour& beside : layer.neighbours(side->patch, row)) {
+      visit(layer.node_vertex[layer.nodes(side->patch)[beside.row]], beside.length);
+    }
+    return;
+  }
 }
 
 }  // namespace
 
 double unfolded_length(const IndexData& data, const GraphRoute& route, Index source, Index target) {
   const auto legs = legs_of(data, route, source, target);
-  std::vector<Near> near{{source, 0.0}};
+  std::vector<Near> near{{source, 0.0, 0.0}};
   std::vector<Near> next;
-  const bool source_inside = data.second.vertex_node[source] == no_index;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Leg& leg = legs[i];
-    // From a source inside its patch, the table itself gives the exact distances.
-    const bool first = i == 0 && source_inside;
-    auto reach = [&](Index row) {
-      if (first) return static_cast<double>(leg.layer->row(leg.patch, row)[data.home_column[source]]);
-      return cross(leg, near, row);
-    };
-    if (leg.exit_vertex == no_index) {
-      return first ? unreachable : cross(leg, near, leg.target_column);
-    }
-    const Index exit = row_in(*leg.layer, leg.exit_vertex, leg.patch);
     next.clear();
-    next.push_back({leg.exit_vertex, reach(exit)});
-    for (const BorderNeighbour& beside : leg.layer->neighbours(leg.patch, exit)) {
-      next.push_back({leg.layer->node_vertex[leg.layer->nodes(leg.patch)[beside.row]], reach(beside.row)});
+    next.push_back({leg.exit_vertex, cross(data, leg, near, leg.exit_vertex), 0.0});
+    if (i + 1 < legs.size()) {
+      for_each_neighbour(data, leg, legs[i + 1], [&](Index vertex, double length) {
+        next.push_back({vertex, cross(data, leg, near, vertex), length});
+      });
     }
     near.swap(next);
   }
