@@ -112,7 +112,9 @@ def refresh(rows: dict[str, str]) -> None:
     table, after = rest.split(END)
     kept = {line.split("|")[1].strip(): line for line in table.splitlines(keepends=True) if line.startswith("| ")}
     kept.pop("mesh", None)
-    lines = "".join({**kept, **rows}.values())
+    everything = {**kept, **rows}
+    order = [*(name for name in DEFAULT if name in everything), *(name for name in everything if name not in DEFAULT)]
+    lines = "".join(everything[name] for name in order)
     about = f"\nLast refreshed on {processor()}, {os.cpu_count()} cores, {platform.system()}.\n"
     FIGURES.write_text(before + BEGIN + HEADING + lines + about + END + after)
 
