@@ -18,6 +18,14 @@
 
 namespace vorogeo {
 
+namespace {
+
+/// In the patches of the sources the solver's distance holds, unless a way outside their halo is shorter by
+/// more than the unfolding can err: then the distance over the border is below this part of it.
+constexpr double shorter_outside = 0.99;
+
+}  // namespace
+
 struct GeodesicQuery::State {
   State(std::shared_ptr<const GeodesicIndex> shared_index, int requested_threads)
       : index(std::move(shared_index)),
@@ -173,7 +181,10 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
       // A border node belongs to several patches: the first of them writes it.
       if (user == no_index || data.home_patch[members[i]] != p) continue;
       double distance = found[i];
-      if (state.is_near[p]) distance = std::min(distance, state.solver.distance(members[i]));
+      if (state.is_near[p]) {
+        const double exact = state.solver.distance(members[i]);
+        if (!(distance < shorter_outside * exact)) distance = exact;
+      }
       field[user] = distance <= max_distance ? distance : unreachable;
     }
   });
