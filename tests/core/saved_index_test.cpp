@@ -221,7 +221,7 @@ TEST_F(DamagedIndex, LabelsThatAskForOtherTables) {
 
 TEST_F(DamagedIndex, DistancesThatAreNone) {
   const auto original = blocks_;
-  for (auto block : {test::second_table, test::first_table}) {
+  for (auto block : {test::second_table, test::first_table, test::node_table}) {
     for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
       blocks_ = original;
       blocks_[block].set<float>(7, value);
@@ -234,6 +234,25 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, unreachable);
   EXPECT_EQ(loading_blocks(), damaged("a landmark is infinitely far"));
+}
+
+TEST_F(DamagedIndex, ABorderTableOfTheWrongSizeAndNone) {
+  auto& table = blocks_[test::node_table];
+  ASSERT_GT(table.count(), 0U);
+  table.contents.resize(table.contents.size() - sizeof(float));
+  EXPECT_EQ(loading_blocks(), damaged("the table of borders has the wrong size"));
+  // Without the table distances are searched instead of read.
+  table.contents.clear();
+  write_bytes(file_, test::with_blocks(good_, blocks_));
+  GeodesicQuery without(GeodesicIndex::load(file_, mesh_));
+  write_bytes(file_, good_);
+  GeodesicQuery with(GeodesicIndex::load(file_, mesh_));
+  for (Index source : test::random_vertices(642, 12, 1)) {
+    for (Index target : test::random_vertices(642, 12, 2)) {
+      const double distance = with.distance(source, target);
+      EXPECT_NEAR(without.distance(source, target), distance, 0.02 * distance);
+    }
+  }
 }
 
 TEST_F(DamagedIndex, ArcsThatLeadNowhere) {

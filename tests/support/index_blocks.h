@@ -36,6 +36,7 @@ enum IndexBlockName {
   parent,
   second_table,
   first_table,
+  node_table,
   arc_begin,
   arcs,
   landmarks

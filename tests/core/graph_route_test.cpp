@@ -1,0 +1,152 @@
+// Bidirectional A*: equal to plain Dijkstra on the same graph; routes are connected and as long as stated.
+#include "query/graph_route.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "support/heavy.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+using test::Soup;
+
+void expect_sound(const IndexData& data, const GraphRoute& route, const RouteEnd& from, const RouteEnd& to) {
+  if (route.length == unreachable) {
+    EXPECT_TRUE(route.nodes.empty());
+    return;
+  }
+  ASSERT_FALSE(route.nodes.empty());
+  ASSERT_EQ(route.arc_patches.size() + 1, route.nodes.size());
+  auto start_distance = [](const RouteEnd& end, Index node) {
+    double least = unreachable;
+    for (const auto& start : end.starts) {
+      if (start.node == node) least = std::min(least, start.distance);
+    }
+    return least;
+  };
+  double length = start_distance(from, route.nodes.front()) + start_distance(to, route.nodes.back());
+  for (std::size_t i = 0; i < route.arc_patches.size(); ++i) {
+    double step = unreachable;
+    for (const Arc& arc : data.graph.arcs(route.nodes[i])) {
+      if (arc.target != route.nodes[i + 1] || arc.patch != route.arc_patches[i]) continue;
+      step = std::min(step, static_cast<double>(arc.length));
+      const Index parent = arc.in_first_layer() ? no_index : data.partition.parent[arc.patch];
+      const bool open = std::find(from.parents.begin(), from.parents.end(), parent) != from.parents.end() ||
+                        std::find(to.parents.begin(), to.parents.end(), parent) != to.parents.end();
+      EXPECT_TRUE(arc.in_first_layer() || open) << "a second-layer arc far from both ends";
+    }
+    length += step;
+  }
+  EXPECT_NEAR(length, route.length, 1e-12 * route.length);
+}
+
+/// Compares `sources` x `targets` random pairs.
+void expect_shortest(const GeodesicIndex& index, int sources, int targets) {
+  const IndexData& data = index.data();
+  GraphRouter router(data);
+  test::ReferenceRouter reference(data);
+  const Index n = data.work.mesh->vertex_count();
+  for (Index source : test::random_vertices(n, sources, 17)) {
+    const RouteEnd from = route_end(data, source);
+    for (Index target : test::random_vertices(n, targets, 1000 + source)) {
+      const RouteEnd to = route_end(data, target);
+      const GraphRoute route = router.route(from, to);
+      const double expected = reference.length(source, target);
+      if (expected == unreachable) {
+        ASSERT_EQ(route.length, unreachable) << source << " to " << target;
+      } else {
+        ASSERT_NEAR(route.length, expected, 1e-12 * expected) << source << " to " << target;
+      }
+      expect_sound(data, route, from, to);
+    }
+  }
+}
+
+TEST(GraphRouter, TenThousandPairsAsByDijkstra) {
+  VOROGEO_HEAVY_TEST();
+  expect_shortest(*test::make_index(test::random_sphere(2500, 5), 6, 5), 100, 100);
+}
+TEST(GraphRouter, PrunedGraphsAsByDijkstra) {
+  expect_shortest(*test::make_index(test::hills(36, 0.2), 5, 4, 0.005), 20, 40);
+  expect_shortest(*test::make_index(test::torus(40, 20, 2.0, 0.7), 4, 4, 0.05), 20, 40);
+}
+TEST(GraphRouter, SeveralComponentsAsByDijkstra) {
+  Soup soup = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
+  soup = test::two_components(soup, test::icosphere(1));
+  expect_shortest(*test::make_index(soup, 4, 4), 30, 60);
+}
+TEST(GraphRouter, NonManifoldMeshesAsByDijkstra) {
+  expect_shortest(*test::make_index(test::book_of_three_pages(12, 2.0, 1.0).soup, 4, 4), 20, 40);
+  expect_shortest(*test::make_index(test::bow_tie(12).soup, 3, 4), 20, 40);
+}
+
+TEST(GraphRouter, ARouteIsTheSameBackwards) {
+  const auto index = test::make_index(test::icosphere(4), 5, 4);
+  const IndexData& data = index->data();
+  GraphRouter router(data);
+  for (Index source : test::random_vertices(2562, 10, 1)) {
+    for (Index target : test::random_vertices(2562, 10, 2)) {
+      const double there = router.route(route_end(data, source), route_end(data, target)).length;
+      const double back = router.route(route_end(data, target), route_end(data, source)).length;
+      EXPECT_NEAR(there, back, 1e-12 * there);
+    }
+  }
+}
+
+TEST(GraphRouter, GuidanceSavesWork) {
+  const auto index = test::make_index(test::hills(60, 0.1), 8, 5);
+  const IndexData& data = index->data();
+  GraphRouter router(data);
+  double settled = 0.0;
+  int pairs = 0;
+  for (Index source : test::random_vertices(3721, 15, 1)) {
+    for (Index target : test::random_vertices(3721, 15, 2)) {
+      router.route(route_end(data, source), route_end(data, target));
+      settled += static_cast<double>(router.settled());
+      ++pairs;
+    }
+  }
+  EXPECT_LT(settled / pairs, data.second.node_count()) << "fewer than a search from one end";
+}
+
+TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
+  const auto index = test::make_index(test::icosphere(3), 3, 4);
+  const IndexData& data = index->data();
+  for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
+    const RouteEnd end = route_end(data, v);
+    const auto patches = test::patches_at(*data.work.mesh, data.work.second_layer, v);
+    std::set<Index> parents;
+    for (Index p : patches) parents.insert(data.partition.parent[p]);
+    EXPECT_EQ(std::set<Index>(end.parents.begin(), end.parents.end()), parents);
+    EXPECT_EQ(end.parents.size(), parents.size());
+    if (data.second.vertex_node[v] != no_index) {
+      ASSERT_EQ(end.starts.size(), 1U);
+      EXPECT_EQ(end.patch, no_index);
+      EXPECT_EQ(end.starts[0].node, data.second.vertex_node[v]);
+      EXPECT_EQ(end.starts[0].distance, 0.0);
+      continue;
+    }
+    EXPECT_EQ(end.patch, *patches.begin());
+    ASSERT_EQ(static_cast<Index>(end.starts.size()), data.second.border_size(end.patch));
+    for (Index row = 0; row < data.second.border_size(end.patch); ++row) {
+      EXPECT_EQ(end.starts[row].node, data.second.nodes(end.patch)[row]);
+      EXPECT_EQ(end.starts[row].distance, data.second.line(end.patch, data.home_column[v])[row]);
+    }
+  }
+}
+
+TEST(RouteEnd, AMeshOfOnePatchHasNoStarts) {
+  const auto index = test::make_index(test::icosphere(1), 1, 1);
+  const RouteEnd end = route_end(index->data(), 5);
+  EXPECT_TRUE(end.starts.empty());
+  GraphRouter router(index->data());
+  EXPECT_EQ(router.route(end, route_end(index->data(), 7)).length, unreachable);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,98 @@
+// The table of all first-layer nodes: symmetric, close to exact, left out where it would be too large.
+#include "index/node_table.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "exact/exact_solver.h"
+#include "support/error.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(NodeTable, SymmetricWithZeroDiagonal) {
+  const auto index = test::make_index(test::hills(36, 0.15), 5, 4);
+  const NodeTable& table = index->data().node_table;
+  ASSERT_EQ(table.count, index->data().first.node_count());
+  ASSERT_GT(table.count, 0);
+  for (Index a = 0; a < table.count; ++a) {
+    EXPECT_EQ(table.row(a)[a], 0.0F);
+    for (Index b = 0; b < a; ++b) {
+      EXPECT_EQ(table.row(a)[b], table.row(b)[a]);
+      EXPECT_GE(table.row(a)[b], 0.0F);
+    }
+  }
+}
+
+TEST(NodeTable, CloseToExact) {
+  for (const test::Soup& soup :
+       {test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, test::icosphere(4), test::torus(50, 24, 2.0, 0.8)}) {
+    const auto index = test::make_index(soup, 5, 4);
+    const IndexData& data = index->data();
+    ExactSolver solver(data.geometry);
+    test::ErrorCollector errors;
+    for (Index a : test::random_vertices(data.node_table.count, 30, 5)) {
+      solver.run_from_vertices(std::array{data.first.node_vertex[a]});
+      for (Index b = 0; b < data.node_table.count; ++b) {
+        errors.add(data.node_table.row(a)[b], solver.distance(data.first.node_vertex[b]));
+      }
+    }
+    EXPECT_EQ(errors.contradictions, 0U);
+    EXPECT_LT(errors.statistics().mean, 1e-3);
+    EXPECT_LT(errors.statistics().p99, 0.01);
+    EXPECT_GT(errors.statistics().least, -0.02);
+  }
+}
+
+TEST(NodeTable, OtherComponentsAreUnreachable) {
+  const auto index = test::make_index(test::two_components(test::icosphere(3), test::icosphere(3)), 6, 2);
+  const IndexData& data = index->data();
+  ASSERT_GT(data.node_table.count, 0);
+  auto component = [&](Index node) { return data.work.mesh->component(data.first.node_vertex[node]); };
+  for (Index a = 0; a < data.node_table.count; ++a) {
+    for (Index b = 0; b < data.node_table.count; ++b) {
+      EXPECT_EQ(data.node_table.row(a)[b] == std::numeric_limits<float>::infinity(),
+                component(a) != component(b));
+    }
+  }
+}
+
+TEST(NodeTable, TheSameWhateverTheThreads) {
+  const auto index = test::make_index(test::hills(30, 0.2), 4, 4);
+  const NodeTable one = make_node_table(index->data().first, 1, {});
+  EXPECT_EQ(make_node_table(index->data().first, 3, {}).distance, one.distance);
+  EXPECT_EQ(index->data().node_table.distance, one.distance);
+}
+
+TEST(NodeTable, FitsSmallMeshesAndNotTooManyNodes) {
+  EXPECT_TRUE(node_table_fits(0, 1));
+  EXPECT_TRUE(node_table_fits(500, 1000));
+  EXPECT_FALSE(node_table_fits(50000, 100000)) << "10 GB";
+  EXPECT_TRUE(node_table_fits(3000, 1000000));
+}
+
+TEST(NodeTable, RangesCoverTheBorderInItsOrder) {
+  const auto index = test::make_index(test::icosphere(4), 6, 3);
+  const PatchLayer& first = index->data().first;
+  for (Index p = 0; p < first.patch_count; ++p) {
+    std::vector<Index> nodes;
+    for (const NodeRange& range : node_ranges(first, p)) {
+      EXPECT_LT(range.begin, range.end);
+      for (Index node = range.begin; node < range.end; ++node) nodes.push_back(node);
+    }
+    EXPECT_EQ(nodes, std::vector<Index>(first.nodes(p).begin(), first.nodes(p).end()));
+  }
+}
+
+TEST(NodeTable, CanBeCancelled) {
+  const auto index = test::make_index(test::hills(24, 0.2), 4, 4);
+  EXPECT_THROW(
+      make_node_table(index->data().first, 1, Progress([](double, const std::string&) { return false; })),
+      Cancelled);
+}
+
+}  // namespace
+}  // namespace vorogeo
