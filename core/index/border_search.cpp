@@ -43,14 +43,15 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   const Index* nodes = layer_.border_node.data() + layer_.border_begin[patch];
   const NodeState& at = state_[nodes[row]];
   if (at.patch == patch) return sum;
-  const double beyond = layer_.row(patch, row)[column];
+  const float* line = layer_.line(patch, column);
+  const double beyond = line[row];
   double best = sum;
   std::array<BorderSample, 2> beside{};
   int known = 0;
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
     const NodeState& other = state_[nodes[next.row]];
     if (other.distance == unreachable || other.patch == patch || !one_wave(at, other)) continue;
-    const BorderSample sample{other.distance, layer_.row(patch, next.row)[column], next.length};
+    const BorderSample sample{other.distance, line[next.row], next.length};
     best =
         std::min(best, unfolded_distance(sample.length, at.distance, sample.source, beyond, sample.target));
     if (known < 2) beside[known] = sample;
@@ -77,7 +78,7 @@ void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_d
     const double distance = state.distance;
     for (const PatchRow& at : layer_.patches_of(entry.node)) {
       if (at.patch == state.patch || (!patch_allowed.empty() && !patch_allowed[at.patch])) continue;
-      const float* row = layer_.row(at.patch, at.row);
+      const float* row = layer_.line(at.patch, at.row);
       const auto nodes = layer_.nodes(at.patch);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const double through = distance + row[i];

@@ -89,9 +89,9 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                    own->solver.run_from_vertices(std::span(&source, 1), limits);
                    for (const PatchRow& at : layer.patches_of(node)) {
                      const auto members = layer.members(at.patch);
-                     float* row = layer.row(at.patch, at.row);
                      for (std::size_t i = 0; i < members.size(); ++i) {
-                       row[i] = static_cast<float>(own->solver.distance(members[i]));
+                       layer.line(at.patch, static_cast<Index>(i))[at.row] =
+                           static_cast<float>(own->solver.distance(members[i]));
                      }
                    }
                  }

@@ -53,9 +53,9 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                  own->search.run(own->allowed);
                  for (const PatchRow& at : patches) {
                    const auto members = first.members(at.patch);
-                   float* row = first.row(at.patch, at.row);
                    for (std::size_t i = 0; i < members.size(); ++i) {
-                     row[i] = static_cast<float>(own->search.distance(second.vertex_node[members[i]]));
+                     first.line(at.patch, static_cast<Index>(i))[at.row] =
+                         static_cast<float>(own->search.distance(second.vertex_node[members[i]]));
                    }
                  }
                });

@@ -125,10 +125,10 @@ void make_tables(PatchLayer& layer) {
 void make_symmetric(PatchLayer& layer) {
   for (Index p = 0; p < layer.patch_count; ++p) {
     for (Index i = 0; i < layer.border_size(p); ++i) {
-      layer.row(p, i)[i] = 0.0f;
+      layer.line(p, i)[i] = 0.0f;
       for (Index j = 0; j < i; ++j) {
-        float& forth = layer.row(p, i)[j];
-        float& back = layer.row(p, j)[i];
+        float& forth = layer.line(p, i)[j];
+        float& back = layer.line(p, j)[i];
         forth = back = std::min(forth, back);
       }
     }

@@ -58,11 +58,13 @@ struct PatchLayer {
     const Index slot = border_begin[patch] + row;
     return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
   }
-  const float* row(Index patch, Index row) const {
-    return table.data() + table_begin[patch] + static_cast<std::size_t>(row) * member_count(patch);
+  /// Distances of a member from the border nodes of its patch, by row. Those of a border node itself are also
+  /// its distances to the other border nodes.
+  const float* line(Index patch, Index column) const {
+    return table.data() + table_begin[patch] + static_cast<std::size_t>(column) * border_size(patch);
   }
-  float* row(Index patch, Index row) {
-    return table.data() + table_begin[patch] + static_cast<std::size_t>(row) * member_count(patch);
+  float* line(Index patch, Index column) {
+    return table.data() + table_begin[patch] + static_cast<std::size_t>(column) * border_size(patch);
   }
   std::size_t memory_bytes() const;
 };

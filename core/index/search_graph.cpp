@@ -25,7 +25,7 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   std::vector<KeptArc> kept;
   std::vector<KeptArc> candidates;
   for (Index i = 0; i < k; ++i) {
-    const float* row = layer.row(patch, i);
+    const float* row = layer.line(patch, i);
     for (Index j = i + 1; j < k; ++j) {
       if (row[j] < std::numeric_limits<float>::infinity()) candidates.push_back({i, j, row[j]});
     }
@@ -37,8 +37,8 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   if (delta == 0.0) {
     // Nothing may be lost: only arcs that two others replace to the last bit.
     for (const KeptArc& arc : candidates) {
-      const float* from_a = layer.row(patch, arc.a);
-      const float* from_b = layer.row(patch, arc.b);
+      const float* from_a = layer.line(patch, arc.a);
+      const float* from_b = layer.line(patch, arc.b);
       bool dominated = false;
       for (Index c = 0; c < k && !dominated; ++c) {
         // Both shorter than the arc, else two arcs that differ by less than a digit would replace each other.

@@ -17,7 +17,7 @@ namespace {
 /// with the square root of this number, the size of the tables likewise.
 constexpr double second_layer_vertices = 350.0;
 /// Second-layer patches in a first-layer patch.
-constexpr double patches_per_parent = 12.0;
+constexpr double patches_per_parent = 24.0;
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
 

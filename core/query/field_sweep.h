@@ -16,8 +16,7 @@ class FieldSweep {
   std::span<const double> sweep(const PatchLayer& layer, const BorderSearch& search, Index patch);
 
  private:
-  std::vector<float> least_;
-  std::vector<Index> row_;
+  std::vector<float> base_;
   std::vector<double> result_;
 };
 

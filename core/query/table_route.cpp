@@ -2,19 +2,11 @@
 #include "query/table_route.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "support/min_plus.h"
 
 namespace vorogeo {
-
-namespace {
-
-/// Least a[i] + b[i]. A loop over consecutive memory, which the compiler turns into vector instructions.
-float least_sum(const float* a, const float* b, std::size_t count) {
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < count; ++i) least = std::min(least, a[i] + b[i]);
-  return least;
-}
-
-}  // namespace
 
 TableRouter::TableRouter(const IndexData& data) : data_(data) {
   if (data.node_table.count == 0) return;
@@ -34,13 +26,8 @@ void TableRouter::approach(const RouteEnd& end, Index parent, Approach& result) 
       if (data_.partition.parent[at.patch] != parent) continue;
       const Index column = data_.parent_column[second.border_begin[at.patch] + at.row];
       const auto base = static_cast<float>(distance);
-      for (Index row = 0; row < rows; ++row) {
-        const float through = base + data_.first.row(parent, row)[column];
-        if (through < result.distance[row]) {
-          result.distance[row] = through;
-          result.start[row] = static_cast<Index>(s);
-        }
-      }
+      lower_by_line(data_.first.line(parent, column), base, static_cast<Index>(s), rows,
+                    result.distance.data(), result.start.data());
       break;
     }
   }
@@ -61,7 +48,7 @@ GraphRoute TableRouter::route(const RouteEnd& source, const RouteEnd& target) {
         const float* row = data_.node_table.row(source_nodes[r]);
         std::size_t column = 0;
         for (const NodeRange& range : ranges_[target_parent]) {
-          const auto count = static_cast<std::size_t>(range.end - range.begin);
+          const Index count = range.end - range.begin;
           const float sum =
               from_.distance[r] + least_sum(row + range.begin, to_.distance.data() + column, count);
           column += count;

@@ -28,7 +28,7 @@ std::vector<double> plain_sums(const PatchLayer& layer, Index start,
     for (const PatchRow& at : layer.patches_of(node)) {
       if (!allowed.empty() && !allowed[at.patch]) continue;
       for (Index i = 0; i < layer.border_size(at.patch); ++i) {
-        const double through = key + layer.row(at.patch, at.row)[i];
+        const double through = key + layer.line(at.patch, i)[at.row];
         const Index other = layer.nodes(at.patch)[i];
         if (through >= distance[other]) continue;
         distance[other] = through;
@@ -191,7 +191,7 @@ TEST(BorderSearch, AcrossImprovesASum) {
       Index best_row = 0;
       double best = unreachable;
       for (Index row = 0; row < layer.border_size(p); ++row) {
-        const double sum = search.distance(layer.nodes(p)[row]) + layer.row(p, row)[column];
+        const double sum = search.distance(layer.nodes(p)[row]) + layer.line(p, column)[row];
         if (sum >= best) continue;
         best = sum;
         best_row = row;

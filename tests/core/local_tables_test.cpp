@@ -69,7 +69,7 @@ test::ErrorCollector table_errors(const IndexData& data) {
     for (const PatchRow& at : data.second.patches_of(node)) {
       const auto members = data.second.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
-        errors.add(data.second.row(at.patch, at.row)[i], solver.distance(members[i]));
+        errors.add(data.second.line(at.patch, i)[at.row], solver.distance(members[i]));
       }
     }
   }

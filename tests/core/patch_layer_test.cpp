@@ -131,7 +131,7 @@ TEST(PatchLayer, TablesBecomeSymmetricByTheSmallerValue) {
   for (float value : layer.table) EXPECT_EQ(value, std::numeric_limits<float>::infinity());
   for (Index p = 0; p < 3; ++p) {
     for (Index i = 0; i < layer.border_size(p); ++i) {
-      for (Index j = 0; j < layer.member_count(p); ++j) layer.row(p, i)[j] = static_cast<float>(100 * i + j);
+      for (Index j = 0; j < layer.member_count(p); ++j) layer.line(p, j)[i] = static_cast<float>(100 * i + j);
     }
   }
   make_symmetric(layer);
@@ -141,7 +141,7 @@ TEST(PatchLayer, TablesBecomeSymmetricByTheSmallerValue) {
         const Index expected = i == j                     ? 0
                                : j < layer.border_size(p) ? std::min(100 * i + j, 100 * j + i)
                                                           : 100 * i + j;
-        EXPECT_EQ(layer.row(p, i)[j], static_cast<float>(expected));
+        EXPECT_EQ(layer.line(p, j)[i], static_cast<float>(expected));
       }
     }
   }

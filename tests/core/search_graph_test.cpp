@@ -38,7 +38,7 @@ SearchGraph complete_graph(const IndexData& data) {
       for (Index i = 0; i < layer.border_size(p); ++i) {
         for (Index j = 0; j < layer.border_size(p); ++j) {
           if (i == j) continue;
-          arcs[node(p, i)].push_back({node(p, j), layer.row(p, i)[j], first_layer ? -1 - p : p});
+          arcs[node(p, i)].push_back({node(p, j), layer.line(p, j)[i], first_layer ? -1 - p : p});
         }
       }
     }
@@ -149,7 +149,7 @@ TEST(SearchGraph, ArcsAreTableEntriesStoredAtBothEndsOnce) {
         };
         ASSERT_NE(row_of(node), no_index);
         ASSERT_NE(row_of(arc.target), no_index);
-        EXPECT_EQ(arc.length, layer.row(arc.patch_index(), row_of(node))[row_of(arc.target)]);
+        EXPECT_EQ(arc.length, layer.line(arc.patch_index(), row_of(node))[row_of(arc.target)]);
       }
     }
     for (const auto& [arc, length] : found) {
