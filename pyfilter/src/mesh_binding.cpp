@@ -14,7 +14,7 @@ namespace {
 
 DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const IdArray& sources,
                                  double max_distance) {
-  ProgressBridge bridge(nb::none());
+  ProgressBridge bridge{nb::none()};
   auto values = bridge.run([&](const Progress& progress) {
     const auto mesh = mesh_of(vertices, faces);
     ExactSolver solver(mesh);
