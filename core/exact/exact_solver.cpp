@@ -47,11 +47,16 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     }
     checked.push_back({validated(state.mesh, source.point), source.offset});
   }
+  if (limits.corridor_target != no_index) {
+    validated(state.mesh, SurfacePoint::at_vertex(limits.corridor_target));
+  }
   for (Index target : limits.targets) validated(state.mesh, SurfacePoint::at_vertex(target));
   state.reset();
   state.sources = std::move(checked);
   state.face_allowed = limits.face_allowed;
   state.max_distance = limits.max_distance;
+  state.corridor_target = limits.corridor_target;
+  state.settled_distance = unreachable;
   for (std::size_t i = 0; i < state.sources.size(); ++i)
     state.start_at(state.sources[i], static_cast<Index>(i));
 
@@ -63,7 +68,10 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
       const double bound = state.queue.lower_bound();
       while (settled < limits.targets.size() && state.vertices[limits.targets[settled]].distance <= bound)
         ++settled;
-      if (settled == limits.targets.size()) break;
+      if (settled == limits.targets.size()) {
+        state.settled_distance = bound;
+        break;
+      }
     }
     if (limits.progress != nullptr && ++items % items_per_report == 0) {
       limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
@@ -104,6 +112,10 @@ double ExactSolver::distance(Index vertex) const {
 
 Index ExactSolver::nearest_source(Index vertex) const {
   return distance(vertex) == unreachable ? no_index : state_->vertices[vertex].source;
+}
+
+double ExactSolver::settled_distance() const {
+  return std::min(state_->settled_distance, state_->max_distance);
 }
 
 std::size_t ExactSolver::window_count() const { return state_->envelope.made(); }

@@ -26,6 +26,10 @@ struct ExactLimits {
   /// If not empty: stop as soon as the distances of these vertices are final; the others are then upper
   /// bounds.
   std::span<const Index> targets{};
+  /// If set, with a max_distance that is known to be an upper bound of this vertex's distance: only what can
+  /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this
+  /// vertex's distance is then meant to be read.
+  Index corridor_target = no_index;
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
   /// If set: told the fraction of vertices reached, from the calling thread; may cancel the run.
@@ -68,6 +72,9 @@ class ExactSolver {
   Index nearest_source(Index vertex) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   SurfacePath path_to_source(const SurfacePoint& target) const;
+
+  /// Distances up to this one are final (all of them after a run that no targets ended).
+  double settled_distance() const;
 
   /// Windows made in the last run, for measurements.
   std::size_t window_count() const;

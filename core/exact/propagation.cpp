@@ -66,6 +66,7 @@ struct Side {
 
 void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
                                       Index along_edge_from) {
+  if (!in_corridor(distance, mesh.position(vertex), 0.0)) return;
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
   state = {distance, arrival, source, along_edge_from};
@@ -97,6 +98,12 @@ void ExactSolver::State::add_window(Index edge, Window window) {
     at_end = window.distance(window.end);
   }
   if (!(window.end > window.begin)) return;
+  if (corridor_target != no_index) {
+    const Point& p = mesh.position(a);
+    const Point& q = mesh.position(b);
+    const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
+    if (!in_corridor(window.least_distance(), middle, 0.5 * length)) return;
+  }
   const double least = envelope.insert(edge, window, at_begin, at_end);
   if (least <= max_distance) queue.push(mesh.vertex_count() + edge, least);
 }

@@ -1,6 +1,7 @@
 // The memory of an exact solver: what a run leaves behind and what evaluation and path tracing read.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -38,6 +39,14 @@ struct ExactSolver::State {
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
   void add_window(Index edge, Window window);
 
+  /// Whether a path of this length to within `radius` of a point can be part of one to the corridor's target.
+  bool in_corridor(double length, const Point& point, double radius) const {
+    if (corridor_target == no_index) return true;
+    const Point& target = mesh.position(corridor_target);
+    const double straight =
+        std::hypot(point[0] - target[0], point[1] - target[1], point[2] - target[2]) - radius;
+    return length + straight <= max_distance * (1.0 + 1e-9);
+  }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
   /// Sources that lie in a face or on one of its edges.
   std::vector<Index> sources_in(Index face) const;
@@ -48,6 +57,8 @@ struct ExactSolver::State {
   std::unordered_multimap<Index, Index> face_sources;
   std::span<const std::uint8_t> face_allowed;
   double max_distance = unreachable;
+  Index corridor_target = no_index;
+  double settled_distance = 0.0;
 
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;

@@ -29,7 +29,7 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
     add(word);
   }
   std::uint64_t last = 0;
-  std::memcpy(&last, bytes.data() + i, bytes.size() - i);
+  if (i < bytes.size()) std::memcpy(&last, bytes.data() + i, bytes.size() - i);
   add(last);
   return sum ^ (sum >> 32);
 }

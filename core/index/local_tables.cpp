@@ -9,20 +9,13 @@
 
 namespace vorogeo {
 
-namespace {
-
-/// Faces of patches and rim together, relative to those of the patches alone.
-constexpr double halo_growth = 1.5;
-
-}  // namespace
-
 Halo::Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count)
     : mesh_(mesh), face_begin_(patch_count + 1, 0), mask_(mesh.face_count(), 0) {
   for (Index patch : label) ++face_begin_[patch + 1];
   for (Index p = 0; p < patch_count; ++p) face_begin_[p + 1] += face_begin_[p];
 }
 
-void Halo::surround(std::span<const Index> patches) {
+void Halo::surround(std::span<const Index> patches, double growth) {
   for (Index f : faces_) mask_[f] = 0;
   faces_.clear();
   for (Index p : patches) {
@@ -32,7 +25,7 @@ void Halo::surround(std::span<const Index> patches) {
     }
   }
   // Ring by ring: all faces that share a vertex with the last ring.
-  const auto wanted = static_cast<std::size_t>(halo_growth * static_cast<double>(faces_.size()));
+  const auto wanted = static_cast<std::size_t>(growth * static_cast<double>(faces_.size()));
   std::size_t ring = 0;
   while (ring < faces_.size() && faces_.size() < wanted) {
     const std::size_t end = faces_.size();

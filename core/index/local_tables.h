@@ -17,8 +17,12 @@ class Halo {
   /// `label`: patch of each face, ascending, so that the faces of a patch are consecutive.
   Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count);
 
+  /// Faces of patches and rim together, relative to those of the patches alone: enough for paths between
+  /// points of the patches.
+  static constexpr double default_growth = 1.5;
+
   /// Marks the patches and a rim around them; earlier marks are taken back. Complexity: O(faces marked).
-  void surround(std::span<const Index> patches);
+  void surround(std::span<const Index> patches, double growth = default_growth);
   /// 1 for the marked faces. Shape (faces).
   std::span<const std::uint8_t> mask() const { return mask_; }
   /// The marked faces.

@@ -24,6 +24,10 @@ namespace {
 /// more than the unfolding can err: then the distance over the border is below this part of it.
 constexpr double shorter_outside = 0.99;
 
+/// Growth of the halo for the near field: over a border close to the source, the largest errors would lie in
+/// the next patch.
+constexpr double near_field_growth = 3.0;
+
 }  // namespace
 
 struct GeodesicQuery::State {
@@ -54,8 +58,9 @@ struct GeodesicQuery::State {
     for (const PatchRow& at : data.second.patches_of(node)) patches.push_back(at.patch);
     return patches;
   }
+  std::vector<Index> patches_if_near(Index source, Index target) const;
   GraphRoute route(const RouteEnd& from, const RouteEnd& to);
-  double distance_nearby(Index source, Index target, const std::vector<Index>& shared, double upper_bound);
+  double distance_nearby(Index source, Index target, const std::vector<Index>& patches, double upper_bound);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -77,6 +82,31 @@ GeodesicQuery& GeodesicQuery::operator=(GeodesicQuery&&) noexcept = default;
 
 const GeodesicIndex& GeodesicQuery::index() const { return *state_->index; }
 
+/// The patches of both vertices if one of the source's is or touches one of the target's; empty if none does.
+std::vector<Index> GeodesicQuery::State::patches_if_near(Index source, Index target) const {
+  auto patches = patches_of(source);
+  const auto of_target = patches_of(target);
+  auto is_target_patch = [&](Index p) {
+    return std::find(of_target.begin(), of_target.end(), p) != of_target.end();
+  };
+  auto touches = [&](Index p) {
+    const auto nodes = data.second.nodes(p);
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
+      const auto at_node = data.second.patches_of(node);
+      return std::any_of(at_node.begin(), at_node.end(),
+                         [&](const PatchRow& at) { return is_target_patch(at.patch); });
+    });
+  };
+  if (std::none_of(patches.begin(), patches.end(),
+                   [&](Index p) { return is_target_patch(p) || touches(p); })) {
+    return {};
+  }
+  for (Index p : of_target) {
+    if (std::find(patches.begin(), patches.end(), p) == patches.end()) patches.push_back(p);
+  }
+  return patches;
+}
+
 GraphRoute GeodesicQuery::State::route(const RouteEnd& from, const RouteEnd& to) {
   if (data.node_table.count == 0) return graph_router.route(from, to);
   GraphRoute best = table_router.route(from, to);
@@ -90,12 +120,13 @@ GraphRoute GeodesicQuery::State::route(const RouteEnd& from, const RouteEnd& to)
   return best;
 }
 
-double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& shared,
+double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& patches,
                                              double upper_bound) {
-  halo.surround(shared);
+  halo.surround(patches);
   ExactLimits limits;
   limits.face_allowed = halo.mask();
   limits.targets = std::span(&target, 1);
+  limits.corridor_target = target;
   // The bound is a sum of table entries, rounded to single precision.
   limits.max_distance = upper_bound * (1.0 + 1e-6);
   solver.run_from_vertices(std::span(&source, 1), limits);
@@ -116,13 +147,8 @@ double GeodesicQuery::distance(Index source, Index target) {
   const RouteEnd from = route_end(data, s);
   const RouteEnd to = route_end(data, t);
   const GraphRoute route = state.route(from, to);
-  std::vector<Index> shared;
-  const auto target_patches = state.patches_of(t);
-  for (Index p : state.patches_of(s)) {
-    if (std::find(target_patches.begin(), target_patches.end(), p) != target_patches.end())
-      shared.push_back(p);
-  }
-  if (!shared.empty()) return state.distance_nearby(s, t, shared, route.length);
+  const auto near = state.patches_if_near(s, t);
+  if (!near.empty()) return state.distance_nearby(s, t, near, route.length);
   if (route.length == unreachable) return unreachable;
   return std::min(route.length, unfolded_length(data, route, s, t));
 }
@@ -153,8 +179,8 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   }
   if (starts.empty()) return field;
 
-  // Near field: exact in the patches of the sources.
-  state.halo.surround(near);
+  // Near field: exact in the patches of the sources, and as far beyond as their halo reaches.
+  state.halo.surround(near, near_field_growth);
   std::vector<Index> targets;
   for (Index p : near)
     targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
@@ -165,9 +191,10 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   state.solver.run_from_vertices(starts, limits);
 
   state.search.start();
-  for (Index p : near) {
-    for (Index node : data.second.nodes(p)) {
-      state.search.add(node, state.solver.distance(data.second.node_vertex[node]));
+  for (Index face : state.halo.faces()) {
+    for (Index v : data.work.mesh->face_vertices(face)) {
+      const Index node = data.second.vertex_node[v];
+      if (node != no_index) state.search.add(node, state.solver.distance(v));
     }
   }
   state.search.run({}, max_distance);
@@ -180,11 +207,9 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
       const Index user = data.work.user_vertex[members[i]];
       // A border node belongs to several patches: the first of them writes it.
       if (user == no_index || data.home_patch[members[i]] != p) continue;
-      double distance = found[i];
-      if (state.is_near[p]) {
-        const double exact = state.solver.distance(members[i]);
-        if (!(distance < shorter_outside * exact)) distance = exact;
-      }
+      const double exact = state.solver.distance(members[i]);
+      const bool inside = state.is_near[p] && !(found[i] < shorter_outside * exact);
+      const double distance = inside ? exact : std::min(exact, found[i]);
       field[user] = distance <= max_distance ? distance : unreachable;
     }
   });
