@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "index/index_data.h"
@@ -11,6 +12,24 @@
 #include "support/error.h"
 
 namespace vorogeo {
+
+namespace {
+
+/// Tables hold single precision: distances across the mesh have to stay far from its ends.
+constexpr double least_mean_edge = 1e-28;
+constexpr double greatest_edge = 1e28;
+
+void require_ordinary_size(const Mesh& mesh) {
+  if (mesh.longest_edge_length() == 0.0) return;
+  if (mesh.longest_edge_length() <= greatest_edge && mesh.mean_edge_length() >= least_mean_edge) return;
+  std::ostringstream message;
+  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
+          << mesh.longest_edge_length() << "; an index takes lengths between " << least_mean_edge << " and "
+          << greatest_edge << ": scale the mesh.";
+  throw InvalidInput(message.str());
+}
+
+}  // namespace
 
 void IndexData::lay_out() {
   work = make_work_mesh(*mesh, partition);
@@ -79,6 +98,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
     throw InvalidInput("delta is " + std::to_string(options.delta) +
                        "; it must be at least 0 (nothing lost) and below 1.");
   }
+  require_ordinary_size(*mesh);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
   data->fingerprint = fingerprint_of(*data->mesh);

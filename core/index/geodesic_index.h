@@ -50,7 +50,8 @@ struct IndexData;
 /// Two layers of geodesic Voronoi patches with local exact tables and the graph between them.
 class GeodesicIndex {
  public:
-  /// Builds the index of a mesh. \throw InvalidInput (no face, delta or patch counts out of range),
+  /// Builds the index of a mesh. \throw InvalidInput (no face, delta or patch counts out of range,
+  /// edges longer than 1e28 or shorter than 1e-28 in the mean),
   /// Cancelled.
   static std::shared_ptr<const GeodesicIndex> build(std::shared_ptr<const Mesh> mesh,
                                                     const IndexOptions& options = {},

@@ -123,6 +123,18 @@ TEST(GeodesicIndex, Refusals) {
   }
   options = {};
   EXPECT_EQ(refusal({}, options), "The mesh has no face; geodesic distances need a surface.");
+  Soup huge = test::icosphere(0);
+  for (Point& p : huge.positions) {
+    for (double& x : p) x *= 1e40;
+  }
+  const std::string range = "; an index takes lengths between 1e-28 and 1e+28: scale the mesh.";
+  EXPECT_EQ(refusal(huge, options),
+            "The mesh has a mean edge length of 1.05146e+40 and a longest edge of 1.05146e+40" + range);
+  for (Point& p : huge.positions) {
+    for (double& x : p) x *= 1e-80;
+  }
+  EXPECT_EQ(refusal(huge, options),
+            "The mesh has a mean edge length of 1.05146e-40 and a longest edge of 1.05146e-40" + range);
   options.first_layer_patches = -3;
   EXPECT_EQ(refusal(test::icosphere(0), options),
             "Number of patches -3 is not between 0 (automatic) and 20, the number of faces.");
