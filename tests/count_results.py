@@ -1,0 +1,97 @@
+"""Counts the results of a test run: JUnit files and the list of checks in a folder, as tests/run.sh leaves them.
+
+Prints what failed and what was skipped, and at last the line "N passed, N failed". Exit status 1 if anything failed.
+"""
+
+from __future__ import annotations
+
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from itertools import pairwise
+from pathlib import Path
+from typing import NamedTuple
+
+
+class Result(NamedTuple):
+    """One test: where it ran, its name, whether it passed, failed or was skipped, and why."""
+
+    suite: str
+    name: str
+    outcome: str
+    reason: str
+
+
+def first_line(text: str | None) -> str:
+    """Return the first line of a text that says something."""
+    return next((line.strip() for line in (text or "").splitlines() if line.strip()), "")
+
+
+def skip_reason(case: ElementTree.Element, skipped: ElementTree.Element) -> str:
+    """Return why a test was skipped: pytest gives a message, ctest only the output of the test."""
+    lines = (case.findtext("system-out") or "").splitlines()
+    after = [after for line, after in pairwise(lines) if line.rstrip().endswith("Skipped")]
+    return after[0].strip() if after else first_line(skipped.get("message") or skipped.text)
+
+
+def junit_results(file: Path) -> list[Result]:
+    """Read the results of one JUnit file of pytest or ctest."""
+    results = []
+    for case in ElementTree.parse(file).iter("testcase"):
+        name = "::".join(
+            filter(None, [case.get("classname") if "::" not in case.get("name", "") else "", case.get("name")])
+        )
+        broken = case.find("failure")
+        if broken is None:
+            broken = case.find("error")
+        skipped = case.find("skipped")
+        if broken is not None or case.get("status") == "fail":
+            reason = first_line(broken.get("message") if broken is not None else "")
+            results.append(Result(file.stem, name, "failed", reason))
+        elif skipped is not None or case.get("status") in ("disabled", "notrun"):
+            reason = skip_reason(case, skipped) if skipped is not None else "disabled"
+            results.append(Result(file.stem, name, "skipped", reason))
+        else:
+            results.append(Result(file.stem, name, "passed", ""))
+    return results
+
+
+def check_results(file: Path) -> list[Result]:
+    """Read the list of checks."""
+    outcomes = {"pass": "passed", "fail": "failed", "skip": "skipped"}
+    lines = (line.partition(" ") for line in file.read_text().splitlines())
+    return [Result("checks", name, outcomes[word], "") for word, _, name in lines]
+
+
+def all_results(folder: Path) -> list[Result]:
+    """Read everything in a folder; a file that cannot be read is a failure of its own."""
+    results = check_results(folder / "checks.txt")
+    for file in sorted(folder.glob("*.xml")):
+        try:
+            found = junit_results(file)
+        except ElementTree.ParseError as error:
+            found = [Result(file.stem, "results", "failed", str(error))]
+        results += found or [Result(file.stem, "results", "failed", "no test ran")]
+    return results
+
+
+def main() -> int:
+    """Print the summary of the folder named on the command line."""
+    results = all_results(Path(sys.argv[1]))
+    for outcome in ("skipped", "failed"):
+        chosen = [result for result in results if result.outcome == outcome]
+        if chosen:
+            print(f"\n{outcome.capitalize()}:")
+        for result in chosen:
+            print(f"  {result.suite}: {result.name}" + (f" - {result.reason[:160]}" if result.reason else ""))
+    print("\nPassed, failed, skipped:")
+    for suite in dict.fromkeys(result.suite for result in results):
+        count = Counter(result.outcome for result in results if result.suite == suite)
+        print(f"  {suite}: {count['passed']}, {count['failed']}, {count['skipped']}")
+    total = Counter(result.outcome for result in results)
+    print(f"\n{total['passed']} passed, {total['failed']} failed")
+    return 1 if total["failed"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
+#
+# Usage: tests/run.sh [--quick]
+#   --quick: without the sanitizer build and the fuzzers.
+# Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
+# build/test-results. VOROGEO_FUZZ_SECONDS: how long each fuzzer runs (default 20).
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+exec </dev/null
+
+quick=no
+for argument in "$@"; do
+  case "$argument" in
+    --quick) quick=yes ;;
+    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick]" >&2; exit 2 ;;
+  esac
+done
+
+jobs="${VOROGEO_JOBS:-$(nproc)}"
+fuzz_seconds="${VOROGEO_FUZZ_SECONDS:-20}"
+results=build/test-results
+rm -rf "$results"
+mkdir -p "$results"
+checks="$results/checks.txt"  # one line per check that is no test framework's: pass|fail|skip NAME
+: >"$checks"
+say() { printf '[%4ds] %s\n' "$SECONDS" "$*"; }
+
+# Runs a command as one check with a log; the end of the log is shown if it fails.
+# Usage: check NAME COMMAND...
+check() {
+  local name="$1" log
+  log="$results/$(tr -c 'a-z0-9\n' '_' <<<"${1,,}").log"
+  shift
+  say "$name"
+  if "$@" >"$log" 2>&1; then
+    echo "pass $name" >>"$checks"
+  else
+    echo "fail $name (log: $log)" >>"$checks"
+    tail -n 25 "$log"
+    return 1
+  fi
+}
+
+# A test run that reports by itself into a JUnit file; that it wrote one is part of the check.
+# Usage: suite NAME COMMAND...
+suite() {
+  local name="$1"
+  shift
+  say "$name"
+  "$@" >"$results/$name.log" 2>&1
+  local status=$?
+  if [ ! -s "$results/$name.xml" ]; then
+    echo "fail $name wrote no results (exit $status, log: $results/$name.log)" >>"$checks"
+    tail -n 25 "$results/$name.log"
+  fi
+}
+
+# Usage: build PRESET [CMAKE OPTIONS]
+build() {
+  local preset="$1"
+  shift
+  cmake --preset "$preset" "$@" && cmake --build --preset "$preset" --parallel "$jobs"
+}
+
+# Usage: run_ctest PRESET
+run_ctest() {
+  ctest --test-dir "build/$1" -j "$jobs" --timeout 300 --output-on-failure --output-junit "$PWD/$results/cpp-$1.xml"
+}
+
+# Usage: run_pytest NAME PYTHON FOLDERS...
+run_pytest() {
+  local name="$1" python="$2"
+  shift 2
+  env -u VOROGEO_PLUGIN_BUILD "$python" -m pytest -q -rs -p no:cacheprovider \
+    --junitxml="$results/$name.xml" "$@"
+}
+
+cpp_sources() { git ls-files -z --cached --others --exclude-standard '*.cpp' '*.h'; }
+check_cpp_format() { cpp_sources | xargs -0 clang-format --dry-run -Werror; }
+python_sources() { git ls-files -z --cached --others --exclude-standard '*.py' '*.pyi'; }
+check_python_format() { python_sources | xargs -0 .venv/bin/ruff format --check; }
+
+# Ends the run: the summary, and a status that says whether anything failed.
+finish() {
+  say "done"
+  if ! command -v python3 >/dev/null; then
+    cat "$checks"
+    echo "0 passed, 1 failed"
+    exit 1
+  fi
+  python3 tests/count_results.py "$results"
+  exit $?
+}
+
+if ! bash samples/setup.sh --tests; then
+  echo "fail set-up (samples/setup.sh --tests)" >>"$checks"
+  finish
+fi
+
+check "format of C++" check_cpp_format
+check "format of Python" check_python_format
+check "rules for Python (ruff)" .venv/bin/ruff check .
+check "types of Python (mypy)" env -C pyfilter ../.venv/bin/mypy vorogeo
+
+# The adapter is tested on a real VCG mesh where set-up has obtained the host's headers.
+vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
+if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
+  suite cpp-release run_ctest release
+fi
+
+# The plugin tests with the older PyMeshLab run here by themselves, not once more from within the newer one.
+suite python-2025 run_pytest python-2025 .venv/bin/python tests/plugin tests/python \
+  --ignore=tests/plugin/test_older_pymeshlab.py &
+suite python-2022 run_pytest python-2022 build/venv-2022/bin/python tests/plugin tests/python \
+  --ignore=tests/plugin/test_older_pymeshlab.py
+wait
+
+if [ "$quick" = no ]; then
+  if check "build of the C++ tests with sanitizers" build sanitize; then
+    suite cpp-sanitize run_ctest sanitize
+    check "fuzz index files" timeout $((fuzz_seconds + 120)) build/sanitize/tests/index_file_fuzz "$fuzz_seconds" &
+    check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/sanitize/tests/mesh_fuzz "$fuzz_seconds"
+    wait
+  fi
+else
+  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes"; do
+    echo "skip $left_out: --quick" >>"$checks"
+  done
+fi
+finish
