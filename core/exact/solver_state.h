@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "exact/bucket_queue.h"
+#include "support/bucket_queue.h"
 #include "exact/envelope.h"
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"

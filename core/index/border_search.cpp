@@ -5,24 +5,36 @@
 #include <array>
 
 #include "index/unfolding.h"
+#include "support/min_plus.h"
 
 namespace vorogeo {
 
-BorderSearch::BorderSearch(const PatchLayer& layer) : layer_(layer), state_(layer.node_count()) {}
+BorderSearch::BorderSearch(const PatchLayer& layer)
+    : layer_(layer), distance_(layer.node_count(), unreachable), state_(layer.node_count()) {
+  ranges_.reserve(layer.patch_count);
+  for (Index p = 0; p < layer.patch_count; ++p) ranges_.push_back(node_ranges(layer, p));
+  double total = 0.0;
+  for (const BorderNeighbour& next : layer.neighbour) total += next.length;
+  bucket_width_ = layer.neighbour.empty() ? 0.0 : 0.5 * total / static_cast<double>(layer.neighbour.size());
+  queue_.resize(layer.node_count());
+  queue_.start(bucket_width_);
+}
 
 void BorderSearch::start() {
-  for (Index node : touched_) state_[node] = {};
+  for (Index node : touched_) {
+    distance_[node] = unreachable;
+    state_[node] = {};
+  }
   touched_.clear();
-  heap_.clear();
+  queue_.start(bucket_width_);
 }
 
 void BorderSearch::lower(Index node, double distance, Index patch, Index row) {
-  NodeState& state = state_[node];
-  if (distance >= state.distance) return;
-  if (state.distance == unreachable) touched_.push_back(node);
-  state = {distance, patch, row, false};
-  heap_.push_back({distance, node});
-  std::push_heap(heap_.begin(), heap_.end());
+  if (distance >= distance_[node]) return;
+  if (distance_[node] == unreachable) touched_.push_back(node);
+  distance_[node] = distance;
+  state_[node] = {patch, row};
+  queue_.push(node, distance);
 }
 
 void BorderSearch::add(Index node, double distance) { lower(node, distance, no_index, no_index); }
@@ -43,6 +55,7 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   const Index* nodes = layer_.border_node.data() + layer_.border_begin[patch];
   const NodeState& at = state_[nodes[row]];
   if (at.patch == patch) return sum;
+  const double source = distance_[nodes[row]];
   const float* line = layer_.line(patch, column);
   const double beyond = line[row];
   double best = sum;
@@ -50,39 +63,38 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   int known = 0;
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
     const NodeState& other = state_[nodes[next.row]];
-    if (other.distance == unreachable || other.patch == patch || !one_wave(at, other)) continue;
-    const BorderSample sample{other.distance, line[next.row], next.length};
-    best =
-        std::min(best, unfolded_distance(sample.length, at.distance, sample.source, beyond, sample.target));
+    const double other_source = distance_[nodes[next.row]];
+    if (other_source == unreachable || other.patch == patch || !one_wave(at, other)) continue;
+    const BorderSample sample{other_source, line[next.row], next.length};
+    best = std::min(best, unfolded_distance(sample.length, source, sample.source, beyond, sample.target));
     if (known < 2) beside[known] = sample;
     ++known;
   }
-  if (known == 2) best = std::min(best, parabola_distance(at.distance, beyond, beside[0], beside[1]));
+  if (known == 2) best = std::min(best, parabola_distance(source, beyond, beside[0], beside[1]));
   return best;
 }
 
 void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_distance) {
-  while (!heap_.empty()) {
-    const Entry entry = heap_.front();
-    std::pop_heap(heap_.begin(), heap_.end());
-    heap_.pop_back();
-    NodeState& state = state_[entry.node];
-    if (state.settled || entry.key > state.distance) continue;
-    if (entry.key > max_distance) break;
-    state.settled = true;
+  for (Index node = queue_.pop(); node != no_index; node = queue_.pop()) {
+    const NodeState state = state_[node];
+    double& distance = distance_[node];
+    if (distance > max_distance) continue;
     if (state.patch != no_index) {
-      for (const PatchRow& at : layer_.patches_of(entry.node)) {
-        if (at.patch == state.patch) state.distance = across(state.patch, state.row, at.row, state.distance);
+      for (const PatchRow& at : layer_.patches_of(node)) {
+        if (at.patch == state.patch) distance = across(state.patch, state.row, at.row, distance);
       }
     }
-    const double distance = state.distance;
-    for (const PatchRow& at : layer_.patches_of(entry.node)) {
+    for (const PatchRow& at : layer_.patches_of(node)) {
       if (at.patch == state.patch || (!patch_allowed.empty() && !patch_allowed[at.patch])) continue;
-      const float* row = layer_.line(at.patch, at.row);
-      const auto nodes = layer_.nodes(at.patch);
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double through = distance + row[i];
-        if (through < state_[nodes[i]].distance) lower(nodes[i], through, at.patch, at.row);
+      const float* line = layer_.line(at.patch, at.row);
+      for (const NodeRange& range : ranges_[at.patch]) {
+        const Index count = range.end - range.begin;
+        const double* reached = distance_.data() + range.begin;
+        for (Index i = first_lower(line, distance, reached, 0, count); i < count;
+             i = first_lower(line, distance, reached, i + 1, count)) {
+          lower(range.begin + i, distance + line[i], at.patch, at.row);
+        }
+        line += count;
       }
     }
   }

@@ -6,9 +6,14 @@
 #include <vector>
 
 #include "index/patch_layer.h"
+#include "support/bucket_queue.h"
 
 namespace vorogeo {
 
+/// Nodes are taken in buckets of distance about as wide as half a border edge. Arcs are longer than that but
+/// for a few, so nearly every node is taken once, with its final distance; a node that is lowered later is
+/// taken again.
+///
 /// One search at a time over the nodes of a layer; starts anew in time of the nodes touched. The layer must
 /// outlive it. One object belongs to one thread.
 class BorderSearch {
@@ -22,7 +27,7 @@ class BorderSearch {
   /// Settles all nodes within max_distance over the patches p with patch_allowed[p] != 0 (empty: all).
   void run(std::span<const std::uint8_t> patch_allowed = {}, double max_distance = unreachable);
 
-  double distance(Index node) const { return state_[node].distance; }
+  double distance(Index node) const { return distance_[node]; }
 
   /// Distance of a member (column) of a patch through its border, the least sum given as the row of the
   /// crossing: improved by unfolding the border edges at that row where their distances belong to one wave.
@@ -32,24 +37,19 @@ class BorderSearch {
 
  private:
   struct NodeState {
-    double distance = unreachable;
     Index patch = no_index;  ///< the patch through which it was reached; no_index: a start
     Index row = no_index;    ///< the row of the node before it
-    bool settled = false;
   };
-  struct Entry {
-    double key;
-    Index node;
-    bool operator<(const Entry& other) const { return key > other.key; }
-  };
-
   void lower(Index node, double distance, Index patch, Index row);
   bool one_wave(const NodeState& a, const NodeState& b) const;
 
   const PatchLayer& layer_;
+  std::vector<std::vector<NodeRange>> ranges_;  ///< nodes of each patch
+  std::vector<double> distance_;
   std::vector<NodeState> state_;
   std::vector<Index> touched_;
-  std::vector<Entry> heap_;
+  BucketQueue queue_;
+  double bucket_width_ = 0.0;
 };
 
 }  // namespace vorogeo

@@ -17,18 +17,6 @@ constexpr double bytes_always = 4.0 * 1024 * 1024;
 
 }  // namespace
 
-std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch) {
-  std::vector<NodeRange> ranges;
-  for (Index node : layer.nodes(patch)) {
-    if (!ranges.empty() && ranges.back().end == node) {
-      ++ranges.back().end;
-    } else {
-      ranges.push_back({node, node + 1});
-    }
-  }
-  return ranges;
-}
-
 bool node_table_fits(Index nodes, Index vertices) {
   const double bytes = static_cast<double>(nodes) * nodes * sizeof(float);
   return bytes <= std::max(bytes_always, bytes_per_vertex * vertices);

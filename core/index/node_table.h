@@ -17,13 +17,6 @@ struct NodeTable {
   std::size_t memory_bytes() const { return distance.size() * sizeof(float); }
 };
 
-/// Nodes of a patch as ranges of consecutive node numbers: nodes between the same patches follow one another.
-struct NodeRange {
-  Index begin;
-  Index end;
-};
-std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch);
-
 /// Whether the table of so many nodes is small enough for a mesh of so many vertices.
 bool node_table_fits(Index nodes, Index vertices);
 

@@ -118,6 +118,18 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   return layer;
 }
 
+std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch) {
+  std::vector<NodeRange> ranges;
+  for (Index node : layer.nodes(patch)) {
+    if (!ranges.empty() && ranges.back().end == node) {
+      ++ranges.back().end;
+    } else {
+      ranges.push_back({node, node + 1});
+    }
+  }
+  return ranges;
+}
+
 void make_tables(PatchLayer& layer) {
   layer.table.assign(layer.table_begin.back(), std::numeric_limits<float>::infinity());
 }

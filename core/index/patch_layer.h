@@ -74,6 +74,13 @@ struct PatchLayer {
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate);
 
+/// Nodes of a patch as ranges of consecutive node numbers: nodes between the same patches follow one another.
+struct NodeRange {
+  Index begin;
+  Index end;
+};
+std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch);
+
 /// Makes room for the tables; all distances are unreachable. Apart from the layout, as a damaged index file
 /// could ask for tables of any size.
 void make_tables(PatchLayer& layer);

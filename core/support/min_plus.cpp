@@ -44,6 +44,25 @@ Index first_within(const float* a, const float* b, Index count, float bound) {
 }
 
 VOROGEO_CLONES
+Index first_lower(const float* line, double base, const double* distance, Index begin, Index count) {
+  // Most sums are not lower: a block is tested as a whole before it is looked at one by one.
+  constexpr Index block = 16;
+  Index i = begin;
+  for (; i + block <= count; i += block) {
+    int lower = 0;
+    for (Index k = 0; k < block; ++k) lower |= base + line[i + k] < distance[i + k] ? 1 : 0;
+    if (lower == 0) continue;
+    for (Index k = 0; k < block; ++k) {
+      if (base + line[i + k] < distance[i + k]) return i + k;
+    }
+  }
+  for (; i < count; ++i) {
+    if (base + line[i] < distance[i]) return i;
+  }
+  return count;
+}
+
+VOROGEO_CLONES
 void lower_by_line(const float* line, float base, Index name, Index count, float* least, Index* best) {
   for (Index i = 0; i < count; ++i) {
     const float through = base + line[i];

@@ -1,5 +1,5 @@
 // Queue in buckets: against a plain ordered search, with keys far ahead, lowered keys, and reuse.
-#include "exact/bucket_queue.h"
+#include "support/bucket_queue.h"
 
 #include <gtest/gtest.h>
 
