@@ -1,0 +1,92 @@
+// Min-plus scans: against loops as their comments put them, for all lengths around the blocks they work in.
+#include "support/min_plus.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace vorogeo {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Numbers of [0, 1), some of them infinite, at an address that is not aligned to a vector.
+struct Numbers {
+  Numbers(Index count, unsigned seed) : all(count + 1) {
+    std::mt19937 random(seed);
+    for (float& x : all) x = random() % 8 == 0 ? infinite : static_cast<float>(random() % 4096) / 4096.0F;
+  }
+  float* data() { return all.data() + 1; }
+  float operator[](Index i) const { return all[i + 1]; }
+  std::vector<float> all;
+};
+
+TEST(MinPlus, LeastSum) {
+  for (Index count = 0; count < 150; ++count) {
+    Numbers a(count, count);
+    Numbers b(count, 1000 + count);
+    float least = infinite;
+    for (Index i = 0; i < count; ++i) least = std::min(least, a[i] + b[i]);
+    EXPECT_EQ(least_sum(a.data(), b.data(), count), least) << count;
+  }
+}
+
+TEST(MinPlus, FirstWithin) {
+  for (Index count = 0; count < 150; ++count) {
+    Numbers a(count, count);
+    Numbers b(count, 1000 + count);
+    for (float bound : {0.0F, 0.05F, 0.3F, 2.0F}) {
+      Index first = no_index;
+      for (Index i = count - 1; i >= 0; --i) {
+        if (a[i] + b[i] <= bound) first = i;
+      }
+      EXPECT_EQ(first_within(a.data(), b.data(), count, bound), first) << count;
+    }
+    const float least = least_sum(a.data(), b.data(), count);
+    const Index at = first_within(a.data(), b.data(), count, least);
+    EXPECT_TRUE(count == 0 || a[at] + b[at] == least);
+  }
+}
+
+TEST(MinPlus, FirstLower) {
+  for (Index count = 0; count < 100; ++count) {
+    Numbers line(count, count);
+    std::vector<double> distance(count);
+    for (Index i = 0; i < count; ++i) distance[i] = 0.02 * (i % 17) * (i % 5);
+    for (double base : {0.0, 0.25, 0.9, 5.0}) {
+      for (Index begin = 0; begin <= count; begin += 1 + begin / 4) {
+        Index first = begin;
+        while (first < count && !(base + line[first] < distance[first])) ++first;
+        EXPECT_EQ(first_lower(line.data(), base, distance.data(), begin, count), first)
+            << count << ", " << begin;
+      }
+    }
+  }
+}
+
+TEST(MinPlus, LowerByLine) {
+  for (Index count = 0; count < 100; ++count) {
+    std::vector<float> least(count, infinite);
+    std::vector<Index> best(count, no_index);
+    std::vector<float> expected(least);
+    std::vector<Index> expected_best(best);
+    for (Index name = 0; name < 6; ++name) {
+      Numbers line(count, 100 * name + count);
+      const float base = 0.125F * static_cast<float>(name);
+      lower_by_line(line.data(), base, name, count, least.data(), best.data());
+      for (Index i = 0; i < count; ++i) {
+        if (!(base + line[i] < expected[i])) continue;
+        expected[i] = base + line[i];
+        expected_best[i] = name;
+      }
+    }
+    EXPECT_EQ(least, expected);
+    EXPECT_EQ(best, expected_best) << "the first of equal ones stays";
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo
