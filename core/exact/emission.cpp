@@ -100,6 +100,9 @@ void ExactSolver::State::take_vertex(Index vertex) {
       reach_vertex(other, distance, state.source, arrival, vertex);
     }
   }
+  if (beside_barrier) {
+    barrier_distance = std::min(barrier_distance, length_at_vertex(state.distance, vertex));
+  }
   const bool is_source = state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
   if (geometry->can_bend[vertex] || is_source || beside_barrier) emit_fan(vertex, beside_barrier);
 }

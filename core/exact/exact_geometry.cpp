@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
+
+#include "support/error.h"
 
 namespace vorogeo {
 
@@ -10,6 +13,20 @@ namespace {
 
 /// Angle deficits below this count as flat: a path may then pass through the vertex as through a saddle.
 constexpr double flat_tolerance = 1e-7;
+
+/// Areas are products of four lengths: beyond these they leave the range of doubles.
+constexpr double least_mean_edge = 1e-60;
+constexpr double greatest_edge = 1e60;
+
+void require_exact_range(const Mesh& mesh) {
+  if (mesh.longest_edge_length() == 0.0) return;
+  if (mesh.longest_edge_length() <= greatest_edge && mesh.mean_edge_length() >= least_mean_edge) return;
+  std::ostringstream message;
+  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
+          << mesh.longest_edge_length() << "; exact distances take lengths between " << least_mean_edge
+          << " and " << greatest_edge << ": scale the mesh.";
+  throw InvalidInput(message.str());
+}
 
 FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
@@ -37,6 +54,7 @@ FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
 }  // namespace
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
+  require_exact_range(*mesh);
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
   for (Index h = 0; h < halfedges; ++h) frame[h] = frame_of(*mesh, h);

@@ -21,6 +21,7 @@ struct FaceFrame {
 
 /// Frames of all half-edges and the angles around all vertices.
 struct ExactGeometry {
+  /// \throw InvalidInput for edge lengths so small or large that their products leave the range of doubles.
   explicit ExactGeometry(std::shared_ptr<const Mesh> mesh);
 
   std::shared_ptr<const Mesh> mesh;
@@ -32,6 +33,11 @@ struct ExactGeometry {
   std::vector<double> corner_begin;
   /// Whether the corner begins at its own edge (rather than at that of the previous half-edge of the face).
   std::vector<std::uint8_t> begins_at_own_edge;
+
+  std::size_t memory_bytes() const {
+    return frame.size() * sizeof(FaceFrame) + corner_begin.size() * sizeof(double) + can_bend.size() +
+           begins_at_own_edge.size();
+  }
 };
 
 }  // namespace vorogeo

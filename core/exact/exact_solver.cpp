@@ -57,6 +57,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.max_distance = limits.max_distance;
   state.corridor_target = limits.corridor_target;
   state.settled_distance = unreachable;
+  state.barrier_distance = unreachable;
   for (std::size_t i = 0; i < state.sources.size(); ++i)
     state.start_at(state.sources[i], static_cast<Index>(i));
 
@@ -117,6 +118,8 @@ Index ExactSolver::nearest_source(Index vertex) const {
 double ExactSolver::settled_distance() const {
   return std::min(state_->settled_distance, state_->max_distance);
 }
+
+double ExactSolver::barrier_distance() const { return state_->barrier_distance; }
 
 std::size_t ExactSolver::window_count() const { return state_->envelope.made(); }
 

@@ -75,6 +75,10 @@ class ExactSolver {
 
   /// Distances up to this one are final (all of them after a run that no targets ended).
   double settled_distance() const;
+  /// Least distance at which a path met a face that it may not enter; `unreachable` if none did. Final
+  /// distances up to this one are those of the whole mesh.
+  /// With a corridor: least length of a path to its target that met such a face.
+  double barrier_distance() const;
 
   /// Windows made in the last run, for measurements.
   std::size_t window_count() const;

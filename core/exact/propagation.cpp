@@ -66,7 +66,7 @@ struct Side {
 
 void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
                                       Index along_edge_from) {
-  if (!in_corridor(distance, mesh.position(vertex), 0.0)) return;
+  if (!in_corridor(length_at_vertex(distance, vertex))) return;
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
   state = {distance, arrival, source, along_edge_from};
@@ -98,12 +98,7 @@ void ExactSolver::State::add_window(Index edge, Window window) {
     at_end = window.distance(window.end);
   }
   if (!(window.end > window.begin)) return;
-  if (corridor_target != no_index) {
-    const Point& p = mesh.position(a);
-    const Point& q = mesh.position(b);
-    const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
-    if (!in_corridor(window.least_distance(), middle, 0.5 * length)) return;
-  }
+  if (corridor_target != no_index && !in_corridor(length_at_edge(window.least_distance(), edge))) return;
   const double least = envelope.insert(edge, window, at_begin, at_end);
   if (least <= max_distance) queue.push(mesh.vertex_count() + edge, least);
 }
@@ -167,7 +162,13 @@ void ExactSolver::State::take_edge(Index edge) {
   const Index first = mesh.edge_halfedge(edge);
   Index h = first;
   do {
-    if (may_enter(Mesh::face_of(h))) cross_face(h);
+    if (may_enter(Mesh::face_of(h))) {
+      cross_face(h);
+    } else {
+      for (const Window& window : crossing) {
+        barrier_distance = std::min(barrier_distance, length_at_edge(window.least_distance(), edge));
+      }
+    }
     h = mesh.next_around_edge(h);
   } while (h != first);
 }

@@ -6,10 +6,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "support/bucket_queue.h"
 #include "exact/envelope.h"
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
+#include "support/bucket_queue.h"
 
 namespace vorogeo {
 
@@ -39,13 +39,29 @@ struct ExactSolver::State {
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
   void add_window(Index edge, Window window);
 
-  /// Whether a path of this length to within `radius` of a point can be part of one to the corridor's target.
-  bool in_corridor(double length, const Point& point, double radius) const {
-    if (corridor_target == no_index) return true;
+  /// Least length of a path to the corridor's target that has come, in `length`, to within `radius` of a
+  /// point.
+  double length_to_target(double length, const Point& point, double radius) const {
     const Point& target = mesh.position(corridor_target);
     const double straight =
         std::hypot(point[0] - target[0], point[1] - target[1], point[2] - target[2]) - radius;
-    return length + straight <= max_distance * (1.0 + 1e-9);
+    return length + std::max(0.0, straight);
+  }
+  /// The same for a path that has come to a vertex, or to an edge; without a target, the length itself.
+  double length_at_vertex(double length, Index vertex) const {
+    return corridor_target == no_index ? length : length_to_target(length, mesh.position(vertex), 0.0);
+  }
+  double length_at_edge(double length, Index edge) const {
+    if (corridor_target == no_index) return length;
+    const auto [a, b] = mesh.edge_vertices(edge);
+    const Point& p = mesh.position(a);
+    const Point& q = mesh.position(b);
+    const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
+    return length_to_target(length, middle, 0.5 * mesh.edge_length(edge));
+  }
+  /// Whether such a path can be within the bound of the corridor.
+  bool in_corridor(double length_to_target) const {
+    return corridor_target == no_index || length_to_target <= max_distance * (1.0 + 1e-9);
   }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
   /// Sources that lie in a face or on one of its edges.
@@ -59,6 +75,7 @@ struct ExactSolver::State {
   double max_distance = unreachable;
   Index corridor_target = no_index;
   double settled_distance = 0.0;
+  double barrier_distance = unreachable;
 
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;

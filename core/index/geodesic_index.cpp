@@ -83,11 +83,13 @@ void IndexData::count() {
   statistics.second_layer_border_vertices = second.node_count();
   statistics.arcs_before_pruning = graph.arcs_before_pruning;
   statistics.arcs = static_cast<std::int64_t>(graph.arc.size() / 2);
+  auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
   statistics.bytes = static_cast<std::int64_t>(
       first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
-      sizeof(Index) *
-          (home_patch.size() + home_column.size() + work.work_vertex.size() + work.user_vertex.size() +
-           work.second_layer.size() + partition.first_layer.size() + partition.second_layer.size()));
+      work.mesh->memory_bytes() + geometry->memory_bytes() + bytes(work.work_vertex) +
+      bytes(work.user_vertex) + bytes(work.second_layer) + bytes(partition.first_layer) +
+      bytes(partition.second_layer) + bytes(partition.parent) + bytes(parent_column) + bytes(home_patch) +
+      bytes(home_column));
 }
 
 std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,

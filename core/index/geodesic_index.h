@@ -39,8 +39,8 @@ struct IndexStatistics {
   Index second_layer_border_vertices = 0;
   std::int64_t arcs_before_pruning = 0;
   std::int64_t arcs = 0;
-  std::int64_t bytes = 0;
-  double seconds = 0.0;  ///< build time; 0 for an index that was loaded
+  std::int64_t bytes = 0;  ///< held beside the mesh itself: tables, graph, work mesh
+  double seconds = 0.0;    ///< build time; 0 for an index that was loaded
   double delta = 0.0;
   std::uint64_t seed = 0;
 };

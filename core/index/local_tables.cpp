@@ -9,6 +9,12 @@
 
 namespace vorogeo {
 
+namespace {
+
+constexpr std::size_t nodes_per_group = 16;
+
+}  // namespace
+
 Halo::Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count)
     : mesh_(mesh), face_begin_(patch_count + 1, 0), mask_(mesh.face_count(), 0) {
   for (Index patch : label) ++face_begin_[patch + 1];
@@ -51,8 +57,17 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
     for (const PatchRow& at : layer.patches_of(node)) patches.push_back(at.patch);
     nodes_between[patches].push_back(node);
   }
-  const std::vector<std::pair<std::vector<Index>, std::vector<Index>>> groups(nodes_between.begin(),
-                                                                              nodes_between.end());
+  // Small groups, so that progress goes on and all threads have work also when there are few patches.
+  struct Group {
+    const std::vector<Index>* patches;
+    std::span<const Index> nodes;
+  };
+  std::vector<Group> groups;
+  for (const auto& [patches, nodes] : nodes_between) {
+    for (std::size_t i = 0; i < nodes.size(); i += nodes_per_group) {
+      groups.push_back({&patches, std::span(nodes).subspan(i, std::min(nodes_per_group, nodes.size() - i))});
+    }
+  }
   struct Scratch {
     Scratch(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label, Index patches)
         : solver(geometry), halo(*geometry->mesh, label, patches) {}
@@ -67,7 +82,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                [&](std::size_t group, int worker) {
                  auto& own = scratch[worker];
                  if (!own) own = std::make_unique<Scratch>(geometry, label, layer.patch_count);
-                 const auto& [patches, nodes] = groups[group];
+                 const auto& patches = *groups[group].patches;
                  own->halo.surround(patches);
                  own->targets.clear();
                  for (Index p : patches) {
@@ -77,7 +92,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                  ExactLimits limits;
                  limits.face_allowed = own->halo.mask();
                  limits.targets = own->targets;
-                 for (Index node : nodes) {
+                 for (Index node : groups[group].nodes) {
                    const Index source = layer.node_vertex[node];
                    own->solver.run_from_vertices(std::span(&source, 1), limits);
                    for (const PatchRow& at : layer.patches_of(node)) {

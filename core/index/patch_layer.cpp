@@ -115,6 +115,12 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     layer.neighbour.insert(layer.neighbour.end(), list.begin(), list.end());
     layer.neighbour_begin.push_back(static_cast<Index>(layer.neighbour.size()));
   }
+  for (auto* list : {&layer.node_vertex, &layer.border_begin, &layer.border_node, &layer.member_begin,
+                     &layer.member, &layer.incidence_begin, &layer.neighbour_begin}) {
+    list->shrink_to_fit();
+  }
+  layer.incidence.shrink_to_fit();
+  layer.neighbour.shrink_to_fit();
   return layer;
 }
 

@@ -118,6 +118,10 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
     }
   }
   renamed.resize(mesh.vertex_count());
+  renamed.shrink_to_fit();
+  sorted.shrink_to_fit();
+  work.user_vertex.shrink_to_fit();
+  work.second_layer.shrink_to_fit();
   work.work_vertex = std::move(renamed);
   work.mesh = std::make_shared<const Mesh>(std::move(sorted), faces);
   return work;

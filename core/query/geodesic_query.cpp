@@ -24,6 +24,9 @@ namespace {
 /// more than the unfolding can err: then the distance over the border is below this part of it.
 constexpr double shorter_outside = 0.99;
 
+/// A route's length can be too short by what unfolding errs; this much longer it is an upper bound.
+constexpr double estimate_slack = 1.02;
+
 /// Growth of the halo for the near field: over a border close to the source, the largest errors would lie in
 /// the next patch.
 constexpr double near_field_growth = 3.0;
@@ -60,7 +63,7 @@ struct GeodesicQuery::State {
   }
   std::vector<Index> patches_if_near(Index source, Index target) const;
   GraphRoute route(const RouteEnd& from, const RouteEnd& to);
-  double distance_nearby(Index source, Index target, const std::vector<Index>& patches, double upper_bound);
+  double distance_nearby(Index source, Index target, const std::vector<Index>& patches, double estimate);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -120,17 +123,23 @@ GraphRoute GeodesicQuery::State::route(const RouteEnd& from, const RouteEnd& to)
   return best;
 }
 
+/// Exact distance of two vertices by propagation around `patches`. If a path could have left the faces
+/// allowed to it, a second run over all faces decides; the first one's result keeps it in a thin corridor.
 double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& patches,
-                                             double upper_bound) {
+                                             double estimate) {
   halo.surround(patches);
   ExactLimits limits;
-  limits.face_allowed = halo.mask();
   limits.targets = std::span(&target, 1);
   limits.corridor_target = target;
-  // The bound is a sum of table entries, rounded to single precision.
-  limits.max_distance = upper_bound * (1.0 + 1e-6);
+  limits.max_distance = estimate * estimate_slack;
+  limits.face_allowed = halo.mask();
   solver.run_from_vertices(std::span(&source, 1), limits);
-  return std::min(upper_bound, solver.distance(target));
+  const double found = solver.distance(target);
+  if (found < unreachable && found <= solver.barrier_distance()) return found;
+  limits.face_allowed = {};
+  limits.max_distance = found * (1.0 + 1e-9);
+  solver.run_from_vertices(std::span(&source, 1), limits);
+  return solver.distance(target);
 }
 
 double GeodesicQuery::distance(Index source, Index target) {
@@ -166,6 +175,14 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   std::vector<double> field(data.mesh->vertex_count(), unreachable);
   std::vector<Index> starts;
   std::vector<Index> near;
+  // Cleared on every way out, as errors leave a query usable.
+  const struct Unmark {
+    ~Unmark() {
+      for (Index p : patches) is_near[p] = 0;
+    }
+    std::vector<std::uint8_t>& is_near;
+    const std::vector<Index>& patches;
+  } unmark{state.is_near, near};
   for (Index source : sources) {
     const Index work = state.work_vertex(source, "Source");
     field[source] = 0.0;
@@ -173,8 +190,8 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
     starts.push_back(work);
     for (Index p : state.patches_of(work)) {
       if (state.is_near[p]) continue;
-      state.is_near[p] = 1;
       near.push_back(p);
+      state.is_near[p] = 1;
     }
   }
   if (starts.empty()) return field;
@@ -189,6 +206,8 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   limits.targets = targets;
   limits.max_distance = max_distance;
   state.solver.run_from_vertices(starts, limits);
+  // Up to here no path has left the halo.
+  const double certain = std::min(state.solver.settled_distance(), state.solver.barrier_distance());
 
   state.search.start();
   for (Index face : state.halo.faces()) {
@@ -208,12 +227,17 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
       // A border node belongs to several patches: the first of them writes it.
       if (user == no_index || data.home_patch[members[i]] != p) continue;
       const double exact = state.solver.distance(members[i]);
-      const bool inside = state.is_near[p] && !(found[i] < shorter_outside * exact);
-      const double distance = inside ? exact : std::min(exact, found[i]);
+      double distance = found[i];
+      if (exact <= certain) {
+        distance = exact;
+      } else if (!state.is_near[p] || distance < shorter_outside * exact) {
+        distance = std::min(exact, distance);
+      } else {
+        distance = exact;
+      }
       field[user] = distance <= max_distance ? distance : unreachable;
     }
   });
-  for (Index p : near) state.is_near[p] = 0;
   return field;
 }
 

@@ -13,8 +13,8 @@
 namespace vorogeo {
 
 int resolve_thread_count(int requested) {
-  if (requested > 0) return requested;
-  return std::max(1u, std::thread::hardware_concurrency());
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return requested > 0 ? std::min(requested, 4 * cores) : cores;
 }
 
 namespace {

@@ -10,11 +10,13 @@
 namespace vorogeo {
 
 /// Number of threads to use for a request: 0 or less means one per core of this process.
+///
+/// At most four per core: more are of no use, and each of them costs scratch memory in the size of its work.
 int resolve_thread_count(int requested);
 
-/// Calls `body(item, worker)` once for each item in [0, count), on up to `threads` threads.
+/// Calls `body(item, worker)` once for each item in [0, count), on up to `resolve_thread_count(threads)` threads.
 ///
-/// `worker` is in [0, threads) and never runs two items at once, so it can select scratch memory.
+/// `worker` is in [0, resolve_thread_count(threads)) and never runs two items at once, so it can select scratch memory.
 /// Items are handed out one by one in increasing order. Progress is reported from the calling thread,
 /// between two of its own items and while it waits. The first exception of any item, or Cancelled, is
 /// rethrown here once all workers have stopped.
