@@ -14,11 +14,12 @@ namespace vorogeo {
 /// At most four per core: more are of no use, and each of them costs scratch memory in the size of its work.
 int resolve_thread_count(int requested);
 
-/// Calls `body(item, worker)` once for each item in [0, count), on up to `resolve_thread_count(threads)` threads.
+/// Calls `body(item, worker)` once for each item in [0, count), on up to `resolve_thread_count(threads)`
+/// threads.
 ///
-/// `worker` is in [0, resolve_thread_count(threads)) and never runs two items at once, so it can select scratch memory.
-/// Items are handed out one by one in increasing order. Progress is reported from the calling thread,
-/// between two of its own items and while it waits. The first exception of any item, or Cancelled, is
+/// `worker` is in [0, resolve_thread_count(threads)) and never runs two items at once, so it can select
+/// scratch memory. Items are handed out one by one in increasing order. Progress is reported from the calling
+/// thread, between two of its own items and while it waits. The first exception of any item, or Cancelled, is
 /// rethrown here once all workers have stopped.
 void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
                   const std::function<void(std::size_t item, int worker)>& body);

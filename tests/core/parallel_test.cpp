@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -16,6 +17,19 @@ TEST(Parallel, ThreadCount) {
   EXPECT_EQ(resolve_thread_count(3), 3);
   EXPECT_GE(resolve_thread_count(0), 1);
   EXPECT_EQ(resolve_thread_count(-1), resolve_thread_count(0));
+}
+
+TEST(Parallel, AtMostFourThreadsPerCore) {
+  const int most = 4 * resolve_thread_count(0);
+  EXPECT_EQ(resolve_thread_count(most), most);
+  EXPECT_EQ(resolve_thread_count(most + 1), most);
+  EXPECT_EQ(resolve_thread_count(std::numeric_limits<int>::max()), most);
+  std::atomic<int> largest = 0;
+  parallel_for(1000, 1 << 30, {}, "work", [&](std::size_t, int worker) {
+    for (int seen = largest; worker > seen && !largest.compare_exchange_weak(seen, worker);) {
+    }
+  });
+  EXPECT_LT(largest, most);
 }
 
 TEST(Parallel, EveryItemOnce) {
