@@ -4,8 +4,10 @@
 
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cstring>
 #include <random>
+#include <system_error>
 
 namespace vorogeo {
 
@@ -14,6 +16,26 @@ namespace {
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
 constexpr std::uint32_t version = 1;
 constexpr std::uint32_t byte_order = 0x01020304;
+constexpr std::uint32_t swapped_byte_order = 0x04030201;
+
+/// Why the system refused; empty unless errno, cleared beforehand, was set: streams do not promise to set it.
+std::string reason_of_system() { return errno ? " (" + std::generic_category().message(errno) + ")" : ""; }
+
+/// Only plain files are opened: opening a pipe would wait for ever.
+void check_readable(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw IndexFileError("There is no index file " + file.string() +
+                         "; check the name, or build the index and save it there.");
+  }
+  if (is_directory(status)) {
+    throw IndexFileError("The index file " + file.string() + " is a folder; name a file in it.");
+  }
+  if (!error && !is_regular_file(status)) {
+    throw IndexFileError("The index file " + file.string() + " is a device or a pipe; name a plain file.");
+  }
+}
 
 }  // namespace
 
@@ -35,6 +57,10 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
 }
 
 IndexFileWriter::IndexFileWriter(const std::filesystem::path& file) : file_(file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw IndexFileError("The index file " + file.string() + " is a folder; name a file in it.");
+  }
   temporary_ = file;
   temporary_ += ".part" + std::to_string(std::random_device{}());
   out_.open(temporary_, std::ios::binary | std::ios::trunc);
@@ -64,22 +90,35 @@ void IndexFileWriter::finish() {
   out_.close();
   std::error_code error;
   if (out_) std::filesystem::rename(temporary_, file_, error);
-  if (!out_ || error) {
-    throw IndexFileError("Writing the index file " + file_.string() + " failed; is the disk full?");
+  if (!out_) throw IndexFileError("Writing the index file " + file_.string() + " failed; is the disk full?");
+  if (error) {
+    throw IndexFileError("The index file " + file_.string() + " cannot be put in its place (" +
+                         error.message() + "); save it under another name.");
   }
   temporary_.clear();
 }
 
 IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file) {
+  check_readable(file);
   std::error_code error;
   left_ = std::filesystem::file_size(file, error);
+  errno = 0;
   in_.open(file, std::ios::binary);
-  if (error || !in_) throw IndexFileError("Cannot open the index file " + file.string() + ".");
+  if (error || !in_) {
+    throw IndexFileError("Cannot open the index file " + file.string() + reason_of_system() +
+                         "; check that you may read it.");
+  }
   const auto found = number<std::array<char, 8>>();
   if (found != magic) throw IndexFileError(file.string() + " is not an index file of VoroGeo.");
   const auto found_version = number<std::uint32_t>();
   const auto found_order = number<std::uint32_t>();
-  if (found_version != version || found_order != byte_order) {
+  if (found_order == swapped_byte_order) {
+    throw IndexFileError(
+        "The index file " + file.string() +
+        " was written on a machine of the other byte order; build the index again on this one.");
+  }
+  if (found_order != byte_order) fail("is damaged (its byte order is none)");
+  if (found_version != version) {
     throw IndexFileError("The index file " + file.string() + " has format version " +
                          std::to_string(found_version) + ", this program reads version " +
                          std::to_string(version) + "; build the index again.");

@@ -80,15 +80,56 @@ TEST(IndexFile, PlacesThatCannotBeWritten) {
   }
   std::filesystem::create_directory(folder / "taken");
   write_bytes(folder / "taken" / "file", "x");
-  EXPECT_THROW(write_sample(folder / "taken"), IndexFileError) << "a folder of that name";
+  try {
+    write_sample(folder / "taken");
+    FAIL() << "written";
+  } catch (const IndexFileError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "The index file " + (folder / "taken").string() + " is a folder; name a file in it.");
+  }
   EXPECT_EQ(folder.files(), (std::set<std::string>{"taken"}));
 }
 
 TEST(IndexFile, MissingFilesAndFolders) {
   const TemporaryFolder folder;
-  EXPECT_EQ(reading(folder / "none"), "Cannot open the index file " + (folder / "none").string() + ".");
+  EXPECT_EQ(reading(folder / "none"), "There is no index file " + (folder / "none").string() +
+                                          "; check the name, or build the index and save it there.");
   std::filesystem::create_directory(folder / "sub");
-  EXPECT_NE(reading(folder / "sub"), "read");
+  EXPECT_EQ(reading(folder / "sub"),
+            "The index file " + (folder / "sub").string() + " is a folder; name a file in it.");
+  EXPECT_EQ(reading("/dev/null"), "The index file /dev/null is a device or a pipe; name a plain file.");
+}
+
+TEST(IndexFile, NamesThatCannotBeOpened) {
+  const TemporaryFolder folder;
+  const auto long_name = folder / std::string(300, 'a');  // longer than any file system takes
+  EXPECT_EQ(reading(long_name), "Cannot open the index file " + long_name.string() +
+                                    " (File name too long); check that you may read it.");
+}
+
+TEST(IndexFile, FilesThatMayNotBeRead) {
+  const TemporaryFolder folder;
+  const auto locked = folder / "locked.index";
+  write_sample(locked);
+  std::filesystem::permissions(locked, std::filesystem::perms::none);
+  if (std::ifstream(locked)) GTEST_SKIP() << "this user may read every file";
+  EXPECT_EQ(reading(locked), "Cannot open the index file " + locked.string() +
+                                 " (Permission denied); check that you may read it.");
+}
+
+TEST(IndexFile, AFolderThatAppearsWhileWriting) {
+  const TemporaryFolder folder;
+  IndexFileWriter out(folder / "a.index");
+  out.block(numbers);
+  std::filesystem::create_directory(folder / "a.index");
+  try {
+    out.finish();
+    FAIL() << "written";
+  } catch (const IndexFileError& error) {
+    EXPECT_EQ(std::string(error.what()), "The index file " + (folder / "a.index").string() +
+                                             " cannot be put in its place (Is a directory); save it under "
+                                             "another name.");
+  }
 }
 
 TEST(IndexFile, FilesOfAnotherKindOrVersion) {
@@ -108,7 +149,21 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   std::swap(swapped[12], swapped[15]);
   std::swap(swapped[13], swapped[14]);
   write_bytes(file, swapped);
-  EXPECT_NE(reading(file), "read") << "the other byte order";
+  EXPECT_EQ(reading(file),
+            "The index file " + file.string() +
+                " was written on a machine of the other byte order; build the index again on this one.")
+      << "the mark alone";
+  std::swap(swapped[8], swapped[11]);
+  write_bytes(file, swapped);
+  EXPECT_EQ(reading(file),
+            "The index file " + file.string() +
+                " was written on a machine of the other byte order; build the index again on this one.")
+      << "the version as well, as such a machine writes it";
+  std::string marked = good;
+  marked[13] = 99;
+  write_bytes(file, marked);
+  EXPECT_EQ(reading(file), "The index file " + file.string() +
+                               " is damaged (its byte order is none); build the index again.");
 }
 
 TEST(IndexFile, TruncatedAnywhere) {

@@ -56,15 +56,17 @@ def test_stale_after_any_edit_of_the_mesh(saved):
 
 
 def test_missing_file_is_an_os_error(tmp_path):
-    with pytest.raises(OSError, match=r"no\.index"):
+    with pytest.raises(OSError, match=r"There is no index file .*no\.index; check the name"):
         vorogeo.GeodesicIndex.load(tmp_path / "no.index", *MESH)
-    with pytest.raises(vorogeo.IndexFileError):
+    with pytest.raises(vorogeo.IndexFileError, match="is a folder; name a file in it"):
         vorogeo.GeodesicIndex.load(tmp_path, *MESH)
 
 
 def test_unwritable_place(index, tmp_path):
     with pytest.raises(vorogeo.IndexFileError, match="nowhere"):
         index.save(tmp_path / "nowhere" / "a.index")
+    with pytest.raises(vorogeo.IndexFileError, match="is a folder; name a file in it"):
+        index.save(tmp_path)
 
 
 @pytest.mark.parametrize("content", [b"", b"ply\nformat ascii 1.0\n", bytes(5000), b"\xff" * 5000])
