@@ -45,6 +45,12 @@ Index compact(std::vector<Index>& label, const std::vector<Index>& faces, Index 
   return used;
 }
 
+void check_patches(const char* which, Index requested, Index faces) {
+  if (requested >= 0 && requested <= faces) return;
+  throw InvalidInput(std::string("The number of ") + which + " is " + std::to_string(requested) +
+                     "; give one from 0 (automatic) to " + std::to_string(faces) + ", the number of faces.");
+}
+
 }  // namespace
 
 Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const PartitionOptions& options,
@@ -52,13 +58,8 @@ Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const Pa
   const Mesh& mesh = *geometry->mesh;
   const Index faces = mesh.face_count();
   if (faces == 0) throw InvalidInput("The mesh has no face; geodesic distances need a surface.");
-  for (Index requested : {options.first_layer_patches, options.second_layer_patches}) {
-    if (requested < 0 || requested > faces) {
-      throw InvalidInput("Number of patches " + std::to_string(requested) +
-                         " is not between 0 (automatic) and " + std::to_string(faces) +
-                         ", the number of faces.");
-    }
-  }
+  check_patches("first-layer patches, n1,", options.first_layer_patches, faces);
+  check_patches("second-layer patches, n2,", options.second_layer_patches, faces);
   Partition partition;
   std::vector<Index> all_faces(faces);
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;

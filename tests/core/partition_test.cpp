@@ -160,10 +160,10 @@ TEST(Partition, Refusals) {
     return "not refused";
   };
   EXPECT_EQ(refusal({{{0, 0, 0}}, {}}, 0, 0), "The mesh has no face; geodesic distances need a surface.");
-  const std::string range = " is not between 0 (automatic) and 20, the number of faces.";
-  EXPECT_EQ(refusal(test::icosphere(0), -1, 0), "Number of patches -1" + range);
-  EXPECT_EQ(refusal(test::icosphere(0), 21, 0), "Number of patches 21" + range);
-  EXPECT_EQ(refusal(test::icosphere(0), 0, 21), "Number of patches 21" + range);
+  const std::string range = "; give one from 0 (automatic) to 20, the number of faces.";
+  EXPECT_EQ(refusal(test::icosphere(0), -1, 0), "The number of first-layer patches, n1, is -1" + range);
+  EXPECT_EQ(refusal(test::icosphere(0), 21, 0), "The number of first-layer patches, n1, is 21" + range);
+  EXPECT_EQ(refusal(test::icosphere(0), 0, 21), "The number of second-layer patches, n2, is 21" + range);
   EXPECT_EQ(refusal(test::icosphere(0), 20, 20), "not refused");
 }
 
