@@ -21,6 +21,8 @@ FILE_NAME = "libfilter_vorogeo.so"
 #: PyMeshLab releases whose filters this package supports, by the MeshLab version inside.
 SUPPORTED = {"2022.02": "2022.2.post4", "2025.07": "2025.7.post1"}
 
+#: Each filter of VoroGeo has one of these in its name, and no other filter has.
+_NAME_PARTS = ("vorogeo", "exact_geodesic_distance")
 _NUMPY_PART = "The numpy functions of vorogeo work without it."
 _lock = threading.Lock()
 _loaded: tuple[str, ...] | None = None
@@ -30,7 +32,8 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
     """Load the filters into PyMeshLab and bind them as methods of ``pymeshlab.MeshSet``.
 
     ``import vorogeo`` does this by itself when PyMeshLab is installed; call it to learn why it did not work, or to load
-    a plugin that was built elsewhere. After the first success further calls change nothing.
+    a plugin that was built elsewhere. Filters of VoroGeo that PyMeshLab has loaded already are bound as they are. After
+    the first success further calls change nothing.
 
     Parameters
     ----------
@@ -51,8 +54,14 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
     with _lock:
         if _loaded is None:
             pymeshlab = _import_pymeshlab()
-            binary = Path(file_path(file)) if file is not None else plugin_file(pymeshlab.pmeshlab.__version__)
-            _loaded = _load_and_bind(pymeshlab, binary)
+            names = _our_filters(pymeshlab)  # there already if the user has called pymeshlab.load_plugin
+            if not names:
+                version = pymeshlab.pmeshlab.__version__
+                _load(pymeshlab, Path(file_path(file)) if file is not None else plugin_file(version))
+                names = _our_filters(pymeshlab)
+            for name in names:
+                setattr(pymeshlab.MeshSet, name, _method(name))
+            _loaded = names
         return _loaded
 
 
@@ -112,10 +121,15 @@ def _import_pymeshlab() -> ModuleType:
         ) from error
 
 
-def _load_and_bind(pymeshlab: ModuleType, binary: Path) -> tuple[str, ...]:
+def _our_filters(pymeshlab: ModuleType) -> tuple[str, ...]:
+    """Names of the filters of VoroGeo among those that PyMeshLab has at the moment."""
+    filter_list: Callable[[], list[str]] = getattr(pymeshlab, "filter_list", list)  # old releases do not have it
+    return tuple(name for name in filter_list() if any(part in name for part in _NAME_PARTS))
+
+
+def _load(pymeshlab: ModuleType, binary: Path) -> None:
     if not binary.is_file():
         raise PluginError(f"There is no plugin file {binary}; give the path of a {FILE_NAME}.")
-    before = set(pymeshlab.filter_list())
     try:
         pymeshlab.load_plugin(str(binary))
     except pymeshlab.PyMeshLabException as error:
@@ -123,10 +137,6 @@ def _load_and_bind(pymeshlab: ModuleType, binary: Path) -> tuple[str, ...]:
             f"PyMeshLab {pymeshlab.pmeshlab.__version__} refuses {binary}: {str(error).strip()} "
             "Repeat 'pip install ./pyfilter' in the VoroGeo project to build it anew."
         ) from error
-    names = tuple(name for name in pymeshlab.filter_list() if name not in before)
-    for name in names:
-        setattr(pymeshlab.MeshSet, name, _method(name))
-    return names
 
 
 def _method(name: str) -> Callable[..., dict[str, Any] | None]:

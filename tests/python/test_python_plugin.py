@@ -67,7 +67,7 @@ class FakeHostError(Exception):
 
 @pytest.fixture
 def fake_host(monkeypatch, tmp_path):
-    """A PyMeshLab 2025.7 whose plugins add the filter 'new_filter'."""
+    """A PyMeshLab 2025.7 whose plugins add the filter 'vorogeo_filter'."""
     filters = ["old_filter"]
     host = types.ModuleType("pymeshlab")
     host.__spec__ = types.SimpleNamespace(name="pymeshlab")
@@ -75,7 +75,7 @@ def fake_host(monkeypatch, tmp_path):
     host.PyMeshLabException = FakeHostError
     host.MeshSet = type("MeshSet", (), {"apply_filter": lambda self, name, **kwargs: {name: kwargs} if kwargs else {}})
     host.filter_list = lambda: list(filters)
-    host.load_plugin = lambda file: filters.append("new_filter")
+    host.load_plugin = lambda file: filters.append("vorogeo_filter")
     folder = tmp_path / "2025.07"
     folder.mkdir()
     (folder / plugin.FILE_NAME).touch()
@@ -85,14 +85,26 @@ def fake_host(monkeypatch, tmp_path):
     return host
 
 
-def test_new_filters_become_methods_and_are_loaded_once(fake_host):
-    assert plugin.load_plugin() == ("new_filter",)
-    assert plugin.load_plugin() == ("new_filter",)
-    assert fake_host.filter_list() == ["old_filter", "new_filter"]
+def test_vorogeo_filters_become_methods_and_are_loaded_once(fake_host):
+    assert plugin.load_plugin() == ("vorogeo_filter",)
+    assert plugin.load_plugin() == ("vorogeo_filter",)
+    assert fake_host.filter_list() == ["old_filter", "vorogeo_filter"]
     assert not hasattr(fake_host.MeshSet, "old_filter")
-    assert fake_host.MeshSet().new_filter(step=3) == {"new_filter": {"step": 3}}
-    assert fake_host.MeshSet().new_filter() is None
-    assert fake_host.MeshSet.new_filter.__name__ == "new_filter"
+    assert fake_host.MeshSet().vorogeo_filter(step=3) == {"vorogeo_filter": {"step": 3}}
+    assert fake_host.MeshSet().vorogeo_filter() is None
+    assert fake_host.MeshSet.vorogeo_filter.__name__ == "vorogeo_filter"
+
+
+def test_filters_loaded_by_the_user_become_methods(fake_host):
+    fake_host.load_plugin("anywhere.so")
+
+    def refuse(file):
+        raise FakeHostError("already loaded")
+
+    fake_host.load_plugin = refuse
+    assert plugin.load_plugin() == ("vorogeo_filter",)
+    assert fake_host.MeshSet().vorogeo_filter(step=3) == {"vorogeo_filter": {"step": 3}}
+    assert not hasattr(fake_host.MeshSet, "old_filter")
 
 
 def test_a_refused_plugin_is_explained(fake_host):
@@ -110,7 +122,7 @@ def test_named_plugin_file(fake_host, tmp_path):
     with pytest.raises(vorogeo.PluginError, match=r"There is no plugin file .*mine\.so"):
         plugin.load_plugin(tmp_path / "mine.so")
     (tmp_path / "mine.so").touch()
-    assert plugin.load_plugin(tmp_path / "mine.so") == ("new_filter",)
+    assert plugin.load_plugin(tmp_path / "mine.so") == ("vorogeo_filter",)
 
 
 def run_python(code, cwd):
@@ -168,6 +180,22 @@ def test_filters_are_mesh_set_methods(pymeshlab):
     assert set(vorogeo.load_plugin()) >= FILTERS
     for name in FILTERS:
         assert getattr(pymeshlab.MeshSet, name).__name__ == name
+
+
+LOAD_BEFORE_VOROGEO = """
+import pymeshlab
+pymeshlab.load_plugin({file!r})
+import vorogeo
+names = vorogeo.load_plugin()
+print(set(names) >= {names!r} and all(hasattr(pymeshlab.MeshSet, name) for name in names))
+"""
+
+
+def test_filters_are_mesh_set_methods_also_if_the_user_has_loaded_the_plugin(pymeshlab, tmp_path):
+    file = plugin.plugin_file(pymeshlab.pmeshlab.__version__)
+    run = run_python(LOAD_BEFORE_VOROGEO.format(file=str(file), names=FILTERS), tmp_path)
+    assert run.stdout.splitlines()[-1:] == ["True"], run.stdout + run.stderr
+    assert "Warning" not in run.stderr
 
 
 def test_a_filter_answers_through_its_method(pymeshlab, tmp_path):
