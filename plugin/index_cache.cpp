@@ -23,7 +23,13 @@ void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const Geodesic
   const std::lock_guard lock(mutex_);
   entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });
   entries_.push_front({arrays.faces, std::move(index)});
-  if (entries_.size() > capacity) entries_.pop_back();
+  while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > most_bytes_)) entries_.pop_back();
+}
+
+std::int64_t IndexCache::bytes() const {
+  std::int64_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.index->statistics().bytes;
+  return sum;
 }
 
 }  // namespace vorogeo::plugin

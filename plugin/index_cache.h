@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -19,9 +20,12 @@ namespace vorogeo::plugin {
 /// again. May be used by several threads.
 class IndexCache {
  public:
+  /// `most_bytes`: what the indexes may take together; the newest is kept however large it is.
+  explicit IndexCache(std::int64_t most_bytes = std::int64_t{2} << 30) : most_bytes_(most_bytes) {}
+
   /// The index of exactly this mesh, or nothing.
   std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays);
-  /// Keeps an index, in the place of another one of the same mesh or else of the one used longest ago.
+  /// Keeps an index, in the place of another one of the same mesh or else of those used longest ago.
   void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index);
 
  private:
@@ -34,6 +38,9 @@ class IndexCache {
   };
   static constexpr std::size_t capacity = 4;
 
+  std::int64_t bytes() const;
+
+  const std::int64_t most_bytes_;
   std::mutex mutex_;
   std::list<Entry> entries_;  ///< used last first
 };

@@ -39,6 +39,9 @@ RichParameterList build_index_parameters(const MeshModel&) {
   return list;
 }
 
+/// More than any machine has cores; the core uses no more than it can feed.
+constexpr int most_threads = 1024;
+
 [[noreturn]] void refuse(const std::string& name, double value, const std::string& advice) {
   std::ostringstream text;
   text << name << " is " << value << ". " << advice;
@@ -54,7 +57,9 @@ IndexOptions options_of(const RichParameterList& parameters) {
   if (n1 < 0) refuse("n1", n1, "Give a positive number of patches, or 0 to have it chosen.");
   if (n2 < 0) refuse("n2", n2, "Give a positive number of patches, or 0 to have it chosen.");
   if (!(delta >= 0.0 && delta < 1.0)) refuse("delta", delta, "Give a number from 0 to below 1.");
-  if (threads < 0) refuse("threads", threads, "Give a positive number, or 0 for one per core.");
+  if (threads < 0 || threads > most_threads) {
+    refuse("threads", threads, "Give a number from 1 to 1024, or 0 for one per core.");
+  }
   if (seed < 0) refuse("seed", seed, "Give 0 or a positive number.");
   return {n1, n2, delta, threads, static_cast<std::uint64_t>(seed)};
 }
@@ -105,7 +110,7 @@ FilterRow build_index_row() {
       "compute_geodesic_index_by_vorogeo",
       "<p>Builds the index from which VoroGeo answers geodesic distances, and keeps it for this mesh: the "
       "other VoroGeo filters use it until the mesh is edited. The indexes of the four meshes used last are "
-      "kept. The mesh is not changed.</p>"
+      "kept, as long as they take no more than 2 GiB together. The mesh is not changed.</p>"
       "<p>The surface is split into <b>n1</b> geodesic Voronoi patches, and each of them into about "
       "<b>n2</b> patches of a second layer. Exact distances inside the patches make a graph over the "
       "vertices on patch borders; arcs that others make superfluous are left out.</p>"

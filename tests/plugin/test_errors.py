@@ -109,12 +109,15 @@ def test_bad_max_distance(name, value):
     ("parameter", "value", "message"),
     [
         ("n1", -1, "n1 is -1. Give a positive number of patches"),
-        ("n1", 1000, "1000"),
+        ("n1", 1000, "first-layer patches, n1, is 1000; give one from 0"),
+        ("n2", 1000, "second-layer patches, n2, is 1000; give one from 0"),
         ("n2", -7, "n2 is -7. Give a positive number of patches"),
         ("delta", -0.5, "delta is -0.5. Give a number from 0 to below 1"),
         ("delta", 1.0, "delta is 1. Give a number from 0 to below 1"),
         ("delta", np.nan, "delta is nan. Give a number from 0 to below 1"),
-        ("threads", -1, "threads is -1. Give a positive number"),
+        ("threads", -1, "threads is -1. Give a number from 1 to 1024, or 0 for one per core"),
+        ("threads", 1025, "threads is 1025. Give a number from 1 to 1024"),
+        ("threads", 2**31 - 1, "threads is 2147483647. Give a number from 1 to 1024"),
         ("seed", -1, "seed is -1. Give 0 or a positive number"),
     ],
 )
