@@ -114,6 +114,33 @@ TEST(GeodesicQuery, NearPairsAreExact) {
   }
 }
 
+TEST(GeodesicQuery, PairsInTouchingPatchesAreExact) {
+  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(60, 30, 2.0, 0.8)}) {
+    const auto index = test::make_index(soup, 3, 6);
+    GeodesicQuery query(index);
+    const Mesh& mesh = *index->mesh();
+    ExactSolver solver(index->mesh());
+    const auto label = index->face_patches(2);
+    for (Index source : test::random_vertices(mesh.vertex_count(), 4, 5)) {
+      // The patches of the source and all that share a vertex with one of them.
+      const auto own = test::patches_at(mesh, label, source);
+      auto near = own;
+      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        const auto there = test::patches_at(mesh, label, v);
+        if (std::ranges::any_of(there, [&](Index p) { return own.contains(p); }))
+          near.insert(there.begin(), there.end());
+      }
+      solver.run_from_vertices(std::array{source});
+      for (Index v : test::random_vertices(mesh.vertex_count(), 200, 6)) {
+        const auto there = test::patches_at(mesh, label, v);
+        if (std::ranges::none_of(there, [&](Index p) { return near.contains(p); })) continue;
+        const double exact = solver.distance(v);
+        ASSERT_NEAR(query.distance(source, v), exact, 1e-9 * exact) << source << " to " << v;
+      }
+    }
+  }
+}
+
 struct Bounds {
   double mean, p99, greatest;
 };
