@@ -42,7 +42,8 @@ RichParameterList build_index_parameters(const MeshModel&) {
 /// More than any machine has cores; the core uses no more than it can feed.
 constexpr int most_threads = 1024;
 
-[[noreturn]] void refuse(const std::string& name, double value, const std::string& advice) {
+template <class Number>
+[[noreturn]] void refuse(const std::string& name, Number value, const std::string& advice) {
   std::ostringstream text;
   text << name << " is " << value << ". " << advice;
   throw InvalidInput(text.str());
