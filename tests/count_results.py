@@ -38,9 +38,9 @@ def junit_results(file: Path) -> list[Result]:
     """Read the results of one JUnit file of pytest or ctest."""
     results = []
     for case in ElementTree.parse(file).iter("testcase"):
-        name = "::".join(
-            filter(None, [case.get("classname") if "::" not in case.get("name", "") else "", case.get("name")])
-        )
+        name, group = case.get("name", ""), case.get("classname", "")
+        if group and group != name:
+            name = f"{group}::{name}"
         broken = case.find("failure")
         if broken is None:
             broken = case.find("error")

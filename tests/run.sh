@@ -109,11 +109,16 @@ if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"
   suite cpp-release run_ctest release
 fi
 
-# The plugin tests with the older PyMeshLab run here by themselves, not once more from within the newer one.
-suite python-2025 run_pytest python-2025 .venv/bin/python tests/plugin tests/python \
-  --ignore=tests/plugin/test_older_pymeshlab.py &
-suite python-2022 run_pytest python-2022 build/venv-2022/bin/python tests/plugin tests/python \
-  --ignore=tests/plugin/test_older_pymeshlab.py
+# Both PyMeshLab versions side by side. The plugin is loaded by the tests themselves in one folder and by the package
+# vorogeo in the other, and cannot be unloaded: each folder has a process of its own. That the plugin tests also pass
+# with the older PyMeshLab is tested here, not once more from within the newer one.
+# Usage: python_suites VERSION PYTHON
+python_suites() {
+  suite "plugin-$1" run_pytest "plugin-$1" "$2" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
+  suite "python-$1" run_pytest "python-$1" "$2" tests/python
+}
+python_suites 2025.7 .venv/bin/python &
+python_suites 2022.2 build/venv-2022/bin/python
 wait
 
 if [ "$quick" = no ]; then
