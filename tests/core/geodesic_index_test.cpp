@@ -137,7 +137,8 @@ TEST(GeodesicIndex, Refusals) {
             "The mesh has a mean edge length of 1.05146e-40 and a longest edge of 1.05146e-40" + range);
   options.first_layer_patches = -3;
   EXPECT_EQ(refusal(test::icosphere(0), options),
-            "The number of first-layer patches, n1, is -3; give one from 0 (automatic) to 20, the number of faces.");
+            "The number of first-layer patches, n1, is -3; give one from 0 (automatic) to 20, the number of "
+            "faces.");
 }
 
 TEST(GeodesicIndex, TinyMeshesAndAsManyPatchesAsFaces) {
