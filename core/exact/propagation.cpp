@@ -11,6 +11,10 @@ namespace {
 /// How far beside a window, in lengths of the edge, a vertex may lie and still be reached by it.
 constexpr double vertex_tolerance = 1e-11;
 
+/// Windows narrower than this, in lengths of their edge, are rounding at ties and break edges into ever more
+/// slivers.
+constexpr double least_width = 1e-11;
+
 /// A side of the face being crossed; positions on the crossed edge count from the vertex it shares with the
 /// side.
 struct Side {
@@ -97,7 +101,7 @@ void ExactSolver::State::add_window(Index edge, Window window) {
                    window.begin, window.end);
     at_end = window.distance(window.end);
   }
-  if (!(window.end > window.begin)) return;
+  if (!(window.end - window.begin > least_width * length)) return;
   if (corridor_target != no_index && !in_corridor(length_at_edge(window.least_distance(), edge))) return;
   const double least = envelope.insert(edge, window, at_begin, at_end);
   if (least <= max_distance) queue.push(mesh.vertex_count() + edge, least);
