@@ -4,6 +4,7 @@
 #include "errors.h"
 #include "index_binding.h"
 #include "mesh_binding.h"
+#include "tasks_binding.h"
 
 NB_MODULE(_core, module) {
   module.doc() =
@@ -11,4 +12,5 @@ NB_MODULE(_core, module) {
   vorogeo::python::translate_errors();
   vorogeo::python::bind_mesh_functions(module);
   vorogeo::python::bind_index(module);
+  vorogeo::python::bind_tasks(module);
 }

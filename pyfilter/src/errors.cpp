@@ -2,6 +2,7 @@
 #include "errors.h"
 
 #include "support/error.h"
+#include "support/memory.h"
 
 namespace vorogeo::python {
 
@@ -9,7 +10,7 @@ namespace {
 
 /// The exception classes; they live as long as the interpreter.
 struct Classes {
-  nb::handle error, invalid_input, index_file, cancelled;
+  nb::handle error, invalid_input, index_file, cancelled, not_enough_memory;
 };
 
 Classes classes;
@@ -23,6 +24,8 @@ void translate(const std::exception_ptr& exception, void*) {
     PyErr_SetString(classes.index_file.ptr(), e.what());
   } catch (const Cancelled& e) {
     PyErr_SetString(classes.cancelled.ptr(), e.what());
+  } catch (const NotEnoughMemory& e) {
+    PyErr_SetString(classes.not_enough_memory.ptr(), e.what());
   } catch (const Error& e) {
     PyErr_SetString(classes.error.ptr(), e.what());
   }
@@ -33,7 +36,8 @@ void translate(const std::exception_ptr& exception, void*) {
 void translate_errors() {
   nb::module_ errors = nb::module_::import_("vorogeo.errors");
   auto take = [&](const char* name) { return nb::object(errors.attr(name)).release(); };
-  classes = {take("Error"), take("InvalidInput"), take("IndexFileError"), take("Cancelled")};
+  classes = {take("Error"), take("InvalidInput"), take("IndexFileError"), take("Cancelled"),
+             take("NotEnoughMemory")};
   nb::register_exception_translator(translate);
 }
 

@@ -23,6 +23,7 @@ class IndexHandle {
       : pool_(std::move(index), threads), input_faces_(input_faces) {}
 
   const GeodesicIndex& index() const { return pool_.index(); }
+  HeldIndex held() const { return {pool_.shared_index(), pool_.threads(), input_faces_}; }
 
   double distance(Index source, Index target) {
     nb::gil_scoped_release release;
@@ -128,6 +129,8 @@ IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices
 }
 
 }  // namespace
+
+HeldIndex held_index(nb::handle object) { return nb::cast<const IndexHandle&>(object).held(); }
 
 void bind_index(nb::module_& module) {
   nb::class_<IndexHandle>(module, "Index")

@@ -3,7 +3,21 @@
 
 #include <nanobind/nanobind.h>
 
+#include <memory>
+
+#include "index/geodesic_index.h"
+
 namespace vorogeo::python {
+
+/// What a Python object of the class _core.Index holds.
+struct HeldIndex {
+  std::shared_ptr<const GeodesicIndex> index;
+  int threads;              ///< 0: one per core
+  std::size_t input_faces;  ///< rows of the faces that were given
+};
+
+/// \throw nanobind::cast_error if the object is of another class.
+HeldIndex held_index(nanobind::handle object);
 
 void bind_index(nanobind::module_& module);
 

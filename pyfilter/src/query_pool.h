@@ -27,6 +27,7 @@ class QueryPool {
   }
 
   const GeodesicIndex& index() const { return *index_; }
+  const std::shared_ptr<const GeodesicIndex>& shared_index() const { return index_; }
   int threads() const { return threads_; }
 
  private:

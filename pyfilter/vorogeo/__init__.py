@@ -7,9 +7,11 @@ this package also loads the VoroGeo filters into it and binds them as methods of
 
 from importlib.metadata import version as _version
 
-from .errors import Cancelled, Error, IndexFileError, InvalidInput, PluginError
+from ._output import matrix_bytes
+from .errors import Cancelled, Error, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
 from .exact import exact_distance_field
 from .index import GeodesicIndex, IndexStatistics
+from .matrices import SparseDistances
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
@@ -24,10 +26,13 @@ __all__ = [
     "InvalidInput",
     "MeshFinding",
     "MeshReport",
+    "NotEnoughMemory",
     "PluginError",
+    "SparseDistances",
     "check_mesh",
     "exact_distance_field",
     "load_plugin",
+    "matrix_bytes",
 ]
 
 _load_on_import()

@@ -200,3 +200,29 @@ def file_path(value: str | os.PathLike[str]) -> str:
     if not path:
         raise InvalidInput("file: is empty; give a file name.")
     return path
+
+
+def id_list(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+    """Any number of vertex ids, also none, as int32 of shape (k,)."""
+    return np.atleast_1d(vertex_ids(name, value, vertex_count))
+
+
+def length(name: str, value: Any) -> float:
+    """A length of 0 or more; infinity is one."""
+    wanted = "a length of 0 or more in the unit of the vertices"
+    number = real(name, value, wanted)
+    if number < 0:
+        raise InvalidInput(f"{name}: {number} is negative; give {wanted}.")
+    return number
+
+
+def byte_limit(value: int | None) -> int:
+    """A limit in bytes; 0 for None, which stands for the available memory."""
+    return 0 if value is None else integer("max_bytes", value, 1, 2**63 - 1)
+
+
+def choice(name: str, value: str, choices: tuple[str, ...]) -> int:
+    """The place of a word among those allowed."""
+    if value not in choices:
+        raise InvalidInput(f"{name}: {value!r} is unknown; give one of {', '.join(map(repr, choices))}.")
+    return choices.index(value)

@@ -17,5 +17,9 @@ class Cancelled(Error):
     """The progress function asked to stop; nothing was changed."""
 
 
+class NotEnoughMemory(Error, MemoryError):
+    """A result that needs more memory than there is, found out before it is taken."""
+
+
 class PluginError(Error, RuntimeError):
     """The filters cannot be added to the installed PyMeshLab."""

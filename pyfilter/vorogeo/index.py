@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
+from .matrices import Matrices
 from .progress import ProgressFunction, reporter
 
 
@@ -54,7 +55,7 @@ class IndexStatistics:
     seed: int
 
 
-class GeodesicIndex:
+class GeodesicIndex(Matrices):
     """Index of a triangle mesh for geodesic distances.
 
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path

@@ -1,0 +1,48 @@
+// Neighbours by geodesic distance: all pairs within a radius, and the nearest of a set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "query/field_team.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// A sparse matrix in compressed rows: row i holds the entries row_begin[i] to row_begin[i + 1].
+struct SparseDistances {
+  std::vector<std::int64_t> row_begin;  ///< shape (rows + 1)
+  std::vector<Index> column;            ///< ascending within a row
+  std::vector<double> distance;
+};
+
+/// Bytes that `entries` entries take while the matrix is put together.
+double sparse_bytes(double entries);
+
+/// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
+/// A pair has the value that the field of the vertex with the smaller number gives it.
+/// `most_bytes`: see require_memory; checked while the pairs are found.
+/// \throw InvalidInput for a vertex out of range, a radius that is negative or no number, NotEnoughMemory,
+/// Cancelled. Complexity: one field bounded by the radius for each point.
+SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, double radius,
+                             std::int64_t most_bytes = 0, const Progress& progress = {});
+
+/// For each of `points` (rows) all of `others` (columns) at most `radius` away.
+SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, std::span<const Index> others,
+                             double radius, std::int64_t most_bytes = 0, const Progress& progress = {});
+
+/// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
+/// query. Where fewer can be reached the rest is no_index and `unreachable`. Equal distances: smaller
+/// position first.
+struct NearestOfSet {
+  std::vector<Index> position;
+  std::vector<double> distance;
+};
+
+/// \throw InvalidInput for a vertex out of range, Cancelled. Complexity: a field for each query or for each
+/// entry of the set, whichever are fewer.
+NearestOfSet nearest_of_set(FieldTeam& team, std::span<const Index> set, std::span<const Index> queries,
+                            std::size_t count, const Progress& progress = {});
+
+}  // namespace vorogeo

@@ -1,0 +1,26 @@
+// How much memory a result may take, asked before it is taken.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+/// A result that needs more memory than there is; the message says how much, and what to do.
+class NotEnoughMemory : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Bytes that this process can still take without swapping: what the system calls available, or what the
+/// control group of the process leaves if that is less. A very large number where the system does not say.
+std::int64_t available_memory_bytes();
+
+/// Throws NotEnoughMemory if `needed` bytes are more than `most_bytes`; 0 stands for the available memory.
+/// `what` begins the sentence ("The matrix of 5 x 5 distances"), `advice` ends it ("Give fewer points.").
+void require_memory(double needed, std::int64_t most_bytes, const std::string& what,
+                    const std::string& advice);
+
+}  // namespace vorogeo

@@ -1,0 +1,104 @@
+// The functions of _core that fill matrices and find neighbours.
+#include "tasks_binding.h"
+
+#include "arrays.h"
+#include "index_binding.h"
+#include "progress_bridge.h"
+#include "query/distance_matrix.h"
+#include "query/neighbors.h"
+#include "support/memory.h"
+
+namespace vorogeo::python {
+
+namespace {
+
+/// Memory of the caller, such as an array or a mapped file.
+using OutArray = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+std::span<double> values_of(const OutArray& out) { return {out.data(), out.shape(0) * out.shape(1)}; }
+
+/// Calls body(team, progress) without the GIL.
+template <class Body>
+auto with_team(nb::handle index, nb::handle progress, Body&& body) {
+  const HeldIndex held = held_index(index);
+  ProgressBridge bridge(progress);
+  return bridge.run([&](const Progress& report) {
+    FieldTeam team(held.index, held.threads);
+    return body(team, report);
+  });
+}
+
+void fill_matrix(nb::handle index, const IdArray& rows, const IdArray& columns, int method,
+                 const OutArray& out, nb::object progress) {
+  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    distance_matrix(team, ids_of(rows), ids_of(columns), static_cast<MatrixMethod>(method), values_of(out),
+                    report);
+  });
+}
+
+void fill_square_matrix(nb::handle index, const IdArray& points, int method, const OutArray& out,
+                        nb::object progress) {
+  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    distance_matrix(team, ids_of(points), static_cast<MatrixMethod>(method), values_of(out), report);
+  });
+}
+
+void fill_fields(nb::handle index, const IdArray& sources, double max_distance, const OutArray& out,
+                 nb::object progress) {
+  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    distance_fields(team, ids_of(sources), max_distance, values_of(out), report);
+  });
+}
+
+DoubleArray pairs(nb::handle index, const IdArray& sources, const IdArray& targets, nb::object progress) {
+  std::vector<double> values(sources.shape(0));
+  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    pair_distances(team, ids_of(sources), ids_of(targets), values, report);
+  });
+  return to_numpy(std::move(values));
+}
+
+nb::tuple as_tuple(SparseDistances&& sparse) {
+  return nb::make_tuple(to_numpy(std::move(sparse.row_begin)), to_numpy(std::move(sparse.column)),
+                        to_numpy(std::move(sparse.distance)));
+}
+
+nb::tuple within(nb::handle index, const IdArray& points, double radius, std::int64_t most_bytes,
+                 nb::object progress) {
+  return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    return pairs_within(team, ids_of(points), radius, most_bytes, report);
+  }));
+}
+
+nb::tuple within_others(nb::handle index, const IdArray& points, const IdArray& others, double radius,
+                        std::int64_t most_bytes, nb::object progress) {
+  return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    return pairs_within(team, ids_of(points), ids_of(others), radius, most_bytes, report);
+  }));
+}
+
+nb::tuple nearest(nb::handle index, const IdArray& set, const IdArray& queries, std::size_t count,
+                  nb::object progress) {
+  NearestOfSet found = with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    return nearest_of_set(team, ids_of(set), ids_of(queries), count, report);
+  });
+  return nb::make_tuple(to_numpy(std::move(found.position)), to_numpy(std::move(found.distance)));
+}
+
+}  // namespace
+
+void bind_tasks(nb::module_& module) {
+  const nb::arg index("index"), points("points"), others("others"), sources("sources"), method("method"),
+      out("out"), radius("radius"), most_bytes("most_bytes");
+  const auto progress = nb::arg("progress").none();
+  module.def("available_memory_bytes", &available_memory_bytes);
+  module.def("fill_matrix", &fill_matrix, index, nb::arg("rows"), nb::arg("columns"), method, out, progress);
+  module.def("fill_square_matrix", &fill_square_matrix, index, points, method, out, progress);
+  module.def("fill_fields", &fill_fields, index, sources, nb::arg("max_distance"), out, progress);
+  module.def("pair_distances", &pairs, index, sources, nb::arg("targets"), progress);
+  module.def("pairs_within", &within, index, points, radius, most_bytes, progress);
+  module.def("pairs_within_others", &within_others, index, points, others, radius, most_bytes, progress);
+  module.def("nearest", &nearest, index, nb::arg("set"), nb::arg("queries"), nb::arg("count"), progress);
+}
+
+}  // namespace vorogeo::python

@@ -1,0 +1,75 @@
+"""Where a large result goes: into memory after a check that it fits, or into a .npy file that is mapped."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arguments as check
+from . import _core
+from .errors import InvalidInput, NotEnoughMemory
+
+Output = str | os.PathLike[str] | NDArray[np.float64] | None
+
+
+def matrix_bytes(rows: int, columns: int) -> int:
+    """Bytes that a matrix of float64 distances takes.
+
+    Parameters
+    ----------
+    rows, columns : int
+        Its shape.
+    """
+    return 8 * check.integer("rows", rows, 0, 2**40) * check.integer("columns", columns, 0, 2**40)
+
+
+def require_memory(what: str, needed: float, max_bytes: int | None, advice: str) -> None:
+    """Raise NotEnoughMemory if `needed` bytes are more than allowed or, without a limit, available."""
+    limit = check.byte_limit(max_bytes) or _core.available_memory_bytes()
+    if needed > limit:
+        bound = "available" if max_bytes is None else "allowed by max_bytes"
+        raise NotEnoughMemory(
+            f"{what} takes {needed / 2**30:.3g} GiB, more than the {limit / 2**30:.3g} GiB {bound}; {advice}"
+        )
+
+
+@contextmanager
+def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Iterator[NDArray[np.float64]]:
+    """An array of float64 to fill in the block: new, given, or mapped to a file that appears whole or not at all."""
+    if out is None:
+        require_memory(
+            f"The matrix of {rows} x {columns} distances", matrix_bytes(rows, columns), max_bytes,
+            "give fewer points, or out='file.npy' to write it to a file.",
+        )  # fmt: skip
+        yield np.empty((rows, columns))
+    elif isinstance(out, np.ndarray):
+        if out.shape != (rows, columns) or out.dtype != np.float64 or not out.flags.c_contiguous:
+            raise InvalidInput(
+                f"out: is an array of {out.dtype} and shape {out.shape}; give a contiguous one of float64 and shape "
+                f"({rows}, {columns})."
+            )
+        if not out.flags.writeable:
+            raise InvalidInput("out: is read-only; give an array that can be written, or the name of a file.")
+        yield out
+    else:
+        file = Path(check.file_path(out))
+        if file.is_dir() or not file.absolute().parent.is_dir():
+            raise InvalidInput(f"out: {file} is not in a folder that exists, or is one itself; name another file.")
+        part = file.with_name(f"{file.name}.{os.getpid()}.part")
+        try:
+            if rows * columns == 0:
+                np.save(part.open("wb"), np.empty((rows, columns)))
+                array = np.empty((rows, columns))
+            else:
+                array = np.lib.format.open_memmap(part, mode="w+", dtype=np.float64, shape=(rows, columns))
+            yield array
+            if isinstance(array, np.memmap):
+                array.flush()
+            os.replace(part, file)
+        finally:
+            part.unlink(missing_ok=True)
