@@ -1,0 +1,58 @@
+// How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "query/field_team.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// The greatest finite distance from a vertex, and where it is found (of equal ones the first vertex).
+struct Eccentricity {
+  double distance = 0.0;
+  Index farthest = no_index;
+};
+
+/// For each of the vertices, within its component. \throw InvalidInput for a vertex out of range, Cancelled.
+/// Complexity: a field for each.
+std::vector<Eccentricity> eccentricities(FieldTeam& team, std::span<const Index> vertices,
+                                         const Progress& progress = {});
+
+/// A number known to lie between two bounds.
+struct Bounds {
+  double lower = 0.0;
+  double upper = unreachable;
+};
+
+/// The greatest and the least eccentricity of the vertices of a component.
+struct Extent {
+  Bounds diameter;
+  Index ends[2] = {no_index, no_index};  ///< vertices whose distance is the lower bound of the diameter
+  Bounds radius;
+  Index centre = no_index;  ///< a vertex whose eccentricity is the upper bound of the radius
+  Index fields = 0;         ///< how many were computed
+};
+
+/// Bounds from at most `most_fields` fields, in the component of `start`: a double sweep, then further
+/// vertices by turns where the diameter and where the centre may still be, with the triangle inequality
+/// bounding the eccentricities of all others (Takes, Kosters 2011). Bounds hold for the distances as
+/// computed; they close when enough fields are allowed. \throw InvalidInput for a start out of range or fewer
+/// than 2 fields, Cancelled.
+Extent extent_of_component(FieldTeam& team, Index start, Index most_fields, const Progress& progress = {});
+
+/// The component with most vertices, as its first vertex.
+Index first_vertex_of_largest_component(const Mesh& mesh);
+
+/// What lies within a radius of the nearest of some sources.
+struct GeodesicDisk {
+  std::vector<Index> vertices;   ///< ascending
+  std::vector<double> distance;  ///< of each
+  std::vector<Index> faces;      ///< with all three corners inside, ascending
+};
+
+/// \throw InvalidInput for no source, one out of range, or a radius that is negative or no number.
+GeodesicDisk geodesic_disk(FieldTeam& team, std::span<const Index> sources, double radius);
+
+}  // namespace vorogeo

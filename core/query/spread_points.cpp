@@ -1,0 +1,130 @@
+// Samplings that lower one distance field sample by sample.
+#include "query/spread_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+std::vector<Index> vertices_with_face(const Mesh& mesh) {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.fan(v) != Mesh::Fan::isolated) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+void lower(std::vector<double>& distance, const std::vector<double>& field) {
+  for (std::size_t v = 0; v < field.size(); ++v) distance[v] = std::min(distance[v], field[v]);
+}
+
+double straight(const Mesh& mesh, Index a, Index b) {
+  const Point& p = mesh.position(a);
+  const Point& q = mesh.position(b);
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+/// A random number below `count`, the same with every standard library.
+std::size_t below(std::mt19937_64& random, std::size_t count) {
+  return static_cast<std::size_t>(random() % count);
+}
+
+}  // namespace
+
+FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, std::span<const Index> start,
+                                std::uint64_t seed, const Progress& progress) {
+  const Mesh& mesh = team.mesh();
+  require_vertices(mesh, start, "Start");
+  if (stop.count < 0 || !(stop.radius >= 0.0) || (stop.count == 0 && stop.radius == 0.0)) {
+    throw InvalidInput("Give a number of samples above 0, or a covering radius above 0 at which to stop.");
+  }
+  const auto allowed = vertices_with_face(mesh);
+  FarthestSamples result;
+  result.distance.assign(mesh.vertex_count(), unreachable);
+  std::mt19937_64 random(seed);
+  std::size_t farthest = 0;
+  auto measure = [&] {
+    result.covering_radius = allowed.empty() ? 0.0 : -1.0;
+    for (Index v : allowed) {
+      if (result.distance[v] <= result.covering_radius) continue;
+      result.covering_radius = result.distance[v];
+      farthest = static_cast<std::size_t>(v);
+    }
+  };
+  measure();
+  const std::size_t most = stop.count > 0 ? static_cast<std::size_t>(stop.count) : allowed.size();
+  while (result.vertices.size() < most) {
+    const std::size_t taken = result.vertices.size();
+    if (taken >= start.size()) {
+      if (result.covering_radius <= stop.radius) break;
+      if (taken == 0) farthest = static_cast<std::size_t>(allowed[below(random, allowed.size())]);
+    } else {
+      farthest = static_cast<std::size_t>(start[taken]);
+    }
+    const auto sample = static_cast<Index>(farthest);
+    result.vertices.push_back(sample);
+    result.radius.push_back(result.distance[sample]);
+    lower(result.distance, team.field_on_all_threads(std::span(&sample, 1), result.covering_radius));
+    result.distance[sample] = 0.0;
+    measure();
+    double done = static_cast<double>(taken + 1) / static_cast<double>(most);
+    if (stop.radius > 0.0 && result.covering_radius < unreachable) {
+      // On a surface the number of samples grows with the inverse square of the radius.
+      const double ratio = stop.radius / std::max(stop.radius, result.covering_radius);
+      done = std::max(done, ratio * ratio);
+    }
+    progress.report(std::min(1.0, done), "Farthest point sampling");
+  }
+  return result;
+}
+
+std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint64_t seed,
+                                       const Progress& progress) {
+  if (!(radius > 0.0) || radius == unreachable) {
+    throw InvalidInput("The radius is " + std::to_string(radius) +
+                       "; it must be a length above 0 in the unit of the mesh.");
+  }
+  const Mesh& mesh = team.mesh();
+  auto order = vertices_with_face(mesh);
+  std::mt19937_64 random(seed);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[below(random, i)]);
+
+  std::vector<double> distance(mesh.vertex_count(), unreachable);
+  std::vector<Index> samples;
+  std::vector<Index> batch;
+  std::vector<std::vector<double>> fields;
+  std::size_t next = 0;
+  while (next < order.size()) {
+    // Darts that are a radius apart in space cannot hit each other's disks: they are thrown at once.
+    batch.clear();
+    while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * team.threads())) {
+      const Index dart = order[next];
+      if (distance[dart] >= radius) {
+        const bool may_hit = std::any_of(batch.begin(), batch.end(), [&](Index other) {
+          return straight(mesh, dart, other) < radius * 1.05;
+        });
+        if (may_hit) break;
+        batch.push_back(dart);
+      }
+      ++next;
+    }
+    fields.resize(batch.size());
+    parallel_for(batch.size(), team.threads(), {}, "",
+                 [&](std::size_t i, int worker) { fields[i] = team.field(batch[i], radius, worker); });
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      lower(distance, fields[i]);
+      samples.push_back(batch[i]);
+    }
+    progress.report(static_cast<double>(next) / static_cast<double>(order.size()), "Poisson-disk sampling");
+  }
+  return samples;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,43 @@
+// Points spread over the surface by geodesic distance: farthest point and Poisson-disk sampling.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "query/field_team.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// When farthest point sampling stops: at whichever comes first.
+struct FarthestStop {
+  Index count = 0;      ///< this many samples; 0: no such limit
+  double radius = 0.0;  ///< every vertex is at most this far from a sample
+};
+
+struct FarthestSamples {
+  std::vector<Index> vertices;   ///< in the order in which they were taken
+  std::vector<double> radius;    ///< distance of each from the ones before it; infinity in a new component
+  std::vector<double> distance;  ///< of every vertex from the nearest sample, shape (n)
+  /// Greatest entry of `distance` (vertices without a face left out); infinity if a component has no sample.
+  double covering_radius = 0.0;
+};
+
+/// Farthest point sampling (Gonzalez 1985; on surfaces Moenning, Dodgson 2003): each sample is the vertex
+/// farthest from those before it, of equally far ones the first; vertices without a face are never taken. So
+/// samples are at least the covering radius apart. Begins with `start`, or with one random vertex. There are
+/// fewer than `count` samples if all vertices are at distance 0 before.
+/// \throw InvalidInput for vertices out of range or a stop that is none (no count, radius not above 0),
+/// Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
+FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, std::span<const Index> start = {},
+                                std::uint64_t seed = 0, const Progress& progress = {});
+
+/// Poisson-disk sampling by dart throwing (Cook 1986) over all vertices with a face in random order: samples
+/// are at least `radius` apart and no vertex could be added. The result does not depend on the threads.
+/// \throw InvalidInput for a radius that is not above 0 and finite, Cancelled.
+/// Complexity: a field for each sample, bounded by the radius.
+std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint64_t seed = 0,
+                                       const Progress& progress = {});
+
+}  // namespace vorogeo
