@@ -13,4 +13,5 @@ NB_MODULE(_core, module) {
   vorogeo::python::bind_mesh_functions(module);
   vorogeo::python::bind_index(module);
   vorogeo::python::bind_tasks(module);
+  vorogeo::python::bind_surface_tasks(module);
 }

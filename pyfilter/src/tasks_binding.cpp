@@ -2,11 +2,10 @@
 #include "tasks_binding.h"
 
 #include "arrays.h"
-#include "index_binding.h"
-#include "progress_bridge.h"
 #include "query/distance_matrix.h"
 #include "query/neighbors.h"
 #include "support/memory.h"
+#include "team_call.h"
 
 namespace vorogeo::python {
 
@@ -16,17 +15,6 @@ namespace {
 using OutArray = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 std::span<double> values_of(const OutArray& out) { return {out.data(), out.shape(0) * out.shape(1)}; }
-
-/// Calls body(team, progress) without the GIL.
-template <class Body>
-auto with_team(nb::handle index, nb::handle progress, Body&& body) {
-  const HeldIndex held = held_index(index);
-  ProgressBridge bridge(progress);
-  return bridge.run([&](const Progress& report) {
-    FieldTeam team(held.index, held.threads);
-    return body(team, report);
-  });
-}
 
 void fill_matrix(nb::handle index, const IdArray& rows, const IdArray& columns, int method,
                  const OutArray& out, nb::object progress) {

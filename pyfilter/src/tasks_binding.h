@@ -5,7 +5,9 @@
 
 namespace vorogeo::python {
 
-/// Matrices, neighbours and what is built on distance fields; each takes an object of _core.Index.
+/// Matrices and neighbours; each takes an object of _core.Index.
 void bind_tasks(nanobind::module_& module);
+/// What is built on distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation.
+void bind_surface_tasks(nanobind::module_& module);
 
 }  // namespace vorogeo::python

@@ -15,20 +15,28 @@ from .matrices import SparseDistances
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
+from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
 
 __version__ = _version("vorogeo")
 __all__ = [
     "Cancelled",
+    "Disk",
     "Error",
+    "Extent",
+    "FarthestSamples",
     "GeodesicIndex",
     "IndexFileError",
     "IndexStatistics",
     "InvalidInput",
+    "Isolines",
     "MeshFinding",
     "MeshReport",
     "NotEnoughMemory",
     "PluginError",
+    "Polylines",
+    "RelaxedPoints",
     "SparseDistances",
+    "VoronoiRegions",
     "check_mesh",
     "exact_distance_field",
     "load_plugin",

@@ -114,11 +114,11 @@ def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int
     return np.asarray(array, dtype=np.int32, order="C")
 
 
-def source_ids(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+def source_ids(value: ArrayLike, vertex_count: int, name: str = "sources") -> NDArray[np.int32]:
     """One or more vertex ids as int32 of shape (k,), k >= 1."""
-    ids = np.atleast_1d(vertex_ids("sources", value, vertex_count))
+    ids = np.atleast_1d(vertex_ids(name, value, vertex_count))
     if ids.size == 0:
-        raise InvalidInput("sources: is empty; give at least one vertex id.")
+        raise InvalidInput(f"{name}: is empty; give at least one vertex id.")
     return ids
 
 
@@ -226,3 +226,12 @@ def choice(name: str, value: str, choices: tuple[str, ...]) -> int:
     if value not in choices:
         raise InvalidInput(f"{name}: {value!r} is unknown; give one of {', '.join(map(repr, choices))}.")
     return choices.index(value)
+
+
+def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Real numbers as contiguous float64 of shape (k,); a single one as shape (1,)."""
+    wanted = "a one-dimensional array of real numbers"
+    array = np.atleast_1d(_array(name, value, wanted))
+    if array.ndim != 1 or array.dtype.kind == "b":
+        raise InvalidInput(f"{name}: has shape {array.shape} and type {array.dtype}; give {wanted}.")
+    return np.ascontiguousarray(array, dtype=np.float64)

@@ -14,6 +14,7 @@ from . import _core
 from .errors import InvalidInput
 from .matrices import Matrices
 from .progress import ProgressFunction, reporter
+from .surface_tasks import SurfaceTasks
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class IndexStatistics:
     seed: int
 
 
-class GeodesicIndex(Matrices):
+class GeodesicIndex(Matrices, SurfaceTasks):
     """Index of a triangle mesh for geodesic distances.
 
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path

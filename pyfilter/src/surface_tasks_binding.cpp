@@ -1,0 +1,132 @@
+// The functions of _core for what is built on distance fields.
+#include "arrays.h"
+#include "query/extent.h"
+#include "query/isolines.h"
+#include "query/lloyd.h"
+#include "query/spread_points.h"
+#include "query/voronoi_regions.h"
+#include "tasks_binding.h"
+#include "team_call.h"
+
+namespace vorogeo::python {
+
+namespace {
+
+using FieldArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+std::span<const double> values_of(const FieldArray& values) { return {values.data(), values.shape(0)}; }
+
+/// Rows of equal size as one flat array; Python gives it its shape.
+template <class T, std::size_t size>
+nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size>>& rows) {
+  std::vector<T> values;
+  values.reserve(rows.size() * size);
+  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
+  return to_numpy(std::move(values));
+}
+
+/// Values of the faces of the mesh by rows of the faces given; no_index for a face that is left out.
+IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_face) {
+  std::vector<Index> values(held.input_faces, no_index);
+  for (Index f = 0; f < static_cast<Index>(of_face.size()); ++f) {
+    values[held.index->mesh()->input_face(f)] = of_face[f];
+  }
+  return to_numpy(std::move(values));
+}
+
+nb::tuple voronoi(nb::handle index, const IdArray& points, bool exact, nb::object progress) {
+  VoronoiRegions found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    return voronoi_regions(team, ids_of(points), report);
+  });
+  return nb::make_tuple(to_numpy(std::move(found.vertex_region)), to_numpy(std::move(found.distance)),
+                        by_input_face(held_index(index), found.face_region), to_numpy(std::move(found.area)),
+                        flat(found.borders.points), flat(found.borders.segments), flat(found.border_regions));
+}
+
+nb::tuple iso(nb::handle index, const FieldArray& field, const FieldArray& levels, int interpolation) {
+  const HeldIndex held = held_index(index);
+  Isolines found;
+  {
+    nb::gil_scoped_release release;
+    found = isolines(*held.index->mesh(), values_of(field), values_of(levels),
+                     static_cast<Interpolation>(interpolation));
+  }
+  return nb::make_tuple(flat(found.lines.points), flat(found.lines.segments),
+                        to_numpy(std::move(found.level_of_point)));
+}
+
+nb::tuple farthest(nb::handle index, Index count, double radius, const IdArray& start, std::uint64_t seed,
+                   bool exact, nb::object progress) {
+  FarthestSamples found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    return sample_farthest(team, {count, radius}, ids_of(start), seed, report);
+  });
+  return nb::make_tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.radius)),
+                        to_numpy(std::move(found.distance)), found.covering_radius);
+}
+
+IndexArray poisson_disk(nb::handle index, double radius, std::uint64_t seed, bool exact,
+                        nb::object progress) {
+  return to_numpy(with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    return sample_poisson_disk(team, radius, seed, report);
+  }));
+}
+
+nb::tuple disk(nb::handle index, const IdArray& sources, double radius, bool exact) {
+  GeodesicDisk found = with_team(index, exact, nb::none(), [&](FieldTeam& team, const Progress&) {
+    return geodesic_disk(team, ids_of(sources), radius);
+  });
+  const Mesh& mesh = *held_index(index).index->mesh();
+  for (Index& face : found.faces) face = mesh.input_face(face);
+  return nb::make_tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.distance)),
+                        to_numpy(std::move(found.faces)));
+}
+
+nb::tuple eccentricity(nb::handle index, const IdArray& points, bool exact, nb::object progress) {
+  const auto found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    return eccentricities(team, ids_of(points), report);
+  });
+  std::vector<double> distance;
+  std::vector<Index> vertex;
+  for (const Eccentricity& one : found) {
+    distance.push_back(one.distance);
+    vertex.push_back(one.farthest);
+  }
+  return nb::make_tuple(to_numpy(std::move(distance)), to_numpy(std::move(vertex)));
+}
+
+/// `start`: no_index for the largest component.
+nb::tuple extent(nb::handle index, Index start, Index most_fields, bool exact, nb::object progress) {
+  const Extent found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    const Index first = start == no_index ? first_vertex_of_largest_component(team.mesh()) : start;
+    return extent_of_component(team, first, most_fields, report);
+  });
+  return nb::make_tuple(nb::make_tuple(found.diameter.lower, found.diameter.upper),
+                        nb::make_tuple(found.ends[0], found.ends[1]),
+                        nb::make_tuple(found.radius.lower, found.radius.upper), found.centre, found.fields);
+}
+
+nb::tuple relax(nb::handle index, const IdArray& points, Index rounds, bool exact, nb::object progress) {
+  RelaxedPoints found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
+    return relax_points(team, ids_of(points), rounds, report);
+  });
+  return nb::make_tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.energy)));
+}
+
+}  // namespace
+
+void bind_surface_tasks(nb::module_& module) {
+  const nb::arg index("index"), points("points"), sources("sources"), radius("radius"), seed("seed"),
+      exact("exact");
+  const auto progress = nb::arg("progress").none();
+  module.def("voronoi", &voronoi, index, points, exact, progress);
+  module.def("isolines", &iso, index, nb::arg("field"), nb::arg("levels"), nb::arg("interpolation"));
+  module.def("sample_farthest", &farthest, index, nb::arg("count"), radius, nb::arg("start"), seed, exact,
+             progress);
+  module.def("sample_poisson_disk", &poisson_disk, index, radius, seed, exact, progress);
+  module.def("disk", &disk, index, sources, radius, exact);
+  module.def("eccentricity", &eccentricity, index, points, exact, progress);
+  module.def("extent", &extent, index, nb::arg("start"), nb::arg("most_fields"), exact, progress);
+  module.def("relax", &relax, index, points, nb::arg("rounds"), exact, progress);
+}
+
+}  // namespace vorogeo::python

@@ -1,0 +1,167 @@
+"""What the tasks on a surface return: plain numpy arrays that PyVista and polyscope take as they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Polylines:
+    """Lines on a surface as points and edges.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (p, 3)
+        Positions; lines that go on from face to face share their points.
+    edges : ndarray of int32, shape (q, 2)
+        Rows of `points` that are joined.
+    """
+
+    points: NDArray[np.float64]
+    edges: NDArray[np.int32]
+
+    @property
+    def length(self) -> float:
+        """Sum of the lengths of all edges."""
+        ends = self.points[self.edges]
+        return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+
+    def to_pyvista(self) -> Any:
+        """The lines as a ``pyvista.PolyData``.
+
+        Raises
+        ------
+        ImportError
+            If PyVista is not installed.
+        """
+        import pyvista
+
+        cells = np.insert(self.edges.astype(np.int64), 0, 2, axis=1).ravel()
+        return pyvista.PolyData(self.points, lines=cells) if len(self.edges) else pyvista.PolyData()
+
+
+@dataclass(frozen=True)
+class Isolines(Polylines):
+    """Lines of equal value of a field.
+
+    Attributes
+    ----------
+    values : ndarray of float64, shape (p,)
+        The level at each point.
+    """
+
+    values: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class VoronoiRegions:
+    """Geodesic Voronoi regions of k points; a region is the place of its point in the list, -1 is none.
+
+    Attributes
+    ----------
+    vertex_region : ndarray of int32, shape (n,)
+        Of the nearest point, of equally near ones the first; -1 where none can be reached.
+    distance : ndarray of float64, shape (n,)
+        Of each vertex from it; infinity where there is none.
+    face_region : ndarray of int32, shape (m,)
+        The region at the centre of each face; -1 also for a face that is left out.
+    area : ndarray of float64, shape (k,)
+        Of each region; 0 for a point that repeats an earlier one.
+    borders : Polylines
+        Where the distances from two points are equal: straight across each face, three meeting in a point.
+    border_regions : ndarray of int32, shape (q, 2)
+        The two regions at each edge of the borders.
+    """
+
+    vertex_region: NDArray[np.int32]
+    distance: NDArray[np.float64]
+    face_region: NDArray[np.int32]
+    area: NDArray[np.float64]
+    borders: Polylines
+    border_regions: NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class FarthestSamples:
+    """A farthest point sampling.
+
+    Attributes
+    ----------
+    vertices : ndarray of int32, shape (k,)
+        The samples, in the order in which they were taken.
+    radius : ndarray of float64, shape (k,)
+        Distance of each from the ones before it; infinity for the first of a component.
+    distance : ndarray of float64, shape (n,)
+        Of every vertex from the nearest sample.
+    covering_radius : float
+        The greatest of these, vertices without a face left out; infinity if a component has no sample.
+    """
+
+    vertices: NDArray[np.int32]
+    radius: NDArray[np.float64]
+    distance: NDArray[np.float64]
+    covering_radius: float
+
+
+@dataclass(frozen=True)
+class Disk:
+    """What lies within a radius of a point.
+
+    Attributes
+    ----------
+    vertices : ndarray of int32, shape (k,)
+        Ids, ascending.
+    distances : ndarray of float64, shape (k,)
+        Of each from the nearest source.
+    faces : ndarray of int32, shape (j,)
+        Faces with all three corners inside, ascending.
+    """
+
+    vertices: NDArray[np.int32]
+    distances: NDArray[np.float64]
+    faces: NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How far a component reaches, over its vertices; the bounds hold for the distances as computed.
+
+    Attributes
+    ----------
+    diameter : (float, float)
+        Lower and upper bound of the greatest distance of two vertices.
+    ends : (int, int)
+        Two vertices at the distance of the lower bound.
+    radius : (float, float)
+        Lower and upper bound of the least eccentricity.
+    centre : int
+        A vertex whose eccentricity is the upper bound.
+    fields : int
+        Distance fields that were computed.
+    """
+
+    diameter: tuple[float, float]
+    ends: tuple[int, int]
+    radius: tuple[float, float]
+    centre: int
+    fields: int
+
+
+@dataclass(frozen=True)
+class RelaxedPoints:
+    """The end of a Lloyd relaxation.
+
+    Attributes
+    ----------
+    vertices : ndarray of int32, shape (k,)
+        Where each point ended, in the order given.
+    energy : ndarray of float64, shape (rounds + 1,)
+        Integral over the surface of the squared distance from the nearest point, at first and after each round.
+    """
+
+    vertices: NDArray[np.int32]
+    energy: NDArray[np.float64]

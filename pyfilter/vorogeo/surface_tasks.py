@@ -1,0 +1,271 @@
+"""What is built on distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from . import _core
+from .errors import InvalidInput
+from .progress import ProgressFunction, reporter
+from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
+
+if TYPE_CHECKING:
+    from .index import IndexStatistics
+
+_INTERPOLATIONS = ("linear", "distance")
+
+
+class SurfaceTasks:
+    """The methods of `GeodesicIndex` that build on distance fields.
+
+    Points are vertex ids, `progress` is as for the constructor, and errors are `InvalidInput` for arguments and
+    `Cancelled` if `progress` returned False. With ``exact=True`` distances come from exact propagation instead of the
+    index: slower, and without its errors.
+    """
+
+    __slots__ = ()
+
+    _handle: _core.Index
+    _statistics: IndexStatistics
+
+    def voronoi(
+        self, points: ArrayLike, exact: bool = False, progress: ProgressFunction | bool | None = None
+    ) -> VoronoiRegions:
+        """Geodesic Voronoi regions of points: the nearest point of every vertex and face, and the borders.
+
+        Parameters
+        ----------
+        points : array_like of int, shape (k,), k >= 1
+            Vertex ids; one that repeats an earlier one owns nothing.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        VoronoiRegions
+
+        Notes
+        -----
+        Borders are exact on flat parts of the surface, given the distances of the vertices: in each face the difference
+        of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
+        distance of a vertex from its point.
+        """
+        ids = check.source_ids(points, self._statistics.vertices, "points")
+        with reporter(progress) as report:
+            found = _core.voronoi(self._handle, ids, exact, report)
+        borders = Polylines(found[4].reshape(-1, 3), found[5].reshape(-1, 2))
+        return VoronoiRegions(*found[:4], borders, found[6].reshape(-1, 2))
+
+    def isolines(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> Isolines:
+        """Lines on which a field has given values.
+
+        Parameters
+        ----------
+        field : array_like of float, shape (n,)
+            Values of the vertices; faces with one that is not finite hold no line.
+        levels : int or array_like of float, shape (l,)
+            The values; an integer stands for that many, evenly spaced between the least and the greatest of the field.
+        interpolation : {"distance", "linear"}
+            "distance": along an edge as distances from a point run in the plane, exact where the surface is flat;
+            linear where the values differ by more than the edge's length. "linear": for any field.
+
+        Returns
+        -------
+        Isolines
+            Edges join points of one level.
+        """
+        values = check.real_values("field", field)
+        if values.size != self._statistics.vertices:
+            raise InvalidInput(
+                f"field: has {values.size} values; give one for each of the {self._statistics.vertices} vertices."
+            )
+        how = check.choice("interpolation", interpolation, _INTERPOLATIONS)
+        if isinstance(levels, (int, np.integer)):
+            count = check.integer("levels", levels, 0, 2**31 - 1)
+            finite = values[np.isfinite(values)]
+            low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+            chosen = np.linspace(low, high, count + 2)[1:-1]
+        else:
+            chosen = check.real_values("levels", levels)
+        points, edges, level = _core.isolines(self._handle, values, chosen, how)
+        return Isolines(points.reshape(-1, 3), edges.reshape(-1, 2), chosen[level])
+
+    def sample_farthest(
+        self,
+        count: int | None = None,
+        radius: float = 0.0,
+        start: ArrayLike = (),
+        seed: int = 0,
+        exact: bool = False,
+        progress: ProgressFunction | bool | None = None,
+    ) -> FarthestSamples:
+        """Farthest point sampling: each sample is the vertex farthest from those before it.
+
+        Parameters
+        ----------
+        count : int, optional
+            How many samples; fewer are found if there are no more vertices.
+        radius : float, default 0
+            Stop as soon as every vertex is at most this far from a sample. Give this, or `count`, or both.
+        start : array_like of int, optional
+            The first samples; without them the first one is random.
+        seed : int, default 0
+            Of the random first sample.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        FarthestSamples
+            Samples are at least the covering radius apart; every component gets one before any gets two.
+
+        Notes
+        -----
+        Complexity: a field for each sample, bounded by the covering radius so far.
+        """
+        most = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
+        reach = check.length("radius", radius)
+        if count is None and reach == 0:
+            raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
+        ids = check.id_list("start", start, self._statistics.vertices)
+        seed = check.integer("seed", seed, 0, 2**64 - 1)
+        with reporter(progress) as report:
+            return FarthestSamples(*_core.sample_farthest(self._handle, most, reach, ids, seed, exact, report))
+
+    def sample_poisson_disk(
+        self, radius: float, seed: int = 0, exact: bool = False, progress: ProgressFunction | bool | None = None
+    ) -> NDArray[np.int32]:
+        """Poisson-disk sampling: random vertices at least a radius apart, none of which could be added.
+
+        Parameters
+        ----------
+        radius : float
+            Least distance of two samples, above 0.
+        seed : int, default 0
+            Start of the random numbers.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        ndarray of int32, shape (k,)
+            Vertex ids. The result does not depend on the number of threads.
+
+        Notes
+        -----
+        Complexity: a field for each sample, bounded by the radius.
+        """
+        reach = check.length("radius", radius)
+        if not 0 < reach < np.inf:
+            raise InvalidInput(f"radius: {reach} is out of range; give a finite length above 0.")
+        seed = check.integer("seed", seed, 0, 2**64 - 1)
+        with reporter(progress) as report:
+            return _core.sample_poisson_disk(self._handle, reach, seed, exact, report)
+
+    def disk(self, sources: ArrayLike, radius: float, exact: bool = False) -> Disk:
+        """Vertices and faces within a radius of the nearest source.
+
+        Parameters
+        ----------
+        sources : int or array_like of int, shape (k,), k >= 1
+            Vertex ids.
+        radius : float
+            0 or more.
+        exact : bool
+            As for the class.
+
+        Returns
+        -------
+        Disk
+        """
+        ids = check.source_ids(sources, self._statistics.vertices)
+        return Disk(*_core.disk(self._handle, ids, check.length("radius", radius), exact))
+
+    def eccentricity(
+        self, points: ArrayLike, exact: bool = False, progress: ProgressFunction | bool | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """The greatest distance from each point within its component, and the vertex where it is found.
+
+        Parameters
+        ----------
+        points : array_like of int, shape (k,)
+            Vertex ids.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        distances : ndarray of float64, shape (k,)
+        farthest : ndarray of int32, shape (k,)
+        """
+        ids = check.id_list("points", points, self._statistics.vertices)
+        with reporter(progress) as report:
+            return _core.eccentricity(self._handle, ids, exact, report)
+
+    def extent(
+        self,
+        start: int | None = None,
+        fields: int = 20,
+        exact: bool = False,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Extent:
+        """Bounds of the geodesic diameter and radius of a component, its ends and its centre.
+
+        Parameters
+        ----------
+        start : int, optional
+            A vertex of the component; None is the one with most vertices.
+        fields : int, default 20
+            Distance fields that may be computed, at least 2; more bring the bounds closer.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        Extent
+
+        Notes
+        -----
+        A double sweep, then vertices chosen by the bounds that the triangle inequality gives (Takes, Kosters 2011).
+        """
+        last = max(self._statistics.vertices - 1, 0)
+        first = -1 if start is None else check.integer("start", start, 0, last)
+        most = check.integer("fields", fields, 2, 2**31 - 1)
+        with reporter(progress) as report:
+            return Extent(*_core.extent(self._handle, first, most, exact, report))
+
+    def relax(
+        self,
+        points: ArrayLike,
+        rounds: int = 10,
+        exact: bool = False,
+        progress: ProgressFunction | bool | None = None,
+    ) -> RelaxedPoints:
+        """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
+
+        Parameters
+        ----------
+        points : array_like of int, shape (k,), k >= 1
+            Vertex ids; repeated ones stay where they are.
+        rounds : int, default 10
+            At most this many; it ends before if no point finds a better vertex.
+        exact, progress
+            As for the class.
+
+        Returns
+        -------
+        RelaxedPoints
+
+        Notes
+        -----
+        A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
+        fields for each point and round, bounded by the size of the regions.
+        """
+        ids = check.source_ids(points, self._statistics.vertices, "points")
+        most = check.integer("rounds", rounds, 0, 2**31 - 1)
+        with reporter(progress) as report:
+            return RelaxedPoints(*_core.relax(self._handle, ids, most, exact, report))
