@@ -69,6 +69,7 @@ Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const
   ExactLimits limits;
   limits.max_distance = max_distance;
   limits.progress = &call.progress;
+  limits.distances_only = true;
   solver.run_from_vertices(sources, limits);
   field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
   for (Index v = 0; v < field.mesh->vertex_count(); ++v) {

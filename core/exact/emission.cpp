@@ -20,8 +20,8 @@ void ExactSolver::State::emit(Index vertex, Index corner, double least_angle, do
   const Index edge = mesh.edge_of(opposite);
   const double length = mesh.edge_length(edge);
   const VertexState& state = vertices[vertex];
-  Window window{0.0,      length,       frame.apex_x, frame.apex_depth, state.distance,
-                opposite, state.source, no_index,     no_index,         false};
+  Window window =
+      Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
   const double width = mesh.corner_angle(corner);
   if (least_angle > 0.0 || greatest_angle < width) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
@@ -116,8 +116,9 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
   const int tail = halfedge - 3 * face;
   const double at_apex = source.point.barycentric[(tail + 2) % 3];
   const double at_second = source.point.barycentric[along ? (tail + 1) % 3 : tail];
-  add_window(edge, {0.0, mesh.edge_length(edge), at_second * mesh.edge_length(edge) + at_apex * frame.apex_x,
-                    at_apex * frame.apex_depth, source.offset, halfedge, id, no_index, no_index, false});
+  const double length = mesh.edge_length(edge);
+  add_window(edge, Window::from_source(length, at_second * length + at_apex * frame.apex_x,
+                                       at_apex * frame.apex_depth, source.offset, halfedge, id));
 }
 
 void ExactSolver::State::start_at(const ExactSource& source, Index id) {

@@ -2,7 +2,9 @@
 #include "exact/envelope.h"
 
 #include <array>
+#include <bit>
 #include <limits>
+#include <new>
 
 namespace vorogeo {
 
@@ -103,57 +105,59 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
 
 }  // namespace
 
-Index WindowEnvelope::make(const Window& window, double begin, double end, Index next) {
-  Index id;
-  if (free_.empty()) {
-    id = static_cast<Index>(pool_.size());
-    pool_.push_back(window);
-  } else {
-    id = free_.back();
-    free_.pop_back();
-    pool_[id] = window;
-  }
-  Window& made = pool_[id];
-  made.begin = begin;
-  made.end = end;
-  made.next = next;
-  return id;
+void WindowEnvelope::open(Index edge, double sliver) {
+  open_ = edge;
+  sliver_ = sliver;
+  changed_ = false;
+  least_ = unreachable;
+  const auto list = windows(edge);
+  before_.clear();
+  after_.assign(list.rbegin(), list.rend());
 }
 
-double WindowEnvelope::insert(Index edge, const Window& window, double at_begin, double at_end) {
-  double least = unreachable;
-  if (first_[edge] == no_index) touched_.push_back(edge);
+void WindowEnvelope::add_piece(const Window& window, double begin, double end) {
+  if (!(end > begin)) return;
+  changed_ = true;
+  ++made_;
+  before_.push_back(window);
+  before_.back().begin = begin;
+  before_.back().end = end;
+  least_ = std::min(least_, window.distance(std::clamp(window.source_x, begin, end)));
+}
 
-  Index previous = no_index;
-  auto link = [&](Index id) {
-    (previous == no_index ? first_[edge] : pool_[previous].next) = id;
-    if (id != no_index) pool_[id].previous = previous;
-  };
-  // The piece of the new window that is won so far but not yet linked: [piece, ...), if open.
+void WindowEnvelope::add_old(const Window& old, double begin, double end) {
+  if (!(end > begin)) return;
+  before_.push_back(old);
+  before_.back().begin = begin;
+  before_.back().end = end;
+}
+
+void WindowEnvelope::insert(Window window, double at_begin, double at_end) {
+  while (!before_.empty() && before_.back().end > window.begin + sliver_) {
+    after_.push_back(before_.back());
+    before_.pop_back();
+  }
+  while (!after_.empty() && after_.back().end <= window.begin + sliver_) {
+    before_.push_back(after_.back());
+    after_.pop_back();
+  }
+  if (!before_.empty()) window.begin = std::max(window.begin, before_.back().end);
+  if (after_.empty() || after_.back().begin >= window.end - sliver_) {
+    if (!after_.empty()) window.end = std::min(window.end, after_.back().begin);
+    if (!(window.end > window.begin)) return;
+    changed_ = true;
+    ++made_;
+    before_.push_back(window);
+    const bool foot_inside = window.source_x > window.begin && window.source_x < window.end;
+    least_ = std::min(least_, foot_inside ? window.offset + window.source_y : std::min(at_begin, at_end));
+    return;
+  }
+  // Everything left of `reached` is decided; from `piece` on it belongs to the new window, if `open`.
+  double reached = window.begin;
   double piece = window.begin;
   bool open = false;
-  auto close_piece = [&](double end, Index next) {
-    if (!open) return;
-    open = false;
-    if (end <= piece) return;
-    const Index id = make(window, piece, end, next);
-    ++made_;
-    link(id);
-    previous = id;
-    least = std::min(least, window.distance(std::clamp(window.source_x, piece, end)));
-  };
-
-  Index current = first_[edge] == no_index ? no_index : hint_[edge];
-  while (current != no_index && pool_[current].begin > window.begin) current = pool_[current].previous;
-  if (current == no_index) current = first_[edge];
-  while (current != no_index && pool_[current].end <= window.begin) {
-    previous = current;
-    current = pool_[current].next;
-  }
-  if (previous == no_index && current != no_index) previous = pool_[current].previous;
-  double reached = window.begin;
-  while (current != no_index && pool_[current].begin < window.end) {
-    const Window old = pool_[current];
+  while (!after_.empty() && after_.back().begin < window.end - sliver_) {
+    const Window old = after_.back();
     const double l = std::max(reached, old.begin);
     const double r = std::min(window.end, old.end);
     if (old.begin > reached && !open) {
@@ -163,85 +167,106 @@ double WindowEnvelope::insert(Index edge, const Window& window, double at_begin,
     const Division division = divide(window, old, l, r, l == window.begin ? at_begin : window.distance(l),
                                      r == window.end ? at_end : window.distance(r));
     reached = r;
-    if (division.cuts == 0 && !division.new_first) {
-      close_piece(l, current);
-      link(current);
-      previous = current;
-      current = old.next;
+    if (division.cuts == 0 && !division.new_first && old.end <= window.end) {
+      // The usual case of a window that stays as it is.
+      if (open) add_piece(window, piece, l);
+      open = false;
+      before_.push_back(old);
+      after_.pop_back();
       continue;
     }
-    // Owners from left to right: what is left of the old window before l, then the pieces, then after r.
+    after_.pop_back();
+    double old_from = old.begin;  // where the old window's current part begins
     bool fresh = division.new_first;
     double from = l;
-    double old_from = old.begin;  // begin of the old part not yet linked
-    bool old_open = old.begin < l || !fresh;
-    if (!fresh) close_piece(l, current);
-    Index rest = current;  // the node that holds the next old part
-    bool rest_used = false;
-    auto close_old = [&](double end) {
-      if (!old_open) return;
-      old_open = false;
-      if (end <= old_from) return;
-      Index id = rest;
-      if (rest_used) {
-        id = make(old, old_from, end, no_index);
-      } else {
-        rest_used = true;
-        pool_[id].begin = old_from;
-        pool_[id].end = end;
-      }
-      link(id);
-      pool_[id].next = old.next;
-      previous = id;
-    };
     for (int i = 0; i <= division.cuts; ++i) {
-      const double to = i < division.cuts ? division.at[i] : r;
       if (fresh) {
-        close_old(from);
-        if (!open) {
-          open = true;
-          piece = from;
-        }
-      } else {
-        close_piece(from, old.next);
-        if (!old_open) {
-          old_open = true;
-          old_from = from;
-        }
+        add_old(old, old_from, from);
+        if (!open) piece = from;
+        open = true;
+      } else if (open) {
+        add_piece(window, piece, from);
+        open = false;
+        old_from = from;
       }
-      from = to;
-      if (i < division.cuts) fresh = !fresh;
+      if (i < division.cuts) {
+        from = division.at[i];
+        fresh = !fresh;
+        if (!fresh) old_from = from;
+      }
     }
-    if (fresh && old.end > r) {
-      // The new window ends inside the old one.
-      close_piece(r, old.next);
-      old_open = true;
-      old_from = r;
+    if (old.end > r) {
+      // The new window ends inside the old one, which goes on behind it.
+      if (open) add_piece(window, piece, r);
+      open = false;
+      after_.push_back(old);
+      after_.back().begin = fresh ? r : old_from;
+      reached = window.end;
+      break;
     }
-    if (old_open) {
-      close_old(old.end);
-    }
-    if (!rest_used) {
-      link(old.next);
-      release(current);
-    }
-    current = old.next;
+    if (!fresh) add_old(old, old_from, r);
   }
+  if (!after_.empty()) window.end = std::min(window.end, after_.back().begin);
   if (reached < window.end && !open) {
     open = true;
-    piece = std::max(reached, window.begin);
+    piece = reached;
   }
-  close_piece(window.end, current);
-  if (current != no_index) pool_[current].previous = previous;
-  hint_[edge] = previous != no_index ? previous : current;
-  return least;
+  if (open) add_piece(window, piece, window.end);
+}
+
+double WindowEnvelope::store() {
+  if (changed_) {
+    List& list = lists_[open_];
+    const std::size_t size = before_.size() + after_.size();
+    take_room(list, size);
+    list.size = static_cast<std::uint32_t>(size);
+    const auto place = pool_.begin() + list.offset;
+    std::copy(after_.rbegin(), after_.rend(), std::copy(before_.begin(), before_.end(), place));
+  }
+  open_ = no_index;
+  return least_;
+}
+
+void WindowEnvelope::take_room(List& list, std::size_t size) {
+  if (list.size_class != 0 && size <= std::size_t{1} << list.size_class) return;
+  if (list.size_class == 0) {
+    touched_.push_back(open_);
+  } else {
+    give_back(list);
+  }
+  list.size_class = static_cast<std::uint8_t>(std::max<int>(2, std::bit_width(size - 1)));
+  auto& free = free_[list.size_class];
+  if (free.empty()) {
+    if (pool_.size() + (std::size_t{1} << list.size_class) > std::numeric_limits<std::uint32_t>::max()) {
+      throw std::bad_alloc();
+    }
+    list.offset = static_cast<std::uint32_t>(pool_.size());
+    pool_.resize(pool_.size() + (std::size_t{1} << list.size_class));
+  } else {
+    list.offset = free.back();
+    free.pop_back();
+  }
+}
+
+void WindowEnvelope::give_back(List& list) {
+  if (list.size_class != 0) free_[list.size_class].push_back(list.offset);
+}
+
+void WindowEnvelope::retire(Index edge) {
+  List& list = lists_[edge];
+  if (list.retired) return;
+  if (list.size_class == 0) touched_.push_back(edge);
+  give_back(list);
+  list = {};
+  list.retired = true;
 }
 
 void WindowEnvelope::clear() {
-  for (Index edge : touched_) first_[edge] = no_index;
+  for (Index edge : touched_) lists_[edge] = {};
   touched_.clear();
   pool_.clear();
-  free_.clear();
+  for (auto& blocks : free_) blocks.clear();
+  open_ = no_index;
   made_ = 0;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "exact/solver_state.h"
@@ -26,6 +27,7 @@ ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)
   vertices.resize(mesh.vertex_count());
   envelope.resize(mesh.edge_count());
   queue.resize(static_cast<std::size_t>(mesh.vertex_count()) + mesh.edge_count());
+  closing.resize(mesh.edge_count());
 }
 
 void ExactSolver::State::reset() {
@@ -34,6 +36,14 @@ void ExactSolver::State::reset() {
   envelope.clear();
   face_sources.clear();
   queue.start(bucket_width * mesh.mean_edge_length());
+  closing.start(bucket_width * mesh.mean_edge_length());
+}
+
+void ExactSolver::State::require_windows() const {
+  if (distances_only) {
+    throw std::logic_error(
+        "A run for vertex distances only keeps no windows: run again without distances_only.");
+  }
 }
 
 void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& limits) {
@@ -55,6 +65,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.sources = std::move(checked);
   state.face_allowed = limits.face_allowed;
   state.max_distance = limits.max_distance;
+  state.distances_only = limits.distances_only;
   state.corridor_target = limits.corridor_target;
   state.settled_distance = unreachable;
   state.barrier_distance = unreachable;
@@ -81,8 +92,10 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;
+    if (state.distances_only) state.close_edges_behind_front();
     if (item < state.mesh.vertex_count()) {
       state.take_vertex(item);
+      if (state.distances_only) state.close_edges_at(item);
     } else {
       state.take_edge(item - state.mesh.vertex_count());
     }
@@ -132,7 +145,7 @@ std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh,
                                          std::span<const Index> source_vertices) {
   const Index count = mesh->vertex_count();
   ExactSolver solver(std::move(mesh));
-  solver.run_from_vertices(source_vertices);
+  solver.run_from_vertices(source_vertices, {.distances_only = true});
   std::vector<double> field(count);
   for (Index v = 0; v < count; ++v) field[v] = solver.distance(v);
   return field;

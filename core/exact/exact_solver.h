@@ -32,6 +32,9 @@ struct ExactLimits {
   Index corridor_target = no_index;
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
+  /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are given up,
+  /// which keeps memory to a multiple of the front's length instead of the mesh's size, and is faster.
+  bool distances_only = false;
   /// If set: told the fraction of vertices reached, from the calling thread; may cancel the run.
   const Progress* progress = nullptr;
 };
@@ -66,11 +69,12 @@ class ExactSolver {
 
   /// Distance of a vertex, in the mesh's length unit; `unreachable` if no path was found.
   double distance(Index vertex) const;
-  /// Distance of any point of the surface.
+  /// Distance of any point of the surface. \throw std::logic_error after a run with distances_only.
   double distance(const SurfacePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
+  /// \throw std::logic_error after a run with distances_only.
   SurfacePath path_to_source(const SurfacePoint& target) const;
 
   /// Distances up to this one are final (all of them after a run that no targets ended).

@@ -91,8 +91,7 @@ BackStep best_way(const ExactSolver::State& state, Index face, const std::array<
     const bool along = state.mesh.tail(h) == state.mesh.edge_vertices(edge)[0];
     const double x = barycentric[along ? (i + 1) % 3 : i] * length + barycentric[(i + 2) % 3] * frame.apex_x;
     const double depth = barycentric[(i + 2) % 3] * frame.apex_depth;
-    for (Index id = state.envelope.first(edge); id != no_index; id = state.envelope.window(id).next) {
-      const Window& window = state.envelope.window(id);
+    for (const Window& window : state.envelope.windows(edge)) {
       if (window.came_from == h) continue;
       const double height = window.source_y + depth;
       const double straight =
@@ -108,6 +107,7 @@ BackStep best_way(const ExactSolver::State& state, Index face, const std::array<
 double ExactSolver::distance(const SurfacePoint& point) const {
   const SurfacePoint target = validated(state_->mesh, point);
   if (target.is_vertex()) return distance(target.vertex);
+  state_->require_windows();
   double found = best_way(*state_, target.face, target.barycentric).distance;
   // A point on an edge is also reached from the other faces of that edge.
   for (int i = 0; i < 3; ++i) {
@@ -248,6 +248,7 @@ class Tracer {
 
 SurfacePath ExactSolver::path_to_source(const SurfacePoint& target) const {
   const SurfacePoint start = validated(state_->mesh, target);
+  state_->require_windows();
   const double total = distance(start);
   if (total == unreachable) return {};
   return Tracer(*state_).trace(start, total);

@@ -15,6 +15,8 @@ constexpr double vertex_tolerance = 1e-11;
 /// slivers.
 constexpr double least_width = 1e-11;
 
+}  // namespace
+
 /// A side of the face being crossed; positions on the crossed edge count from the vertex it shares with the
 /// side.
 struct Side {
@@ -50,9 +52,6 @@ struct Side {
     next.offset = window.offset;
     next.came_from = halfedge;
     next.source = window.source;
-    next.next = no_index;
-    next.previous = no_index;
-    next.propagated = false;
     return next;
   }
 
@@ -66,8 +65,6 @@ struct Side {
   double sine;
 };
 
-}  // namespace
-
 void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
                                       Index along_edge_from) {
   if (!in_corridor(length_at_vertex(distance, vertex))) return;
@@ -77,34 +74,55 @@ void ExactSolver::State::reach_vertex(Index vertex, double distance, Index sourc
   queue.push(vertex, distance);
 }
 
-void ExactSolver::State::add_window(Index edge, Window window) {
-  // Cut what the edge's end vertices reach no later (Xin, Wang 2009, section 4).
+bool ExactSolver::State::open_edge(Index edge) {
+  if (envelope.is_retired(edge)) return false;
   const auto [a, b] = mesh.edge_vertices(edge);
-  const double length = mesh.edge_length(edge);
-  window.begin = std::max(window.begin, 0.0);
-  window.end = std::min(window.end, length);
-  if (!(window.end > window.begin)) return;
-  const double from_a = vertices[a].distance;
-  const double from_b = vertices[b].distance;
-  double at_begin = window.distance(window.begin);
-  double at_end = window.distance(window.end);
-  if (from_a + window.begin < at_begin) {
-    if (from_a + window.end <= at_end) return;
-    window.begin = std::clamp(vertex_takeover(from_a, window.offset, window.source_x, window.source_y),
+  open = edge;
+  open_length = mesh.edge_length(edge);
+  from_first = vertices[a].distance;
+  from_second = vertices[b].distance;
+  envelope.open(edge, least_width * open_length);
+  return true;
+}
+
+void ExactSolver::State::store_edge() {
+  const double least = envelope.store();
+  if (least <= max_distance) queue.push(mesh.vertex_count() + open, least);
+}
+
+bool ExactSolver::State::keep_shorter_than_ends(Window& window, double& at_begin, double& at_end) const {
+  // Xin, Wang 2009, section 4.
+  if (from_first + window.begin < at_begin) {
+    if (from_first + window.end <= at_end) return false;
+    window.begin = std::clamp(vertex_takeover(from_first, window.offset, window.source_x, window.source_y),
                               window.begin, window.end);
     at_begin = window.distance(window.begin);
   }
-  if (from_b + (length - window.end) < at_end) {
-    if (from_b + (length - window.begin) <= at_begin) return;
-    window.end =
-        std::clamp(length - vertex_takeover(from_b, window.offset, length - window.source_x, window.source_y),
-                   window.begin, window.end);
+  if (from_second + (open_length - window.end) < at_end) {
+    if (from_second + (open_length - window.begin) <= at_begin) return false;
+    window.end = std::clamp(open_length - vertex_takeover(from_second, window.offset,
+                                                          open_length - window.source_x, window.source_y),
+                            window.begin, window.end);
     at_end = window.distance(window.end);
   }
-  if (!(window.end - window.begin > least_width * length)) return;
-  if (corridor_target != no_index && !in_corridor(length_at_edge(window.least_distance(), edge))) return;
-  const double least = envelope.insert(edge, window, at_begin, at_end);
-  if (least <= max_distance) queue.push(mesh.vertex_count() + edge, least);
+  return window.end - window.begin > least_width * open_length;
+}
+
+void ExactSolver::State::insert_window(Window window) {
+  window.begin = std::max(window.begin, 0.0);
+  window.end = std::min(window.end, open_length);
+  if (!(window.end > window.begin)) return;
+  double at_begin = window.distance(window.begin);
+  double at_end = window.distance(window.end);
+  if (!keep_shorter_than_ends(window, at_begin, at_end)) return;
+  if (corridor_target != no_index && !in_corridor(length_at_edge(window.least_distance(), open))) return;
+  envelope.insert(window, at_begin, at_end);
+}
+
+void ExactSolver::State::add_window(Index edge, const Window& window) {
+  if (!open_edge(edge)) return;
+  insert_window(window);
+  store_edge();
 }
 
 void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
@@ -127,52 +145,96 @@ void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double
 }
 
 void ExactSolver::State::cross_face(Index halfedge) {
+  const Index edge = mesh.edge_of(halfedge);
+  if (!may_enter(Mesh::face_of(halfedge))) {
+    for (const Crossing& item : crossing) {
+      barrier_distance = std::min(barrier_distance, length_at_edge(item.window.least_distance(), edge));
+    }
+    return;
+  }
   const FaceFrame& frame = geometry->frame[halfedge];
-  const double length = mesh.edge_length(mesh.edge_of(halfedge));
+  const double length = mesh.edge_length(edge);
   const double tolerance = vertex_tolerance * length;
-  const Side first(mesh, frame.first_side, frame.first_side_reversed, frame.apex_x, frame.apex_depth);
-  const Side second(mesh, frame.second_side, frame.second_side_reversed, length - frame.apex_x,
-                    frame.apex_depth);
-  for (const Window& window : crossing) {
-    if (window.came_from == halfedge) continue;
+  // The apex first: its distance cuts the windows on both sides.
+  for (Crossing& item : crossing) {
+    const Window& window = item.window;
     const double height = window.source_y + frame.apex_depth;
     const double dx = frame.apex_x - window.source_x;
-    const double to_apex = height > 0.0 ? window.source_x + dx * (window.source_y / height) : frame.apex_x;
-    if (to_apex >= window.begin - tolerance && to_apex <= window.end + tolerance) {
+    item.to_apex = height > 0.0 ? window.source_x + dx * (window.source_y / height) : frame.apex_x;
+    if (item.to_apex >= window.begin - tolerance && item.to_apex <= window.end + tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (distance < vertices[frame.apex].distance) reach_apex(window, halfedge, distance);
     }
-    const double first_end = std::min(window.end, to_apex);
-    if (first_end > window.begin && first.length > 0.0) {
-      add_window(first.edge, first.seen_through(window, window.begin, first_end, window.source_x));
+  }
+  hand_on(Side(mesh, frame.first_side, frame.first_side_reversed, frame.apex_x, frame.apex_depth), false,
+          length);
+  hand_on(Side(mesh, frame.second_side, frame.second_side_reversed, length - frame.apex_x, frame.apex_depth),
+          true, length);
+}
+
+void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_length) {
+  if (!(side.length > 0.0)) return;
+  bool is_open = false;
+  auto hand_on_one = [&](const Crossing& item) {
+    const Window& window = item.window;
+    double begin = window.begin;
+    double end = window.end;
+    (second ? begin : end) = second ? std::max(begin, item.to_apex) : std::min(end, item.to_apex);
+    if (!(begin < end)) return;
+    if (!is_open) {
+      if (!open_edge(side.edge)) return;
+      is_open = true;
     }
-    const double second_begin = std::max(window.begin, to_apex);
-    if (second_begin < window.end && second.length > 0.0) {
-      add_window(second.edge, second.seen_through(window, length - window.end, length - second_begin,
-                                                  length - window.source_x));
-    }
+    insert_window(second ? side.seen_through(window, crossed_length - end, crossed_length - begin,
+                                             crossed_length - window.source_x)
+                         : side.seen_through(window, begin, end, window.source_x));
+  };
+  // In the order of the side's edge, so that the batch is sorted but for windows whose rays cross.
+  if (side.reversed == second) {
+    for (const Crossing& item : crossing) hand_on_one(item);
+  } else {
+    for (auto item = crossing.rbegin(); item != crossing.rend(); ++item) hand_on_one(*item);
+  }
+  if (is_open) store_edge();
+}
+
+void ExactSolver::State::close_edges_at(Index vertex) {
+  // Along the edge, the vertices alone keep every point within half the sum of their distances and its
+  // length.
+  auto close_later = [&](Index edge) {
+    const auto [a, b] = mesh.edge_vertices(edge);
+    const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
+    if (bound < unreachable) closing.push(edge, bound * (1.0 + 1e-12));
+  };
+  for (Index corner : mesh.corners(vertex)) {
+    close_later(mesh.edge_of(corner));
+    close_later(mesh.edge_of(Mesh::previous_in_face(corner)));
+  }
+}
+
+void ExactSolver::State::close_edges_behind_front() {
+  const double front = queue.lower_bound();
+  for (Index edge = closing.pop_below(front); edge != no_index; edge = closing.pop_below(front)) {
+    envelope.retire(edge);
   }
 }
 
 void ExactSolver::State::take_edge(Index edge) {
-  crossing.clear();
-  for (Index id = envelope.first(edge); id != no_index; id = envelope.window(id).next) {
-    Window& window = envelope.window(id);
+  fresh.clear();
+  for (Window& window : envelope.windows(edge)) {
     if (window.propagated) continue;
-    window.propagated = true;
-    crossing.push_back(window);
+    window.propagated = 1;
+    fresh.push_back(window);
   }
-  if (crossing.empty()) return;
+  if (fresh.empty()) return;
   const Index first = mesh.edge_halfedge(edge);
   Index h = first;
   do {
-    if (may_enter(Mesh::face_of(h))) {
-      cross_face(h);
-    } else {
-      for (const Window& window : crossing) {
-        barrier_distance = std::min(barrier_distance, length_at_edge(window.least_distance(), edge));
-      }
+    crossing.clear();
+    for (const Window& window : fresh) {
+      if (window.came_from != h) crossing.push_back({window, 0.0});
     }
+    if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);
 }

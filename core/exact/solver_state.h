@@ -23,21 +23,33 @@ struct VertexState {
   Index along_edge_from = no_index;
 };
 
+struct Side;
+
 struct ExactSolver::State {
   explicit State(std::shared_ptr<const ExactGeometry> shared_geometry);
 
   void reset();
+  /// \throw std::logic_error if the run gave up its windows.
+  void require_windows() const;
   void start_at(const ExactSource& source, Index id);
   void propagate();
   void take_vertex(Index vertex);
   void take_edge(Index edge);
+  void close_edges_at(Index vertex);
+  void close_edges_behind_front();
   void cross_face(Index halfedge);
+  void hand_on(const Side& side, bool second, double crossed_length);
+  /// Cuts what the end vertices of the edge being fed reach no later; false if nothing is left.
+  bool keep_shorter_than_ends(Window& window, double& at_begin, double& at_end) const;
+  bool open_edge(Index edge);
+  void insert_window(Window window);
+  void store_edge();
   void reach_apex(const Window& window, Index halfedge, double distance);
   void emit(Index vertex, Index corner, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
   void emit_fan(Index vertex, bool everywhere);
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
-  void add_window(Index edge, Window window);
+  void add_window(Index edge, const Window& window);
 
   /// Least length of a path to the corridor's target that has come, in `length`, to within `radius` of a
   /// point.
@@ -80,9 +92,23 @@ struct ExactSolver::State {
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
   WindowEnvelope envelope;
-  std::vector<Window> crossing;  ///< the windows being handed on
+  std::vector<Window> fresh;  ///< windows of the edge being taken that have not been handed on
+  /// A window being handed on across a face, and where the ray to the face's apex leaves its edge.
+  struct Crossing {
+    Window window;
+    double to_apex;
+  };
+  std::vector<Crossing> crossing;
+  /// The edge to which windows are being added, and what its ends say.
+  Index open = no_index;
+  double open_length = 0.0;
+  double from_first = 0.0;
+  double from_second = 0.0;
   /// Vertices are items [0, n), edges follow.
   BucketQueue queue;
+  /// Only vertex distances are wanted: edges give up their windows when the front has passed.
+  bool distances_only = false;
+  BucketQueue closing;  ///< edges by the distance at which the front has passed them
 };
 
 /// Where the straight way back from a point of a face leads: the best of all ways into that face.

@@ -16,12 +16,15 @@ namespace vorogeo {
 struct Window {
   double begin, end;
   double source_x, source_y;
-  double offset;    ///< distance from the source to the pseudo-source
-  Index came_from;  ///< half-edge of the edge in the face the window came through
-  Index source;     ///< which of the sources
-  Index next;       ///< next window of the same edge, in order of `begin`
-  Index previous;
-  bool propagated;  ///< already taken across the faces on the other side
+  double offset;                 ///< distance from the source to the pseudo-source
+  Index came_from;               ///< half-edge of the edge in the face the window came through
+  std::uint32_t source : 31;     ///< which of the sources
+  std::uint32_t propagated : 1;  ///< already taken across the faces on the other side
+
+  /// The whole of an edge seen from a point of a face at it.
+  static Window from_source(double length, double x, double y, double offset, Index halfedge, Index source) {
+    return {0.0, length, x, y, offset, halfedge, static_cast<std::uint32_t>(source), 0};
+  }
 
   double distance(double x) const { return offset + plane_distance(x); }
   double plane_distance(double x) const {

@@ -92,6 +92,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                  ExactLimits limits;
                  limits.face_allowed = own->halo.mask();
                  limits.targets = own->targets;
+                 limits.distances_only = true;
                  for (Index node : groups[group].nodes) {
                    const Index source = layer.node_vertex[node];
                    own->solver.run_from_vertices(std::span(&source, 1), limits);

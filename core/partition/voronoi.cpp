@@ -31,6 +31,7 @@ void label_voronoi_faces(ExactSolver& solver, const MeshPart& part, std::span<co
   ExactLimits limits;
   limits.face_allowed = part.face_allowed;
   limits.progress = progress;
+  limits.distances_only = true;
   solver.run_from_vertices(samples, limits);
   for (Index f : faces) label[f] = face_label(solver, mesh.face_vertices(f));
 

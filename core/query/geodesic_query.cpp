@@ -131,6 +131,7 @@ double GeodesicQuery::State::distance_nearby(Index source, Index target, const s
   ExactLimits limits;
   limits.targets = std::span(&target, 1);
   limits.corridor_target = target;
+  limits.distances_only = true;
   limits.max_distance = estimate * estimate_slack;
   limits.face_allowed = halo.mask();
   solver.run_from_vertices(std::span(&source, 1), limits);
@@ -204,6 +205,7 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   ExactLimits limits;
   limits.face_allowed = state.halo.mask();
   limits.targets = targets;
+  limits.distances_only = true;
   limits.max_distance = max_distance;
   state.solver.run_from_vertices(starts, limits);
   // Up to here no path has left the halo.

@@ -58,6 +58,29 @@ class BucketQueue {
     }
   }
 
+  /// The next item of the buckets that end at `bound` or before; no_index if there is none.
+  Index pop_below(double bound) {
+    const auto end = static_cast<std::int64_t>(std::min(bound * per_width_, 9e15));
+    for (;;) {
+      if (in_ring_ == 0) {
+        if (overflow_.empty() || !refill()) return no_index;
+      }
+      if (current_ >= end) return no_index;
+      auto& bucket = ring_[current_ % ring_size];
+      while (!bucket.empty()) {
+        const Index item = bucket.back();
+        bucket.pop_back();
+        --in_ring_;
+        if (bucket_of_[item] == current_) {
+          bucket_of_[item] = none;
+          return item;
+        }
+      }
+      ++current_;
+      if (current_ >= overflow_check_ && !overflow_.empty()) refill();
+    }
+  }
+
   /// Everything still in the queue has at least this key, up to changes of the items already taken.
   double lower_bound() const { return static_cast<double>(current_) * width_; }
 

@@ -21,6 +21,7 @@ DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& f
     ExactLimits limits;
     limits.max_distance = max_distance;
     limits.progress = &progress;
+    limits.distances_only = true;
     solver.run_from_vertices(ids_of(sources), limits);
     std::vector<double> distances(mesh->vertex_count());
     for (Index v = 0; v < mesh->vertex_count(); ++v) {

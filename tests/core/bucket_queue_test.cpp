@@ -39,6 +39,25 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
   for (int count : taken) EXPECT_EQ(count, 1);
 }
 
+TEST(BucketQueue, PopBelowGivesWhatLiesInWholeBucketsBelowTheBound) {
+  BucketQueue queue;
+  queue.resize(3000);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> key(0.0, 10240.0);
+  queue.start(0.5);
+  std::vector<double> key_of(3000);
+  for (Index item = 0; item < 3000; ++item) queue.push(item, key_of[item] = key(random));
+  std::vector<int> taken(3000, 0);
+  for (double bound = 0.0; bound < 10300.0; bound += 7.3) {
+    for (Index item = queue.pop_below(bound); item != no_index; item = queue.pop_below(bound)) {
+      ++taken[item];
+      EXPECT_LE(key_of[item], bound);
+    }
+    for (Index item = 0; item < 3000; ++item)
+      EXPECT_EQ(taken[item], key_of[item] < std::floor(bound / 0.5) * 0.5);
+  }
+}
+
 TEST(BucketQueue, WorksLikeAnOrderedMapWhileKeysAreAddedAndLowered) {
   // The pattern of a propagation: each item taken lowers or adds others, none below its own bucket.
   for (unsigned seed = 0; seed < 50; ++seed) {

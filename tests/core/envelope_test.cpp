@@ -18,22 +18,19 @@ Window window(double begin, double end, double source_x, double source_y, double
   w.source_x = source_x;
   w.source_y = source_y;
   w.offset = offset;
-  w.source = source;
-  w.next = no_index;
-  w.previous = no_index;
+  w.source = static_cast<std::uint32_t>(source);
   return w;
 }
 
 double insert(WindowEnvelope& envelope, Index edge, const Window& w) {
-  return envelope.insert(edge, w, w.distance(w.begin), w.distance(w.end));
+  envelope.open(edge, 1e-13);
+  envelope.insert(w, w.distance(w.begin), w.distance(w.end));
+  return envelope.store();
 }
 
 std::vector<Window> windows_of(const WindowEnvelope& envelope, Index edge) {
-  std::vector<Window> list;
-  for (Index id = envelope.first(edge); id != no_index; id = envelope.window(id).next) {
-    list.push_back(envelope.window(id));
-  }
-  return list;
+  const auto list = envelope.windows(edge);
+  return {list.begin(), list.end()};
 }
 
 /// Distance that the envelope gives at x, unreachable in a gap.
@@ -48,7 +45,7 @@ TEST(WindowEnvelope, AloneAWindowStaysWhole) {
   WindowEnvelope envelope;
   envelope.resize(2);
   EXPECT_DOUBLE_EQ(insert(envelope, 1, window(0.2, 0.9, 0.5, 1.0, 2.0)), 3.0);
-  EXPECT_EQ(envelope.first(0), no_index);
+  EXPECT_TRUE(envelope.windows(0).empty());
   const auto list = windows_of(envelope, 1);
   ASSERT_EQ(list.size(), 1U);
   EXPECT_EQ(list[0].begin, 0.2);
@@ -128,6 +125,50 @@ TEST(WindowEnvelope, RandomWindowsGiveTheLeastEverywhere) {
   }
 }
 
+TEST(WindowEnvelope, ABatchGivesTheSameAsItsWindowsOneByOne) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    WindowEnvelope envelope;
+    envelope.resize(2);
+    for (int batch = 0; batch < 4; ++batch) {
+      std::vector<Window> windows;
+      for (int i = 0; i < 6; ++i) {
+        const double begin = unit(random);
+        windows.push_back(window(begin, begin + (1.0 - begin) * unit(random), 2.0 * unit(random),
+                                 unit(random), unit(random), 6 * batch + i));
+        insert(envelope, 0, windows.back());
+      }
+      envelope.open(1, 1e-13);
+      for (const Window& w : windows) envelope.insert(w, w.distance(w.begin), w.distance(w.end));
+      envelope.store();
+    }
+    const auto single = windows_of(envelope, 0);
+    const auto batched = windows_of(envelope, 1);
+    ASSERT_EQ(single.size(), batched.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < single.size(); ++i) {
+      ASSERT_EQ(single[i].source, batched[i].source);
+      ASSERT_DOUBLE_EQ(single[i].begin, batched[i].begin);
+      ASSERT_DOUBLE_EQ(single[i].end, batched[i].end);
+    }
+  }
+}
+
+TEST(WindowEnvelope, ARetiredEdgeTakesNothingAndGivesItsRoomToOthers) {
+  WindowEnvelope envelope;
+  envelope.resize(2);
+  insert(envelope, 0, window(0.0, 1.0, 0.5, 1.0, 0.0));
+  EXPECT_FALSE(envelope.is_retired(0));
+  const std::size_t bytes = envelope.memory_bytes();
+  envelope.retire(0);
+  EXPECT_TRUE(envelope.is_retired(0));
+  EXPECT_TRUE(envelope.windows(0).empty());
+  insert(envelope, 1, window(0.0, 1.0, 0.5, 1.0, 0.0));
+  EXPECT_EQ(envelope.memory_bytes(), bytes);
+  envelope.clear();
+  EXPECT_FALSE(envelope.is_retired(0));
+}
+
 TEST(WindowEnvelope, ClearForgetsAllEdges) {
   WindowEnvelope envelope;
   envelope.resize(3);
@@ -140,7 +181,7 @@ TEST(WindowEnvelope, ClearForgetsAllEdges) {
     EXPECT_GE(envelope.made(), 6U);
     envelope.clear();
     EXPECT_EQ(envelope.made(), 0U);
-    for (Index edge = 0; edge < 3; ++edge) EXPECT_EQ(envelope.first(edge), no_index);
+    for (Index edge = 0; edge < 3; ++edge) EXPECT_TRUE(envelope.windows(edge).empty());
   }
 }
 
