@@ -1,21 +1,25 @@
 #!/usr/bin/env bash
 # Sets up everything the samples and tests run with. Run it as often as you like: what is done is not done again.
 #
-# Usage: samples/setup.sh [--tests]
+# Usage: samples/setup.sh [--tests | --bench]
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
 #   packages of samples/requirements.txt, the plugin for PyMeshLab 2025.7 in build/plugin-2025.07-double, and the Python
 #   package vorogeo in .venv.
 #   --tests: also what only the tests need: GoogleTest, and PyMeshLab 2022.2 in build/venv-2022 with its plugin and vorogeo.
+#   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
+#   the packages it is compared with, and the programs in build/bench. What cannot be had is named and left out.
 #
 # VOROGEO_JOBS: compilers at a time (default: one per core). VOROGEO_NO_PACKAGES=1: leave the system's packages alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 with_tests=no
+for_bench=no
 for argument in "$@"; do
   case "$argument" in
     --tests) with_tests=yes ;;
-    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests]" >&2; exit 2 ;;
+    --bench) for_bench=yes ;;
+    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests | --bench]" >&2; exit 2 ;;
   esac
 done
 
@@ -51,6 +55,9 @@ packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyr
           libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
 if [ "$with_tests" = yes ]; then
   packages+=(libgtest-dev clang-format)
+fi
+if [ "$for_bench" = yes ]; then
+  packages+=(libcgal-dev linux-perf)
 fi
 
 install_packages() {
@@ -130,6 +137,32 @@ install_vorogeo() {
     "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter
 }
 vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2"; }
+
+# Usage: install_peers VENV REQUIREMENTS
+# A line each, so that one package that cannot be had does not take the others with it.
+install_peers() {
+  local line
+  grep -v '^#' "$2" | while read -r line; do
+    # shellcheck disable=SC2086  # a line may hold options
+    "$1/bin/pip" install --disable-pip-version-check $line || echo "left out: $line"
+  done
+}
+build_bench() {
+  cmake --preset bench
+  cmake --build build/bench --target core_bench --parallel "$jobs"
+  cmake --build build/bench --target cgal_peer --parallel "$jobs" || echo "left out: CGAL"
+}
+if [ "$for_bench" = yes ]; then
+  bench=build/venv-bench
+  venv venv-bench "$bench" tests/bench/requirements.txt
+  peers=tests/bench/requirements-peers.txt
+  once venv-bench-peers "$bench/.stamp-peers" "$(cat "$peers" "$bench/.stamp")" install_peers "$bench" "$peers"
+  once vorogeo-bench "$bench/.stamp-vorogeo" "$(sources core pyfilter)" install_vorogeo "$bench" ""
+  once bench build/bench/.stamp "$(sources core tests/bench)" build_bench
+  grep -h '^left out' "$logs/venv-bench-peers.log" "$logs/bench.log" || true
+  say "ready"
+  exit
+fi
 
 venv venv .venv samples/requirements.txt
 plugin 2025.07

@@ -1,0 +1,152 @@
+"""Measures VoroGeo and public packages on meshes, in one run, and prints the tables.
+
+Usage: tests/bench/run.sh [OPTIONS] [MESH...]; MESH is a mesh file, or the name of one in the folder of test meshes
+(VOROGEO_MESHES, by default ../shared/meshes beside the project). There is no pass or fail.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import measure
+import meshes
+import methods
+import pages
+import questions
+import summary
+import tables
+
+RESULTS = meshes.WORK / "results"
+DEFAULT = ("igea", "casting")
+
+
+def main() -> None:
+    """Measure the meshes of the command line."""
+    parser = argparse.ArgumentParser(prog="tests/bench/run.sh", description="Compares geodesic distances in one run.")
+    parser.add_argument("meshes", nargs="*", default=DEFAULT, metavar="MESH", help="default: igea casting")
+    parser.add_argument("--sources", type=int, default=10, help="random source vertices (default 10)")
+    parser.add_argument("--budget", type=float, default=20, help="seconds of fields of a method (default 20)")
+    parser.add_argument("--limit", type=float, default=300, help="seconds after which a method is ended (default 300)")
+    parser.add_argument("--threads", type=int, default=2, help="threads of build and field (default 2)")
+    parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
+    parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")
+    parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and docs/figures.md")
+    arguments = parser.parse_args()
+    limits = measure.Limits(arguments.budget, arguments.limit)
+    chosen = measure.names(arguments.methods, not arguments.no_peers)
+    for name in arguments.meshes:
+        file = meshes.find(name)
+        if file:
+            result = measure_mesh(file, arguments.sources, chosen, limits, arguments.threads)
+            show(result, write=arguments.write)
+    if arguments.write:
+        pages.refresh_figures({file.stem: json.loads(file.read_text()) for file in sorted(RESULTS.glob("*.json"))})
+
+
+def measure_mesh(
+    file: Path, source_count: int, chosen: list[str], limits: measure.Limits, threads: int, builds: bool = True
+) -> dict[str, Any]:
+    """All figures of one mesh. `builds`: also with one thread."""
+    mesh = meshes.load(file)
+    raw = meshes.write_raw(mesh, meshes.WORK / f"{file.stem}.raw")
+    index_file = meshes.WORK / f"{file.stem}.vgi"
+    sources = questions.sources_of(mesh, source_count)
+    counts = {threads} | ({1} if builds else set())
+    core = measure_core(raw, mesh, index_file, sources, sorted(counts))
+
+    near = questions.Neighbourhood(mesh, questions.patches_of(mesh, index_file))
+    random = np.random.default_rng(1)
+    starts = np.repeat(np.array(sources), 200)
+    far_pairs = random.permutation(near.far_pairs(starts, questions.with_face(mesh, len(starts), random)))
+    near_pairs = near.near_pairs(np.repeat(np.array(sources), 20), random)
+    core |= query_core(raw, mesh, index_file, sources, near, threads)
+    many = near.far_pairs(*(questions.with_face(mesh, 20_000, random) for _ in range(2)))
+
+    task = measure.Task(raw, len(mesh[0]), sources, np.vstack([far_pairs, near_pairs]), many, index_file, threads)
+    exact_limits = measure.Limits(float("inf"), 24 * 3600, 1)
+    exact = measure.run("vorogeo_exact", task, exact_limits)
+    if exact.fields is None or len(exact.fields) != len(sources):
+        raise SystemExit(f"{file}: the exact solver failed: {exact.failure}")
+    row_of = {source: row for row, source in enumerate(sources)}
+    exact_pairs = np.array([exact.fields[row_of[s], t] for s, t in task.pairs.tolist()])
+
+    found: dict[str, Any] = {}
+    for name in chosen:
+        print(f"  {methods.METHODS[name].title} ...", flush=True)
+        result = exact if name == "vorogeo_exact" else measure.run(name, task, limits)
+        found[name] = summary.of_method(result, exact.fields, exact_pairs, len(far_pairs))
+    if "vorogeo_index" in found:  # it was read from the file that the core wrote
+        found["vorogeo_index"]["prepared"] = core["build"][str(threads)]["median"]
+    return {
+        "mesh": file.stem,
+        "vertices": len(mesh[0]),
+        "faces": len(mesh[1]),
+        "machine": pages.machine(),
+        "core": core,
+        "methods": found,
+    }
+
+
+def measure_core(
+    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], thread_counts: list[int]
+) -> dict[str, Any]:
+    """Times of the C++ core: exact solver, and build with each number of threads."""
+    n = len(mesh[0])
+    print(f"{raw.stem}: {n:,} vertices, {len(mesh[1]):,} faces\n  core ...", flush=True)
+    exact, exact_peak = measure.core(["exact", str(raw), *map(str, sources)])
+    found: dict[str, Any] = {
+        "exact": summary.spread(exact["exact", n]),
+        "exact_peak": exact_peak,
+        "exact_patch": {str(d): summary.spread(v) for (name, d), v in exact.items() if name == "exact_patch"},
+        "build": {},
+    }
+    for threads in thread_counts:
+        lines, found["build_peak"] = measure.core(["build", str(raw), str(threads), str(index_file)])
+        found["build"][str(threads)] = summary.spread(lines["build", threads])
+        found["index_bytes"], found["file_bytes"] = lines["index_bytes", n][0], lines["file_bytes", n][0]
+    return found
+
+
+def query_core(
+    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], near: questions.Neighbourhood, threads: int
+) -> dict[str, Any]:
+    """Times of the C++ core: fields, and pairs with random sources."""
+    random = np.random.default_rng(2)
+    far = near.far_pairs(*(questions.with_face(mesh, 5000, random) for _ in range(2)))
+    close = near.near_pairs(questions.with_face(mesh, 500, random), random)
+    kinds = np.repeat([0, 1], [len(far), len(close)])
+    pairs_file = raw.with_suffix(".pairs")
+    np.column_stack([np.vstack([far, close]), kinds]).astype(np.int32).tofile(pairs_file)
+    lines, peak = measure.core(["fields", str(raw), str(index_file), str(threads), "3", *map(str, sources)])
+    pairs, _ = measure.core(["pairs", str(raw), str(index_file), str(pairs_file), "1"])
+    lines |= pairs
+    return {
+        "load": summary.spread(lines["load", 1]),
+        "field": {str(int(d)): summary.spread(v) for (name, d), v in lines.items() if name == "field"},
+        "far_pair": summary.spread(lines["far_pair", 1]),
+        "near_pair": summary.spread(lines["near_pair", 1]),
+        "query_peak": peak,
+    }
+
+
+def show(result: dict[str, Any], write: bool) -> None:
+    """Print the tables; keep the result; refresh the page and the picture if asked for."""
+    name = result["mesh"]
+    print(f"\n{tables.figures(result)}\n{tables.fields(result)}\n{tables.pairs(result)}")
+    print(f"Packages: {tables.versions(result['methods'])}\n{result['machine']}", flush=True)
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    (RESULTS / f"{name}.json").write_text(json.dumps(result, indent=1))
+    if write and pages.has_marks(pages.BENCHMARKS, name):
+        import plots
+
+        plots.error_against_time(result, pages.PICTURES / f"error_time_{name}.png")
+        pages.replace(pages.BENCHMARKS, name, pages.mesh_section(result))
+
+
+if __name__ == "__main__":
+    main()

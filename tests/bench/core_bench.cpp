@@ -1,0 +1,177 @@
+// Times of the C++ core on one mesh, as lines of JSON: {"name": ..., "unit": "s", "values": [...]}. Tasks:
+// - exact MESH SOURCE...: exact solver on the whole mesh, one thread, and on cut-out pieces
+// - build MESH THREADS INDEX: one build; the index is saved to INDEX
+// - fields MESH INDEX THREADS ROUNDS SOURCE...: fields with 1 to THREADS threads
+// - pairs MESH INDEX PAIRS ROUNDS: two points; PAIRS: int32 (source, target, near)
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "exact/exact_geometry.h"
+#include "exact/exact_solver.h"
+#include "index/geodesic_index.h"
+#include "mesh_file.h"
+#include "query/geodesic_query.h"
+
+namespace {
+
+using vorogeo::Index;
+using MeshPointer = std::shared_ptr<const vorogeo::Mesh>;
+
+/// One line of the output. `detail` tells measurements of one name apart.
+void print(const char* name, const char* unit, double detail, const std::vector<double>& values) {
+  std::printf("{\"name\": \"%s\", \"unit\": \"%s\", \"detail\": %.17g, \"values\": [", name, unit, detail);
+  for (std::size_t i = 0; i < values.size(); ++i) std::printf("%s%.9g", i ? ", " : "", values[i]);
+  std::printf("]}\n");
+  std::fflush(stdout);
+}
+
+MeshPointer load(const char* file) {
+  bench::RawMesh raw = bench::read_mesh(file);
+  return std::make_shared<const vorogeo::Mesh>(std::move(raw.positions), raw.faces);
+}
+
+std::vector<Index> vertices_from(int count, char** texts) {
+  std::vector<Index> vertices;
+  for (int i = 0; i < count; ++i) vertices.push_back(static_cast<Index>(std::atol(texts[i])));
+  return vertices;
+}
+
+/// The faces nearest to a face, counted in steps over edges, as a mesh of about `size` vertices.
+MeshPointer cut_out(const vorogeo::Mesh& mesh, Index seed, std::size_t size) {
+  std::vector<Index> new_vertex(mesh.vertex_count(), vorogeo::no_index);
+  std::vector<std::uint8_t> taken(mesh.face_count(), 0);
+  std::vector<Index> order{seed};
+  taken[seed] = 1;
+  std::vector<vorogeo::Point> positions;
+  std::vector<std::array<Index, 3>> faces;
+  for (std::size_t i = 0; i < order.size() && positions.size() < size; ++i) {
+    std::array<Index, 3> corners{};
+    for (int c = 0; c < 3; ++c) {
+      const Index halfedge = 3 * order[i] + c;
+      const Index vertex = mesh.face_vertices(order[i])[c];
+      if (new_vertex[vertex] == vorogeo::no_index) {
+        new_vertex[vertex] = static_cast<Index>(positions.size());
+        positions.push_back(mesh.position(vertex));
+      }
+      corners[c] = new_vertex[vertex];
+      for (Index h = mesh.next_around_edge(halfedge); h != halfedge; h = mesh.next_around_edge(h)) {
+        if (!taken[h / 3]) order.push_back(h / 3);
+        taken[h / 3] = 1;
+      }
+    }
+    faces.push_back(corners);
+  }
+  return std::make_shared<const vorogeo::Mesh>(std::move(positions), faces);
+}
+
+vorogeo::ExactLimits only_distances() { return {}; }
+
+void time_exact(const MeshPointer& mesh, const std::vector<Index>& sources) {
+  std::vector<double> times;
+  auto geometry = std::make_shared<const vorogeo::ExactGeometry>(mesh);
+  {
+    vorogeo::ExactSolver solver(geometry);
+    for (const Index& source : sources) {
+      times.push_back(bench::seconds([&] { solver.run_from_vertices({&source, 1}, only_distances()); }));
+    }
+    print("exact", "s", mesh->vertex_count(), times);
+  }
+  for (const std::size_t size : {700, 1200, 2500}) {
+    if (size * 2 > static_cast<std::size_t>(mesh->vertex_count())) continue;
+    times.clear();
+    for (int patch = 0; patch < 5; ++patch) {
+      const auto seed =
+          static_cast<Index>((2 * patch + 1) * static_cast<std::int64_t>(mesh->face_count()) / 10);
+      const MeshPointer part = cut_out(*mesh, seed, size);
+      vorogeo::ExactSolver solver(part);
+      for (int run = 0; run < 20; ++run) {
+        const auto source =
+            static_cast<Index>((2 * run + 1) * static_cast<std::int64_t>(part->vertex_count()) / 40);
+        const double time = bench::seconds([&] { solver.run_from_vertices({&source, 1}, only_distances()); });
+        if (run > 0) times.push_back(time / part->vertex_count());
+      }
+    }
+    print("exact_patch", "s per vertex", static_cast<double>(size), times);
+  }
+}
+
+void time_build(const MeshPointer& mesh, int threads, const char* file) {
+  vorogeo::IndexOptions options;
+  options.threads = threads;
+  std::shared_ptr<const vorogeo::GeodesicIndex> index;
+  const double time = bench::seconds([&] { index = vorogeo::GeodesicIndex::build(mesh, options); });
+  print("build", "s", threads, {time});
+  index->save(file);
+  print("index_bytes", "B", mesh->vertex_count(), {static_cast<double>(index->statistics().bytes)});
+  print("file_bytes", "B", mesh->vertex_count(), {static_cast<double>(std::filesystem::file_size(file))});
+}
+
+std::shared_ptr<const vorogeo::GeodesicIndex> load_index(const MeshPointer& mesh, const char* file) {
+  std::shared_ptr<const vorogeo::GeodesicIndex> index;
+  print("load", "s", 1, {bench::seconds([&] { index = vorogeo::GeodesicIndex::load(file, mesh); })});
+  return index;
+}
+
+void time_fields(const MeshPointer& mesh, const char* index_file, int threads, int rounds,
+                 const std::vector<Index>& sources) {
+  const auto index = load_index(mesh, index_file);
+  for (int workers = 1; workers <= threads; ++workers) {
+    vorogeo::GeodesicQuery query(index, workers);
+    std::vector<double> times;
+    query.distance_field({sources.data(), 1});
+    for (int round = 0; round < rounds; ++round) {
+      for (const Index& source : sources) {
+        times.push_back(bench::seconds([&] { query.distance_field({&source, 1}); }));
+      }
+    }
+    print("field", "s", workers, times);
+  }
+}
+
+void time_pairs(const MeshPointer& mesh, const char* index_file, const char* pairs_file, int rounds) {
+  const auto index = load_index(mesh, index_file);
+  std::ifstream stream(pairs_file, std::ios::binary);
+  const std::size_t count = std::filesystem::file_size(pairs_file) / sizeof(std::array<Index, 3>);
+  const auto pairs = bench::read_array<std::array<Index, 3>>(stream, count);
+  vorogeo::GeodesicQuery query(index, 1);
+  for (const Index near : {0, 1}) {
+    std::vector<double> times;
+    for (int round = 0; round < rounds; ++round) {
+      for (const auto& [source, target, is_near] : pairs) {
+        if (is_near != near) continue;
+        times.push_back(bench::seconds([&, s = source, t = target] { query.distance(s, t); }));
+      }
+    }
+    print(near ? "near_pair" : "far_pair", "s", 1, times);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  const std::string task = count > 2 ? arguments[1] : "";
+  if (task == "exact" && count > 3) {
+    time_exact(load(arguments[2]), vertices_from(count - 3, arguments + 3));
+  } else if (task == "build" && count == 5) {
+    time_build(load(arguments[2]), std::atoi(arguments[3]), arguments[4]);
+  } else if (task == "fields" && count > 6) {
+    time_fields(load(arguments[2]), arguments[3], std::atoi(arguments[4]), std::atoi(arguments[5]),
+                vertices_from(count - 6, arguments + 6));
+  } else if (task == "pairs" && count == 6) {
+    time_pairs(load(arguments[2]), arguments[3], arguments[4], std::atoi(arguments[5]));
+  } else {
+    std::fprintf(stderr,
+                 "usage: core_bench exact|build|fields|pairs MESH ...; see the head of core_bench.cpp\n");
+    return 2;
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "core_bench: %s\n", error.what());
+  return 1;
+}

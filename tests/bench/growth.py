@@ -1,0 +1,88 @@
+"""Measures time and memory against the size of the mesh: one mesh decimated and subdivided after Loop.
+
+Usage: tests/bench/growth.sh [OPTIONS] [SIZE...]; SIZE is 1, 1/4, 1/16, loop1 or loop2. Sizes measured before are kept
+in build/bench-work/growth, so the sizes can be measured one at a time.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import Any
+
+import bench
+import measure
+import meshes
+import pages
+import tables
+
+RESULTS = meshes.WORK / "growth"
+SIZES = ("1/16", "1/4", "1", "loop1", "loop2")
+PEERS = ("pygeodesic", "pp3d_heat", "pp3d_marching", "igl_heat", "cgal_heat", "meshlab_point")
+HEADING = (
+    "vertices | build (s) | ms per vertex | peak of the build (MiB) | bytes per vertex | file | field (ms) "
+    "| ns per vertex | two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%) | exact field (s)"
+)
+
+
+def main() -> None:
+    """Measure the sizes of the command line, then print and draw all that are there."""
+    parser = argparse.ArgumentParser(prog="tests/bench/growth.sh", description="Time and memory against mesh size.")
+    parser.add_argument("sizes", nargs="*", default=SIZES, metavar="SIZE", help=f"default: {' '.join(SIZES)}")
+    parser.add_argument("--mesh", default="igea", help="mesh file or name (default igea)")
+    parser.add_argument("--sources", type=int, default=2, help="random source vertices (default 2)")
+    parser.add_argument("--limit", type=float, default=120, help="seconds after which a peer is ended (default 120)")
+    parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone; peers measured before are kept")
+    parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and its picture")
+    arguments = parser.parse_args()
+    file = meshes.find(arguments.mesh)
+    if not file:
+        return
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    for size in arguments.sizes:
+        chosen = ["vorogeo_index", "vorogeo_exact", *(() if arguments.no_peers else PEERS)]
+        limits = measure.Limits(0.1 * arguments.limit, arguments.limit)
+        result = bench.measure_mesh(meshes.resized(file, size), arguments.sources, chosen, limits, 2, builds=False)
+        kept = RESULTS / f"{file.stem}_{size.replace('/', '_')}.json"
+        if arguments.no_peers and kept.is_file():
+            result["methods"] = json.loads(kept.read_text())["methods"] | result["methods"]
+        kept.write_text(json.dumps(result, indent=1))
+    results = [json.loads(kept.read_text()) for kept in RESULTS.glob(f"{file.stem}_*.json")]
+    results.sort(key=lambda result: result["vertices"])
+    text = tables.table(HEADING, [row(result) for result in results])
+    print(text)
+    if arguments.write:
+        import plots
+
+        picture = pages.PICTURES / "growth.png"
+        plots.growth(results, picture)
+        about = f"\nMeasured on {pages.machine()}.\n\n![Time and memory against size](figures/growth.png)\n\n"
+        pages.replace(pages.BENCHMARKS, "growth", text + about)
+
+
+def row(result: dict[str, Any]) -> list[str]:
+    """One size."""
+    core, own, n = result["core"], result["methods"]["vorogeo_index"], result["vertices"]
+    threads = max(core["build"])
+    build, field = core["build"][threads]["median"], core["field"][threads]["median"]
+    far, near = core["far_pair"] or {}, core["near_pair"] or {}
+    error = own.get("field_error")
+    return [
+        f"{n:,}",
+        tables.number(build),
+        tables.number(1e3 * build / n),
+        tables.number(core["build_peak"] / 2**20),
+        tables.number(core["index_bytes"] / n),
+        tables.number(core["file_bytes"] / n),
+        tables.number(1e3 * field),
+        tables.number(1e9 * field / n),
+        *(tables.number(1e6 * far[key]) if far else tables.DASH for key in ("median", "p99")),
+        tables.number(1e6 * near["median"]) if near else tables.DASH,
+        tables.percent(error, "mean"),
+        tables.percent(error, "p99"),
+        tables.number(core["exact"]["median"]),
+    ]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,200 @@
+"""Runs the methods in processes of their own and collects times, distances, peak memory and failures."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import meshes
+import methods
+
+PROGRAMS = meshes.ROOT / "build" / "bench" / "tests" / "bench"
+
+
+@dataclass
+class Limits:
+    """What a method may take: seconds after which nothing further is begun, and after which it is ended."""
+
+    budget: float = 20.0
+    limit: float = 300.0
+    repeats: int = 3
+
+
+@dataclass
+class Result:
+    """What became of a method on a mesh."""
+
+    name: str
+    prepared: float | None = None
+    version: str = ""
+    field_seconds: list[float] = field(default_factory=list)
+    fields: NDArray[np.float64] | None = None  #: shape (sources done, n)
+    pair_seconds: list[float] = field(default_factory=list)
+    pair_distances: list[float] = field(default_factory=list)
+    many: list[float] = field(default_factory=list)  #: pairs per second of one call
+    peak_bytes: int = 0
+    failure: str = ""
+
+
+@dataclass
+class Task:
+    """The same questions for every method of a mesh."""
+
+    mesh: Path
+    vertices: int
+    sources: list[int]
+    pairs: NDArray[np.int64]
+    many: NDArray[np.int64] | None = None
+    index_file: Path | None = None
+    threads: int = 2
+
+
+def run(name: str, task: Task, limits: Limits) -> Result:
+    """Measure one method; never raises because of it."""
+    result = Result(name)
+    with tempfile.TemporaryDirectory(dir=task.mesh.parent) as folder:
+        fields = Path(folder) / "fields"
+        command = _command(name, task, limits, Path(folder), fields)
+        if command is None:
+            result.failure = "not installed"
+            return result
+        status, errors, result.peak_bytes = stream(command, limits.limit, lambda line: _take(result, line))
+        if status == "limit":
+            result.failure = f"ended after {limits.limit:g} s"
+        elif status != 0:
+            result.failure = errors or f"crashed ({_signal(status)})"
+        if fields.is_file() and task.vertices:
+            found = np.fromfile(fields, np.float64)
+            complete = len(found) // task.vertices
+            result.fields = found[: complete * task.vertices].reshape(complete, task.vertices)
+    return result
+
+
+def stream(command: list[str], limit: float, take: Any) -> tuple[int | str, str, int]:
+    """Run a program, hand on its lines as they come; its status or "limit", its last error, peak resident bytes."""
+    with tempfile.TemporaryFile("w+") as errors:
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, text=True)
+        over = threading.Event()
+
+        def stop() -> None:
+            over.set()
+            process.kill()
+
+        timer = threading.Timer(limit, stop)
+        timer.start()
+        ended = threading.Event()
+        peak = [0]
+
+        def watch() -> None:
+            while not ended.wait(0.1):
+                peak[0] = max(peak[0], _peak_bytes(process.pid))
+
+        watcher = threading.Thread(target=watch)
+        watcher.start()
+        assert process.stdout
+        with process.stdout:
+            for line in process.stdout:
+                peak[0] = max(peak[0], _peak_bytes(process.pid))
+                take(line)
+        process.wait()
+        timer.cancel()
+        ended.set()
+        watcher.join()
+        errors.seek(0)
+        said = [line.strip() for line in errors.read().splitlines() if line.strip()]
+    return (
+        "limit" if over.is_set() else process.returncode,
+        said[-1][:200] if said else "",
+        peak[0],
+    )
+
+
+def core(arguments: list[str], limit: float = 7200.0) -> tuple[dict[tuple[str, float], list[float]], int]:
+    """Lines of the program core_bench by name and detail, and its peak memory; ends the run if it fails."""
+    found: dict[tuple[str, float], list[float]] = {}
+
+    def take(text: str) -> None:
+        line = json.loads(text)
+        found[line["name"], line["detail"]] = line["values"]
+
+    status, errors, peak = stream([str(PROGRAMS / "core_bench"), *arguments], limit, take)
+    if status != 0:
+        sys.exit(f"core_bench {arguments[0]}: {errors or status}")
+    return found, peak
+
+
+def _command(name: str, task: Task, limits: Limits, folder: Path, fields: Path) -> list[str] | None:
+    if name.startswith("cgal_"):
+        program = PROGRAMS / "cgal_peer"
+        options = [str(task.mesh), str(fields), f"{limits.budget:g}", str(limits.repeats), *map(str, task.sources)]
+        return [str(program), name.removeprefix("cgal_"), *options] if program.is_file() else None
+    np.save(folder / "pairs.npy", task.pairs)
+    own = name == "vorogeo_index"
+    if own and task.many is not None:
+        np.save(folder / "many.npy", task.many)
+    description = {
+        "method": name,
+        "mesh": str(task.mesh),
+        "sources": task.sources,
+        "pairs": str(folder / "pairs.npy"),
+        "many": str(folder / "many.npy") if own and task.many is not None else None,
+        "fields": str(fields),
+        "index_file": str(task.index_file) if task.index_file else None,
+        "threads": task.threads,
+        "budget": limits.budget,
+        "repeats": limits.repeats,
+    }
+    (folder / "task.json").write_text(json.dumps(description))
+    return [sys.executable, str(Path(__file__).with_name("worker.py")), str(folder / "task.json")]
+
+
+def _take(result: Result, text: str) -> None:
+    """One line of a worker; packages may print lines of their own."""
+    try:
+        line = json.loads(text)
+    except json.JSONDecodeError:
+        return
+    if not isinstance(line, dict):
+        return
+    if "prepared" in line:
+        result.prepared, result.version = line["prepared"], line["version"]
+    elif "field" in line:
+        result.field_seconds.append(line["seconds"])
+    elif "pair" in line:
+        result.pair_seconds.append(line["seconds"])
+        result.pair_distances.append(line["distance"])
+    elif "many" in line:
+        result.many.append(line["many"] / line["seconds"])
+
+
+def _peak_bytes(process: int) -> int:
+    """Greatest resident memory of a program so far; rusage counts what this process had before it began as well."""
+    try:
+        found = re.search(r"^VmHWM:\s*(\d+) kB", Path(f"/proc/{process}/status").read_text(), re.MULTILINE)
+    except OSError:
+        return 0
+    return 1024 * int(found[1]) if found else 0
+
+
+def _signal(status: int | str) -> str:
+    return signal.Signals(-status).name if isinstance(status, int) and status < 0 else f"status {status}"
+
+
+def names(only: list[str] | None, peers: bool) -> list[str]:
+    """The methods to run, in the order of the tables."""
+    chosen = only or [name for name in methods.METHODS if peers or name.startswith("vorogeo")]
+    for name in chosen:
+        if name not in methods.METHODS:
+            sys.exit(f"there is no method {name}; there are {', '.join(methods.METHODS)}")
+    return chosen

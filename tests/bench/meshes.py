@@ -1,0 +1,78 @@
+"""Meshes of the benchmarks: reading, making other sizes, and the raw files that all measured programs read."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = Path(os.environ.get("VOROGEO_MESHES", ROOT.parent / "shared" / "meshes"))
+WORK = ROOT / "build" / "bench-work"
+
+Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
+
+
+def find(name: str) -> Path | None:
+    """A mesh file, or the name of one in the folder of test meshes."""
+    for file in (Path(name), SHARED / f"{name}.ply", WORK / f"{name}.ply"):
+        if file.is_file():
+            return file
+    print(f"{name}: left out, there is neither a file {name} nor {SHARED / name}.ply", file=sys.stderr)
+    return None
+
+
+def load(file: Path) -> Mesh:
+    """Vertices and triangles of any mesh file that PyMeshLab reads."""
+    import pymeshlab
+
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(str(file))
+    mesh = mesh_set.current_mesh()
+    return np.ascontiguousarray(mesh.vertex_matrix(), np.float64), np.ascontiguousarray(mesh.face_matrix(), np.int32)
+
+
+def resized(file: Path, size: str) -> Path:
+    """The mesh decimated to a share ("1/4") or subdivided after Loop ("loop1", "loop2"); made once, kept in build/."""
+    if size == "1":
+        return file
+    out = WORK / f"{file.stem}_{size.replace('/', '_')}.ply"
+    if not out.is_file():
+        import pymeshlab
+
+        mesh_set = pymeshlab.MeshSet()
+        mesh_set.load_new_mesh(str(file))
+        if size.startswith("loop"):
+            mesh_set.meshing_surface_subdivision_loop(
+                iterations=int(size.removeprefix("loop")), threshold=pymeshlab.PureValue(0)
+            )
+        else:
+            share = 1 / int(size.removeprefix("1/"))
+            mesh_set.meshing_decimation_quadric_edge_collapse(
+                targetfacenum=int(share * mesh_set.current_mesh().face_number())
+            )
+        WORK.mkdir(parents=True, exist_ok=True)
+        mesh_set.save_current_mesh(str(out), binary=True, save_vertex_quality=False)
+    return out
+
+
+def write_raw(mesh: Mesh, file: Path) -> Path:
+    """The file that mesh_file.h describes."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    vertices, faces = mesh
+    with file.open("wb") as stream:
+        np.array([len(vertices), len(faces)], np.int64).tofile(stream)
+        np.ascontiguousarray(vertices, np.float64).tofile(stream)
+        np.ascontiguousarray(faces, np.int32).tofile(stream)
+    return file
+
+
+def read_raw(file: Path) -> Mesh:
+    """What `write_raw` wrote."""
+    data = np.fromfile(file, np.uint8)
+    n, m = data[:16].view(np.int64).tolist()
+    vertices = data[16 : 16 + 24 * n].view(np.float64).reshape(n, 3)
+    return vertices, data[16 + 24 * n : 16 + 24 * n + 12 * m].view(np.int32).reshape(m, 3)

@@ -1,0 +1,80 @@
+"""Puts measured tables into the pages of docs/, between their marks."""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+from pathlib import Path
+from typing import Any
+
+import meshes
+import tables
+
+BENCHMARKS = meshes.ROOT / "docs" / "benchmarks.md"
+FIGURES = meshes.ROOT / "docs" / "figures.md"
+PICTURES = meshes.ROOT / "docs" / "figures"
+ROWS_HEADING = (
+    "mesh | vertices | build, one thread (s) | two (s) | bytes per vertex | in the file | field (ms) "
+    "| two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%) | too long (%) | too short (%) "
+    "| far points, mean error (%) | exact field (s)"
+)
+
+
+def replace(file: Path, mark: str, text: str) -> None:
+    """Replace what stands between `<!-- mark -->` and `<!-- end of mark -->`; ends the run if the marks are missing."""
+    page = file.read_text()
+    pattern = rf"(<!-- {re.escape(mark)} -->\n).*?(<!-- end of {re.escape(mark)} -->)"
+    if not re.search(pattern, page, re.DOTALL):
+        raise SystemExit(f"{file} has no marks for '{mark}'")
+    file.write_text(re.sub(pattern, lambda found: found[1] + text + found[2], page, flags=re.DOTALL))
+
+
+def has_marks(file: Path, mark: str) -> bool:
+    """Whether a page has a place for this text."""
+    return f"<!-- {mark} -->" in file.read_text()
+
+
+def mesh_section(result: dict[str, Any]) -> str:
+    """Everything docs/benchmarks.md says about one mesh."""
+    name = result["mesh"]
+    return (
+        f"\n{result['vertices']:,} vertices, {result['faces']:,} faces; {result['machine']}.\n"
+        f"Packages: {tables.versions(result['methods'])}.\n\n"
+        f"{tables.figures(result)}\n{tables.fields(result)}\n{tables.pairs(result)}\n"
+        f"![Error against time on {name}](figures/error_time_{name}.png)\n\n"
+    )
+
+
+def figures_row(result: dict[str, Any]) -> list[str]:
+    """The row of a mesh in docs/figures.md."""
+    core, own, n = result["core"], result["methods"]["vorogeo_index"], result["vertices"]
+    build = core["build"]
+    return [
+        result["mesh"],
+        str(n),
+        *(tables.number(build[threads]["median"]) if threads in build else tables.DASH for threads in ("1", "2")),
+        f"{core['index_bytes'] / n:.0f}",
+        f"{core['file_bytes'] / n:.0f}",
+        tables.number(1e3 * core["field"][max(core["field"])]["median"]),
+        *(tables.number(1e6 * core["far_pair"][key]) if core["far_pair"] else tables.DASH for key in ("median", "p99")),
+        tables.number(1e6 * core["near_pair"]["median"]) if core["near_pair"] else tables.DASH,
+        *(tables.percent(own.get("field_error"), key) for key in ("mean", "p99", "over", "under")),
+        tables.percent(own.get("far_error"), "mean"),
+        tables.number(core["exact"]["median"]),
+    ]
+
+
+def refresh_figures(results: dict[str, dict[str, Any]]) -> None:
+    """The table of docs/figures.md with one row for each result that is kept."""
+    rows = [figures_row(result) for result in sorted(results.values(), key=lambda r: r["vertices"])]
+    replace(FIGURES, "table", tables.table(ROWS_HEADING, rows) + f"\nMeasured on {machine()}.\n")
+
+
+def machine() -> str:
+    """Processor and cores, as far as the system tells."""
+    try:
+        found = re.search(r"^model name\s*:\s*(.+)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    except OSError:
+        found = None
+    return f"{found[1] if found else platform.machine()}, {os.cpu_count()} cores, {platform.system()}"

@@ -1,0 +1,114 @@
+"""The pictures of docs/figures: error against time, and growth with the size of the mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+
+#: Colours that stay apart for colour-blind readers (Okabe, Ito), one per package; the marker tells methods apart.
+COLOURS = {
+    "vorogeo": "#D55E00",
+    "pygeodesic": "#000000",
+    "libigl": "#0072B2",
+    "gdist": "#999999",
+    "CGAL": "#009E73",
+    "potpourri3d": "#CC79A7",
+    "pymeshlab": "#E69F00",
+}
+MARKERS = {"exact": "s", "heat": "o", "marching": "^", "point": "v", "flips": "P", "index": "*"}
+EXACT_AT = 1e-4  # where exact methods are drawn, as 0 has no place on the axis
+
+
+def error_against_time(result: dict[str, Any], file: Path) -> None:
+    """One panel for fields, one for two far vertices; exact methods on a line of their own at the bottom."""
+    figure, panels = plt.subplots(1, 2, figsize=(11, 4.6), sharey=True, layout="constrained")
+    seen: dict[str, Any] = {}
+    for axes, times, errors, title in (
+        (panels[0], "field", "field_error", "distances of all vertices from one"),
+        (panels[1], "far", "far_error", "distance of two far vertices"),
+    ):
+        for name, method in result["methods"].items():
+            if not method[times] or "mean" not in (method.get(errors) or {}):
+                continue
+            mean = EXACT_AT if method["exact"] else max(method[errors]["mean"], 2 * EXACT_AT)
+            seen[method["title"]] = draw_point(axes, name, method, method[times], mean)
+        axes.axhline(EXACT_AT, color="#bbbbbb", linewidth=0.8, zorder=0)
+        axes.set(xscale="log", yscale="log", title=title, xlabel="time (s)")
+        axes.grid(alpha=0.3, which="major")
+    panels[0].set_ylabel("mean relative error (%)")
+    bottom, top = panels[0].get_ylim()
+    ticks = [10.0**power for power in range(-3, 3) if 10.0**power < top]
+    panels[0].set_yticks([EXACT_AT, *ticks], ["exact", *(f"{tick:g}" for tick in ticks)])
+    panels[0].set_yticks([], minor=True)
+    panels[0].set_ylim(min(bottom, 0.6 * EXACT_AT), top)
+    figure.legend(seen.values(), seen.keys(), loc="outside right upper", fontsize=8, frameon=False)
+    figure.suptitle(f"{result['mesh']}, {result['vertices']:,} vertices: median time (bars: quartiles)", fontsize=11)
+    save(figure, file)
+
+
+def draw_point(axes: Axes, name: str, method: dict[str, Any], times: dict[str, float], error: float) -> Any:
+    """A method as one marker with its quartiles."""
+    kind = next((kind for kind in MARKERS if kind in name), "exact")
+    spread = [[times["median"] - times["q1"]], [times["q3"] - times["median"]]]
+    own = method["package"] == "vorogeo"
+    style = {"color": COLOURS[method["package"]], "marker": MARKERS[kind], "linestyle": "none", "elinewidth": 1}
+    return axes.errorbar(
+        [times["median"]], [error], xerr=spread, markersize=15 if kind == "index" else 8 + own, **style
+    )
+
+
+def growth(results: Sequence[dict[str, Any]], file: Path) -> None:
+    """Time and peak memory against the number of vertices, both axes logarithmic."""
+    figure, (time_axes, memory_axes) = plt.subplots(1, 2, figsize=(11, 5), layout="constrained")
+    own = {"color": COLOURS["vorogeo"], "linewidth": 2}
+    core = [(r["vertices"], r["core"]) for r in results]
+    threads = max(core[0][1]["build"])
+    for label, values, marker in (
+        (f"VoroGeo, build, {threads} threads", [(n, c["build"][threads]["median"]) for n, c in core], "D"),
+        ("VoroGeo, exact field, one thread", [(n, c["exact"]["median"]) for n, c in core], "s"),
+        (f"VoroGeo, field, {threads} threads", [(n, c["field"][threads]["median"]) for n, c in core], "*"),
+        ("VoroGeo, two far vertices", [(n, c["far_pair"]["median"]) for n, c in core if c["far_pair"]], "."),
+    ):
+        time_axes.plot(*zip(*values, strict=True), marker=marker, label=label, **own)
+    for label, key, marker in (
+        ("build", "build_peak", "D"),
+        ("queries", "query_peak", "*"),
+        ("exact", "exact_peak", "s"),
+    ):
+        points = [(n, c[key] / 2**20) for n, c in core]
+        memory_axes.plot(*zip(*points, strict=True), marker=marker, label=f"VoroGeo, {label}", **own)
+    for name in dict.fromkeys(name for r in results for name in r["methods"] if not name.startswith("vorogeo")):
+        measured = [(r["vertices"], r["methods"][name]) for r in results if r["methods"].get(name, {}).get("field")]
+        if not measured:
+            continue
+        method = measured[0][1]
+        kind = next((kind for kind in MARKERS if kind in name), "exact")
+        style = {"color": COLOURS[method["package"]], "marker": MARKERS[kind], "linestyle": "--", "linewidth": 1}
+        times = [(n, m["field"]["median"]) for n, m in measured]
+        time_axes.plot(*zip(*times, strict=True), label=f"{method['title']}, field", **style)
+        peaks = [(n, m["peak_bytes"] / 2**20) for n, m in measured]
+        memory_axes.plot(*zip(*peaks, strict=True), label=method["title"], **style)
+    for axes, title, unit in (
+        (time_axes, "time", "time (s)"),
+        (memory_axes, "peak memory", "memory of the process (MiB)"),
+    ):
+        axes.set(xscale="log", yscale="log", xlabel="vertices", ylabel=unit, title=title)
+        axes.grid(alpha=0.3, which="major")
+    handles, labels = time_axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    save(figure, file)
+
+
+def save(figure: Any, file: Path) -> None:
+    """Write a picture without the date, so that the same figures give the same file."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(file, dpi=120, metadata={"Software": None})
+    plt.close(figure)
+    print(f"written: {file}")

@@ -1,0 +1,95 @@
+"""Measures one method in a process of its own, so that a crash or a time limit ends nothing else.
+
+Usage: python worker.py TASK, a file written by measure.py; what comes out are lines of JSON, read by it as they come:
+  {"prepared": seconds, "version": text}, {"field": source, "seconds": t}, {"pair": i, "seconds": t, "distance": d},
+  {"many": pairs, "seconds": t}. The first field of each source is added to the task's file of fields.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import meshes
+import methods
+
+
+def main() -> None:
+    """Run the task named on the command line."""
+    task = json.loads(Path(sys.argv[1]).read_text())
+    vertices, faces = meshes.read_raw(Path(task["mesh"]))
+    try:
+        methods.import_package(task["method"])
+        method, prepared = timed(
+            lambda: methods.make(task["method"], vertices, faces, task["threads"], task["index_file"])
+        )
+        say(prepared=prepared, version=methods.version(task["method"]))
+        if methods.METHODS[task["method"]].fields:
+            measure_fields(method, task)
+        if methods.METHODS[task["method"]].pairs:
+            measure_pairs(method, task)
+        if task["many"]:
+            measure_many(method, np.load(task["many"]))
+    except ImportError as error:
+        sys.exit(f"not installed: {error}")
+    except Exception as error:  # the parent shows it in the table
+        sys.exit(f"{type(error).__name__}: {error}")
+
+
+def measure_fields(method: Any, task: dict[str, Any]) -> None:
+    """Fields of the sources, each several times, until the budget is used up."""
+    end = time.perf_counter() + task["budget"]
+    with Path(task["fields"]).open("wb") as file:
+        for number, source in enumerate(task["sources"]):
+            if number > 0 and time.perf_counter() > end:
+                break
+            for repeat in range(task["repeats"]):
+                if repeat > 0 and time.perf_counter() > end:
+                    break
+                found, seconds = timed(lambda s=source: method.field(s))
+                if repeat == 0:
+                    np.ascontiguousarray(found, np.float64).tofile(file)
+                    file.flush()
+                say(field=source, seconds=seconds)
+
+
+def measure_pairs(method: Any, task: dict[str, Any]) -> None:
+    """The pairs one by one until half of the budget is used up; the first is made twice."""
+    pairs = np.load(task["pairs"]).tolist()
+    end = time.perf_counter() + 0.5 * task["budget"]
+    if pairs and task["repeats"] > 1:
+        method.pair(*pairs[0])
+    for number, (source, target) in enumerate(pairs):
+        if number > 0 and time.perf_counter() > end:
+            break
+        found, seconds = timed(lambda s=source, t=target: method.pair(s, t))
+        say(pair=number, seconds=seconds, distance=found)
+
+
+def measure_many(method: Any, pairs: np.ndarray) -> None:
+    """All pairs in one call of VoroGeo."""
+    for _ in range(3):
+        _, seconds = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
+        say(many=len(pairs), seconds=seconds)
+
+
+def timed(run: Callable[[], Any]) -> tuple[Any, float]:
+    """Result and wall-clock seconds of a call."""
+    start = time.perf_counter()
+    result = run()
+    return result, time.perf_counter() - start
+
+
+def say(**values: object) -> None:
+    """One line for the parent."""
+    print(json.dumps(values), flush=True)
+
+
+if __name__ == "__main__":
+    main()

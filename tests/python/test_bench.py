@@ -1,0 +1,113 @@
+"""The benchmarks: questions, errors, and the tables from a run on a small mesh with VoroGeo alone."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import vorogeo
+
+import sample_meshes
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
+pytest.importorskip("scipy")
+import bench
+import measure
+import meshes
+import methods
+import pages
+import questions
+import summary
+import tables
+
+
+def test_errors_of_known_distances():
+    exact = np.array([0.0, 1.0, 2.0, 4.0, 5.0, np.inf])
+    found = np.array([0.0, 1.01, 1.99, 4.0, np.nan, 7.0])
+    errors = summary.errors(found, exact)
+    assert errors is not None
+    assert errors["mean"] == pytest.approx((1 + 0.5 + 0) / 3)
+    assert errors["over"] == pytest.approx(1)
+    assert errors["under"] == pytest.approx(0.5)
+    assert errors["missing"] == pytest.approx(25)
+
+
+def test_spread_of_known_times():
+    found = summary.spread([4.0, 1.0, 2.0, 3.0, 5.0])
+    assert found is not None
+    assert [found[key] for key in ("median", "q1", "q3", "min", "max", "count")] == [3, 2, 4, 1, 5, 5]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"), [(12.34, "12.3 s"), (0.0456, "45.6 ms"), (7e-6, "7.00 µs"), (None, "-"), (1234.5, "1,234 s")]
+)
+def test_durations_have_the_unit_that_suits_them(seconds: float | None, text: str):
+    assert tables.duration(seconds) == text
+
+
+def test_text_between_marks_is_replaced(tmp_path: Path):
+    page = tmp_path / "page.md"
+    page.write_text("a\n<!-- table -->\nold\n<!-- end of table -->\nb\n")
+    pages.replace(page, "table", "new\\1\n")
+    assert page.read_text() == "a\n<!-- table -->\nnew\\1\n<!-- end of table -->\nb\n"
+    with pytest.raises(SystemExit, match="no marks"):
+        pages.replace(page, "other", "")
+
+
+def test_pairs_are_near_in_patches_that_touch():
+    mesh = sample_meshes.plane_grid(5, 2)  # four squares in a row, each a patch
+    near = questions.Neighbourhood(mesh, np.tile(np.arange(4, dtype=np.int32), 2))
+    far = near.far_pairs(np.array([0, 0, 0, 0]), np.array([1, 2, 3, 4]))
+    # Vertex 0 is in square 0, which touches square 1, whose vertices are in squares 0 to 2.
+    assert far.tolist() == [[0, 3], [0, 4]]
+    pairs = near.near_pairs(np.zeros(100, np.int64), np.random.default_rng(0))
+    assert set(pairs[:, 1].tolist()) <= {1, 2, 5, 6, 7}
+
+
+def test_a_crash_and_a_limit_of_time_are_reported():
+    status, errors, _ = measure.stream([sys.executable, "-c", "import os; os.abort()"], 20, print)
+    assert (status, errors) == (-6, "")
+    status, _, _ = measure.stream([sys.executable, "-c", "import time; time.sleep(20)"], 0.2, print)
+    assert status == "limit"
+
+
+def test_a_run_without_peers_gives_all_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    mesh = sample_meshes.bent_grid(40, 30)
+    monkeypatch.setattr(meshes, "WORK", tmp_path)
+    monkeypatch.setattr(meshes, "load", lambda _: mesh)
+    monkeypatch.setattr(measure, "core", lambda arguments: made_up_core(arguments, mesh))
+    chosen = measure.names(None, peers=False)
+    assert chosen == [name for name in methods.METHODS if name.startswith("vorogeo")]
+    result = bench.measure_mesh(tmp_path / "grid.ply", 2, chosen, measure.Limits(1, 60, 1), threads=2)
+    own, exact = result["methods"]["vorogeo_index"], result["methods"]["vorogeo_exact"]
+    assert not own["failure"]
+    assert not exact["failure"]
+    assert own["field_sources"] == exact["field_sources"] == 2
+    assert 0 < own["field_error"]["mean"] < 0.1
+    assert own["near_error"]["mean"] < 1e-9
+    assert exact["field_error"]["mean"] == 0
+    assert own["peak_bytes"] > 2**20
+    for text in (tables.figures(result), tables.fields(result), tables.pairs(result)):
+        lines = text.strip().splitlines()
+        assert len(lines) > 2
+        assert len({line.count("|") for line in lines}) == 1
+    assert "VoroGeo, exact" in tables.fields(result)
+    assert len(pages.figures_row(result)) == len(pages.ROWS_HEADING.split("|"))
+
+
+def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[dict[tuple[str, float], list[float]], int]:
+    """What the C++ program would print, which is not built here; the index is a real one."""
+    n = len(mesh[0])
+    lines: dict[str, Any] = {
+        "exact": {("exact", n): [0.1, 0.2], ("exact_patch", 700): [1e-6]},
+        "build": {("build", int(arguments[2]) if arguments[0] == "build" else 0): [1.0]},
+        "fields": {("load", 1): [0.1], ("field", 1): [0.003], ("field", 2): [0.002]},
+        "pairs": {("far_pair", 1): [1e-5], ("near_pair", 1): [2e-4]},
+    }
+    if arguments[0] == "build":
+        vorogeo.GeodesicIndex(*mesh, patches=(4, 3)).save(arguments[3])
+        lines["build"] |= {("index_bytes", n): [1000.0 * n], ("file_bytes", n): [500.0 * n]}
+    return lines[arguments[0]], 2**27
