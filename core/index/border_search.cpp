@@ -37,11 +37,11 @@ void BorderSearch::lower(Index node, double distance, Index patch, Index row) {
   queue_.push(node, distance);
 }
 
-void BorderSearch::add(Index node, double distance) { lower(node, distance, no_index, no_index); }
+void BorderSearch::add(Index node, double distance, Index wave) { lower(node, distance, no_index, wave); }
 
 bool BorderSearch::one_wave(const NodeState& a, const NodeState& b) const {
   // Beyond the cut locus two neighbours are reached by different ways: their nodes before them are far apart.
-  if (a.patch == no_index || b.patch == no_index) return true;
+  if (a.patch == no_index || b.patch == no_index) return a.patch != b.patch || a.row == b.row;
   const Index before_a = layer_.border_node[layer_.border_begin[a.patch] + a.row];
   const Index before_b = layer_.border_node[layer_.border_begin[b.patch] + b.row];
   if (before_a == before_b) return true;
@@ -56,8 +56,7 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   const NodeState& at = state_[nodes[row]];
   if (at.patch == patch) return sum;
   const double source = distance_[nodes[row]];
-  const float* line = layer_.line(patch, column);
-  const double beyond = line[row];
+  const double beyond = layer_.distance(patch, row, column);
   double best = sum;
   std::array<BorderSample, 2> beside{};
   int known = 0;
@@ -65,7 +64,7 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
     const NodeState& other = state_[nodes[next.row]];
     const double other_source = distance_[nodes[next.row]];
     if (other_source == unreachable || other.patch == patch || !one_wave(at, other)) continue;
-    const BorderSample sample{other_source, line[next.row], next.length};
+    const BorderSample sample{other_source, layer_.distance(patch, next.row, column), next.length};
     best = std::min(best, unfolded_distance(sample.length, source, sample.source, beyond, sample.target));
     if (known < 2) beside[known] = sample;
     ++known;
@@ -86,7 +85,9 @@ void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_d
     }
     for (const PatchRow& at : layer_.patches_of(node)) {
       if (at.patch == state.patch || (!patch_allowed.empty() && !patch_allowed[at.patch])) continue;
-      const float* line = layer_.line(at.patch, at.row);
+      line_.resize(layer_.border_size(at.patch));
+      layer_.read_border(at.patch, at.row, line_.data());
+      const float* line = line_.data();
       for (const NodeRange& range : ranges_[at.patch]) {
         const Index count = range.end - range.begin;
         const double* reached = distance_.data() + range.begin;

@@ -22,12 +22,21 @@ class BorderSearch {
 
   /// Forgets the last search.
   void start();
-  /// A node whose distance is known from outside the search, as a start.
-  void add(Index node, double distance);
+  /// A node whose distance is known from outside the search, as a start. `wave` tells the sources apart that
+  /// starts come from.
+  void add(Index node, double distance, Index wave = 0);
   /// Settles all nodes within max_distance over the patches p with patch_allowed[p] != 0 (empty: all).
   void run(std::span<const std::uint8_t> patch_allowed = {}, double max_distance = unreachable);
 
   double distance(Index node) const { return distance_[node]; }
+  /// The node before a node that was reached; wave_name(wave) for a start.
+  Index before(Index node) const {
+    const NodeState& state = state_[node];
+    return state.patch == no_index ? wave_name(state.row)
+                                   : layer_.border_node[layer_.border_begin[state.patch] + state.row];
+  }
+  /// Stands for a source where a node would stand; less than no_index.
+  static constexpr Index wave_name(Index wave) { return no_index - 1 - wave; }
 
   /// Distance of a member (column) of a patch through its border, the least sum given as the row of the
   /// crossing: improved by unfolding the border edges at that row where their distances belong to one wave.
@@ -38,7 +47,7 @@ class BorderSearch {
  private:
   struct NodeState {
     Index patch = no_index;  ///< the patch through which it was reached; no_index: a start
-    Index row = no_index;    ///< the row of the node before it
+    Index row = 0;           ///< the row of the node before it; for a start, the wave
   };
   void lower(Index node, double distance, Index patch, Index row);
   bool one_wave(const NodeState& a, const NodeState& b) const;
@@ -50,6 +59,7 @@ class BorderSearch {
   std::vector<Index> touched_;
   BucketQueue queue_;
   double bucket_width_ = 0.0;
+  std::vector<float> line_;
 };
 
 }  // namespace vorogeo

@@ -34,7 +34,8 @@ void require_ordinary_size(const Mesh& mesh) {
 void IndexData::lay_out() {
   work = make_work_mesh(*mesh, partition);
   geometry = std::make_shared<const ExactGeometry>(work.mesh);
-  second = lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {});
+  second =
+      lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
   std::vector<std::uint8_t> is_node(work.mesh->vertex_count());
   for (Index v = 0; v < work.mesh->vertex_count(); ++v) is_node[v] = second.vertex_node[v] != no_index;
   std::vector<Index> first_label(work.second_layer);

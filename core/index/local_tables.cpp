@@ -50,7 +50,7 @@ void Halo::surround(std::span<const Index> patches, double growth) {
 
 void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
                        PatchLayer& layer, int threads, const Progress& progress) {
-  make_tables(layer);
+  TableDraft tables(layer);
   std::map<std::vector<Index>, std::vector<Index>> nodes_between;
   for (Index node = 0; node < layer.node_count(); ++node) {
     std::vector<Index> patches;
@@ -99,13 +99,14 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                    for (const PatchRow& at : layer.patches_of(node)) {
                      const auto members = layer.members(at.patch);
                      for (std::size_t i = 0; i < members.size(); ++i) {
-                       layer.line(at.patch, static_cast<Index>(i))[at.row] =
+                       tables.line(at.patch, static_cast<Index>(i))[at.row] =
                            static_cast<float>(own->solver.distance(members[i]));
                      }
                    }
                  }
                });
-  make_symmetric(layer);
+  tables.make_symmetric();
+  tables.finish(layer);
 }
 
 }  // namespace vorogeo

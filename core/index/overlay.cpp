@@ -32,7 +32,7 @@ void ParentSurroundings::mark(Index first_layer_patch, std::vector<std::uint8_t>
 
 void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first, int threads,
                     const Progress& progress) {
-  make_tables(first);
+  TableDraft tables(first);
   const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : search(layer) {}
@@ -54,12 +54,13 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                  for (const PatchRow& at : patches) {
                    const auto members = first.members(at.patch);
                    for (std::size_t i = 0; i < members.size(); ++i) {
-                     first.line(at.patch, static_cast<Index>(i))[at.row] =
+                     tables.line(at.patch, static_cast<Index>(i))[at.row] =
                          static_cast<float>(own->search.distance(second.vertex_node[members[i]]));
                    }
                  }
                });
-  make_symmetric(first);
+  tables.make_symmetric();
+  tables.finish(first);
 }
 
 }  // namespace vorogeo

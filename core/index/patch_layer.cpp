@@ -2,6 +2,9 @@
 #include "index/patch_layer.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "support/min_plus.h"
 
 namespace vorogeo {
 
@@ -32,13 +35,14 @@ VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label
 }  // namespace
 
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
-                           std::span<const std::uint8_t> candidate) {
+                           std::span<const std::uint8_t> candidate, TableOrder order) {
   const auto around = patches_of_vertices(mesh, label);
   auto patches_at = [&](Index v) {
     return std::span(around.patch.data() + around.begin[v], around.patch.data() + around.begin[v + 1]);
   };
   PatchLayer layer;
   layer.patch_count = patch_count;
+  layer.order = order;
   layer.vertex_node.assign(mesh.vertex_count(), no_index);
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
@@ -76,8 +80,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     layer.member.insert(layer.member.end(), inner[p].begin(), inner[p].end());
     layer.border_begin.push_back(static_cast<Index>(layer.border_node.size()));
     layer.member_begin.push_back(static_cast<Index>(layer.member.size()));
-    layer.table_begin.push_back(layer.table_begin.back() +
-                                static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p));
+    layer.table_begin.push_back(layer.table_begin.back() + table_size(layer, p));
   }
 
   // Border edges: faces of two or more patches meet there.
@@ -136,20 +139,98 @@ std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch) {
   return ranges;
 }
 
-void make_tables(PatchLayer& layer) {
-  layer.table.assign(layer.table_begin.back(), std::numeric_limits<float>::infinity());
+std::size_t table_size(const PatchLayer& layer, Index patch) {
+  auto columns = static_cast<std::size_t>(layer.member_count(patch));
+  if (layer.order == TableOrder::tiles) {
+    constexpr std::size_t width = PatchLayer::tile_width;
+    columns = (columns + width - 1) / width * width;
+  }
+  return columns * layer.border_size(patch);
 }
 
-void make_symmetric(PatchLayer& layer) {
+void PatchLayer::read_column(Index patch, Index column, float* distances) const {
+  const Index rows = border_size(patch);
+  if (order == TableOrder::lines) {
+    scale_entries(line(patch, column), rows, unit[patch], distances);
+    return;
+  }
+  const std::uint16_t* entries = tile(patch, column / tile_width) + column % tile_width;
+  for (Index row = 0; row < rows; ++row) distances[row] = to_distance(patch, entries[row * tile_width]);
+}
+
+void PatchLayer::read_border(Index patch, Index row, float* distances) const {
+  const Index rows = border_size(patch);
+  if (order == TableOrder::lines) {
+    scale_entries(line(patch, row), rows, unit[patch], distances);
+    return;
+  }
+  for (Index begin = 0; begin < rows; begin += tile_width) {
+    scale_entries(tile(patch, begin / tile_width) + static_cast<std::size_t>(row) * tile_width,
+                  std::min(tile_width, rows - begin), unit[patch], distances + begin);
+  }
+}
+
+TableDraft::TableDraft(const PatchLayer& layer) {
+  begin_.push_back(0);
   for (Index p = 0; p < layer.patch_count; ++p) {
-    for (Index i = 0; i < layer.border_size(p); ++i) {
-      layer.line(p, i)[i] = 0.0f;
+    rows_.push_back(layer.border_size(p));
+    begin_.push_back(begin_.back() + static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p));
+  }
+  value_.assign(begin_.back(), std::numeric_limits<float>::infinity());
+}
+
+void TableDraft::make_symmetric() {
+  for (std::size_t p = 0; p < rows_.size(); ++p) {
+    const auto patch = static_cast<Index>(p);
+    for (Index i = 0; i < rows_[p]; ++i) {
+      line(patch, i)[i] = 0.0f;
       for (Index j = 0; j < i; ++j) {
-        float& forth = layer.line(p, i)[j];
-        float& back = layer.line(p, j)[i];
+        float& forth = line(patch, i)[j];
+        float& back = line(patch, j)[i];
         forth = back = std::min(forth, back);
       }
     }
+  }
+}
+
+void TableDraft::finish(PatchLayer& layer) {
+  layer.table.assign(layer.table_begin.back(), PatchLayer::no_way);
+  layer.unit.assign(layer.patch_count, 0.0f);
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    float greatest = 0.0f;
+    for (std::size_t i = begin_[p]; i < begin_[p + 1]; ++i) {
+      if (value_[i] < std::numeric_limits<float>::infinity()) greatest = std::max(greatest, value_[i]);
+    }
+    layer.unit[p] = greatest / PatchLayer::greatest_entry;
+    const double scale = greatest > 0.0f ? 1.0 / layer.unit[p] : 0.0;
+    std::uint16_t* table = layer.table.data() + layer.table_begin[p];
+    const auto rows = static_cast<std::size_t>(rows_[p]);
+    for (Index column = 0; column < layer.member_count(p); ++column) {
+      const float* from = line(p, column);
+      for (std::size_t row = 0; row < rows; ++row) {
+        if (from[row] == std::numeric_limits<float>::infinity()) continue;
+        const std::size_t at = layer.order == TableOrder::lines
+                                   ? column * rows + row
+                                   : (column / PatchLayer::tile_width * rows + row) * PatchLayer::tile_width +
+                                         column % PatchLayer::tile_width;
+        table[at] = static_cast<std::uint16_t>(
+            std::min<double>(PatchLayer::greatest_entry, std::nearbyint(from[row] * scale)));
+      }
+    }
+  }
+  note_complete(layer);
+}
+
+void note_complete(PatchLayer& layer) {
+  layer.complete.assign(layer.patch_count, 1);
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    std::size_t infinite = 0;
+    for (std::size_t i = layer.table_begin[p]; i < layer.table_begin[p + 1]; ++i) {
+      infinite += layer.table[i] == PatchLayer::no_way ? 1 : 0;
+    }
+    // The columns that fill up the last tile do not count.
+    const std::size_t filled = static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p);
+    layer.complete[p] = infinite == table_size(layer, p) - filled ? 1 : 0;
   }
 }
 
@@ -157,7 +238,8 @@ std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
   return bytes(node_vertex) + bytes(vertex_node) + bytes(border_begin) + bytes(border_node) +
          bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
-         bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table);
+         bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(unit) +
+         bytes(complete);
 }
 
 }  // namespace vorogeo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,23 @@ struct BorderNeighbour {
   float length;
 };
 
+/// How the table of a patch lies in memory. *Lines*: column by column, so that all distances of one member
+/// follow one another. *Tiles*: tile_width columns at a time, row by row, so that a scan finds the least sums
+/// of all columns of a tile at once; the last tile is filled up with no_way.
+enum class TableOrder { lines, tiles };
+
 /// Patches of one layer over the work mesh. A *node* is a vertex on the border of two or more patches.
 ///
 /// Layer 2: members of a patch are all its vertices. Layer 1: its members are the layer-2 nodes in it. In
-/// both, the nodes of the patch come first among the members, and table(p) holds for each of them (row) the
-/// distance to each member (column).
+/// both, the nodes of the patch come first among the members, and the table of a patch holds for each of them
+/// (row) the distance to each member (column): a whole multiple, of 15 bits, of the patch's unit. The unit is
+/// the greatest distance of the table divided by greatest_entry, so that an entry is off by at most a
+/// 65,532nd part of that, and the sum of two entries needs no more than 16 bits.
 struct PatchLayer {
+  static constexpr Index tile_width = 32;
+  static constexpr std::uint16_t greatest_entry = 32766;
+  static constexpr std::uint16_t no_way = 32767;  ///< the entry for an infinite distance
+
   Index patch_count = 0;
   std::vector<Index> node_vertex;      ///< work vertex, by node
   std::vector<Index> vertex_node;      ///< node, by work vertex; no_index: not on a border of this layer
@@ -39,8 +51,11 @@ struct PatchLayer {
   std::vector<PatchRow> incidence;     ///< patches of each node, ascending
   std::vector<Index> neighbour_begin;  ///< by border_begin[patch] + row, into neighbour
   std::vector<BorderNeighbour> neighbour;
+  TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
-  std::vector<float> table;
+  std::vector<std::uint16_t> table;
+  std::vector<float> unit;             ///< by patch: distance of an entry of 1
+  std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is no_way
 
   Index node_count() const { return static_cast<Index>(node_vertex.size()); }
   Index border_size(Index patch) const { return border_begin[patch + 1] - border_begin[patch]; }
@@ -58,21 +73,38 @@ struct PatchLayer {
     const Index slot = border_begin[patch] + row;
     return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
   }
-  /// Distances of a member from the border nodes of its patch, by row. Those of a border node itself are also
-  /// its distances to the other border nodes.
-  const float* line(Index patch, Index column) const {
+  std::uint16_t entry(Index patch, Index row, Index column) const {
+    const std::uint16_t* of_patch = table.data() + table_begin[patch];
+    const auto rows = static_cast<std::size_t>(border_size(patch));
+    if (order == TableOrder::lines) return of_patch[column * rows + row];
+    return of_patch[(column / tile_width * rows + row) * tile_width + column % tile_width];
+  }
+  float to_distance(Index patch, std::uint16_t entry) const {
+    return entry == no_way ? std::numeric_limits<float>::infinity() : unit[patch] * static_cast<float>(entry);
+  }
+  float distance(Index patch, Index row, Index column) const {
+    return to_distance(patch, entry(patch, row, column));
+  }
+  /// Entries of a member by row; for the order of lines only.
+  const std::uint16_t* line(Index patch, Index column) const {
     return table.data() + table_begin[patch] + static_cast<std::size_t>(column) * border_size(patch);
   }
-  float* line(Index patch, Index column) {
-    return table.data() + table_begin[patch] + static_cast<std::size_t>(column) * border_size(patch);
+  /// Entries of columns [tile tile_width, (tile + 1) tile_width), row by row; for the order of tiles only.
+  const std::uint16_t* tile(Index patch, Index tile) const {
+    return table.data() + table_begin[patch] +
+           static_cast<std::size_t>(tile) * tile_width * border_size(patch);
   }
+  /// Writes the distances of a member from the border nodes, by row (border_size of them).
+  void read_column(Index patch, Index column, float* distances) const;
+  /// The same for a border node, by its row: the table is symmetric there.
+  void read_border(Index patch, Index row, float* distances) const;
   std::size_t memory_bytes() const;
 };
 
 /// Lays out a layer: nodes, members, borders and the places of the tables. `label`: patch of each face.
 /// `candidate`: which vertices may be members (empty: all with a face in the patch).
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
-                           std::span<const std::uint8_t> candidate);
+                           std::span<const std::uint8_t> candidate, TableOrder order = TableOrder::lines);
 
 /// Nodes of a patch as ranges of consecutive node numbers: nodes between the same patches follow one another.
 struct NodeRange {
@@ -81,12 +113,31 @@ struct NodeRange {
 };
 std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch);
 
-/// Makes room for the tables; all distances are unreachable. Apart from the layout, as a damaged index file
-/// could ask for tables of any size.
-void make_tables(PatchLayer& layer);
+/// Tables while they are computed: single precision, in lines.
+class TableDraft {
+ public:
+  /// Room for the tables of a layer; all distances are unreachable.
+  explicit TableDraft(const PatchLayer& layer);
+  /// Distances of a member (column), by row.
+  float* line(Index patch, Index column) {
+    return value_.data() + begin_[patch] + static_cast<std::size_t>(column) * rows_[patch];
+  }
+  /// Makes the distances between two nodes of a patch equal in both directions: the smaller one. The two can
+  /// differ since each row is solved in the surroundings of its own node.
+  void make_symmetric();
+  /// Writes the tables into the layer it was made for.
+  void finish(PatchLayer& layer);
 
-/// Makes the distances between two nodes of a patch equal in both directions: the smaller one. The two can
-/// differ since each row is solved in the surroundings of its own node.
-void make_symmetric(PatchLayer& layer);
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Index> rows_;
+  std::vector<float> value_;
+};
+
+/// Entries that the table of a patch takes.
+std::size_t table_size(const PatchLayer& layer, Index patch);
+
+/// Fills in which tables are complete.
+void note_complete(PatchLayer& layer);
 
 }  // namespace vorogeo

@@ -1,6 +1,6 @@
 // Which parts of an index go into its file, and the checks that tie a file to a mesh.
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <string>
 
 #include "index/geodesic_index.h"
@@ -11,7 +11,10 @@ namespace vorogeo {
 
 namespace {
 
-void save_layer(IndexFileWriter& out, const PatchLayer& layer) { out.block(layer.table); }
+void save_layer(IndexFileWriter& out, const PatchLayer& layer) {
+  out.block(layer.table);
+  out.block(layer.unit);
+}
 
 /// Distances must be numbers of at least 0; infinity is what a patch cannot reach.
 template <class T>
@@ -22,8 +25,17 @@ void require_distances(IndexFileReader& in, const std::vector<T>& values) {
 }
 
 void load_layer(IndexFileReader& in, PatchLayer& layer) {
-  layer.table = in.block<float>(layer.table_begin.back());
-  require_distances(in, layer.table);
+  layer.table = in.block<std::uint16_t>(layer.table_begin.back());
+  for (std::uint16_t entry : layer.table) {
+    if (entry > PatchLayer::no_way) in.fail("is damaged (a distance is greater than its table can hold)");
+  }
+  layer.unit = in.block<float>(layer.patch_count);
+  require_distances(in, layer.unit);
+  if (std::find(layer.unit.begin(), layer.unit.end(), std::numeric_limits<float>::infinity()) !=
+      layer.unit.end()) {
+    in.fail("is damaged (the unit of a table is infinite)");
+  }
+  note_complete(layer);
 }
 
 void load_node_table(IndexFileReader& in, NodeTable& table, Index nodes) {

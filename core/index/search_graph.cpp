@@ -24,8 +24,11 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   const Index k = layer.border_size(patch);
   std::vector<KeptArc> kept;
   std::vector<KeptArc> candidates;
+  std::vector<float> distances(static_cast<std::size_t>(k) * k);
+  auto distances_from = [&](Index row) { return distances.data() + static_cast<std::size_t>(row) * k; };
   for (Index i = 0; i < k; ++i) {
-    const float* row = layer.line(patch, i);
+    layer.read_border(patch, i, distances_from(i));
+    const float* row = distances_from(i);
     for (Index j = i + 1; j < k; ++j) {
       if (row[j] < std::numeric_limits<float>::infinity()) candidates.push_back({i, j, row[j]});
     }
@@ -37,8 +40,8 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   if (delta == 0.0) {
     // Nothing may be lost: only arcs that two others replace to the last bit.
     for (const KeptArc& arc : candidates) {
-      const float* from_a = layer.line(patch, arc.a);
-      const float* from_b = layer.line(patch, arc.b);
+      const float* from_a = distances_from(arc.a);
+      const float* from_b = distances_from(arc.b);
       bool dominated = false;
       for (Index c = 0; c < k && !dominated; ++c) {
         // Both shorter than the arc, else two arcs that differ by less than a digit would replace each other.

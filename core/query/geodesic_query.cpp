@@ -2,13 +2,13 @@
 #include "query/geodesic_query.h"
 
 #include <algorithm>
-#include <optional>
+#include <atomic>
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "index/border_search.h"
 #include "index/index_data.h"
 #include "index/local_tables.h"
+#include "query/border_field.h"
 #include "query/field_sweep.h"
 #include "query/graph_route.h"
 #include "query/route_unfolding.h"
@@ -40,7 +40,7 @@ struct GeodesicQuery::State {
         threads(resolve_thread_count(requested_threads)),
         solver(data.geometry),
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
-        search(data.second),
+        borders(data),
         graph_router(data),
         table_router(data),
         sweeps(threads),
@@ -63,6 +63,19 @@ struct GeodesicQuery::State {
   }
   std::vector<Index> patches_if_near(Index source, Index target) const;
   GraphRoute route(const RouteEnd& from, const RouteEnd& to);
+  bool in_near_patch(Index work) const {
+    if (is_near[data.home_patch[work]] != 0) return true;
+    const Index node = data.second.vertex_node[work];
+    if (node == no_index) return false;
+    const auto patches = data.second.patches_of(node);
+    return std::any_of(patches.begin(), patches.end(),
+                       [&](const PatchRow& at) { return is_near[at.patch] != 0; });
+  }
+  void add_starts(Index work, Index wave);
+  double near_field(std::span<const Index> sources, std::span<const Index> patches, double max_distance);
+  void sweep_patches(Index first_layer_patch, FieldSweep& sweep, double max_distance,
+                     std::vector<double>& field);
+  void join_near_field(double certain, double max_distance, std::vector<double>& field);
   double distance_nearby(Index source, Index target, const std::vector<Index>& patches, double estimate);
 
   std::shared_ptr<const GeodesicIndex> index;
@@ -70,11 +83,13 @@ struct GeodesicQuery::State {
   int threads;
   ExactSolver solver;
   Halo halo;
-  BorderSearch search;
+  BorderField borders;
   GraphRouter graph_router;
   TableRouter table_router;
   std::vector<FieldSweep> sweeps;
   std::vector<std::uint8_t> is_near;
+  std::vector<BorderField::Start> starts;
+  std::vector<Index> targets;
 };
 
 GeodesicQuery::GeodesicQuery(std::shared_ptr<const GeodesicIndex> index, int threads)
@@ -163,6 +178,75 @@ double GeodesicQuery::distance(Index source, Index target) {
   return std::min(route.length, unfolded_length(data, route, s, t));
 }
 
+/// The border nodes of the source's patches, with the distances of the tables.
+void GeodesicQuery::State::add_starts(Index work, Index wave) {
+  const Index node = data.second.vertex_node[work];
+  if (node != no_index) {
+    starts.push_back({node, 0.0, wave});
+    return;
+  }
+  const Index patch = data.home_patch[work];
+  const auto nodes = data.second.nodes(patch);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double distance = data.second.distance(patch, static_cast<Index>(i), data.home_column[work]);
+    if (distance < unreachable) starts.push_back({nodes[i], distance, wave});
+  }
+}
+
+/// Exact distances in the patches of the sources and around them; left in the solver. Returns up to where
+/// they are certain: no path up to there has left the halo.
+double GeodesicQuery::State::near_field(std::span<const Index> sources, std::span<const Index> patches,
+                                        double max_distance) {
+  halo.surround(patches, near_field_growth);
+  targets.clear();
+  for (Index p : patches) {
+    targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
+  }
+  ExactLimits limits;
+  limits.face_allowed = halo.mask();
+  limits.targets = targets;
+  limits.distances_only = true;
+  limits.max_distance = max_distance;
+  solver.run_from_vertices(sources, limits);
+  return std::min(solver.settled_distance(), solver.barrier_distance());
+}
+
+/// Distances through the borders, in all second-layer patches of a first-layer patch.
+void GeodesicQuery::State::sweep_patches(Index first_layer_patch, FieldSweep& sweep, double max_distance,
+                                         std::vector<double>& field) {
+  borders.fill(first_layer_patch, sweep);
+  const NodeRange children = borders.children(first_layer_patch);
+  for (Index p = children.begin; p < children.end; ++p) {
+    const auto found = sweep.sweep(data.second, borders.border(), p);
+    const auto members = data.second.members(p);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const Index user = data.work.user_vertex[members[i]];
+      // A border node belongs to several patches: the first of them writes it.
+      if (user == no_index || data.home_patch[members[i]] != p) continue;
+      field[user] = found[i] <= max_distance ? found[i] : unreachable;
+    }
+  }
+}
+
+void GeodesicQuery::State::join_near_field(double certain, double max_distance, std::vector<double>& field) {
+  for (Index face : halo.faces()) {
+    for (Index v : data.work.mesh->face_vertices(face)) {
+      const Index user = data.work.user_vertex[v];
+      if (user == no_index) continue;
+      const double exact = solver.distance(v);
+      double& distance = field[user];
+      if (exact <= certain) {
+        distance = exact;
+      } else if (!in_near_patch(v) || distance < shorter_outside * exact) {
+        distance = std::min(exact, distance);
+      } else {
+        distance = exact;
+      }
+      if (distance > max_distance) distance = unreachable;
+    }
+  }
+}
+
 std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources, double max_distance) {
   State& state = *state_;
   const IndexData& data = state.data;
@@ -174,8 +258,9 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   // All checked before anything is marked: a refused call leaves the query as it was.
   for (Index source : sources) state.work_vertex(source, "Source");
   std::vector<double> field(data.mesh->vertex_count(), unreachable);
-  std::vector<Index> starts;
+  std::vector<Index> works;
   std::vector<Index> near;
+  state.starts.clear();
   // Cleared on every way out, as errors leave a query usable.
   const struct Unmark {
     ~Unmark() {
@@ -188,58 +273,44 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
     const Index work = state.work_vertex(source, "Source");
     field[source] = 0.0;
     if (work == no_index) continue;
-    starts.push_back(work);
+    state.add_starts(work, static_cast<Index>(works.size()));
+    works.push_back(work);
     for (Index p : state.patches_of(work)) {
       if (state.is_near[p]) continue;
       near.push_back(p);
       state.is_near[p] = 1;
     }
   }
-  if (starts.empty()) return field;
+  if (works.empty()) return field;
 
-  // Near field: exact in the patches of the sources, and as far beyond as their halo reaches.
-  state.halo.surround(near, near_field_growth);
-  std::vector<Index> targets;
-  for (Index p : near)
-    targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
-  ExactLimits limits;
-  limits.face_allowed = state.halo.mask();
-  limits.targets = targets;
-  limits.distances_only = true;
-  limits.max_distance = max_distance;
-  state.solver.run_from_vertices(starts, limits);
-  // Up to here no path has left the halo.
-  const double certain = std::min(state.solver.settled_distance(), state.solver.barrier_distance());
-
-  state.search.start();
-  for (Index face : state.halo.faces()) {
-    for (Index v : data.work.mesh->face_vertices(face)) {
-      const Index node = data.second.vertex_node[v];
-      if (node != no_index) state.search.add(node, state.solver.distance(v));
-    }
-  }
-  state.search.run({}, max_distance);
-
-  parallel_for(data.second.patch_count, state.threads, {}, "", [&](std::size_t patch, int worker) {
-    const auto p = static_cast<Index>(patch);
-    const auto found = state.sweeps[worker].sweep(data.second, state.search, p);
-    const auto members = data.second.members(p);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      const Index user = data.work.user_vertex[members[i]];
-      // A border node belongs to several patches: the first of them writes it.
-      if (user == no_index || data.home_patch[members[i]] != p) continue;
-      const double exact = state.solver.distance(members[i]);
-      double distance = found[i];
-      if (exact <= certain) {
-        distance = exact;
-      } else if (!state.is_near[p] || distance < shorter_outside * exact) {
-        distance = std::min(exact, distance);
-      } else {
-        distance = exact;
-      }
-      field[user] = distance <= max_distance ? distance : unreachable;
-    }
-  });
+  // The near field and the way to the first-layer borders need nothing of each other; all patches need the
+  // latter.
+  double certain = 0.0;
+  enum BorderState { waiting, ready, failed };
+  std::atomic<int> borders = waiting;
+  parallel_for(2 + static_cast<std::size_t>(data.first.patch_count), state.threads, {}, "",
+               [&](std::size_t item, int worker) {
+                 if (item == 0) {
+                   certain = state.near_field(works, near, max_distance);
+                   return;
+                 }
+                 if (item == 1) {
+                   try {
+                     state.borders.start(state.starts, max_distance);
+                     borders = ready;
+                   } catch (...) {
+                     borders = failed;
+                     borders.notify_all();
+                     throw;
+                   }
+                   borders.notify_all();
+                   return;
+                 }
+                 borders.wait(waiting);
+                 if (borders == failed) return;
+                 state.sweep_patches(static_cast<Index>(item - 2), state.sweeps[worker], max_distance, field);
+               });
+  state.join_near_field(certain, max_distance, field);
   return field;
 }
 

@@ -23,9 +23,8 @@ RouteEnd route_end(const IndexData& data, Index work_vertex) {
   end.patch = data.home_patch[work_vertex];
   add_parent(end.patch);
   const auto nodes = second.nodes(end.patch);
-  const float* line = second.line(end.patch, data.home_column[work_vertex]);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double distance = line[i];
+    const double distance = second.distance(end.patch, static_cast<Index>(i), data.home_column[work_vertex]);
     if (distance < unreachable) end.starts.push_back({nodes[i], distance});
   }
   return end;

@@ -61,7 +61,7 @@ double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) 
     other = from;
   }
   const Index column = row == no_index ? no_index : column_of(other);
-  return column == no_index ? unreachable : layer.line(leg.patch, column)[row];
+  return column == no_index ? unreachable : layer.distance(leg.patch, row, column);
 }
 
 /// Least distance of a vertex over the near nodes, then over the border edges at the best of them.

@@ -26,8 +26,8 @@ void TableRouter::approach(const RouteEnd& end, Index parent, Approach& result) 
       if (data_.partition.parent[at.patch] != parent) continue;
       const Index column = data_.parent_column[second.border_begin[at.patch] + at.row];
       const auto base = static_cast<float>(distance);
-      lower_by_line(data_.first.line(parent, column), base, static_cast<Index>(s), rows,
-                    result.distance.data(), result.start.data());
+      lower_by_entries(data_.first.line(parent, column), data_.first.unit[parent], base,
+                       static_cast<Index>(s), rows, result.distance.data(), result.start.data());
       break;
     }
   }

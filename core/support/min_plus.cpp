@@ -2,16 +2,19 @@
 // last bit.
 #include "support/min_plus.h"
 
+#include <cstring>
 #include <limits>
 
-// One source, compiled for each instruction set; the loader picks the best that the machine has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define VOROGEO_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define VOROGEO_CLONES
-#endif
+#include "support/clones.h"
 
 namespace vorogeo {
+
+namespace {
+
+constexpr std::uint16_t no_way_entry = 32767;
+constexpr std::int16_t greatest_sum = 32767;
+
+}  // namespace
 
 VOROGEO_CLONES
 float least_sum(const float* a, const float* b, Index count) {
@@ -70,6 +73,87 @@ void lower_by_line(const float* line, float base, Index name, Index count, float
     least[i] = lower ? through : least[i];
     best[i] = lower ? name : best[i];
   }
+}
+
+VOROGEO_CLONES
+void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index name, Index count,
+                      float* least, Index* best) {
+  for (Index i = 0; i < count; ++i) {
+    const float entry = entries[i] == no_way_entry ? std::numeric_limits<float>::infinity()
+                                                   : unit * static_cast<float>(entries[i]);
+    const float through = base + entry;
+    const bool lower = through < least[i];
+    least[i] = lower ? through : least[i];
+    best[i] = lower ? name : best[i];
+  }
+}
+
+VOROGEO_CLONES
+void scale_entries(const std::uint16_t* entries, Index count, float unit, float* distances) {
+  for (Index i = 0; i < count; ++i) {
+    const float distance = unit * static_cast<float>(entries[i]);
+    distances[i] = entries[i] == no_way_entry ? std::numeric_limits<float>::infinity() : distance;
+  }
+}
+
+VOROGEO_CLONES
+std::int16_t least_entry_sum(const std::int16_t* base, const std::uint16_t* entries, Index count) {
+  constexpr Index lanes = 64;
+  std::int16_t lane[lanes];
+  for (std::int16_t& value : lane) value = greatest_sum;
+  Index i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    for (Index k = 0; k < lanes; ++k) {
+      const auto sum = static_cast<std::int16_t>(base[i + k] + entries[i + k]);
+      lane[k] = sum < lane[k] ? sum : lane[k];
+    }
+  }
+  for (; i < count; ++i) {
+    const auto sum = static_cast<std::int16_t>(base[i] + entries[i]);
+    lane[0] = sum < lane[0] ? sum : lane[0];
+  }
+  for (Index half = lanes / 2; half > 0; half /= 2) {
+    for (Index k = 0; k < half; ++k) lane[k] = lane[k + half] < lane[k] ? lane[k + half] : lane[k];
+  }
+  return lane[0];
+}
+
+VOROGEO_CLONES
+Index first_entry_sum(const std::int16_t* base, const std::uint16_t* entries, Index count, std::int16_t sum) {
+  constexpr Index block = 32;
+  Index i = 0;
+  for (; i + block <= count; i += block) {
+    int found = 0;
+    for (Index k = 0; k < block; ++k) found |= static_cast<std::int16_t>(base[i + k] + entries[i + k]) == sum;
+    if (found != 0) break;
+  }
+  for (; i < count; ++i) {
+    if (static_cast<std::int16_t>(base[i] + entries[i]) == sum) return i;
+  }
+  return no_index;
+}
+
+VOROGEO_CLONES
+void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index rows, std::int16_t* least,
+                     std::int16_t* best) {
+  constexpr Index width = 32;
+  std::int16_t lowest[width];
+  std::int16_t at[width];
+  for (Index k = 0; k < width; ++k) {
+    lowest[k] = greatest_sum;
+    at[k] = 0;
+  }
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint16_t* entries = tile + static_cast<std::size_t>(row) * width;
+    for (Index k = 0; k < width; ++k) {
+      const auto sum = static_cast<std::int16_t>(base[row] + entries[k]);
+      const bool lower = sum < lowest[k];
+      lowest[k] = lower ? sum : lowest[k];
+      at[k] = lower ? static_cast<std::int16_t>(row) : at[k];
+    }
+  }
+  std::memcpy(least, lowest, sizeof(lowest));
+  std::memcpy(best, at, sizeof(at));
 }
 
 }  // namespace vorogeo

@@ -7,11 +7,26 @@
 #include <algorithm>
 
 #include "exact/exact_solver.h"
+#include "index/border_search.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
+
+/// The border distances of a search over the second layer.
+struct Searched {
+  Searched(const PatchLayer& layer, const BorderSearch& search) : edges(layer) {
+    for (Index node = 0; node < layer.node_count(); ++node) {
+      distance.push_back(search.distance(node));
+      before.push_back(search.before(node));
+    }
+  }
+  operator BorderDistances() const { return {distance, before, {}, edges}; }
+  BorderEdges edges;
+  std::vector<double> distance;
+  std::vector<Index> before;
+};
 
 TEST(FieldSweep, AtMostTheLeastSumAndNotBelowIt) {
   const auto index = test::make_index(test::hills(40, 0.12), 4, 4);
@@ -20,19 +35,20 @@ TEST(FieldSweep, AtMostTheLeastSumAndNotBelowIt) {
   search.start();
   search.add(layer.node_count() / 2, 0.0);
   search.run();
+  const Searched searched(layer, search);
   FieldSweep sweep;
   test::ErrorCollector against_sums;
   for (Index p = 0; p < layer.patch_count; ++p) {
-    const auto found = sweep.sweep(layer, search, p);
+    const auto found = sweep.sweep(layer, searched, p);
     ASSERT_EQ(static_cast<Index>(found.size()), layer.member_count(p));
     for (Index i = 0; i < layer.border_size(p); ++i) EXPECT_EQ(found[i], search.distance(layer.nodes(p)[i]));
     for (Index column = layer.border_size(p); column < layer.member_count(p); ++column) {
       double least = unreachable;
       for (Index row = 0; row < layer.border_size(p); ++row) {
-        least = std::min(least, search.distance(layer.nodes(p)[row]) + layer.line(p, column)[row]);
+        least = std::min(least, search.distance(layer.nodes(p)[row]) + layer.distance(p, row, column));
       }
-      // Sums are compared in single precision.
-      EXPECT_LE(found[column], least * (1.0 + 1e-6));
+      // Border distances are rounded to the unit of the table when sums are compared.
+      EXPECT_LE(found[column], least * (1.0 + 1e-6) + layer.unit[p]);
       against_sums.add(found[column], least);
     }
   }
@@ -54,10 +70,11 @@ TEST(FieldSweep, FromExactBorderDistancesNearlyExact) {
       for (Index node = 0; node < layer.node_count(); ++node) {
         search.add(node, solver.distance(layer.node_vertex[node]));
       }
+      const Searched searched(layer, search);
       const auto own = test::patches_at(*data.work.mesh, data.work.second_layer, source);
       for (Index p = 0; p < layer.patch_count; ++p) {
         if (own.contains(p)) continue;
-        const auto found = sweep.sweep(layer, search, p);
+        const auto found = sweep.sweep(layer, searched, p);
         for (std::size_t i = 0; i < found.size(); ++i)
           errors.add(found[i], solver.distance(layer.members(p)[i]));
       }
@@ -76,10 +93,11 @@ TEST(FieldSweep, APatchThatTheSearchDidNotReachIsUnreachable) {
   search.start();
   search.add(data.second.nodes(0)[0], 0.0);
   search.run();
+  const Searched searched(data.second, search);
   FieldSweep sweep;
   const Index component = data.work.mesh->component(data.second.members(0)[0]);
   for (Index p = 0; p < data.second.patch_count; ++p) {
-    const auto found = sweep.sweep(data.second, search, p);
+    const auto found = sweep.sweep(data.second, searched, p);
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i] == unreachable, data.work.mesh->component(data.second.members(p)[i]) != component);
     }
@@ -93,16 +111,17 @@ TEST(FieldSweep, FarFromTheSourceNothingIsLostToRounding) {
   BorderSearch search(layer);
   search.start();
   for (Index i = 0; i < layer.border_size(0); ++i) search.add(layer.nodes(0)[i], 1e7 + 0.01 * i);
+  const Searched searched(layer, search);
   FieldSweep sweep;
-  const auto found = sweep.sweep(layer, search, 0);
+  const auto found = sweep.sweep(layer, searched, 0);
   for (Index column = layer.border_size(0); column < layer.member_count(0); ++column) {
     double least = unreachable;
     double shortest = unreachable;
     for (Index row = 0; row < layer.border_size(0); ++row) {
-      least = std::min(least, 0.01 * row + layer.line(0, column)[row]);
-      shortest = std::min<double>(shortest, layer.line(0, column)[row]);
+      least = std::min(least, 0.01 * row + layer.distance(0, row, column));
+      shortest = std::min<double>(shortest, layer.distance(0, row, column));
     }
-    EXPECT_LE(found[column] - 1e7, least + 1e-6);
+    EXPECT_LE(found[column] - 1e7, least + layer.unit[0]);
     EXPECT_GE(found[column] - 1e7, shortest - 0.05) << "unfolding shortens by less than a border edge";
   }
 }

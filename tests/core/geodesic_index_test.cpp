@@ -63,9 +63,9 @@ TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
   EXPECT_LT(statistics.arcs, statistics.arcs_before_pruning);
   EXPECT_EQ(statistics.arcs, static_cast<std::int64_t>(index->data().graph.arc.size() / 2));
   const auto tables = static_cast<std::int64_t>(
-      sizeof(float) * (index->data().first.table.size() + index->data().second.table.size()));
+      sizeof(std::uint16_t) * (index->data().first.table.size() + index->data().second.table.size()));
   EXPECT_GT(statistics.bytes, tables);
-  EXPECT_LT(statistics.bytes, 5 * tables);
+  EXPECT_LT(statistics.bytes, 8 * tables);
   // Border vertices by definition: vertices of the work mesh in two or more patches.
   const IndexData& data = index->data();
   Index first = 0;

@@ -135,7 +135,8 @@ TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
     ASSERT_EQ(static_cast<Index>(end.starts.size()), data.second.border_size(end.patch));
     for (Index row = 0; row < data.second.border_size(end.patch); ++row) {
       EXPECT_EQ(end.starts[row].node, data.second.nodes(end.patch)[row]);
-      EXPECT_EQ(end.starts[row].distance, data.second.line(end.patch, data.home_column[v])[row]);
+      EXPECT_EQ(end.starts[row].distance,
+                data.second.distance(end.patch, static_cast<Index>(row), data.home_column[v]));
     }
   }
 }

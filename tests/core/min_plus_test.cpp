@@ -88,5 +88,77 @@ TEST(MinPlus, LowerByLine) {
   }
 }
 
+/// Entries of a table with some that stand for infinity, and bases with some that stand for none.
+struct Entries {
+  Entries(Index rows, Index columns, unsigned seed)
+      : table(static_cast<std::size_t>(rows) * columns + 1), base(rows) {
+    std::mt19937 random(seed);
+    for (auto& entry : table) entry = random() % 16 == 0 ? 32767 : random() % 32767;
+    for (auto& value : base)
+      value = static_cast<std::int16_t>(random() % 8 == 0 ? 0 : -32768 + static_cast<int>(random() % 3000));
+  }
+  const std::uint16_t* data() const { return table.data() + 1; }
+  std::vector<std::uint16_t> table;
+  std::vector<std::int16_t> base;
+};
+
+TEST(MinPlus, EntriesAsDistances) {
+  for (Index count = 0; count < 100; ++count) {
+    const Entries entries(1, count, count);
+    std::vector<float> scaled(count);
+    scale_entries(entries.data(), count, 0.75F, scaled.data());
+    std::vector<float> least(count, 1e4F);
+    std::vector<Index> best(count, 5);
+    lower_by_entries(entries.data(), 0.75F, 2.0F, 9, count, least.data(), best.data());
+    for (Index i = 0; i < count; ++i) {
+      const std::uint16_t entry = entries.data()[i];
+      const float expected = entry == 32767 ? infinite : 0.75F * static_cast<float>(entry);
+      EXPECT_EQ(scaled[i], expected);
+      EXPECT_EQ(least[i], std::min(1e4F, 2.0F + expected));
+      EXPECT_EQ(best[i], 2.0F + expected < 1e4F ? 9 : 5);
+    }
+  }
+}
+
+TEST(MinPlus, LeastEntrySumAndWhereItIs) {
+  for (Index count = 0; count < 200; ++count) {
+    const Entries entries(count, 1, count);
+    int least = 32767;
+    Index first = no_index;
+    for (Index i = 0; i < count; ++i) {
+      const int sum = entries.base[i] + entries.data()[i];
+      if (sum >= least) continue;
+      least = sum;
+      first = i;
+    }
+    const std::int16_t found = least_entry_sum(entries.base.data(), entries.data(), count);
+    EXPECT_EQ(found, least) << count;
+    EXPECT_EQ(first_entry_sum(entries.base.data(), entries.data(), count, found), first) << count;
+  }
+  const Entries none(70, 1, 3);
+  EXPECT_EQ(first_entry_sum(none.base.data(), none.data(), 70, 32767), no_index);
+}
+
+TEST(MinPlus, LeastTileSums) {
+  for (Index rows = 0; rows < 70; ++rows) {
+    const Entries entries(rows, 32, 50 + rows);
+    std::int16_t least[32];
+    std::int16_t best[32];
+    least_tile_sums(entries.base.data(), entries.data(), rows, least, best);
+    for (Index column = 0; column < 32; ++column) {
+      int expected = 32767;
+      int expected_row = 0;
+      for (Index row = 0; row < rows; ++row) {
+        const int sum = entries.base[row] + entries.data()[32 * row + column];
+        if (sum >= expected) continue;
+        expected = sum;
+        expected_row = row;
+      }
+      EXPECT_EQ(least[column], expected);
+      EXPECT_EQ(best[column], expected_row);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vorogeo

@@ -20,7 +20,7 @@ test::ErrorCollector table_errors(const IndexData& data) {
     for (const PatchRow& at : data.first.patches_of(node)) {
       const auto members = data.first.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
-        errors.add(data.first.line(at.patch, i)[at.row], solver.distance(members[i]));
+        errors.add(data.first.distance(at.patch, at.row, static_cast<Index>(i)), solver.distance(members[i]));
       }
     }
   }

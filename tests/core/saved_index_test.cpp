@@ -155,10 +155,10 @@ TEST_F(DamagedIndex, GarbageAndWrongHeads) {
   bytes[0] = 'W';
   EXPECT_EQ(loading_bytes(bytes), file_.string() + " is not an index file of VoroGeo.");
   bytes = good_;
-  bytes[8] = 2;
+  bytes[8] = 1;
   EXPECT_EQ(loading_bytes(bytes),
             "The index file " + file_.string() +
-                " has format version 2, this program reads version 1; build the index again.");
+                " has format version 1, this program reads version 2; build the index again.");
   EXPECT_EQ(loading_bytes(good_ + "more"), damaged("it goes on after its end"));
 }
 
@@ -221,13 +221,21 @@ TEST_F(DamagedIndex, LabelsThatAskForOtherTables) {
 
 TEST_F(DamagedIndex, DistancesThatAreNone) {
   const auto original = blocks_;
-  for (auto block : {test::second_table, test::first_table, test::node_table}) {
+  for (auto block : {test::second_unit, test::first_unit, test::node_table}) {
     for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
       blocks_ = original;
-      blocks_[block].set<float>(7, value);
+      blocks_[block].set<float>(2, value);
       EXPECT_EQ(loading_blocks(), damaged("a distance is negative or no number"));
     }
   }
+  for (auto block : {test::second_table, test::first_table}) {
+    blocks_ = original;
+    blocks_[block].set<std::uint16_t>(7, 32768);
+    EXPECT_EQ(loading_blocks(), damaged("a distance is greater than its table can hold"));
+  }
+  blocks_ = original;
+  blocks_[test::first_unit].set<float>(1, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite"));
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(loading_blocks(), damaged("a distance is negative or no number"));

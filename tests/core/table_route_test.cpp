@@ -16,7 +16,7 @@ double through_patch(const IndexData& data, Index parent, Index row, Index node)
   const auto members = data.first.members(parent);
   const auto at = std::find(members.begin(), members.end(), data.second.node_vertex[node]);
   if (at == members.end()) return unreachable;
-  return data.first.line(parent, at - members.begin())[row];
+  return data.first.distance(parent, row, static_cast<Index>(at - members.begin()));
 }
 
 /// All sums: start, first-layer border, first-layer border, start.

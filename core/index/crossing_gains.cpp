@@ -1,0 +1,92 @@
+// The formulas of unfolding.h, rearranged so that all terms are as long as the target is far, without
+// branches.
+#include "index/crossing_gains.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "support/clones.h"
+
+namespace vorogeo {
+
+namespace {
+
+inline __attribute__((always_inline)) float root(float square) {
+  return std::sqrt(square > 0.0f ? square : 0.0f);
+}
+
+/// Let s and t be the distances of source and target from the end of the edge where the crossing is, and phi
+/// the sum of the angles of both ways with the edge. By the law of cosines the straight line r between them
+/// has (s + t)^2 - r^2 = 2 s t (1 + cos phi). The gain s + t - r is found from that with everything divided
+/// by s, which may be much longer than the rest; `excess` is t (1 + cos phi).
+inline __attribute__((always_inline)) float unfolded_gain(float source, float other_source, float target,
+                                                          float other_target, float length, float lowest) {
+  const float away = lowest + source;
+  const float source_difference = source - other_source;
+  const float target_difference = target - other_target;
+  const float source_cosine =
+      0.5f * (length / away + source_difference / length * ((away + (lowest + other_source)) / away));
+  const float target_along = 0.5f * (length + target_difference / length * (target + other_target));
+  const float source_sine = root(1.0f - source_cosine * source_cosine);
+  const float target_off = root((target - target_along) * (target + target_along));
+  const float excess = target + target_along * source_cosine - target_off * source_sine;
+  const float sum = 1.0f + target / away;
+  const float gain = 2.0f * excess / (sum + root(sum * sum - 2.0f * excess / away));
+  // Where the straight line meets the edge, from the end at which the crossing is.
+  const float height = source_sine + target_off / away;
+  const float crossing = source_cosine * target_off + target_along * source_sine;
+  const bool valid = (std::fabs(source_difference) <= length) & (std::fabs(target_difference) <= length) &
+                     (height > 0.0f) & (crossing > 0.0f) & (crossing < length * height) & (gain > 0.0f);
+  return valid ? gain : 0.0f;
+}
+
+inline __attribute__((always_inline)) float offset(float source_difference, float target_difference,
+                                                   float length) {
+  const float cosine = 0.5f * (source_difference - target_difference) / length;
+  return length * root(1.0f - cosine * cosine);
+}
+
+}  // namespace
+
+VOROGEO_CLONES
+void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
+  constexpr float least_edges = 3.0f;
+  const float* sources = crossings.source;
+  const float* targets = crossings.target;
+  const float* sources_before = crossings.side[0].source;
+  const float* targets_before = crossings.side[0].target;
+  const float* lengths_before = crossings.side[0].length;
+  const float* sources_after = crossings.side[1].source;
+  const float* targets_after = crossings.side[1].target;
+  const float* lengths_after = crossings.side[1].length;
+  float best[Crossings::capacity];
+  for (Index k = 0; k < Crossings::capacity; ++k) {
+    const float source = sources[k];
+    const float target = targets[k];
+    const float before = lengths_before[k];
+    const float after = lengths_after[k];
+    const float first = unfolded_gain(source, sources_before[k], target, targets_before[k], before, lowest);
+    const float second = unfolded_gain(source, sources_after[k], target, targets_after[k], after, lowest);
+    const float unfolded = first > second ? first : second;
+    const float source_before = sources_before[k] - source;
+    const float target_before = targets_before[k] - target;
+    const float source_after = sources_after[k] - source;
+    const float target_after = targets_after[k] - target;
+    const float left = -offset(source_before, target_before, before);
+    const float right = offset(source_after, target_after, after);
+    const float to_left = (source_before + target_before) / left;
+    const float to_right = (source_after + target_after) / right;
+    const float curvature = (to_right - to_left) / (right - left);
+    const float slope = to_right - curvature * right;
+    const float lowest_point = -0.5f * slope / curvature;
+    const float parabola = -0.5f * slope * lowest_point;
+    const float nearer = lowest + source < target ? lowest + source : target;
+    const bool valid = (nearer >= least_edges * before) & (nearer >= least_edges * after) & (left < 0.0f) &
+                       (right > 0.0f) & (curvature > 0.0f) & (lowest_point > left) & (lowest_point < right) &
+                       (parabola > unfolded);
+    best[k] = valid ? parabola : unfolded;
+  }
+  std::memcpy(gain, best, sizeof(best));
+}
+
+}  // namespace vorogeo

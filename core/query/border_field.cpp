@@ -1,0 +1,148 @@
+// From the starts to the border nodes of the whole mesh.
+#include "query/border_field.h"
+
+#include <algorithm>
+
+#include "support/min_plus.h"
+
+namespace vorogeo {
+
+BorderField::BorderField(const IndexData& data)
+    : data_(data),
+      edges_(data.second),
+      first_edges_(data.first),
+      surroundings_(data.second, data.partition.parent, data.first.patch_count),
+      search_(data.second),
+      child_begin_(data.first.patch_count + 1, 0),
+      distance_(data.second.node_count(), unreachable),
+      before_(data.second.node_count(), no_index),
+      first_distance_(data.first.node_count(), unreachable),
+      first_before_(data.first.node_count(), no_index),
+      is_start_parent_(data.first.patch_count, 0) {
+  for (Index parent : data.partition.parent) ++child_begin_[parent + 1];
+  for (Index p = 0; p < data.first.patch_count; ++p) child_begin_[p + 1] += child_begin_[p];
+  for (Index vertex : data.first.node_vertex) first_name_.push_back(data.second.vertex_node[vertex]);
+}
+
+void BorderField::start(std::span<const Start> starts, double max_distance) {
+  max_distance_ = max_distance;
+  search_.start();
+  std::fill(is_start_parent_.begin(), is_start_parent_.end(), 0);
+  Index parents = 0;
+  for (const Start& start : starts) {
+    search_.add(start.node, start.distance, start.wave);
+    for (const PatchRow& at : data_.second.patches_of(start.node)) {
+      std::uint8_t& is_parent = is_start_parent_[data_.partition.parent[at.patch]];
+      if (is_parent == 0) ++parents;
+      is_parent = 1;
+    }
+  }
+  // With sources nearly everywhere the tables save nothing.
+  searched_all_ = data_.node_table.count == 0 || 2 * parents > data_.first.patch_count;
+  if (searched_all_) {
+    search_.run({}, max_distance);
+    for (Index node = 0; node < data_.second.node_count(); ++node) {
+      distance_[node] = search_.distance(node);
+      before_[node] = search_.before(node);
+    }
+    return;
+  }
+  allowed_.assign(data_.second.patch_count, 0);
+  for (Index p = 0; p < data_.first.patch_count; ++p) {
+    if (is_start_parent_[p]) surroundings_.mark(p, allowed_);
+  }
+  search_.run(allowed_, max_distance);
+  cross_node_table();
+}
+
+void BorderField::cross_node_table() {
+  const Index count = data_.first.node_count();
+  rows_.clear();
+  lowest_ = unreachable;
+  for (Index node = 0; node < count; ++node) {
+    const auto patches = data_.first.patches_of(node);
+    const bool beside_start = std::any_of(
+        patches.begin(), patches.end(), [&](const PatchRow& at) { return is_start_parent_[at.patch] != 0; });
+    const double distance = search_.distance(first_name_[node]);
+    if (!beside_start || !(distance <= max_distance_)) continue;
+    rows_.push_back(node);
+    lowest_ = std::min(lowest_, distance);
+  }
+  least_.assign(count, std::numeric_limits<float>::infinity());
+  least_row_.assign(count, no_index);
+  for (Index row : rows_) {
+    const auto base = static_cast<float>(search_.distance(first_name_[row]) - lowest_);
+    lower_by_line(data_.node_table.row(row), base, row, count, least_.data(), least_row_.data());
+  }
+  for (Index begin = 0; begin < count; begin += Crossings::capacity) {
+    cross_rows(begin, std::min(Crossings::capacity, count - begin));
+  }
+}
+
+/// Distances of the first-layer nodes [begin, begin + count), unfolded at the row of the least sum.
+void BorderField::cross_rows(Index begin, Index count) {
+  Crossings crossings{};
+  for (Index k = 0; k < count; ++k) {
+    const Index row = least_row_[begin + k];
+    if (row == no_index) continue;
+    const Index column = begin + k;
+    crossings.source[k] = static_cast<float>(search_.distance(first_name_[row]) - lowest_);
+    crossings.target[k] = data_.node_table.row(row)[column];
+    int used = 0;
+    for (const BorderEdges::Edge& edge : first_edges_.at(row)) {
+      if (edge.node == no_index || used == 2) break;
+      const double distance = search_.distance(first_name_[edge.node]);
+      if (distance == unreachable ||
+          !edges_.touch(search_.before(first_name_[row]), search_.before(first_name_[edge.node]))) {
+        continue;
+      }
+      auto& side = crossings.side[used++];
+      side.source[k] = static_cast<float>(distance - lowest_);
+      side.target[k] = data_.node_table.row(edge.node)[column];
+      side.length[k] = edge.length;
+    }
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings, static_cast<float>(lowest_), gain);
+  for (Index k = 0; k < count; ++k) {
+    const Index node = begin + k;
+    const Index name = first_name_[node];
+    const Index row = least_row_[node];
+    double distance = search_.distance(name);
+    Index before = search_.before(name);
+    if (row != no_index && row != node) {
+      const float above = crossings.source[k] + crossings.target[k] - gain[k];
+      const double through = lowest_ + static_cast<double>(above);
+      if (through < distance) {
+        distance = through;
+        before = first_name_[row];
+      }
+    }
+    first_distance_[node] = distance_[name] = distance;
+    first_before_[node] = before_[name] = before;
+  }
+}
+
+void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
+  if (searched_all_) return;
+  const PatchLayer& first = data_.first;
+  const auto nodes = first.nodes(first_layer_patch);
+  const auto members = first.members(first_layer_patch);
+  const bool reached = std::any_of(nodes.begin(), nodes.end(),
+                                   [&](Index node) { return first_distance_[node] <= max_distance_; });
+  std::span<const double> found;
+  if (reached) {
+    found = sweep.sweep(first, {first_distance_, first_before_, first_name_, edges_}, first_layer_patch);
+  }
+  const auto rows = sweep.crossing_rows();
+  for (std::size_t i = nodes.size(); i < members.size(); ++i) {
+    const Index node = data_.second.vertex_node[members[i]];
+    distance_[node] = search_.distance(node);
+    before_[node] = search_.before(node);
+    if (!reached || !(found[i] < distance_[node])) continue;
+    distance_[node] = found[i];
+    before_[node] = first_name_[nodes[rows[i]]];
+  }
+}
+
+}  // namespace vorogeo
