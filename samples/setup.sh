@@ -5,7 +5,8 @@
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
 #   packages of samples/requirements.txt, the plugin for PyMeshLab 2025.7 in build/plugin-2025.07-double, and the Python
 #   package vorogeo in .venv.
-#   --tests: also what only the tests need: GoogleTest, and PyMeshLab 2022.2 in build/venv-2022 with its plugin and vorogeo.
+#   --tests: also what only the tests need: GoogleTest, debootstrap, and PyMeshLab 2022.2 in build/venv-2022 with its
+#   plugin and vorogeo.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
 #   the packages it is compared with, and the programs in build/bench. What cannot be had is named and left out.
 #
@@ -54,7 +55,7 @@ packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyr
           qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
           libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
 if [ "$with_tests" = yes ]; then
-  packages+=(libgtest-dev clang-format)
+  packages+=(libgtest-dev clang-format debootstrap)
 fi
 if [ "$for_bench" = yes ]; then
   packages+=(libcgal-dev linux-perf)

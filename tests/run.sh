@@ -2,7 +2,7 @@
 # Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
 # Usage: tests/run.sh [--quick]
-#   --quick: without the sanitizer build and the fuzzers.
+#   --quick: without the window of MeshLab, the sanitizer build and the fuzzers.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -121,6 +121,26 @@ python_suites() {
 python_suites 2025.7 .venv/bin/python &
 python_suites 2022.2 build/venv-2022/bin/python
 wait
+
+# The window of MeshLab itself, in a Debian root; skipped where none can be made.
+# Usage: window_suite VERSION
+window_suite() {
+  local name="window-$1" status=0 log="$results/window-$1.log"
+  say "$name"
+  tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
+  if [ "$status" = 77 ]; then
+    echo "skip MeshLab's window $1: $(tail -n 1 "$log")" >>"$checks"
+  elif [ ! -s "$results/$name.xml" ]; then
+    echo "fail $name wrote no results (exit $status, log: $log)" >>"$checks"
+    tail -n 25 "$log"
+  fi
+}
+if [ "$quick" = no ]; then
+  window_suite 2022.02
+  window_suite 2025.07
+else
+  echo "skip MeshLab's window: --quick" >>"$checks"
+fi
 
 if [ "$quick" = no ]; then
   if check "build of the C++ tests with sanitizers" build sanitize; then

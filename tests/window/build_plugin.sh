@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Builds the plugin for MeshLab's window inside a root and installs it there, by the commands of docs/building.md.
+#
+# Usage: build_plugin.sh 2022.02|2025.07 ROOT
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+version="$1" root="$2"
+headers="$(plugin/host/obtain_headers.sh "$version")"
+jobs="${VOROGEO_JOBS:-$(nproc)}"
+build="build/window/$version/plugin"  # not build/plugin-VERSION-float: that one is compiled against this system's Qt
+mkdir -p "$build"
+tests/window/in_root.sh "$root" --bind "$headers" /meshlab-source sh -euc "
+  cd /project
+  cmake --preset plugin-$version-float -B $build -DVOROGEO_HOST_SOURCE=/meshlab-source
+  cmake --build $build --target filter_vorogeo --parallel $jobs
+  cmake --install $build"

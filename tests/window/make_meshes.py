@@ -1,0 +1,50 @@
+"""Writes the meshes that the window opens, in single precision as the window holds them.
+
+Usage: python make_meshes.py FOLDER
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+
+def terrain(columns: int, rows: int) -> tuple[np.ndarray, np.ndarray]:
+    """Hills over a rectangle: a surface with a border, no two distances alike."""
+    x, y = np.meshgrid(np.linspace(0, 3, columns), np.linspace(0, 2, rows))
+    z = 0.25 * np.sin(3.1 * x) * np.cos(4.3 * y) + 0.05 * np.sin(11 * x + 5 * y)
+    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    faces = np.concatenate(
+        [
+            np.column_stack([corner, corner + 1, corner + columns + 1]),
+            np.column_stack([corner, corner + columns + 1, corner + columns]),
+        ]
+    )
+    return np.column_stack([x.ravel(), y.ravel(), z.ravel()]), faces
+
+
+def write_ply(file: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
+    """A binary PLY file with float coordinates."""
+    header = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {len(vertices)}\nproperty float x\nproperty float y\nproperty float z\n"
+        f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    rows = np.empty(len(faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
+    rows["count"], rows["corners"] = 3, faces
+    file.write_bytes(header.encode() + vertices.astype("<f4").tobytes() + rows.tobytes())
+
+
+def main() -> None:
+    """Write all meshes."""
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    vertices, faces = terrain(70, 50)
+    write_ply(folder / "terrain.ply", vertices, faces)
+    write_ply(folder / "points.ply", vertices, faces[:0])
+
+
+if __name__ == "__main__":
+    main()

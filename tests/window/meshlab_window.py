@@ -1,0 +1,168 @@
+"""What a person does in MeshLab's window: looks for a filter, fills in its dialog, applies it, saves the mesh."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from screen import Atspi, Screen, wait_for
+
+FIELDS = (Atspi.Role.TEXT, Atspi.Role.COMBO_BOX, Atspi.Role.CHECK_BOX, Atspi.Role.SPIN_BUTTON)
+WINDOWS = (Atspi.Role.FRAME, Atspi.Role.DIALOG, Atspi.Role.ALERT)
+MOST_DOWN = 12  # a filter is among the first entries when its whole name was typed
+
+
+def text_of(node: Atspi.Accessible) -> str:
+    """Text in a field."""
+    return Atspi.Text.get_text(node, 0, -1) if node.get_text_iface() else node.get_name()
+
+
+@dataclass
+class Parameter:
+    """A parameter as the dialog shows it."""
+
+    label: str
+    tooltip: str
+    widgets: list[Atspi.Accessible] = field(default_factory=list)
+
+    def values(self) -> list[str]:
+        """What stands in its fields."""
+        return [text_of(widget) for widget in self.widgets if widget.get_role() in FIELDS]
+
+
+class MeshLabWindow(Screen):
+    """The main window of a MeshLab that was started with mesh files."""
+
+    def __init__(self, meshes: list[Path], log: Path) -> None:
+        """Start MeshLab and wait until it has read the meshes."""
+        super().__init__([str(mesh) for mesh in meshes], log, "All files opened")
+
+    def dialog(self, title: str) -> Atspi.Accessible | None:
+        """The visible window with this title."""
+        tops = (self.application.get_child_at_index(i) for i in range(self.application.get_child_count()))
+        for top in tops:
+            if top and top.get_role() in WINDOWS and top.get_name() == title and self._is_showing(top):
+                return top
+        docks = self.find(Atspi.Role.FRAME, title)
+        return docks[0] if docks else None
+
+    @staticmethod
+    def _is_showing(node: Atspi.Accessible) -> bool:
+        return node.get_state_set().contains(Atspi.StateType.SHOWING)
+
+    def search(self, text: str, down: int) -> None:
+        """Type into the search box and choose the entry so many steps down."""
+        self.keys("Escape", "ctrl+f")
+        time.sleep(0.4)
+        self.write(text)
+        time.sleep(0.6)
+        self.keys(*["Down"] * down)
+
+    def open_filter(self, name: str) -> Atspi.Accessible:
+        """Find a filter by its name in the search box and open its dialog."""
+        for down in range(1, MOST_DOWN + 1):
+            self.search(name, down)
+            self.keys("Return")
+            try:
+                return wait_for(f"the dialog of {name}", lambda: self.dialog(name), 1.5)
+            except TimeoutError:
+                pass  # another filter's dialog: it is replaced by the next one
+        raise TimeoutError(f"the search box does not offer '{name}'")
+
+    def parameters(self, dialog: Atspi.Accessible) -> list[Parameter]:
+        """Labels, tooltips and fields of a filter's dialog, from top to bottom."""
+        frames = [node for node in self.nodes(dialog) if self._is_parameter_frame(node)]
+        found: list[Parameter] = []
+        widgets: list[Atspi.Accessible] = []
+        for frame in frames[:1]:
+            for i in range(frame.get_child_count()):
+                child = frame.get_child_at_index(i)
+                if child.get_role() == Atspi.Role.LABEL and child.get_description():
+                    found.append(Parameter(child.get_name(), child.get_description(), widgets))
+                    widgets = []
+                elif child.get_role() in (*FIELDS, Atspi.Role.PUSH_BUTTON):
+                    widgets.append(child)
+        return found
+
+    @staticmethod
+    def _is_parameter_frame(node: Atspi.Accessible) -> bool:
+        children = [node.get_child_at_index(i) for i in range(node.get_child_count())]
+        labels = [child for child in children if child and child.get_role() == Atspi.Role.LABEL]
+        return any(label.get_description() for label in labels) and len(labels) > 1
+
+    def fill(self, dialog: Atspi.Accessible, label: str, *values: str) -> None:
+        """Replace what stands in the fields of a parameter, by mouse and keyboard."""
+        parameter = next(entry for entry in self.parameters(dialog) if entry.label == label)
+        widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
+        for widget, value in zip(widgets, values, strict=False):
+            if widget.get_role() == Atspi.Role.COMBO_BOX:
+                self.choose(widget, value)
+            else:
+                self.click(widget, times=3)
+                self.keys("ctrl+a")
+                self.write(value)
+                self.keys("Tab")
+
+    def choose(self, box: Atspi.Accessible, entry: str) -> None:
+        """Choose an entry of a combo box by keyboard."""
+        self.click(box)
+        self.keys("Home")
+        for _ in range(20):
+            if box.get_name() == entry:
+                break
+            self.keys("Return")
+            if box.get_name() == entry:
+                return
+            self.click(box)
+            self.keys("Down")
+        self.keys("Return")
+
+    def press(self, window: Atspi.Accessible, *names: str) -> None:
+        """Click the button of one of these names."""
+        buttons = [node for name in names for node in self.find(Atspi.Role.PUSH_BUTTON, name, window)]
+        self.click(buttons[0])
+
+    def message_box(self) -> Atspi.Accessible | None:
+        """A box with a message and a button OK."""
+        for i in range(self.application.get_child_count()):
+            top = self.application.get_child_at_index(i)
+            if top and self._is_showing(top) and top.get_role() in (Atspi.Role.ALERT, Atspi.Role.DIALOG):
+                return top
+        return None
+
+    def apply(self, dialog: Atspi.Accessible, seconds: float = 120) -> str:
+        """Click Apply and wait for the end. Returns the text of the message box, empty if the filter succeeded."""
+        already = len(self.log_lines())
+        self.press(dialog, "Apply")
+
+        def ended() -> bool:
+            return self.message_box() is not None or any("Applied filter" in x for x in self.log_lines()[already:])
+
+        wait_for(f"the end of {dialog.get_name()}", ended, seconds)
+        time.sleep(0.3)
+        box = self.message_box()
+        if box is None:
+            return ""
+        text = "\n".join(node.get_name() for node in self.find(Atspi.Role.LABEL, top=box) if node.get_name())
+        return text
+
+    def dismiss(self) -> None:
+        """Close a message box with Return."""
+        self.keys("Return")
+        wait_for("the message box to close", lambda: self.message_box() is None)
+
+    def close(self, dialog: Atspi.Accessible) -> None:
+        """Close a filter's dialog."""
+        title = dialog.get_name()
+        self.press(dialog, "Close")
+        wait_for("the dialog to close", lambda: self.dialog(title) is None)
+
+    def export(self) -> None:
+        """Save the current layer to the file it came from, with everything it has."""
+        already = len(self.log_lines())
+        self.keys("ctrl+e")
+        box = wait_for("the dialog of saving options", self.message_box)
+        self.click(self.find(Atspi.Role.RADIO_BUTTON, "All", box)[0])
+        self.press(box, "OK")
+        wait_for("the mesh to be saved", lambda: any("Saved" in line for line in self.log_lines()[already:]))

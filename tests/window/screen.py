@@ -1,0 +1,174 @@
+"""MeshLab on a display without a screen: what is on it is read from the accessibility bus, mouse and keys move it.
+
+Runs inside a root made by make_root.sh, within dbus-run-session; needs only the packages of that root.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TypeVar
+
+import gi
+
+gi.require_version("Atspi", "2.0")
+from gi.repository import Atspi, GLib  # noqa: E402
+
+Result = TypeVar("Result")
+SIZE = (1280, 900)
+# Asked in a process of its own: libatspi remembers an empty desktop for ever.
+COUNT = (
+    "import gi; gi.require_version('Atspi', '2.0'); from gi.repository import Atspi;"
+    "print(Atspi.get_desktop(0).get_child_count())"
+)
+
+
+def wait_for(what: str, condition: Callable[[], Result], seconds: float = 20) -> Result:
+    """Return the first result of the condition that is not empty. An error names what was waited for."""
+    end = time.monotonic() + seconds
+    while True:
+        while GLib.MainContext.default().iteration(False):
+            pass
+        try:
+            result = condition()
+        except GLib.Error:  # a widget that vanished while it was looked at
+            result = None
+        if result:
+            return result
+        if time.monotonic() > end:
+            raise TimeoutError(f"not seen in {seconds:.0f} s: {what}")
+        time.sleep(0.1)
+
+
+def run(*command: str) -> str:
+    """Standard output of a command."""
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def start_display() -> None:
+    """A display, a window manager and the accessibility bus. They end with the namespace this runs in."""
+    runtime = Path("/tmp/runtime")
+    runtime.mkdir(mode=0o700, exist_ok=True)
+    os.environ.update(
+        DISPLAY=":77",
+        XDG_RUNTIME_DIR=str(runtime),
+        LIBGL_ALWAYS_SOFTWARE="1",
+        QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
+        QT_ASSUME_STDERR_HAS_CONSOLE="1",
+    )
+    screen = f"{SIZE[0]}x{SIZE[1]}x24"
+    start("Xvfb", ":77", "-screen", "0", screen)
+    time.sleep(1)
+    start("openbox")
+    start("/usr/libexec/at-spi-bus-launcher", "--launch-immediately")
+    time.sleep(1)
+    start("/usr/libexec/at-spi2-registryd")
+    time.sleep(1)
+
+
+def start(*command: str, errors: Path | None = None) -> subprocess.Popen:
+    """A program in the background, its messages in a file."""
+    with open(errors or os.devnull, "w") as file:
+        return subprocess.Popen(command, stdout=file, stderr=file, stdin=subprocess.DEVNULL)
+
+
+class Screen:
+    """The running MeshLab."""
+
+    def __init__(self, arguments: list[str], log: Path, first_line: str) -> None:
+        """Start MeshLab and wait until its log holds the first line. Registering on the bus sometimes fails: retry."""
+        self.log = log
+        for _ in range(12):
+            self.process = start("meshlab", *arguments, errors=log)
+            try:
+                wait_for(first_line, lambda: first_line in self.log_text())
+                wait_for("MeshLab on the accessibility bus", lambda: run(sys.executable, "-c", COUNT) == "1\n", 3)
+                break
+            except TimeoutError:
+                self.process.kill()
+                self.process.wait()
+        else:
+            raise TimeoutError(f"MeshLab did not come up; it wrote:\n{self.log_text()}")
+        desktop = Atspi.get_desktop(0)
+        self.application = wait_for("MeshLab in the list of programs", lambda: desktop.get_child_at_index(0))
+        self.application.set_cache_mask(Atspi.Cache.NONE)
+
+    def log_text(self) -> str:
+        """All that MeshLab wrote: each line of its log pane is there after 'LOG: <level> '."""
+        return self.log.read_text(errors="replace")
+
+    def log_lines(self) -> list[str]:
+        """Lines of the log pane so far."""
+        return [line.split(" ", 2)[2] for line in self.log_text().splitlines() if line.startswith("LOG: ")]
+
+    def is_alive(self) -> bool:
+        """Whether the program still runs."""
+        return self.process.poll() is None
+
+    # What is on the screen
+
+    def nodes(
+        self, top: Atspi.Accessible | None = None, skip: tuple[Atspi.Role, ...] = ()
+    ) -> Iterator[Atspi.Accessible]:
+        """Widget by widget, parents first."""
+        node = top or self.application
+        if node.get_role() in skip:
+            return
+        yield node
+        for i in range(node.get_child_count()):
+            child = node.get_child_at_index(i)
+            if child is not None:
+                yield from self.nodes(child, skip)
+
+    def find(
+        self, roles: Atspi.Role | tuple[Atspi.Role, ...], name: str | None = None, top: Atspi.Accessible | None = None
+    ) -> list[Atspi.Accessible]:
+        """Visible widgets of these roles (and of this name), outside the menus."""
+        roles = roles if isinstance(roles, tuple) else (roles,)
+        return [
+            node
+            for node in self.nodes(top, skip=(Atspi.Role.MENU_BAR, Atspi.Role.TOOL_BAR))
+            if node.get_role() in roles
+            and (name is None or node.get_name() == name)
+            and node.get_state_set().contains(Atspi.StateType.SHOWING)
+        ]
+
+    def menu_items(self, menu: str) -> list[str]:
+        """Names of all entries below a menu of the menu bar, as 'submenu/entry'."""
+        bar = next(node for node in self.nodes() if node.get_role() == Atspi.Role.MENU_BAR)
+        top = next(node for node in self.nodes(bar) if node.get_name() == menu)
+        return list(self._entries(top, ""))
+
+    def _entries(self, node: Atspi.Accessible, path: str) -> Iterator[str]:
+        for i in range(node.get_child_count()):
+            child = node.get_child_at_index(i)
+            below = path
+            if child.get_role() in (Atspi.Role.MENU_ITEM, Atspi.Role.MENU, Atspi.Role.CHECK_MENU_ITEM):
+                below = f"{path}/{child.get_name()}" if path else child.get_name()
+                yield below
+            yield from self._entries(child, below)
+
+    # Mouse and keyboard
+
+    def click(self, node: Atspi.Accessible, times: int = 1) -> None:
+        """Click in the middle of a widget."""
+        box = node.get_extents(Atspi.CoordType.SCREEN)
+        x, y = box.x + box.width // 2, box.y + box.height // 2
+        run("xdotool", "mousemove", str(x), str(y), "click", "--repeat", str(times), "1")
+        time.sleep(0.2)
+
+    def keys(self, *names: str) -> None:
+        """Press keys, one after the other."""
+        run("xdotool", "key", "--delay", "60", *names)
+
+    def write(self, text: str) -> None:
+        """Type a text."""
+        run("xdotool", "type", "--delay", "8", "--", text)
+
+    def picture(self, file: Path) -> None:
+        """A picture of the whole screen."""
+        run("import", "-window", "root", str(file))

@@ -1,0 +1,120 @@
+"""What was seen in MeshLab's window (by scenario.py) against what it has to be."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+import pytest
+import vorogeo
+
+PROJECT = Path(__file__).resolve().parents[2]
+FOLDER = Path(os.environ.get("VOROGEO_WINDOW_RESULTS", PROJECT / "build" / "window" / "2025.07" / "seen"))
+
+
+@pytest.fixture(scope="module")
+def seen() -> dict:
+    """Everything that was written down."""
+    file = FOLDER / "seen.json"
+    if not file.is_file():
+        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'scenario.log'})")
+    return json.loads(file.read_text())
+
+
+def documented_filters() -> set[str]:
+    """Menu names in the documentation."""
+    return set(re.findall(r"\*\*([^*]+\(VoroGeo\))\*\*", (PROJECT / "docs" / "filters.md").read_text()))
+
+
+def saved_mesh(name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Vertices, faces and quality of a mesh saved by the window."""
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(str(FOLDER / name))
+    mesh = mesh_set.current_mesh()
+    return mesh.vertex_matrix(), mesh.face_matrix(), mesh.vertex_scalar_array()
+
+
+def test_the_scenario_came_to_its_end(seen):
+    assert seen.get("after errors") == ""
+    assert seen["alive"] is True
+
+
+def test_no_plugin_complains_at_the_start(seen):
+    lines = seen["start"].splitlines()
+    complaints = [line for line in lines if re.search(r"vorogeo|plugin|symbol|fail", line, re.IGNORECASE)]
+    assert complaints == []
+
+
+def test_every_documented_filter_is_in_the_menu_and_the_other_way_round(seen):
+    assert {item.rpartition("/")[2] for item in seen["menu"]} == documented_filters()
+
+
+def test_every_filter_was_found_by_its_name_in_the_search_box(seen):
+    assert set(seen["dialogs"]) == documented_filters()
+
+
+def test_every_parameter_has_a_label_and_a_tooltip_that_is_a_sentence(seen):
+    for name, parameters in seen["dialogs"].items():
+        for entry in parameters:
+            assert re.fullmatch(r"[A-Z0-9][^_]*", entry["label"]), (name, entry)
+            assert entry["tooltip"].endswith("."), (name, entry)
+            assert len(entry["tooltip"]) > 20, (name, entry)
+
+
+@pytest.mark.parametrize("key", ["index", "exact"])
+def test_saved_field_is_the_exact_distance(seen, key):
+    vertices, faces, quality = saved_mesh(seen["fields"][key])
+    exact = vorogeo.exact_distance_field(vertices, faces, [seen["source"]])
+    others = exact > 0
+    errors = np.abs(quality[others] / exact[others] - 1)
+    if key == "exact":
+        assert errors.max() < 1e-6  # the window holds quality in single precision
+    else:
+        assert errors.mean() < 5e-4
+        assert errors.max() < 0.05
+    assert quality[seen["source"]] == 0
+
+
+def test_saved_distance_from_the_border(seen):
+    vertices, faces, quality = saved_mesh(seen["fields"]["border"])
+    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    unique, count = np.unique(edges, axis=0, return_counts=True)
+    border = np.unique(unique[count == 1])
+    exact = vorogeo.exact_distance_field(vertices, faces, border)
+    inside = exact > 0
+    assert np.count_nonzero(quality == 0) == len(border)
+    assert np.abs(quality[inside] / exact[inside] - 1).mean() < 5e-4
+
+
+def test_applied_filters_said_nothing_in_a_box(seen):
+    applied = {name: text for name, text in seen["errors"].items() if name.startswith("apply ")}
+    assert applied
+    assert set(applied.values()) == {""}
+
+
+def test_the_log_pane_gives_figures_with_units(seen):
+    log = "\n".join(seen["log"])
+    assert re.search(r"Geodesic index: 3500 vertices.*built in [0-9.]+ s", log)
+    assert re.search(r"Distances from 1 source vert\w+ to 3500 vertices.* s\b", log)
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("vertex out of range", "numbered from 0 to 3499. Give a number in this range."),
+        ("negative limit", "Give a positive length"),
+        ("empty selection", "No vertex is selected. Select the vertices where distances shall start"),
+    ],
+)
+def test_errors_end_in_the_message_box_with_our_sentence(seen, name, sentence):
+    assert "Failure of filter" in seen["errors"][name]
+    assert sentence in seen["errors"][name]
+
+
+def test_pictures_were_taken(seen):
+    for name in ("start", "field_index", "patches", "error_empty_selection"):
+        assert (FOLDER / "shots" / f"{name}.png").stat().st_size > 10_000
