@@ -14,11 +14,13 @@ namespace vorogeo::plugin {
 
 class IndexCache;
 
-/// Named values a filter returns. Only int, double and bool are used: they arrive in Python in every version.
+/// Named values a filter returns. Only int, double, bool and Eigen::VectorXd are used: they arrive in Python
+/// in every version.
 using Results = std::map<std::string, QVariant>;
 
 /// One application of a filter to the current layer.
 struct FilterCall {
+  MeshDocument& document;  ///< for filters that add a layer
   MeshModel& layer;
   const RichParameterList& parameters;
   IndexCache& indexes;

@@ -82,7 +82,11 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
     if (document.mm() == nullptr) {
       throw vorogeo::InvalidInput("There is no layer. Load or create a triangle mesh first.");
     }
-    FilterCall call{*document.mm(), parameters, indexes_, progress_to(callback),
+    FilterCall call{document,
+                    *document.mm(),
+                    parameters,
+                    indexes_,
+                    progress_to(callback),
                     [this](const std::string& sentence) { log(GLLogStream::FILTER, sentence); }};
     return row(action).apply(call);
   } catch (const MLException&) {

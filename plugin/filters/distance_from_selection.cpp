@@ -2,7 +2,7 @@
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "support/error.h"
+#include "selected_vertices.h"
 
 namespace vorogeo::plugin {
 
@@ -14,23 +14,10 @@ RichParameterList from_selection_parameters(const MeshModel&) {
   return list;
 }
 
-std::vector<Index> selected_vertices(const CMeshO& layer, const LayerMesh& layer_mesh) {
-  std::vector<Index> selected;
-  for (std::size_t v = 0; v < layer_mesh.arrays().input_of_vertex.size(); ++v) {
-    if (layer.vert[layer_mesh.host_vertex(static_cast<Index>(v))].IsS())
-      selected.push_back(static_cast<Index>(v));
-  }
-  if (selected.empty()) {
-    throw InvalidInput(
-        "No vertex is selected. Select the vertices where distances shall start; a selection of faces can be "
-        "turned into one with 'Select Vertices from Faces'.");
-  }
-  return selected;
-}
-
 Results distances_from_selection(FilterCall& call, Method method) {
   const LayerMesh layer_mesh(call.layer.cm);
-  return write_distance_field(call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh), method);
+  return write_distance_field(
+      call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh, "where distances shall start"), method);
 }
 
 Results index_distances_from_selection(FilterCall& call) {

@@ -32,6 +32,18 @@ QString help_on_exact() {
          "are measured against.</p>";
 }
 
+QString help_on_selected_points() {
+  return "<p>The points are the selected vertices of the layer, in the order of their numbers, counted from "
+         "0. "
+         "Select them first, for example with <i>Conditional Vertex Selection</i>.</p>";
+}
+
+QString help_on_exact_parameter() {
+  return "<p><b>exact</b>: distances by exact propagation instead of the index: without its errors and "
+         "without "
+         "building one, but slower for each point.</p>";
+}
+
 QString references_of_index() {
   return "<p>See:<br/><i>Rosario Aiello</i><br/><b>\"VoroGeo\"</b>, thesis, 2015.<br/>"
          "<i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/>"

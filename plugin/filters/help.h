@@ -11,6 +11,9 @@ QString help_on_index();
 QString help_on_field();
 /// What exact means, and when to prefer the index.
 QString help_on_exact();
+/// Which points a task takes (the selected vertices), and its parameter exact.
+QString help_on_selected_points();
+QString help_on_exact_parameter();
 /// The papers: the index method, and those of the exact solver.
 QString references_of_index();
 QString references_of_exact();

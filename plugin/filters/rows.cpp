@@ -4,9 +4,23 @@
 namespace vorogeo::plugin {
 
 std::vector<FilterRow> all_rows() {
-  return {build_index_row(),          distance_from_point_row(),       distance_from_selection_row(),
-          distance_from_border_row(), exact_distance_from_point_row(), exact_distance_from_selection_row(),
-          patch_colors_row(),         distance_between_vertices_row()};
+  return {build_index_row(),
+          distance_from_point_row(),
+          distance_from_selection_row(),
+          distance_from_border_row(),
+          exact_distance_from_point_row(),
+          exact_distance_from_selection_row(),
+          patch_colors_row(),
+          distance_between_vertices_row(),
+          distance_matrix_row(),
+          pairs_within_row(),
+          voronoi_regions_row(),
+          farthest_sampling_row(),
+          poisson_disk_sampling_row(),
+          lloyd_relaxation_row(),
+          isolines_row(),
+          disk_selection_row(),
+          extent_row()};
 }
 
 }  // namespace vorogeo::plugin

@@ -15,6 +15,15 @@ FilterRow exact_distance_from_point_row();
 FilterRow exact_distance_from_selection_row();
 FilterRow patch_colors_row();
 FilterRow distance_between_vertices_row();
+FilterRow distance_matrix_row();
+FilterRow pairs_within_row();
+FilterRow voronoi_regions_row();
+FilterRow farthest_sampling_row();
+FilterRow poisson_disk_sampling_row();
+FilterRow lloyd_relaxation_row();
+FilterRow isolines_row();
+FilterRow disk_selection_row();
+FilterRow extent_row();
 
 /// In the order in which the host lists them.
 std::vector<FilterRow> all_rows();

@@ -20,6 +20,15 @@ EXACT_FROM_POINT = "compute_scalar_by_exact_geodesic_distance_from_given_point_p
 EXACT_FROM_SELECTION = "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex"
 PATCHES = "compute_color_by_vorogeo_patches_per_face"
 TWO_VERTICES = "get_vorogeo_distance_between_vertices"
+MATRIX = "get_vorogeo_distance_matrix_of_selection"
+PAIRS_WITHIN = "get_vorogeo_pairs_within_radius_of_selection"
+VORONOI = "compute_color_by_vorogeo_voronoi_regions_per_face"
+FARTHEST = "generate_sampling_vorogeo_farthest_point"
+POISSON = "generate_sampling_vorogeo_poisson_disk"
+LLOYD = "generate_sampling_vorogeo_lloyd_relaxation"
+ISOLINES = "generate_polyline_by_vorogeo_isolines"
+DISK = "compute_selection_by_vorogeo_geodesic_disk"
+EXTENT = "get_vorogeo_diameter_and_centre"
 ALL_FILTERS = [
     INDEX,
     FROM_POINT,
@@ -29,6 +38,15 @@ ALL_FILTERS = [
     EXACT_FROM_SELECTION,
     PATCHES,
     TWO_VERTICES,
+    MATRIX,
+    PAIRS_WITHIN,
+    VORONOI,
+    FARTHEST,
+    POISSON,
+    LLOYD,
+    ISOLINES,
+    DISK,
+    EXTENT,
 ]
 
 PROJECT = Path(__file__).resolve().parents[2]

@@ -6,19 +6,29 @@ import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
+    DISK,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
+    EXTENT,
+    FARTHEST,
     FROM_BORDER,
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
+    ISOLINES,
+    LLOYD,
+    MATRIX,
+    PAIRS_WITHIN,
     PATCHES,
+    POISSON,
     TWO_VERTICES,
+    VORONOI,
     grid,
     mesh_set,
 )
 
 VERTEX_COLOR, VERTEX_QUALITY, FACE_COLOR = 0x8, 0x10, 0x8000
+VERTEX_SELECTION, FACE_SELECTION = 0x1000000, 0x2000000
 
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
@@ -37,6 +47,15 @@ def test_filter_is_in_the_list_of_filters(name):
         (FROM_BORDER, {"max_distance"}),
         (PATCHES, {"layer"}),
         (TWO_VERTICES, {"source", "target"}),
+        (MATRIX, {"matrix_file", "exact"}),
+        (PAIRS_WITHIN, {"radius", "matrix_file", "exact"}),
+        (VORONOI, {"borders", "exact"}),
+        (FARTHEST, {"sample_number", "radius", "from_selection", "seed", "exact"}),
+        (POISSON, {"radius", "seed", "exact"}),
+        (LLOYD, {"rounds", "exact"}),
+        (ISOLINES, {"line_number", "values", "is_distance"}),
+        (DISK, {"radius", "vertex_index", "exact"}),
+        (EXTENT, {"fields", "vertex_index", "exact"}),
     ],
 )
 def test_parameters_have_python_names(name, parameters):
@@ -54,6 +73,15 @@ def test_parameters_have_python_names(name, parameters):
         (FROM_BORDER, VERTEX_COLOR | VERTEX_QUALITY),
         (PATCHES, FACE_COLOR),
         (TWO_VERTICES, 0),
+        (MATRIX, 0),
+        (PAIRS_WITHIN, 0),
+        (VORONOI, FACE_COLOR | VERTEX_QUALITY),
+        (FARTHEST, 0),
+        (POISSON, 0),
+        (LLOYD, 0),
+        (ISOLINES, 0),
+        (DISK, VERTEX_SELECTION | FACE_SELECTION),
+        (EXTENT, 0),
     ],
 )
 def test_help_and_masks(name, changes):

@@ -1,0 +1,143 @@
+// Filters: distances between all selected vertices, and those of pairs within a radius.
+#include "query/distance_matrix.h"
+
+#include <QFile>
+#include <filesystem>
+#include <string>
+
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "new_layer.h"
+#include "query/neighbors.h"
+#include "selected_vertices.h"
+#include "support/error.h"
+#include "support/memory.h"
+#include "support/npy_file.h"
+#include "team_of_layer.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichFileToWrite file_parameter() {
+  return RichFileToWrite("matrix_file", "", "*.npy", "File",
+                         "File to write to, in the format of numpy. Empty: nothing is written.");
+}
+
+std::filesystem::path matrix_file(const FilterCall& call) {
+  return QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
+}
+
+std::vector<int> host_numbers(const LayerMesh& layer_mesh, const std::vector<Index>& vertices) {
+  std::vector<int> numbers;
+  for (Index v : vertices) numbers.push_back(layer_mesh.host_vertex(v));
+  return numbers;
+}
+
+RichParameterList matrix_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(file_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results distance_matrix_of_selection(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto points = selected_vertices(call.layer.cm, layer_mesh, "whose distances are wanted");
+  const std::size_t k = points.size();
+  // Once here and once in the array that the host hands on.
+  require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
+                 "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
+                 "Select fewer vertices, or use the numpy interface, which can write it to a file directly.");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  std::vector<double> matrix(k * k);
+  distance_matrix(found.team, points, MatrixMethod::automatic, matrix, found.progress);
+  const auto file = matrix_file(call);
+  if (!file.empty()) {
+    write_npy(file, k, k, matrix);
+    call.log("Distance matrix: written to " + file.string());
+  }
+  call.log("Distance matrix of " + std::to_string(k) + " selected vertices");
+  Results results = std::move(found.about_index);
+  results["rows"] = static_cast<int>(k);
+  results["columns"] = static_cast<int>(k);
+  results["vertices"] = as_vector(host_numbers(layer_mesh, points));
+  results["distances"] = as_vector(matrix);
+  return results;
+}
+
+RichParameterList pairs_parameters(const MeshModel& layer) {
+  RichParameterList list;
+  list.addParam(RichFloat("radius", 0.1F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
+                          "Greatest geodesic distance of a pair, in the unit of the mesh."));
+  list.addParam(file_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results pairs_of_selection(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const double radius = length_parameter(call, "radius", true);
+  const auto points = selected_vertices(call.layer.cm, layer_mesh, "among which pairs are wanted");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const SparseDistances pairs = pairs_within(found.team, points, radius, 0, found.progress);
+  std::vector<int> first;
+  std::vector<int> second;
+  std::vector<double> distance;
+  std::vector<double> table;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::int64_t at = pairs.row_begin[i]; at < pairs.row_begin[i + 1]; ++at) {
+      if (pairs.column[at] < static_cast<Index>(i)) continue;
+      first.push_back(layer_mesh.host_vertex(points[i]));
+      second.push_back(layer_mesh.host_vertex(points[pairs.column[at]]));
+      distance.push_back(pairs.distance[at]);
+      table.insert(table.end(), {double(first.back()), double(second.back()), distance.back()});
+    }
+  }
+  const auto file = matrix_file(call);
+  if (!file.empty()) {
+    write_npy(file, distance.size(), 3, table);
+    call.log("Pairs within the radius: written to " + file.string());
+  }
+  call.log(std::to_string(distance.size()) + " pairs of " + std::to_string(points.size()) +
+           " selected vertices are within the radius");
+  Results results = std::move(found.about_index);
+  results["pairs"] = static_cast<int>(distance.size());
+  results["first"] = as_vector(first);
+  results["second"] = as_vector(second);
+  results["distances"] = as_vector(distance);
+  return results;
+}
+
+}  // namespace
+
+FilterRow distance_matrix_row() {
+  return {
+      "Geodesic distance matrix of the selection (VoroGeo)",
+      "get_vorogeo_distance_matrix_of_selection",
+      "<p>Geodesic distances between all selected vertices. The matrix is symmetric, with 0 on its diagonal "
+      "and infinity between components. It is returned as <i>distances</i>, <i>rows</i> x <i>columns</i> "
+      "numbers row by row, with the numbers of the <i>vertices</i>; <b>matrix_file</b> writes it as a .npy "
+      "file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
+          help_on_selected_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+      FilterPlugin::Measure,
+      MeshModel::MM_NONE,
+      matrix_parameters,
+      distance_matrix_of_selection};
+}
+
+FilterRow pairs_within_row() {
+  return {
+      "Geodesic pairs within a radius (VoroGeo)",
+      "get_vorogeo_pairs_within_radius_of_selection",
+      "<p>All pairs of selected vertices whose geodesic distance is at most <b>radius</b>, each pair once. "
+      "Returned as <i>first</i> and <i>second</i> (the numbers of the vertices) and <i>distances</i>; "
+      "<b>matrix_file</b> writes these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
+          help_on_selected_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+      FilterPlugin::Measure,
+      MeshModel::MM_NONE,
+      pairs_parameters,
+      pairs_of_selection};
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,176 @@
+// Filters: samplings by geodesic distance and Lloyd relaxation, each as a new layer of points.
+#include <string>
+
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "new_layer.h"
+#include "query/lloyd.h"
+#include "query/spread_points.h"
+#include "selected_vertices.h"
+#include "support/error.h"
+#include "team_of_layer.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Start of the random numbers."); }
+
+std::uint64_t seed_of(const FilterCall& call) {
+  const int seed = call.parameters.getInt("seed");
+  if (seed < 0) throw InvalidInput("seed is " + std::to_string(seed) + ". Give 0 or a positive number.");
+  return static_cast<std::uint64_t>(seed);
+}
+
+RichParameterList farthest_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(RichInt("sample_number", 100, "Samples", "How many samples; 0: as the radius wants."));
+  list.addParam(
+      RichFloat("radius", 0, "Covering radius",
+                "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
+  list.addParam(RichBool("from_selection", false, "Begin with the selection",
+                         "Take the selected vertices first; else a random one."));
+  list.addParam(seed_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results farthest_sampling(FilterCall& call) {
+  const FarthestStop stop{call.parameters.getInt("sample_number"), length_parameter(call, "radius", true)};
+  if (stop.count < 0 || (stop.count == 0 && stop.radius == 0.0)) {
+    throw InvalidInput("sample_number is " + std::to_string(stop.count) +
+                       ". Give a number of samples above 0, or 0 and a covering radius above 0.");
+  }
+  const std::uint64_t seed = seed_of(call);
+  const LayerMesh layer_mesh(call.layer.cm);
+  std::vector<Index> start;
+  if (call.parameters.getBool("from_selection")) {
+    start = selected_vertices(call.layer.cm, layer_mesh, "that the sampling shall begin with");
+  }
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const FarthestSamples samples = sample_farthest(found.team, stop, start, seed, found.progress);
+  Results results = std::move(found.about_index);
+  results["samples"] = static_cast<int>(samples.vertices.size());
+  results["covering_radius"] = samples.covering_radius;
+  results["vertices"] = add_vertex_layer(call, "Farthest point samples", layer_mesh, samples.vertices, {});
+  call.log(std::to_string(samples.vertices.size()) + " samples; every vertex is within " +
+           std::to_string(samples.covering_radius) + " of one");
+  return results;
+}
+
+RichParameterList poisson_parameters(const MeshModel& layer) {
+  RichParameterList list;
+  list.addParam(RichFloat("radius", 0.05F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
+                          "Least geodesic distance of two samples, in the unit of the mesh."));
+  list.addParam(seed_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results poisson_disk_sampling(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const double radius = length_parameter(call, "radius", false);
+  const std::uint64_t seed = seed_of(call);
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const auto samples = sample_poisson_disk(found.team, radius, seed, found.progress);
+  Results results = std::move(found.about_index);
+  results["samples"] = static_cast<int>(samples.size());
+  results["vertices"] = add_vertex_layer(call, "Poisson-disk samples", layer_mesh, samples, {});
+  call.log(std::to_string(samples.size()) + " samples, at least " + std::to_string(radius) + " apart");
+  return results;
+}
+
+RichParameterList lloyd_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; it ends before if nothing improves."));
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results lloyd_relaxation(FilterCall& call) {
+  const int rounds = call.parameters.getInt("rounds");
+  if (rounds < 0) throw InvalidInput("rounds is " + std::to_string(rounds) + ". Give 0 or more.");
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto points = selected_vertices(call.layer.cm, layer_mesh, "that shall be relaxed");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const RelaxedPoints relaxed = relax_points(found.team, points, rounds, found.progress);
+  Results results = std::move(found.about_index);
+  results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
+  results["energy_before"] = relaxed.energy.front();
+  results["energy_after"] = relaxed.energy.back();
+  results["vertices"] = add_vertex_layer(call, "Relaxed points", layer_mesh, relaxed.vertices, {});
+  call.log("Lloyd relaxation: the energy went from " + std::to_string(relaxed.energy.front()) + " to " +
+           std::to_string(relaxed.energy.back()) + " in " + std::to_string(relaxed.energy.size() - 1) +
+           " rounds");
+  return results;
+}
+
+QString references_of_farthest() {
+  return "<p>See:<br/><i>Carsten Moenning, Neil A. Dodgson</i><br/><b>\"Fast marching farthest point "
+         "sampling\"</b><br/>Eurographics 2003.</p>";
+}
+
+QString references_of_poisson() {
+  return "<p>See:<br/><i>Robert L. Cook</i><br/><b>\"Stochastic sampling in computer graphics\"</b><br/>ACM "
+         "Transactions on Graphics 5(1), 1986.</p>";
+}
+
+QString references_of_lloyd() {
+  return "<p>See:<br/><i>Gabriel Peyr&eacute;, Laurent D. Cohen</i><br/><b>\"Geodesic remeshing using front "
+         "propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>";
+}
+
+}  // namespace
+
+FilterRow farthest_sampling_row() {
+  return {
+      "Geodesic farthest point sampling (VoroGeo)",
+      "generate_sampling_vorogeo_farthest_point",
+      "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a new "
+      "layer of points, which becomes the current one. They are spread evenly: at least the covering "
+      "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
+      "before any gets two.</p><p>It stops at <b>sample_number</b> samples or at the covering "
+      "<b>radius</b>, whichever comes first. <b>from_selection</b> begins with the selected vertices, "
+      "otherwise with a random one that <b>seed</b> chooses. Returns the number of <i>samples</i>, the "
+      "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer.</p>" +
+          help_on_exact_parameter() + help_on_index() + references_of_farthest(),
+      FilterPlugin::Sampling,
+      MeshModel::MM_NONE,
+      farthest_parameters,
+      farthest_sampling};
+}
+
+FilterRow poisson_disk_sampling_row() {
+  return {
+      "Geodesic Poisson-disk sampling (VoroGeo)",
+      "generate_sampling_vorogeo_poisson_disk",
+      "<p>Random vertices with a geodesic distance of at least <b>radius</b> from each other, as a new layer "
+      "of points, which becomes the current one. No vertex could be added: each is less than the radius "
+      "from a sample. Distances run over the surface, so that samples on two sides of a thin wall do not "
+      "push each other away.</p><p>Returns the number of <i>samples</i> and the numbers of the "
+      "<i>vertices</i> in the sampled layer. The same <b>seed</b> gives the same samples.</p>" +
+          help_on_exact_parameter() + help_on_index() + references_of_poisson(),
+      FilterPlugin::Sampling,
+      MeshModel::MM_NONE,
+      poisson_parameters,
+      poisson_disk_sampling};
+}
+
+FilterRow lloyd_relaxation_row() {
+  return {
+      "Geodesic Lloyd relaxation of the selection (VoroGeo)",
+      "generate_sampling_vorogeo_lloyd_relaxation",
+      "<p>Moves points to the middle of their geodesic Voronoi regions, again and again, until they are "
+      "spread evenly: towards a centroidal Voronoi tessellation. Points stay at vertices. A point moves "
+      "only if that lowers the integral of the squared geodesic distance over its region, so every round "
+      "lowers the energy. The result is a new layer of points, which becomes the current one.</p>"
+      "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
+      "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
+          help_on_selected_points() + help_on_exact_parameter() + help_on_index() + references_of_lloyd(),
+      FilterPlugin::Sampling,
+      MeshModel::MM_NONE,
+      lloyd_parameters,
+      lloyd_relaxation};
+}
+
+}  // namespace vorogeo::plugin
