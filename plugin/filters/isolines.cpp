@@ -68,10 +68,12 @@ Results draw_isolines(FilterCall& call) {
     throw InvalidInput("No vertex has a quality that a line could be drawn for. Compute a distance first.");
   }
   const auto values = values_of(call, low, high);
+  call.progress.report(0.0, "Isolines");
   const Isolines found =
       isolines(*mesh, field, values, is_distance ? Interpolation::distance : Interpolation::linear);
   std::vector<double> quality;
   for (Index level : found.level_of_point) quality.push_back(values[level]);
+  call.progress.report(1.0, "Isolines");
   add_polyline_layer(call, "Isolines", found.lines, quality, true);
   call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
            std::to_string(found.lines.length()) + " long in all");

@@ -110,6 +110,11 @@ def mesh_set(vertices: np.ndarray, faces: np.ndarray | None = None) -> pymeshlab
     return ms
 
 
+def layer_count(ms: pymeshlab.MeshSet) -> int:
+    """Number of layers."""
+    return ms.mesh_number() if hasattr(ms, "mesh_number") else ms.number_meshes()
+
+
 def select_vertices(ms: pymeshlab.MeshSet, numbers: list[int]) -> None:
     """Select exactly these vertices of the current layer."""
     mesh = ms.current_mesh()
