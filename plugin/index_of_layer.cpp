@@ -4,13 +4,19 @@
 #include <sstream>
 
 #include "index_cache.h"
+#include "support/checkpoint.h"
 
 namespace vorogeo::plugin {
 
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
                                                  const IndexOptions& options, const Progress& progress) {
   for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
-  const auto index = GeodesicIndex::build(layer_mesh.make_mesh(), options, progress);
+  std::shared_ptr<const Mesh> mesh;
+  {
+    const Watch watch(progress, "Reading the mesh");
+    mesh = layer_mesh.make_mesh();
+  }
+  const auto index = GeodesicIndex::build(std::move(mesh), options, progress);
   const IndexStatistics& s = index->statistics();
   std::ostringstream text;
   text << "Geodesic index: " << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "

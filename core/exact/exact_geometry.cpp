@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
-#include "support/error.h"
+#include "support/checkpoint.h"
 
 namespace vorogeo {
 
@@ -17,16 +16,6 @@ constexpr double flat_tolerance = 1e-7;
 /// Areas are products of four lengths: beyond these they leave the range of doubles.
 constexpr double least_mean_edge = 1e-60;
 constexpr double greatest_edge = 1e60;
-
-void require_exact_range(const Mesh& mesh) {
-  if (mesh.longest_edge_length() == 0.0) return;
-  if (mesh.longest_edge_length() <= greatest_edge && mesh.mean_edge_length() >= least_mean_edge) return;
-  std::ostringstream message;
-  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
-          << mesh.longest_edge_length() << "; exact distances take lengths between " << least_mean_edge
-          << " and " << greatest_edge << ": scale the mesh.";
-  throw InvalidInput(message.str());
-}
 
 FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
@@ -54,15 +43,20 @@ FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
 }  // namespace
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
-  require_exact_range(*mesh);
+  require_lengths(*mesh, "exact distances take", least_mean_edge, greatest_edge);
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
-  for (Index h = 0; h < halfedges; ++h) frame[h] = frame_of(*mesh, h);
+  constexpr Index per_checkpoint = 1 << 13;
+  for (Index h = 0; h < halfedges; ++h) {
+    if (h % per_checkpoint == 0) checkpoint();
+    frame[h] = frame_of(*mesh, h);
+  }
 
   can_bend.resize(mesh->vertex_count());
   corner_begin.assign(halfedges, 0.0);
   begins_at_own_edge.assign(halfedges, 1);
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (v % per_checkpoint == 0) checkpoint();
     const auto fan = mesh->fan(v);
     can_bend[v] =
         fan == Mesh::Fan::open || fan == Mesh::Fan::non_manifold ||

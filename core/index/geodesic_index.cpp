@@ -3,13 +3,14 @@
 
 #include <chrono>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "index/index_data.h"
 #include "index/local_tables.h"
 #include "index/overlay.h"
+#include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
@@ -19,23 +20,23 @@ namespace {
 constexpr double least_mean_edge = 1e-28;
 constexpr double greatest_edge = 1e28;
 
-void require_ordinary_size(const Mesh& mesh) {
-  if (mesh.longest_edge_length() == 0.0) return;
-  if (mesh.longest_edge_length() <= greatest_edge && mesh.mean_edge_length() >= least_mean_edge) return;
-  std::ostringstream message;
-  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
-          << mesh.longest_edge_length() << "; an index takes lengths between " << least_mean_edge << " and "
-          << greatest_edge << ": scale the mesh.";
-  throw InvalidInput(message.str());
-}
-
 }  // namespace
 
-void IndexData::lay_out() {
-  work = make_work_mesh(*mesh, partition);
-  geometry = std::make_shared<const ExactGeometry>(work.mesh);
-  second =
-      lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
+void IndexData::lay_out(int threads, const Progress& progress) {
+  {
+    const Watch watch(progress.part(0.0, 0.5), "Laying out the patches");
+    work = make_work_mesh(*mesh, partition);
+  }
+  // What the solver needs and what the tables need, side by side.
+  parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
+    if (half == 0) {
+      geometry = std::make_shared<const ExactGeometry>(work.mesh);
+    } else {
+      second =
+          lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
+    }
+  });
+  const Watch watch(progress.part(0.8, 1.0), "Laying out the patches");
   std::vector<std::uint8_t> is_node(work.mesh->vertex_count());
   for (Index v = 0; v < work.mesh->vertex_count(); ++v) is_node[v] = second.vertex_node[v] != no_index;
   std::vector<Index> first_label(work.second_layer);
@@ -101,17 +102,19 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
     throw InvalidInput("delta is " + std::to_string(options.delta) +
                        "; it must be at least 0 (nothing lost) and below 1.");
   }
-  require_ordinary_size(*mesh);
+  require_lengths(*mesh, "an index takes", least_mean_edge, greatest_edge);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
-  data->fingerprint = fingerprint_of(*data->mesh);
+  {
+    const Watch watch(progress.part(0.0, 0.01), "Reading the mesh");
+    data->fingerprint = fingerprint_of(*data->mesh);
+  }
   data->statistics.delta = options.delta;
   data->statistics.seed = options.seed;
   data->partition = make_partition(
-      std::make_shared<const ExactGeometry>(data->mesh),
-      {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
-      progress.part(0.0, 0.1));
-  data->lay_out();
+      *data->mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
+      progress.part(0.01, 0.07));
+  data->lay_out(options.threads, progress.part(0.07, 0.1));
   fill_local_tables(data->geometry, data->work.second_layer, data->second, options.threads,
                     progress.part(0.1, 0.8));
   compose_tables(data->second, data->partition.parent, data->first, options.threads,

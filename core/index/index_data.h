@@ -33,7 +33,7 @@ struct IndexData {
   std::vector<Index> parent_column;
 
   /// Work mesh, layers without tables, and homes, all of which follow from mesh and partition alone.
-  void lay_out();
+  void lay_out(int threads, const Progress& progress);
   /// Fills in parent_column; the last step of lay_out().
   void link_layers();
   /// Fills in what the statistics say of the parts.

@@ -2,16 +2,16 @@
 #include "index/local_tables.h"
 
 #include <algorithm>
-#include <map>
 
 #include "exact/exact_solver.h"
+#include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
 
 namespace {
 
-constexpr std::size_t nodes_per_group = 16;
+constexpr Index nodes_per_group = 16;
 
 }  // namespace
 
@@ -51,28 +51,28 @@ void Halo::surround(std::span<const Index> patches, double growth) {
 void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
                        PatchLayer& layer, int threads, const Progress& progress) {
   TableDraft tables(layer);
-  std::map<std::vector<Index>, std::vector<Index>> nodes_between;
-  for (Index node = 0; node < layer.node_count(); ++node) {
-    std::vector<Index> patches;
-    for (const PatchRow& at : layer.patches_of(node)) patches.push_back(at.patch);
-    nodes_between[patches].push_back(node);
-  }
-  // Small groups, so that progress goes on and all threads have work also when there are few patches.
+  // Nodes between the same patches follow one another. Small groups of them, so that progress goes on and all
+  // threads have work also when there are few patches.
   struct Group {
-    const std::vector<Index>* patches;
-    std::span<const Index> nodes;
+    Index begin, end;
+  };
+  auto same_patches = [&](Index a, Index b) {
+    return std::ranges::equal(layer.patches_of(a), layer.patches_of(b), {}, &PatchRow::patch,
+                              &PatchRow::patch);
   };
   std::vector<Group> groups;
-  for (const auto& [patches, nodes] : nodes_between) {
-    for (std::size_t i = 0; i < nodes.size(); i += nodes_per_group) {
-      groups.push_back({&patches, std::span(nodes).subspan(i, std::min(nodes_per_group, nodes.size() - i))});
-    }
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    const bool joins = !groups.empty() && node - groups.back().begin < nodes_per_group &&
+                       same_patches(node, groups.back().begin);
+    if (!joins) groups.push_back({node, node});
+    groups.back().end = node + 1;
   }
   struct Scratch {
-    Scratch(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label, Index patches)
-        : solver(geometry), halo(*geometry->mesh, label, patches) {}
+    Scratch(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label, Index patch_count)
+        : solver(geometry), halo(*geometry->mesh, label, patch_count) {}
     ExactSolver solver;
     Halo halo;
+    std::vector<Index> patches;
     std::vector<Index> targets;
   };
   const int workers = static_cast<int>(
@@ -82,10 +82,12 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                [&](std::size_t group, int worker) {
                  auto& own = scratch[worker];
                  if (!own) own = std::make_unique<Scratch>(geometry, label, layer.patch_count);
-                 const auto& patches = *groups[group].patches;
-                 own->halo.surround(patches);
+                 own->patches.clear();
+                 for (const PatchRow& at : layer.patches_of(groups[group].begin))
+                   own->patches.push_back(at.patch);
+                 own->halo.surround(own->patches);
                  own->targets.clear();
-                 for (Index p : patches) {
+                 for (Index p : own->patches) {
                    const auto members = layer.members(p);
                    own->targets.insert(own->targets.end(), members.begin(), members.end());
                  }
@@ -93,7 +95,8 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                  limits.face_allowed = own->halo.mask();
                  limits.targets = own->targets;
                  limits.distances_only = true;
-                 for (Index node : groups[group].nodes) {
+                 for (Index node = groups[group].begin; node < groups[group].end; ++node) {
+                   checkpoint();
                    const Index source = layer.node_vertex[node];
                    own->solver.run_from_vertices(std::span(&source, 1), limits);
                    for (const PatchRow& at : layer.patches_of(node)) {
@@ -105,6 +108,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                    }
                  }
                });
+  const Watch watch(progress.part(1.0, 1.0), "Computing exact distances inside patches");
   tables.make_symmetric();
   tables.finish(layer);
 }

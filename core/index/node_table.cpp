@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "index/border_search.h"
+#include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
@@ -40,8 +41,10 @@ NodeTable make_node_table(const PatchLayer& first, int threads, const Progress& 
                    row[other] = static_cast<float>(search->distance(other));
                  }
                });
+  const Watch watch(progress.part(1.0, 1.0), "Tabulating distances between first-layer borders");
   // Equal in both directions: the mean, as unfolding may err to either side.
   for (std::size_t i = 0; i < static_cast<std::size_t>(table.count); ++i) {
+    if (i % 16 == 0) checkpoint();
     for (std::size_t j = 0; j < i; ++j) {
       float& forth = table.distance[i * table.count + j];
       float& back = table.distance[j * table.count + i];

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "index/border_search.h"
+#include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
@@ -59,6 +60,7 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                    }
                  }
                });
+  const Watch watch(progress.part(1.0, 1.0), "Composing first-layer tables");
   tables.make_symmetric();
   tables.finish(first);
 }

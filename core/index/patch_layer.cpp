@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/checkpoint.h"
 #include "support/min_plus.h"
 
 namespace vorogeo {
 
 namespace {
+
+/// Elements between two checkpoints.
+constexpr Index per_checkpoint = 1 << 13;
 
 /// Patches of the faces at each vertex, as a list per vertex in ascending order.
 struct VertexPatches {
@@ -22,6 +26,7 @@ VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label
   result.begin.push_back(0);
   std::vector<Index> own;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % per_checkpoint == 0) checkpoint();
     own.clear();
     for (Index corner : mesh.corners(v)) own.push_back(label[Mesh::face_of(corner)]);
     std::sort(own.begin(), own.end());
@@ -47,6 +52,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % per_checkpoint == 0) checkpoint();
     const auto patches = patches_at(v);
     if (patches.size() >= 2) {
       layer.node_vertex.push_back(v);
@@ -75,6 +81,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   layer.member_begin.push_back(0);
   layer.table_begin.push_back(0);
   for (Index p = 0; p < patch_count; ++p) {
+    checkpoint();
     for (Index v : border[p]) layer.border_node.push_back(layer.vertex_node[v]);
     layer.member.insert(layer.member.end(), border[p].begin(), border[p].end());
     layer.member.insert(layer.member.end(), inner[p].begin(), inner[p].end());
@@ -93,6 +100,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   };
   std::vector<Index> beside;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh.edge_vertices(e);
     if (layer.vertex_node[a] == no_index || layer.vertex_node[b] == no_index) continue;
     beside.clear();
@@ -181,6 +189,7 @@ TableDraft::TableDraft(const PatchLayer& layer) {
 
 void TableDraft::make_symmetric() {
   for (std::size_t p = 0; p < rows_.size(); ++p) {
+    checkpoint();
     const auto patch = static_cast<Index>(p);
     for (Index i = 0; i < rows_[p]; ++i) {
       line(patch, i)[i] = 0.0f;
@@ -198,6 +207,7 @@ void TableDraft::finish(PatchLayer& layer) {
   layer.unit.assign(layer.patch_count, 0.0f);
   for (Index p = 0; p < layer.patch_count; ++p) {
     float greatest = 0.0f;
+    checkpoint();
     for (std::size_t i = begin_[p]; i < begin_[p + 1]; ++i) {
       if (value_[i] < std::numeric_limits<float>::infinity()) greatest = std::max(greatest, value_[i]);
     }

@@ -149,7 +149,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->statistics.seed = numbers[0];
   data->graph.arcs_before_pruning = static_cast<std::int64_t>(numbers[1]);
   load_partition(in, data->partition, data->mesh->face_count());
-  data->lay_out();
+  data->lay_out(0, {});
   load_layer(in, data->second);
   load_layer(in, data->first);
   load_node_table(in, data->node_table, data->first.node_count());

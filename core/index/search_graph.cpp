@@ -6,6 +6,7 @@
 #include <numeric>
 #include <queue>
 
+#include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
@@ -36,10 +37,13 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   std::sort(candidates.begin(), candidates.end(), [](const KeptArc& x, const KeptArc& y) {
     return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
   });
+  constexpr int arcs_per_checkpoint = 64;
+  int examined = 0;
   const auto factor = static_cast<float>(1.0 + delta);
   if (delta == 0.0) {
     // Nothing may be lost: only arcs that two others replace to the last bit.
     for (const KeptArc& arc : candidates) {
+      if (++examined % arcs_per_checkpoint == 0) checkpoint();
       const float* from_a = distances_from(arc.a);
       const float* from_b = distances_from(arc.b);
       bool dominated = false;
@@ -56,6 +60,7 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   std::vector<float> way(static_cast<std::size_t>(k) * k, std::numeric_limits<float>::infinity());
   for (Index i = 0; i < k; ++i) way[static_cast<std::size_t>(i) * k + i] = 0.0f;
   for (const KeptArc& arc : candidates) {
+    if (++examined % arcs_per_checkpoint == 0) checkpoint();
     if (way[static_cast<std::size_t>(arc.a) * k + arc.b] <= factor * arc.length) continue;
     kept.push_back(arc);
     const float* from_a = way.data() + static_cast<std::size_t>(arc.a) * k;
@@ -73,16 +78,52 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   return kept;
 }
 
+/// An arc of the graph before it is entered at both of its nodes.
+struct Joined {
+  Index a, b;  ///< nodes, a < b
+  float length;
+  Index patch;
+  Index parent;  ///< first-layer patch, for arcs of the second layer
+};
+
+/// Of two arcs between the same nodes in one first-layer patch the shorter one is enough: nodes on the border
+/// between two patches of one parent have two. Sorts the arcs by their nodes.
+void join_arcs(std::vector<Joined>& arcs, Index nodes) {
+  std::vector<std::int64_t> begin(static_cast<std::size_t>(nodes) + 1, 0);
+  for (const Joined& arc : arcs) ++begin[arc.a + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Joined> sorted(arcs.size());
+  {
+    auto slot = begin;
+    for (const Joined& arc : arcs) sorted[slot[arc.a]++] = arc;
+  }
+  arcs.clear();
+  for (Index a = 0; a < nodes; ++a) {
+    if (a % 64 == 0) checkpoint();
+    const auto own = std::span(sorted).subspan(begin[a], begin[a + 1] - begin[a]);
+    std::sort(own.begin(), own.end(), [](const Joined& x, const Joined& y) {
+      return std::tie(x.b, x.parent, x.length, x.patch) < std::tie(y.b, y.parent, y.length, y.patch);
+    });
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (i > 0 && own[i].b == own[i - 1].b && own[i].parent == own[i - 1].parent) continue;
+      arcs.push_back(own[i]);
+    }
+  }
+}
+
 /// Distances from one node over the whole graph.
 std::vector<double> graph_distances(const SearchGraph& graph, Index start) {
   std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  constexpr int nodes_per_checkpoint = 256;
+  int taken = 0;
   distance[start] = 0.0;
   queue.emplace(0.0, start);
   while (!queue.empty()) {
     const auto [key, node] = queue.top();
     queue.pop();
+    if (++taken % nodes_per_checkpoint == 0) checkpoint();
     if (key > distance[node]) continue;
     for (const Arc& arc : graph.arcs(node)) {
       const double through = key + arc.length;
@@ -96,13 +137,14 @@ std::vector<double> graph_distances(const SearchGraph& graph, Index start) {
 }
 
 /// Landmarks far from one another; the first is farthest from node 0.
-void place_landmarks(SearchGraph& graph) {
+void place_landmarks(SearchGraph& graph, Watch& watch) {
   constexpr int count = SearchGraph::landmark_count;
   const std::size_t nodes = graph.arc_begin.size() - 1;
   graph.landmark_distance.assign(nodes * count, 0.0);
   if (nodes == 0) return;
   std::vector<double> nearest = graph_distances(graph, 0);
   for (int l = 0; l < count; ++l) {
+    watch.reach(static_cast<double>(l + 1) / (count + 1));
     const auto farthest = std::max_element(nearest.begin(), nearest.end()) - nearest.begin();
     const auto distance = graph_distances(graph, static_cast<Index>(farthest));
     for (std::size_t node = 0; node < nodes; ++node) {
@@ -127,12 +169,7 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
                                      : prune_patch(first, p - second.patch_count, delta / children);
   });
 
-  struct Joined {
-    Index a, b;  ///< nodes, a < b
-    float length;
-    Index patch;
-    Index parent;  ///< first-layer patch, for arcs of the second layer
-  };
+  const Watch joining(progress.part(0.7, 0.8), "Joining the arcs");
   SearchGraph graph;
   std::vector<Joined> joined;
   auto append = [&](const PatchLayer& layer, Index patch, bool first_layer) {
@@ -146,18 +183,16 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
           {a, b, arc.length, first_layer ? -1 - patch : patch, first_layer ? -1 - patch : parent[patch]});
     }
   };
-  for (Index p = 0; p < second.patch_count; ++p) append(second, p, false);
-  for (Index p = 0; p < first.patch_count; ++p) append(first, p, true);
+  for (Index p = 0; p < second.patch_count; ++p) {
+    checkpoint();
+    append(second, p, false);
+  }
+  for (Index p = 0; p < first.patch_count; ++p) {
+    checkpoint();
+    append(first, p, true);
+  }
   kept.clear();
-  // Two nodes on the border between two patches of one parent: one arc is enough.
-  std::sort(joined.begin(), joined.end(), [](const Joined& x, const Joined& y) {
-    return std::tie(x.a, x.b, x.parent, x.length, x.patch) < std::tie(y.a, y.b, y.parent, y.length, y.patch);
-  });
-  joined.erase(std::unique(joined.begin(), joined.end(),
-                           [](const Joined& x, const Joined& y) {
-                             return x.a == y.a && x.b == y.b && x.parent == y.parent;
-                           }),
-               joined.end());
+  join_arcs(joined, second.node_count());
 
   graph.arc_begin.assign(second.node_count() + 1, 0);
   for (const Joined& arc : joined) {
@@ -171,8 +206,10 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
     graph.arc[slot[arc.a]++] = {arc.b, arc.length, arc.patch};
     graph.arc[slot[arc.b]++] = {arc.a, arc.length, arc.patch};
   }
-  progress.report(0.8, "Placing landmarks");
-  place_landmarks(graph);
+  {
+    Watch watch(progress.part(0.8, 1.0), "Placing landmarks");
+    place_landmarks(graph, watch);
+  }
   progress.report(1.0, "Placing landmarks");
   return graph;
 }

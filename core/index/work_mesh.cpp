@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
@@ -14,12 +16,16 @@ namespace {
 constexpr double longest_border_edge = 0.1;
 constexpr Index most_pieces = 32;
 
+/// Elements between two checkpoints.
+constexpr Index per_checkpoint = 1 << 13;
+
 /// Number of pieces of each edge: 1 unless it is a long border edge.
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
   std::vector<double> area(partition.second_layer_count, 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) area[partition.second_layer[f]] += mesh.face_area(f);
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % per_checkpoint == 0) checkpoint();
     const Index first = mesh.edge_halfedge(e);
     double least = area[partition.second_layer[Mesh::face_of(first)]];
     bool border = false;
@@ -79,15 +85,18 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
     }
   }
 
+  // Faces by patch, those of a patch in their old order.
+  std::vector<Index> slot(partition.second_layer_count + 1, 0);
+  for (Index patch : partition.second_layer) ++slot[patch + 1];
+  std::partial_sum(slot.begin(), slot.end(), slot.begin());
   std::vector<Index> order(mesh.face_count());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index f, Index g) { return partition.second_layer[f] < partition.second_layer[g]; });
+  for (Index f = 0; f < mesh.face_count(); ++f) order[slot[partition.second_layer[f]]++] = f;
   std::vector<std::array<Index, 3>> faces;
   WorkMesh work;
   faces.reserve(order.size());
   std::vector<Index> points;
   for (Index f : order) {
+    if (faces.size() % per_checkpoint == 0) checkpoint();
     FaceSplitter splitter(mesh.face_vertices(f));
     for (int i = 0; i < 3; ++i) {
       const Index h = 3 * f + i;

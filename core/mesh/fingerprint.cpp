@@ -4,6 +4,8 @@
 
 #include <bit>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
@@ -53,11 +55,16 @@ std::uint64_t bits_of(double coordinate) {
 Fingerprint fingerprint_of(const Mesh& mesh) {
   WordHash hash;
   hash.add(static_cast<std::uint64_t>(mesh.vertex_count()), static_cast<std::uint64_t>(mesh.face_count()));
-  for (const Point& p : mesh.positions()) {
+  constexpr Index per_checkpoint = 1 << 16;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % per_checkpoint == 0) checkpoint();
+    const Point& p = mesh.position(v);
     hash.add(bits_of(p[0]), bits_of(p[1]));
     hash.add(bits_of(p[2]), 0);
   }
-  for (const auto& face : mesh.faces()) {
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (f % per_checkpoint == 0) checkpoint();
+    const auto& face = mesh.face_vertices(f);
     const auto low = static_cast<std::uint32_t>(face[0]);
     const auto high = static_cast<std::uint32_t>(face[1]);
     hash.add(low | static_cast<std::uint64_t>(high) << 32, static_cast<std::uint32_t>(face[2]));

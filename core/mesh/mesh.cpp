@@ -5,8 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <sstream>
 #include <string>
+#include <tuple>
 
+#include "support/checkpoint.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -28,29 +31,64 @@ void require_finite(const std::vector<Point>& positions) {
   }
 }
 
+/// Elements between two checkpoints.
+constexpr Index per_checkpoint = 1 << 13;
+
+void checkpoint_at(Index element) {
+  if (element % per_checkpoint == 0) checkpoint();
+}
+
 /// Indices of the input faces to keep: no vertex twice, no second face over the same three vertices.
 std::vector<Index> usable_faces(const std::vector<std::array<Index, 3>>& faces, Index vertex_count) {
-  std::vector<std::pair<std::array<Index, 3>, Index>> keyed;
-  keyed.reserve(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    auto key = faces[f];
-    for (Index v : key) {
+  // A counting sort by the least vertex, then the faces of each least vertex are compared.
+  const auto count = static_cast<Index>(faces.size());
+  std::vector<Index> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (Index f = 0; f < count; ++f) {
+    checkpoint_at(f);
+    for (Index v : faces[f]) {
       if (v < 0 || v >= vertex_count) {
         throw InvalidInput(
             "Face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but the mesh has " +
             (vertex_count == 0 ? "no vertices." : "vertices 0 to " + std::to_string(vertex_count - 1) + "."));
       }
     }
-    std::sort(key.begin(), key.end());
-    if (key[0] != key[1] && key[1] != key[2]) keyed.emplace_back(key, static_cast<Index>(f));
+    ++begin[std::min({faces[f][0], faces[f][1], faces[f][2]}) + 1];
   }
-  std::sort(keyed.begin(), keyed.end());
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Keyed {
+    Index middle, greatest, face;
+    bool operator<(const Keyed& other) const {
+      return std::tie(middle, greatest, face) < std::tie(other.middle, other.greatest, other.face);
+    }
+  };
+  std::vector<Keyed> keyed(faces.size());
+  {
+    auto slot = begin;
+    for (Index f = 0; f < count; ++f) {
+      checkpoint_at(f);
+      auto key = faces[f];
+      std::sort(key.begin(), key.end());
+      keyed[slot[key[0]]++] = {key[1], key[2], f};
+    }
+  }
+  std::vector<std::uint8_t> usable(faces.size(), 0);
+  Index kept_count = 0;
+  for (Index v = 0; v < vertex_count; ++v) {
+    checkpoint_at(v);
+    std::sort(keyed.begin() + begin[v], keyed.begin() + begin[v + 1]);
+    for (Index i = begin[v]; i < begin[v + 1]; ++i) {
+      const bool twice = keyed[i].middle == v || keyed[i].middle == keyed[i].greatest;
+      const bool repeated = i > begin[v] && keyed[i].middle == keyed[i - 1].middle &&
+                            keyed[i].greatest == keyed[i - 1].greatest;
+      usable[keyed[i].face] = !twice && !repeated;
+      kept_count += !twice && !repeated;
+    }
+  }
   std::vector<Index> kept;
-  kept.reserve(keyed.size());
-  for (std::size_t i = 0; i < keyed.size(); ++i) {
-    if (i == 0 || keyed[i].first != keyed[i - 1].first) kept.push_back(keyed[i].second);
+  kept.reserve(kept_count);
+  for (Index f = 0; f < count; ++f) {
+    if (usable[f]) kept.push_back(f);
   }
-  std::sort(kept.begin(), kept.end());
   return kept;
 }
 
@@ -66,6 +104,7 @@ Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>
   input_face_ = usable_faces(faces, vertex_count());
   face_vertices_.reserve(input_face_.size());
   for (Index f : input_face_) face_vertices_.push_back(faces[f]);
+  if (input_face_.size() == faces.size()) input_face_ = {};
   link_edges();
   sort_fans();
   find_components();
@@ -83,20 +122,30 @@ void Mesh::link_edges() {
   std::vector<Keyed> keyed(halfedges);
   auto slot = begin;
   for (Index h = 0; h < halfedges; ++h) {
+    checkpoint_at(h);
     const auto [a, b] = std::minmax({tail(h), head(h)});
     keyed[slot[a]++] = {a, b, h};
   }
-  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+  for (Index v = 0; v < vertex_count(); ++v) {
+    checkpoint_at(v);
     std::sort(keyed.begin() + begin[v], keyed.begin() + begin[v + 1], [](const Keyed& x, const Keyed& y) {
       return x.b != y.b ? x.b < y.b : x.halfedge < y.halfedge;
     });
   }
 
+  Index edges = 0;
+  for (Index i = 0; i < halfedges; ++i) {
+    edges += i == 0 || keyed[i].a != keyed[i - 1].a || keyed[i].b != keyed[i - 1].b;
+  }
+  edge_vertices_.reserve(edges);
+  edge_length_.reserve(edges);
+  edge_halfedge_.reserve(edges);
   halfedge_edge_.assign(halfedges, no_index);
   next_around_edge_.assign(halfedges, no_index);
   double total_length = 0.0;
   for (Index i = 0; i < halfedges;) {
     Index j = i;
+    checkpoint_at(static_cast<Index>(edge_vertices_.size()));
     while (j < halfedges && keyed[j].a == keyed[i].a && keyed[j].b == keyed[i].b) ++j;
     const auto edge = static_cast<Index>(edge_vertices_.size());
     edge_vertices_.push_back({keyed[i].a, keyed[i].b});
@@ -128,6 +177,7 @@ void Mesh::sort_fans() {
   total_angle_.assign(vertices, 0.0);
   std::vector<Index> chain;
   for (Index v = 0; v < vertices; ++v) {
+    checkpoint_at(v);
     const auto own = corners(v);
     if (own.empty()) continue;
     bool manifold = true;
@@ -179,7 +229,9 @@ void Mesh::find_components() {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  for (const auto& edge : edge_vertices_) {
+  for (Index e = 0; e < edge_count(); ++e) {
+    checkpoint_at(e);
+    const auto& edge = edge_vertices_[e];
     const auto [a, b] = std::minmax({root(edge[0]), root(edge[1])});
     parent[b] = a;
   }
@@ -229,6 +281,16 @@ std::size_t Mesh::memory_bytes() const {
          bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) + bytes(edge_halfedge_) +
          bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
          bytes(component_);
+}
+
+void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
+  if (mesh.longest_edge_length() == 0.0) return;
+  if (mesh.longest_edge_length() <= greatest && mesh.mean_edge_length() >= least_mean) return;
+  std::ostringstream message;
+  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
+          << mesh.longest_edge_length() << "; " << what << " lengths between " << least_mean << " and "
+          << greatest << ": scale the mesh.";
+  throw InvalidInput(message.str());
 }
 
 }  // namespace vorogeo

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "support/types.h"
@@ -28,7 +29,7 @@ class Mesh {
   /// Left out: faces that name a vertex twice and repeated faces (same three vertices). Faces of zero
   /// area stay as connections without width: they can be crossed at no cost and hold no area.
   /// \throw InvalidInput for a vertex index out of range (names the face), a coordinate that is NaN
-  ///        or infinite (names the vertex), or more than 2^31 / 3 faces.
+  ///        or infinite (names the vertex), or more than 2^31 / 3 faces; Cancelled at a checkpoint.
   /// Complexity: O(n + m log m) for n vertices and m faces.
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces);
 
@@ -43,7 +44,7 @@ class Mesh {
   const std::array<Index, 3>& face_vertices(Index face) const { return face_vertices_[face]; }
   const std::vector<std::array<Index, 3>>& faces() const { return face_vertices_; }
   /// The face of the constructor's list that became `face` (faces left out have no counterpart here).
-  Index input_face(Index face) const { return input_face_[face]; }
+  Index input_face(Index face) const { return input_face_.empty() ? face : input_face_[face]; }
   double face_area(Index face) const;
 
   static Index face_of(Index halfedge) { return halfedge / 3; }
@@ -101,7 +102,7 @@ class Mesh {
 
   std::vector<Point> positions_;
   std::vector<std::array<Index, 3>> face_vertices_;
-  std::vector<Index> input_face_;
+  std::vector<Index> input_face_;  ///< empty if no face was left out
   std::vector<Index> halfedge_edge_;
   std::vector<Index> next_around_edge_;
   std::vector<std::array<Index, 2>> edge_vertices_;
@@ -117,5 +118,9 @@ class Mesh {
   double mean_edge_length_ = 0.0;
   double longest_edge_length_ = 0.0;
 };
+
+/// Refuses edge lengths that arithmetic cannot hold. `what` begins the sentence that says who takes which
+/// lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw InvalidInput.
+void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
 
 }  // namespace vorogeo

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "partition/voronoi.h"
+#include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -16,10 +17,22 @@ namespace {
 /// Vertices of a second-layer patch. Larger patches mean fewer crossings but a longer build: the build grows
 /// with the square root of this number, the size of the tables likewise.
 constexpr double second_layer_vertices = 350.0;
-/// Second-layer patches in a first-layer patch.
+/// Second-layer patches in a first-layer patch of a mesh of up to `ordinary_vertices`.
 constexpr double patches_per_parent = 24.0;
+/// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then the table of
+/// all first-layer border vertices and the first-layer tables grow alike, by the cube root per vertex.
+constexpr double ordinary_vertices = 134400.0;
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
+
+/// First-layer patches that suit a mesh of so many vertices.
+Index first_layer_count(double vertices, const PartitionOptions& options) {
+  if (options.second_layer_patches) {
+    return rounded(vertices / (options.second_layer_patches * second_layer_vertices));
+  }
+  return rounded(std::min(vertices, std::cbrt(vertices * ordinary_vertices * ordinary_vertices)) /
+                 (patches_per_parent * second_layer_vertices));
+}
 
 std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces) {
   std::vector<Index> vertices;
@@ -53,9 +66,7 @@ void check_patches(const char* which, Index requested, Index faces) {
 
 }  // namespace
 
-Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const PartitionOptions& options,
-                         const Progress& progress) {
-  const Mesh& mesh = *geometry->mesh;
+Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
   const Index faces = mesh.face_count();
   if (faces == 0) throw InvalidInput("The mesh has no face; geodesic distances need a surface.");
   check_patches("first-layer patches, n1,", options.first_layer_patches, faces);
@@ -65,20 +76,20 @@ Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const Pa
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
   const auto all_vertices = vertices_of(mesh, all_faces);
   const auto vertices = static_cast<double>(all_vertices.size());
-  const double per_parent = options.second_layer_patches ? options.second_layer_patches : patches_per_parent;
-  const Index first_count = options.first_layer_patches
-                                ? options.first_layer_patches
-                                : rounded(vertices / (per_parent * second_layer_vertices));
+  const Index first_count =
+      options.first_layer_patches ? options.first_layer_patches : first_layer_count(vertices, options);
 
-  progress.report(0.0, "Placing first-layer patches");
   const MeshPart whole{all_vertices, {}};
   partition.first_layer.assign(faces, 0);
-  const auto samples = spread_samples(mesh, whole, first_count, options.seed);
-  progress.report(0.1, "Growing first-layer patches");
+  std::vector<Index> samples;
   {
-    ExactSolver solver(geometry);
-    const Progress growing = progress.part(0.1, 0.5);
-    label_voronoi_faces(solver, whole, all_faces, samples, partition.first_layer, &growing);
+    const Watch watch(progress.part(0.0, 0.3), "Placing first-layer patches");
+    samples = Sampler(mesh).spread(whole, first_count, options.seed);
+  }
+  {
+    const Watch watch(progress.part(0.3, 0.5), "Growing first-layer patches");
+    Front front(mesh);
+    label_voronoi_faces(front, mesh, whole, all_faces, samples, partition.first_layer);
   }
   partition.first_layer_count = compact(partition.first_layer, all_faces, static_cast<Index>(samples.size()));
 
@@ -89,29 +100,28 @@ Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const Pa
 
   const int threads = std::min<int>(resolve_thread_count(options.threads), partition.first_layer_count);
   struct Scratch {
-    std::unique_ptr<ExactSolver> solver;
+    explicit Scratch(const Mesh& mesh) : sampler(mesh), front(mesh), allowed(mesh.face_count(), 0) {}
+    Sampler sampler;
+    Front front;
     std::vector<std::uint8_t> allowed;
   };
-  std::vector<Scratch> scratch(threads);
+  std::vector<std::unique_ptr<Scratch>> scratch(threads);
   parallel_for(partition.first_layer_count, threads, progress.part(0.5, 1.0), "Growing second-layer patches",
                [&](std::size_t patch, int worker) {
                  auto& own = scratch[worker];
-                 if (!own.solver) {
-                   own.solver = std::make_unique<ExactSolver>(geometry);
-                   own.allowed.assign(faces, 0);
-                 }
+                 if (!own) own = std::make_unique<Scratch>(mesh);
                  const auto& list = patch_faces[patch];
-                 for (Index f : list) own.allowed[f] = 1;
+                 for (Index f : list) own->allowed[f] = 1;
                  const auto patch_vertices = vertices_of(mesh, list);
-                 const MeshPart part{patch_vertices, own.allowed};
+                 const MeshPart part{patch_vertices, own->allowed};
                  const Index count =
                      options.second_layer_patches
                          ? options.second_layer_patches
                          : rounded(static_cast<double>(patch_vertices.size()) / second_layer_vertices);
-                 const auto inner = spread_samples(mesh, part, count, options.seed + 1 + patch);
-                 label_voronoi_faces(*own.solver, part, list, inner, partition.second_layer);
+                 const auto inner = own->sampler.spread(part, count, options.seed + 1 + patch);
+                 label_voronoi_faces(own->front, mesh, part, list, inner, partition.second_layer);
                  children[patch] = compact(partition.second_layer, list, static_cast<Index>(inner.size()));
-                 for (Index f : list) own.allowed[f] = 0;
+                 for (Index f : list) own->allowed[f] = 0;
                });
   for (Index patch = 0; patch < partition.first_layer_count; ++patch) {
     for (Index f : patch_faces[patch]) partition.second_layer[f] += partition.second_layer_count;

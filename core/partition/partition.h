@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/exact_geometry.h"
+#include "mesh/mesh.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -29,7 +29,6 @@ struct Partition {
 
 /// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
 /// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
-Partition make_partition(std::shared_ptr<const ExactGeometry> geometry, const PartitionOptions& options,
-                         const Progress& progress);
+Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);
 
 }  // namespace vorogeo

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <random>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
@@ -11,11 +13,49 @@ namespace {
 constexpr int lloyd_rounds = 4;
 constexpr Index far = std::numeric_limits<Index>::max();
 
-/// Breadth-first distances over the edges of a part, from growing sets of vertices.
-class HopField {
+constexpr auto anywhere = [](Index, Index) { return true; };
+
+/// Vertices by distance, taken from the farthest; entries whose distance has fallen are put back lower.
+class FarthestFirst {
  public:
-  HopField(const Mesh& mesh, const MeshPart& part)
-      : mesh_(mesh), part_(part), hops_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
+  void add(Index v, Index hops) {
+    if (static_cast<std::size_t>(hops) >= at_.size()) at_.resize(hops + 1);
+    at_[hops].push_back(v);
+  }
+  template <class Hops>
+  Index take(Hops&& hops_of) {
+    while (!at_.empty()) {
+      if (at_.back().empty()) {
+        at_.pop_back();
+        continue;
+      }
+      const Index v = at_.back().back();
+      at_.back().pop_back();
+      const Index hops = hops_of(v);
+      if (static_cast<std::size_t>(hops) + 1 == at_.size()) return v;
+      at_[hops].push_back(v);
+    }
+    return no_index;
+  }
+
+ private:
+  std::vector<std::vector<Index>> at_;
+};
+
+}  // namespace
+
+/// Breadth-first distances over the edges of a part, from growing sets of vertices.
+class Sampler::HopField {
+ public:
+  explicit HopField(const Mesh& mesh)
+      : mesh_(mesh), hops_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
+
+  /// Vertices outside the part keep what an earlier part left there, but the part's faces do not lead to
+  /// them.
+  void enter(const MeshPart& part) {
+    part_ = part;
+    reset();
+  }
 
   void reset() {
     for (Index v : part_.vertices) {
@@ -32,6 +72,7 @@ class HopField {
     std::vector<Index> next;
     for (Index hop = 1; !front.empty(); ++hop) {
       next.clear();
+      checkpoint();
       for (Index v : front) {
         for_each_neighbour(v, [&](Index u) {
           if (hops_[u] <= hop || !enters(v, u)) return;
@@ -59,45 +100,19 @@ class HopField {
 
  private:
   const Mesh& mesh_;
-  const MeshPart& part_;
+  MeshPart part_;
   std::vector<Index> hops_;
   std::vector<Index> cell_;
 };
 
-constexpr auto anywhere = [](Index, Index) { return true; };
+Sampler::Sampler(const Mesh& mesh) : field_(std::make_unique<HopField>(mesh)) {}
+Sampler::~Sampler() = default;
 
-/// Vertices by distance, taken from the farthest; entries whose distance has fallen are put back lower.
-class FarthestFirst {
- public:
-  void add(Index v, Index hops) {
-    if (static_cast<std::size_t>(hops) >= at_.size()) at_.resize(hops + 1);
-    at_[hops].push_back(v);
-  }
-  Index take(const HopField& field) {
-    while (!at_.empty()) {
-      if (at_.back().empty()) {
-        at_.pop_back();
-        continue;
-      }
-      const Index v = at_.back().back();
-      at_.back().pop_back();
-      const Index hops = field.hops(v);
-      if (static_cast<std::size_t>(hops) + 1 == at_.size()) return v;
-      at_[hops].push_back(v);
-    }
-    return no_index;
-  }
-
- private:
-  std::vector<std::vector<Index>> at_;
-};
-
-}  // namespace
-
-std::vector<Index> spread_samples(const Mesh& mesh, const MeshPart& part, Index count, std::uint64_t seed) {
+std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint64_t seed) {
   std::vector<Index> samples;
   if (part.vertices.empty()) return samples;
-  HopField field(mesh, part);
+  HopField& field = *field_;
+  field.enter(part);
   // One sample in each piece, the first at random.
   std::mt19937_64 random(seed);
   samples.push_back(part.vertices[random() % part.vertices.size()]);
@@ -110,7 +125,7 @@ std::vector<Index> spread_samples(const Mesh& mesh, const MeshPart& part, Index 
   FarthestFirst queue;
   for (Index v : part.vertices) queue.add(v, field.hops(v));
   while (static_cast<Index>(samples.size()) < count) {
-    const Index v = queue.take(field);
+    const Index v = queue.take([&](Index u) { return field.hops(u); });
     if (v == no_index || field.hops(v) == 0) break;
     samples.push_back(v);
     field.grow({v}, anywhere);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,12 +16,24 @@ struct MeshPart {
   std::span<const std::uint8_t> face_allowed;  ///< empty: all faces
 };
 
-/// Samples of the part, spread by farthest-point sampling in the number of edges and then moved to the
-/// centres of their cells (Lloyd); counting edges rather than length gives dense regions more samples, so
-/// that the cells have similar numbers of vertices.
-///
-/// At least one sample for each connected piece of the part, otherwise `count`, at most one per vertex.
-/// Deterministic for a seed. Complexity: O((n + m) log count).
-std::vector<Index> spread_samples(const Mesh& mesh, const MeshPart& part, Index count, std::uint64_t seed);
+/// Places samples. Keeps its memory, of the size of the mesh, between calls, which cost the vertices of the
+/// part; one object belongs to one thread. The mesh must outlive it.
+class Sampler {
+ public:
+  explicit Sampler(const Mesh& mesh);
+  ~Sampler();
+
+  /// Samples of the part, spread by farthest-point sampling in the number of edges and then moved to the
+  /// centres of their cells (Lloyd); counting edges rather than length gives dense regions more samples, so
+  /// that the cells have similar numbers of vertices.
+  ///
+  /// At least one sample for each connected piece of the part, otherwise `count`, at most one per vertex.
+  /// Deterministic for a seed. \throw Cancelled at a checkpoint. Complexity: O((n + m) log count).
+  std::vector<Index> spread(const MeshPart& part, Index count, std::uint64_t seed);
+
+ private:
+  class HopField;
+  std::unique_ptr<HopField> field_;
+};
 
 }  // namespace vorogeo

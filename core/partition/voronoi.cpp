@@ -1,8 +1,10 @@
-// Voronoi labels of vertices by exact propagation from all samples at once, then of faces by their corners.
+// Voronoi labels of vertices by a front from all samples at once, then of faces by their corners.
 #include "partition/voronoi.h"
 
 #include <algorithm>
 #include <array>
+
+#include "support/checkpoint.h"
 
 namespace vorogeo {
 
@@ -11,33 +13,29 @@ namespace {
 constexpr int smoothing_rounds = 8;
 
 /// The label two corners share, otherwise that of the corner nearest to its sample.
-Index face_label(const ExactSolver& solver, const std::array<Index, 3>& vertices) {
+Index face_label(const Front& front, const std::array<Index, 3>& vertices) {
   std::array<Index, 3> label{};
-  for (int i = 0; i < 3; ++i) label[i] = solver.nearest_source(vertices[i]);
+  for (int i = 0; i < 3; ++i) label[i] = front.source(vertices[i]);
   if (label[0] == label[1] || label[0] == label[2]) return label[0];
   if (label[1] == label[2]) return label[1];
   int nearest = 0;
   for (int i = 1; i < 3; ++i) {
-    if (solver.distance(vertices[i]) < solver.distance(vertices[nearest])) nearest = i;
+    if (front.distance(vertices[i]) < front.distance(vertices[nearest])) nearest = i;
   }
   return label[nearest];
 }
 
 }  // namespace
 
-void label_voronoi_faces(ExactSolver& solver, const MeshPart& part, std::span<const Index> faces,
-                         std::span<const Index> samples, std::span<Index> label, const Progress* progress) {
-  const Mesh& mesh = solver.mesh();
-  ExactLimits limits;
-  limits.face_allowed = part.face_allowed;
-  limits.progress = progress;
-  limits.distances_only = true;
-  solver.run_from_vertices(samples, limits);
-  for (Index f : faces) label[f] = face_label(solver, mesh.face_vertices(f));
+void label_voronoi_faces(Front& front, const Mesh& mesh, const MeshPart& part, std::span<const Index> faces,
+                         std::span<const Index> samples, std::span<Index> label) {
+  front.grow(samples, part.face_allowed);
+  for (Index f : faces) label[f] = face_label(front, mesh.face_vertices(f));
 
   auto allowed = [&](Index f) { return part.face_allowed.empty() || part.face_allowed[f] != 0; };
   for (int round = 0; round < smoothing_rounds; ++round) {
     bool changed = false;
+    checkpoint();
     for (Index f : faces) {
       std::array<Index, 3> other{no_index, no_index, no_index};
       for (int i = 0; i < 3; ++i) {

@@ -7,8 +7,11 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
+
+#include "support/checkpoint.h"
 
 namespace vorogeo {
 
@@ -20,7 +23,7 @@ int resolve_thread_count(int requested) {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto report_interval = std::chrono::milliseconds(50);
+constexpr auto report_interval = std::chrono::milliseconds(30);
 
 /// What the workers of one parallel_for share.
 struct Shared {
@@ -33,9 +36,10 @@ struct Shared {
   std::exception_ptr failure;
 
   void fail(std::exception_ptr error) {
-    stop = true;
     std::lock_guard lock(mutex);
+    // Before the others stop, whose leaving is no failure of its own.
     if (!failure) failure = std::move(error);
+    stop = true;
   }
 };
 
@@ -70,7 +74,12 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
     }
     try {
       workers.emplace_back([&shared, &work, worker] {
-        work(worker, [] {});
+        {
+          const Watch watch([&shared] {
+            if (shared.stop) throw Cancelled();
+          });
+          work(worker, [] {});
+        }
         std::lock_guard lock(shared.mutex);
         --shared.running;
         shared.finished.notify_one();
@@ -86,11 +95,26 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
   auto last_report = Clock::now();
   auto report = [&] {
     last_report = Clock::now();
-    progress.report(count ? static_cast<double>(shared.done) / static_cast<double>(count) : 1.0, activity);
+    if (progress) {
+      progress.report(count ? static_cast<double>(shared.done) / static_cast<double>(count) : 1.0, activity);
+    } else {
+      checkpoint();
+    }
   };
-  work(0, [&] {
+  auto report_if_due = [&] {
     if (Clock::now() - last_report >= report_interval) report();
-  });
+  };
+  {
+    // Without a progress of its own, its checkpoints are those of a watch around it.
+    std::optional<Watch> watch;
+    if (progress) {
+      watch.emplace([&] {
+        report_if_due();
+        if (shared.stop) throw Cancelled();
+      });
+    }
+    work(0, report_if_due);
+  }
   std::unique_lock lock(shared.mutex);
   while (!shared.finished.wait_for(lock, report_interval, [&] { return shared.running == 0; })) {
     if (shared.stop) continue;

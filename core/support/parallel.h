@@ -19,8 +19,8 @@ int resolve_thread_count(int requested);
 ///
 /// `worker` is in [0, resolve_thread_count(threads)) and never runs two items at once, so it can select
 /// scratch memory. Items are handed out one by one in increasing order. Progress is reported from the calling
-/// thread, between two of its own items and while it waits. The first exception of any item, or Cancelled, is
-/// rethrown here once all workers have stopped.
+/// thread, between two of its own items, at their checkpoints and while it waits. The first exception of any
+/// item, or Cancelled, is rethrown here once all workers have stopped; items leave at their checkpoints then.
 void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
                   const std::function<void(std::size_t item, int worker)>& body);
 

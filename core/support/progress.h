@@ -19,6 +19,9 @@ class Progress {
   Progress() = default;
   explicit Progress(ProgressFunction function) : function_(std::move(function)) {}
 
+  /// Whether anyone is told.
+  explicit operator bool() const { return static_cast<bool>(function_); }
+
   /// Reports `fraction` of this span. \throw Cancelled if the caller wishes to stop.
   void report(double fraction, const std::string& activity) const {
     if (function_ && !function_(begin_ + (end_ - begin_) * fraction, activity)) throw Cancelled();

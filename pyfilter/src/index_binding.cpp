@@ -10,6 +10,7 @@
 #include "index/geodesic_index.h"
 #include "progress_bridge.h"
 #include "query_pool.h"
+#include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo::python {
@@ -116,7 +117,12 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index fi
   options.seed = seed;
   ProgressBridge bridge(progress);
   auto index = bridge.run([&](const Progress& report) {
-    return GeodesicIndex::build(mesh_of(vertices, faces), options, report);
+    std::shared_ptr<const Mesh> mesh;
+    {
+      const Watch watch(report, "Reading the mesh");
+      mesh = mesh_of(vertices, faces);
+    }
+    return GeodesicIndex::build(std::move(mesh), options, report);
   });
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }

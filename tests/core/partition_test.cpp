@@ -18,7 +18,7 @@ using test::Soup;
 
 Partition partition_of(const Soup& soup, const PartitionOptions& options = {},
                        const Progress& progress = {}) {
-  return make_partition(std::make_shared<const ExactGeometry>(test::make_mesh(soup)), options, progress);
+  return make_partition(*test::make_mesh(soup), options, progress);
 }
 
 void expect_valid(const Partition& partition, Index faces) {

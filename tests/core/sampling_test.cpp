@@ -47,7 +47,7 @@ TEST(Sampling, AsManyDifferentVerticesAsAskedFor) {
   const auto mesh = test::make_mesh(test::icosphere(3));
   const auto vertices = all_vertices(*mesh);
   for (Index count : {1, 2, 7, 40, 300}) {
-    const auto samples = spread_samples(*mesh, {vertices, {}}, count, 3);
+    const auto samples = Sampler(*mesh).spread({vertices, {}}, count, 3);
     EXPECT_EQ(static_cast<Index>(samples.size()), count);
     EXPECT_EQ(std::set<Index>(samples.begin(), samples.end()).size(), samples.size());
   }
@@ -55,7 +55,7 @@ TEST(Sampling, AsManyDifferentVerticesAsAskedFor) {
 
 TEST(Sampling, AtMostOnePerVertex) {
   const auto mesh = test::make_mesh(test::icosphere(0));
-  const auto samples = spread_samples(*mesh, {all_vertices(*mesh), {}}, 50, 0);
+  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 50, 0);
   EXPECT_EQ(std::set<Index>(samples.begin(), samples.end()).size(), 12U);
   EXPECT_EQ(samples.size(), 12U);
 }
@@ -63,16 +63,16 @@ TEST(Sampling, AtMostOnePerVertex) {
 TEST(Sampling, TheSameForASeedAndAnotherForAnother) {
   const auto mesh = test::make_mesh(test::hills(30, 0.2));
   const auto vertices = all_vertices(*mesh);
-  const auto first = spread_samples(*mesh, {vertices, {}}, 12, 5);
-  EXPECT_EQ(spread_samples(*mesh, {vertices, {}}, 12, 5), first);
-  EXPECT_NE(spread_samples(*mesh, {vertices, {}}, 12, 6), first);
+  const auto first = Sampler(*mesh).spread({vertices, {}}, 12, 5);
+  EXPECT_EQ(Sampler(*mesh).spread({vertices, {}}, 12, 5), first);
+  EXPECT_NE(Sampler(*mesh).spread({vertices, {}}, 12, 6), first);
 }
 
 TEST(Sampling, WellSpread) {
   // On a grid of 41 x 41 vertices, 16 samples: a square of 10 x 10 cells for each. No vertex is farther from
   // the nearest sample than twice the side, no two samples nearer than a third of it.
   const auto mesh = test::make_mesh(test::plane_grid(40, 40, 1.0, 1.0).soup);
-  const auto samples = spread_samples(*mesh, {all_vertices(*mesh), {}}, 16, 0);
+  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 16, 0);
   const auto hops = hops_from(*mesh, samples);
   EXPECT_LE(*std::max_element(hops.begin(), hops.end()), 20);
   for (Index a : samples) {
@@ -85,7 +85,7 @@ TEST(Sampling, EachPieceGetsASample) {
   test::Soup soup = test::icosphere(1);
   for (int i = 0; i < 9; ++i) soup = test::two_components(soup, test::icosphere(i % 2));
   const auto mesh = test::make_mesh(test::with_isolated_vertex(soup, {9, 9, 9}));
-  const auto samples = spread_samples(*mesh, {all_vertices(*mesh), {}}, 3, 1);
+  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 3, 1);
   EXPECT_EQ(samples.size(), 10U);
   const auto hops = hops_from(*mesh, samples);
   for (Index v : all_vertices(*mesh)) EXPECT_GE(hops[v], 0) << "no sample reaches vertex " << v;
@@ -104,7 +104,7 @@ TEST(Sampling, OnlyInThePart) {
   }
   const std::vector<Index> vertices(in_part.begin(), in_part.end());
   for (Index count : {1, 8}) {
-    const auto samples = spread_samples(*mesh, {vertices, allowed}, count, 2);
+    const auto samples = Sampler(*mesh).spread({vertices, allowed}, count, 2);
     EXPECT_EQ(static_cast<Index>(samples.size()), std::max<Index>(count, 2)) << "one for each strip";
     int low = 0;
     for (Index v : samples) {
@@ -118,7 +118,7 @@ TEST(Sampling, OnlyInThePart) {
 
 TEST(Sampling, NothingFromNothing) {
   const auto mesh = test::make_mesh(test::icosphere(0));
-  EXPECT_TRUE(spread_samples(*mesh, {}, 5, 0).empty());
+  EXPECT_TRUE(Sampler(*mesh).spread({}, 5, 0).empty());
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ std::vector<Index> all_faces(const Mesh& mesh) {
 
 std::vector<Index> voronoi_labels(const std::shared_ptr<const Mesh>& mesh,
                                   const std::vector<Index>& samples) {
-  ExactSolver solver(mesh);
+  Front front(*mesh);
   std::vector<Index> label(mesh->face_count(), no_index);
-  label_voronoi_faces(solver, {}, all_faces(*mesh), samples, label);
+  label_voronoi_faces(front, *mesh, {}, all_faces(*mesh), samples, label);
   return label;
 }
 
@@ -114,11 +114,11 @@ TEST(Voronoi, BordersAreNotLongerThanThoseOfPatchesGrownAlongEdges) {
     const auto mesh = test::make_mesh(soup);
     std::vector<Index> vertices(mesh->vertex_count());
     std::iota(vertices.begin(), vertices.end(), 0);
-    const auto samples = spread_samples(*mesh, {vertices, {}}, 12, 4);
-    const double exact = border_length(*mesh, voronoi_labels(mesh, samples));
+    const auto samples = Sampler(*mesh).spread({vertices, {}}, 12, 4);
+    const double short_border = border_length(*mesh, voronoi_labels(mesh, samples));
     const double along_edges = border_length(*mesh, edge_graph_labels(*mesh, samples));
-    EXPECT_GT(exact, 0.0);
-    EXPECT_LE(exact, 1.03 * along_edges) << name;
+    EXPECT_GT(short_border, 0.0);
+    EXPECT_LE(short_border, 1.03 * along_edges) << name;
   }
 }
 
@@ -144,9 +144,9 @@ TEST(Voronoi, OtherFacesKeepTheirLabels) {
   }
   std::vector<Index> vertices(9 * 17);
   std::iota(vertices.begin(), vertices.end(), 0);
-  ExactSolver solver(mesh);
+  Front front(*mesh);
   std::vector<Index> label(mesh->face_count(), 77);
-  label_voronoi_faces(solver, {vertices, allowed}, faces, std::vector<Index>{2, 100, 140}, label);
+  label_voronoi_faces(front, *mesh, {vertices, allowed}, faces, std::vector<Index>{2, 100, 140}, label);
   for (Index f = 0; f < mesh->face_count(); ++f) {
     if (allowed[f]) {
       EXPECT_LT(label[f], 3);

@@ -29,7 +29,7 @@ Made make(const Soup& soup, Index n1, Index n2) {
   PartitionOptions options;
   options.first_layer_patches = n1;
   options.second_layer_patches = n2;
-  made.partition = make_partition(std::make_shared<const ExactGeometry>(made.mesh), options, {});
+  made.partition = make_partition(*made.mesh, options, {});
   made.work = make_work_mesh(*made.mesh, made.partition);
   return made;
 }

@@ -1,0 +1,70 @@
+// The front in buckets of distance; a vertex that is lowered after it was taken is taken again.
+#include "partition/front.h"
+
+#include "mesh/unfolded_distance.h"
+#include "support/checkpoint.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Bucket width in mean edge lengths.
+constexpr double bucket_width = 0.5;
+constexpr int vertices_per_checkpoint = 4096;
+
+}  // namespace
+
+Front::Front(const Mesh& mesh)
+    : mesh_(mesh), distance_(mesh.vertex_count(), unreachable), source_(mesh.vertex_count(), no_index) {
+  queue_.resize(mesh.vertex_count());
+}
+
+void Front::lower(Index vertex, double distance, Index source) {
+  if (!(distance < distance_[vertex])) return;
+  if (distance_[vertex] == unreachable) touched_.push_back(vertex);
+  distance_[vertex] = distance;
+  source_[vertex] = source;
+  queue_.push(vertex, distance);
+}
+
+/// Lowers the third vertex of a face, at the head of the half-edge that leaves `vertex` or at its tail.
+void Front::pass(Index vertex, Index halfedge) {
+  const Index edge = mesh_.edge_of(halfedge);
+  const bool forth = mesh_.tail(halfedge) == vertex;
+  const Index target = forth ? mesh_.head(halfedge) : mesh_.tail(halfedge);
+  const Index other = mesh_.apex(halfedge);
+  const double length = mesh_.edge_length(edge);
+  double distance = distance_[vertex] + length;
+  if (source_[other] == source_[vertex]) {
+    // The edge opposite to the target leads from the vertex to the other one.
+    const Index across = forth ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
+    const Index beside = forth ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
+    const double straight =
+        unfolded_distance(mesh_.edge_length(mesh_.edge_of(across)), distance_[vertex], distance_[other],
+                          length, mesh_.edge_length(mesh_.edge_of(beside)));
+    // A front only moves on: what rounding on needles makes nearer than both ends is not taken.
+    if (straight >= std::fmin(distance_[vertex], distance_[other])) distance = std::fmin(distance, straight);
+  }
+  lower(target, distance, source_[vertex]);
+}
+
+void Front::grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed) {
+  for (Index v : touched_) {
+    distance_[v] = unreachable;
+    source_[v] = no_index;
+  }
+  touched_.clear();
+  queue_.start(bucket_width * mesh_.mean_edge_length());
+  for (std::size_t i = 0; i < sources.size(); ++i) lower(sources[i], 0.0, static_cast<Index>(i));
+  int taken = 0;
+  for (Index v = queue_.pop(); v != no_index; v = queue_.pop()) {
+    if (++taken % vertices_per_checkpoint == 0) checkpoint();
+    for (Index corner : mesh_.corners(v)) {
+      if (!face_allowed.empty() && !face_allowed[Mesh::face_of(corner)]) continue;
+      pass(v, corner);
+      pass(v, Mesh::previous_in_face(corner));
+    }
+  }
+}
+
+}  // namespace vorogeo

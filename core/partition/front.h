@@ -1,0 +1,42 @@
+// Approximate distances from many sources in time of the vertices reached: good enough for cells of patches.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "support/bucket_queue.h"
+
+namespace vorogeo {
+
+/// A front that passes from edge to edge: the third vertex of a face gets the straight distance over the
+/// edge, unfolded, from the distances of its two ends (fast marching; Kimmel, Sethian 1998). Only ends that
+/// the same source reached are unfolded. Distances err by about a percent.
+///
+/// Keeps its memory between runs, which cost the vertices they reach; one object belongs to one thread. The
+/// mesh must outlive it.
+class Front {
+ public:
+  explicit Front(const Mesh& mesh);
+
+  /// Starts anew from vertices. `face_allowed`: the faces that may be entered; empty: all.
+  /// \throw Cancelled at a checkpoint. Complexity: O(n) for n vertices reached.
+  void grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed);
+
+  /// `unreachable` if the front did not come there.
+  double distance(Index vertex) const { return distance_[vertex]; }
+  /// Position in `sources` of the one that a vertex belongs to; no_index if there is none.
+  Index source(Index vertex) const { return source_[vertex]; }
+
+ private:
+  void lower(Index vertex, double distance, Index source);
+  void pass(Index vertex, Index halfedge);
+
+  const Mesh& mesh_;
+  std::vector<double> distance_;
+  std::vector<Index> source_;
+  std::vector<Index> touched_;
+  BucketQueue queue_;
+};
+
+}  // namespace vorogeo

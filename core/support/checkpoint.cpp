@@ -1,0 +1,50 @@
+// The watches of a thread as a list on its stack.
+#include "support/checkpoint.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr auto report_interval = std::chrono::milliseconds(30);
+
+thread_local Watch* innermost = nullptr;
+
+}  // namespace
+
+Watch::Watch(const Progress& progress, std::string activity)
+    : outer_(innermost),
+      progress_(progress),
+      activity_(std::move(activity)),
+      last_(std::chrono::steady_clock::now()) {
+  progress_.report(0.0, activity_);
+  innermost = this;
+}
+
+Watch::Watch(std::function<void()> visit)
+    : outer_(innermost), visit_(std::move(visit)), last_(std::chrono::steady_clock::now()) {
+  innermost = this;
+}
+
+Watch::~Watch() { innermost = outer_; }
+
+void Watch::reach(double fraction) {
+  fraction_ = fraction;
+  report();
+}
+
+void Watch::report() {
+  last_ = std::chrono::steady_clock::now();
+  if (visit_) {
+    visit_();
+  } else {
+    progress_.report(fraction_, activity_);
+  }
+}
+
+void checkpoint() {
+  Watch* watch = innermost;
+  while (watch && !watch->visit_ && !watch->progress_) watch = watch->outer_;
+  if (watch && std::chrono::steady_clock::now() - watch->last_ >= report_interval) watch->report();
+}
+
+}  // namespace vorogeo
