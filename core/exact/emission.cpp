@@ -145,19 +145,9 @@ void ExactSolver::State::start_at(const ExactSource& source, Index id) {
       if (barycentric[(i + 2) % 3] > 0.0) emit_from(local, id, 3 * face + i);
     }
   };
-  const auto& weights = source.point.barycentric;
-  start_in(source.point.face, weights);
-  for (int i = 0; i < 3; ++i) {
-    if (weights[(i + 2) % 3] > 0.0) continue;
-    const Index own = 3 * source.point.face + i;
-    for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
-      std::array<double, 3> there{};
-      const bool same = mesh.tail(h) == mesh.tail(own);
-      there[h % 3] = same ? weights[i] : weights[(i + 1) % 3];
-      there[Mesh::next_in_face(h) % 3] = same ? weights[(i + 1) % 3] : weights[i];
-      if (may_enter(Mesh::face_of(h))) start_in(Mesh::face_of(h), there);
-    }
-  }
+  for_each_face_at(mesh, source.point, [&](Index face, const std::array<double, 3>& weights) {
+    if (face == source.point.face || may_enter(face)) start_in(face, weights);
+  });
 }
 
 }  // namespace vorogeo

@@ -66,7 +66,13 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.face_allowed = limits.face_allowed;
   state.max_distance = limits.max_distance;
   state.distances_only = limits.distances_only;
-  state.corridor_target = limits.corridor_target;
+  state.has_corridor = limits.corridor_point != nullptr || limits.corridor_target != no_index;
+  if (limits.corridor_point != nullptr) {
+    state.corridor_at = position_of(state.mesh, validated(state.mesh, *limits.corridor_point));
+  } else if (limits.corridor_target != no_index) {
+    state.corridor_at = state.mesh.position(limits.corridor_target);
+  }
+  state.least_remaining = limits.least_remaining;
   state.settled_distance = unreachable;
   state.barrier_distance = unreachable;
   for (std::size_t i = 0; i < state.sources.size(); ++i)

@@ -30,6 +30,11 @@ struct ExactLimits {
   /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this
   /// vertex's distance is then meant to be read.
   Index corridor_target = no_index;
+  /// The same for any point of the surface; takes the place of corridor_target.
+  const SurfacePoint* corridor_point = nullptr;
+  /// With a corridor, if not empty: for each vertex a number that its distance to the corridor's target is at
+  /// least (size: number of vertices); used where it is more than the straight line in space.
+  std::span<const double> least_remaining{};
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
   /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are given up,

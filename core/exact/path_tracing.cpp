@@ -41,6 +41,30 @@ std::array<double, 2> FacePlane::at(const std::array<double, 3>& barycentric) co
   return point;
 }
 
+double ExactSolver::State::length_through(const Window& window, Index edge) const {
+  const double straight = length_at_edge(window.least_distance(), edge);
+  if (least_remaining.empty()) return straight;
+  const auto [a, b] = mesh.edge_vertices(edge);
+  const double length = mesh.edge_length(edge);
+  const double from_a = least_remaining[a];
+  const double from_b = least_remaining[b];
+  const double nearest = std::min(from_a, from_b);
+  if (!(std::max(from_a, from_b) < unreachable)) {
+    return std::max(straight, window.least_distance() + nearest - length);
+  }
+  // Between its ends the distance to the target may sag below the chord, as far as a circle around a point so
+  // near.
+  const double sag = nearest > length ? 0.125 * length * length / (nearest - 0.5 * length) : 0.5 * length;
+  const double slope = std::clamp((from_b - from_a) / length, -1.0, 1.0);
+  // The sum of the window's distance and the chord is least where both change alike.
+  const double steepness = std::sqrt(1.0 - slope * slope);
+  const double level = steepness > 0.0 ? window.source_x - slope * window.source_y / steepness
+                                       : (slope > 0.0 ? window.begin : window.end);
+  const double x = std::clamp(level, window.begin, window.end);
+  const double chord = std::min(from_a + slope * x, from_b - slope * (length - x));
+  return std::max(straight, window.distance(x) + chord - sag);
+}
+
 std::vector<Index> ExactSolver::State::sources_in(Index face) const {
   std::vector<Index> found;
   const auto [begin, end] = face_sources.equal_range(face);
@@ -108,19 +132,10 @@ double ExactSolver::distance(const SurfacePoint& point) const {
   const SurfacePoint target = validated(state_->mesh, point);
   if (target.is_vertex()) return distance(target.vertex);
   state_->require_windows();
-  double found = best_way(*state_, target.face, target.barycentric).distance;
-  // A point on an edge is also reached from the other faces of that edge.
-  for (int i = 0; i < 3; ++i) {
-    if (target.barycentric[(i + 2) % 3] > 0.0) continue;
-    const Index own = 3 * target.face + i;
-    for (Index h = state_->mesh.next_around_edge(own); h != own; h = state_->mesh.next_around_edge(h)) {
-      std::array<double, 3> there{};
-      const bool same = state_->mesh.tail(h) == state_->mesh.tail(own);
-      there[h % 3] = target.barycentric[same ? i : (i + 1) % 3];
-      there[Mesh::next_in_face(h) % 3] = target.barycentric[same ? (i + 1) % 3 : i];
-      found = std::min(found, best_way(*state_, Mesh::face_of(h), there).distance);
-    }
-  }
+  double found = unreachable;
+  for_each_face_at(state_->mesh, target, [&](Index face, const std::array<double, 3>& weights) {
+    found = std::min(found, best_way(*state_, face, weights).distance);
+  });
   return found <= state_->max_distance ? found : unreachable;
 }
 
@@ -157,7 +172,8 @@ class Tracer {
     BackStep best;
     Index best_face = no_index;
     std::array<double, 3> best_here{};
-    for_each_face(here, [&](Index face, const std::array<double, 3>& barycentric) {
+    for_each_face_at(mesh_, here, [&](Index face, const std::array<double, 3>& barycentric) {
+      if (face == entered_ && !here.is_vertex()) return;  // the one just crossed
       const BackStep way = best_way(state_, face, barycentric);
       if (way.distance < best.distance) {
         best = way;
@@ -205,32 +221,6 @@ class Tracer {
           entered_ = no_index;
           return;
         }
-      }
-    }
-  }
-
-  /// Calls `visit(face, barycentric)` for the faces that hold the point, but not the one just crossed.
-  template <class Visit>
-  void for_each_face(const SurfacePoint& point, Visit&& visit) const {
-    if (point.is_vertex()) {
-      for (Index corner : mesh_.corners(point.vertex)) {
-        std::array<double, 3> at{};
-        at[corner % 3] = 1.0;
-        visit(Mesh::face_of(corner), at);
-      }
-      return;
-    }
-    if (point.face != entered_) visit(point.face, point.barycentric);
-    for (int i = 0; i < 3; ++i) {
-      if (point.barycentric[(i + 2) % 3] > 0.0) continue;
-      const Index own = 3 * point.face + i;
-      for (Index h = mesh_.next_around_edge(own); h != own; h = mesh_.next_around_edge(h)) {
-        if (Mesh::face_of(h) == entered_) continue;
-        std::array<double, 3> at{};
-        const bool same = mesh_.tail(h) == mesh_.tail(own);
-        at[h % 3] = point.barycentric[same ? i : (i + 1) % 3];
-        at[Mesh::next_in_face(h) % 3] = point.barycentric[same ? (i + 1) % 3 : i];
-        visit(Mesh::face_of(h), at);
       }
     }
   }

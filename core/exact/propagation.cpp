@@ -115,7 +115,7 @@ void ExactSolver::State::insert_window(Window window) {
   double at_begin = window.distance(window.begin);
   double at_end = window.distance(window.end);
   if (!keep_shorter_than_ends(window, at_begin, at_end)) return;
-  if (corridor_target != no_index && !in_corridor(length_at_edge(window.least_distance(), open))) return;
+  if (has_corridor && !in_corridor(length_through(window, open))) return;
   envelope.insert(window, at_begin, at_end);
 }
 

@@ -54,26 +54,29 @@ struct ExactSolver::State {
   /// Least length of a path to the corridor's target that has come, in `length`, to within `radius` of a
   /// point.
   double length_to_target(double length, const Point& point, double radius) const {
-    const Point& target = mesh.position(corridor_target);
     const double straight =
-        std::hypot(point[0] - target[0], point[1] - target[1], point[2] - target[2]) - radius;
+        std::hypot(point[0] - corridor_at[0], point[1] - corridor_at[1], point[2] - corridor_at[2]) - radius;
     return length + std::max(0.0, straight);
   }
   /// The same for a path that has come to a vertex, or to an edge; without a target, the length itself.
   double length_at_vertex(double length, Index vertex) const {
-    return corridor_target == no_index ? length : length_to_target(length, mesh.position(vertex), 0.0);
+    if (!has_corridor) return length;
+    const double straight = length_to_target(length, mesh.position(vertex), 0.0);
+    return least_remaining.empty() ? straight : std::max(straight, length + least_remaining[vertex]);
   }
   double length_at_edge(double length, Index edge) const {
-    if (corridor_target == no_index) return length;
+    if (!has_corridor) return length;
     const auto [a, b] = mesh.edge_vertices(edge);
     const Point& p = mesh.position(a);
     const Point& q = mesh.position(b);
     const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
     return length_to_target(length, middle, 0.5 * mesh.edge_length(edge));
   }
+  /// The same for a path through a window: the least over its points (path_tracing.cpp).
+  double length_through(const Window& window, Index edge) const;
   /// Whether such a path can be within the bound of the corridor.
   bool in_corridor(double length_to_target) const {
-    return corridor_target == no_index || length_to_target <= max_distance * (1.0 + 1e-9);
+    return !has_corridor || length_to_target <= max_distance * (1.0 + 1e-9);
   }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
   /// Sources that lie in a face or on one of its edges.
@@ -85,7 +88,9 @@ struct ExactSolver::State {
   std::unordered_multimap<Index, Index> face_sources;
   std::span<const std::uint8_t> face_allowed;
   double max_distance = unreachable;
-  Index corridor_target = no_index;
+  bool has_corridor = false;
+  Point corridor_at{};
+  std::span<const double> least_remaining;
   double settled_distance = 0.0;
   double barrier_distance = unreachable;
 

@@ -109,6 +109,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
     for (const auto& triangle : splitter.triangles()) {
       faces.push_back(triangle);
       work.second_layer.push_back(partition.second_layer[f]);
+      work.user_face.push_back(f);
     }
   }
 
@@ -131,6 +132,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   sorted.shrink_to_fit();
   work.user_vertex.shrink_to_fit();
   work.second_layer.shrink_to_fit();
+  work.user_face.shrink_to_fit();
   work.work_vertex = std::move(renamed);
   work.mesh = std::make_shared<const Mesh>(std::move(sorted), faces);
   return work;

@@ -16,6 +16,7 @@ struct WorkMesh {
   std::vector<Index> work_vertex;   ///< by user vertex; no_index for a vertex without a face
   std::vector<Index> user_vertex;   ///< by work vertex; no_index for a point on a border edge
   std::vector<Index> second_layer;  ///< second-layer patch by work face, ascending
+  std::vector<Index> user_face;     ///< by work face; ascending inside a second-layer patch
 };
 
 /// Splits border edges that are long for the patches beside them, since distances between patches are kept at

@@ -28,4 +28,31 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 /// Position in space.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 
+/// Calls `visit(face, weights)` for every face that holds the point, with its barycentric weights there: all
+/// faces at a vertex, all faces around the edge of a point on an edge, else the face of the point. The face of
+/// the point comes first.
+template <class Visit>
+void for_each_face_at(const Mesh& mesh, const SurfacePoint& point, Visit&& visit) {
+  if (point.is_vertex()) {
+    for (Index corner : mesh.corners(point.vertex)) {
+      std::array<double, 3> weights{};
+      weights[corner % 3] = 1.0;
+      visit(Mesh::face_of(corner), weights);
+    }
+    return;
+  }
+  visit(point.face, point.barycentric);
+  for (int i = 0; i < 3; ++i) {
+    if (point.barycentric[(i + 2) % 3] > 0.0) continue;
+    const Index own = 3 * point.face + i;
+    for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
+      const bool same = mesh.tail(h) == mesh.tail(own);
+      std::array<double, 3> weights{};
+      weights[h % 3] = point.barycentric[same ? i : (i + 1) % 3];
+      weights[Mesh::next_in_face(h) % 3] = point.barycentric[same ? (i + 1) % 3 : i];
+      visit(Mesh::face_of(h), weights);
+    }
+  }
+}
+
 }  // namespace vorogeo

@@ -1,0 +1,46 @@
+// Lower bounds of the distance to one point, from the index: they keep exact propagation in a corridor.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "index/border_search.h"
+#include "query/field_sweep.h"
+#include "query/graph_route.h"
+
+namespace vorogeo {
+
+/// Which part of the distance to a target the index may be in error; what is left is taken as a lower bound.
+/// Many times the largest error measured (docs/paths.md): not proven, so what rests on it is not certified.
+inline constexpr double index_margin = 0.004;
+
+/// Fills in lower bounds for the vertices on paths of at most a given length between two points.
+///
+/// The search runs over the second layer from the target, in the patches that landmarks do not exclude, and
+/// stops at the length. Each patch passed is swept. In the patches around the target, where the index is
+/// least accurate, the bound is 0: the straight line in space is used there. One object belongs to one
+/// thread.
+class RemainingBounds {
+ public:
+  explicit RemainingBounds(const IndexData& data);
+
+  /// For work vertices; infinity where no such path can pass. Valid until the next call. Complexity: that of
+  /// the second-layer tables of the patches passed.
+  std::span<const double> fill(const RouteEnd& source, const RouteEnd& target,
+                               std::span<const Index> target_patches, double length);
+  /// Patches swept in the last call, for measurements.
+  std::size_t patches() const { return swept_.size(); }
+
+ private:
+  void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);
+
+  const IndexData& data_;
+  BorderSearch search_;
+  FieldSweep sweep_;
+  std::vector<double> bound_;
+  std::vector<std::uint8_t> allowed_;
+  std::vector<std::uint8_t> is_near_;
+  std::vector<Index> swept_;
+};
+
+}  // namespace vorogeo

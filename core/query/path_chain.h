@@ -1,0 +1,35 @@
+// From a route of the graph to a chain of second-layer border vertices: each next one lies in a patch of the
+// one before.
+#pragma once
+
+#include <vector>
+
+#include "query/graph_route.h"
+
+namespace vorogeo {
+
+/// A step of a chain: to `vertex` (work mesh) through the second-layer patch `patch`. A step that begins or
+/// ends at a border vertex of the patch can be followed by that vertex's distances in the patch.
+struct ChainStep {
+  Index vertex;
+  Index patch;
+};
+
+/// A shortest way through the tables: the source, then a step for each second-layer patch passed.
+struct PathChain {
+  Index source = no_index;
+  std::vector<ChainStep> steps;
+};
+
+/// Column of a work vertex among the members of a second-layer patch; no_index if it is none.
+Index column_in_patch(const IndexData& data, Index patch, Index work_vertex);
+/// Row of a work vertex among the border nodes of a second-layer patch; no_index if it is none.
+Index row_in_patch(const IndexData& data, Index patch, Index work_vertex);
+
+/// Resolves a route between two work vertices into second-layer steps: a hop of the node table into hops
+/// between first-layer nodes of one first-layer patch, each of these into hops between second-layer nodes of
+/// one second-layer patch. At each level the next node back is one with the least sum. Complexity: O(b) for
+/// each step, with b border nodes of the patches at its end.
+PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target);
+
+}  // namespace vorogeo

@@ -1,0 +1,198 @@
+// Walks down the distances of a border vertex, face by face.
+#include "query/path_hops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorogeo {
+
+namespace {
+
+/// A face on the way and how it was come to: across an edge, or around a vertex.
+struct Passed {
+  Index face;
+  Index exit;   ///< half-edge of the face before; no_index: around `pivot`
+  Index entry;  ///< half-edge of this face
+  Index pivot;
+};
+
+/// Where to go from a point of a face: across an edge at a position, or to a vertex.
+struct Move {
+  double length = unreachable;
+  Index face = no_index;
+  Index vertex = no_index;
+  Index halfedge = no_index;
+  double x = 0.0;  ///< from the first vertex of the edge
+};
+
+/// Walks from vertex to vertex of one patch.
+class HopWalker {
+ public:
+  explicit HopWalker(const IndexData& data)
+      : data_(data), mesh_(*data.work.mesh), geometry_(*data.geometry) {}
+
+  /// From `start` to the border vertex `goal` of a patch. \return false if the distances do not lead there.
+  bool walk(Index patch, Index start, Index goal) {
+    passed.clear();
+    patch_ = patch;
+    row_ = row_in_patch(data_, patch, goal);
+    if (row_ == no_index) return false;
+    Index vertex = start;
+    const std::size_t most = 8 * static_cast<std::size_t>(data_.second.member_count(patch)) + 64;
+    for (std::size_t step = 0; vertex != goal; ++step) {
+      if (step > most) return false;
+      Move move = leave_vertex(vertex);
+      if (move.face == no_index) return false;
+      passed.push_back({move.face, no_index, no_index, vertex});
+      while (move.vertex == no_index) {
+        const Index entry = mesh_.next_around_edge(move.halfedge);
+        const Index exit = move.halfedge;
+        move = cross(entry, move.x);
+        if (move.face == no_index || ++step > most) return false;
+        passed.push_back({Mesh::face_of(entry), exit, entry, no_index});
+      }
+      vertex = move.vertex;
+    }
+    return true;
+  }
+
+  std::vector<Passed> passed;
+
+ private:
+  double distance(Index vertex) const {
+    const Index column = column_in_patch(data_, patch_, vertex);
+    return column == no_index ? unreachable : data_.second.line(patch_, column)[row_];
+  }
+
+  /// The way from a point (px, py >= 0) across an edge on the x axis to the point beyond that has the
+  /// distances at_0 and at_length from the ends of the edge.
+  static void through_edge(double px, double py, double length, double at_0, double at_length, Index halfedge,
+                           Move& best) {
+    if (!(at_0 < unreachable && at_length < unreachable && length > 0.0)) return;
+    const double difference = at_0 - at_length;
+    if (std::abs(difference) > length) return;
+    const double x = 0.5 * (length + difference * (at_0 + at_length) / length);
+    const double y = std::sqrt(std::max(0.0, (at_0 - x) * (at_0 + x)));
+    if (!(y + py > 0.0)) return;
+    const double crossing = px + (x - px) * (py / (y + py));
+    if (!(crossing > 0.0 && crossing < length)) return;
+    const double way = std::hypot(x - px, y + py);
+    if (way < best.length) best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing};
+  }
+  static void to_vertex(double way, Index face, Index vertex, Move& best) {
+    if (way < best.length) best = {way, face, vertex, no_index, 0.0};
+  }
+
+  Move leave_vertex(Index vertex) const {
+    Move best;
+    for (Index corner : mesh_.corners(vertex)) {
+      const Index opposite = Mesh::next_in_face(corner);
+      const Index edge = mesh_.edge_of(opposite);
+      const auto [a, b] = mesh_.edge_vertices(edge);
+      const double at_a = distance(a);
+      const double at_b = distance(b);
+      const Index face = Mesh::face_of(corner);
+      for (Index side : {corner, Mesh::previous_in_face(corner)}) {
+        const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
+        to_vertex(mesh_.edge_length(mesh_.edge_of(side)) + (other == a ? at_a : at_b), face, other, best);
+      }
+      if (mesh_.is_border_edge(edge)) continue;
+      const FaceFrame& frame = geometry_.frame[opposite];
+      through_edge(frame.apex_x, frame.apex_depth, mesh_.edge_length(edge), at_a, at_b, opposite, best);
+    }
+    return best;
+  }
+
+  /// From the point at `x` on the edge of a half-edge across its face.
+  Move cross(Index halfedge, double x) const {
+    const FaceFrame& frame = geometry_.frame[halfedge];
+    const Index edge = mesh_.edge_of(halfedge);
+    const double length = mesh_.edge_length(edge);
+    const auto [a, b] = mesh_.edge_vertices(edge);
+    const double at_apex = distance(frame.apex);
+    const Index face = Mesh::face_of(halfedge);
+    Move best;
+    to_vertex(std::hypot(frame.apex_x - x, frame.apex_depth) + at_apex, face, frame.apex, best);
+    to_vertex(x + distance(a), face, a, best);
+    to_vertex(length - x + distance(b), face, b, best);
+    for (const bool first : {true, false}) {
+      const Index side = first ? frame.first_side : frame.second_side;
+      const Index side_edge = mesh_.edge_of(side);
+      const double side_length = mesh_.edge_length(side_edge);
+      if (!(side_length > 0.0) || mesh_.is_border_edge(side_edge)) continue;
+      // The point seen from the side, whose x axis begins at the vertex it shares with the crossed edge.
+      const double from_shared = first ? x : length - x;
+      const double cosine = (first ? frame.apex_x : length - frame.apex_x) / side_length;
+      const double sine = frame.apex_depth / side_length;
+      const double at_shared = distance(first ? a : b);
+      Move move;
+      through_edge(from_shared * cosine, from_shared * sine, side_length, at_shared, at_apex, side, move);
+      if (!(move.length < best.length)) continue;
+      const Index shared = first ? a : b;
+      if (mesh_.edge_vertices(side_edge)[0] != shared) move.x = side_length - move.x;
+      best = move;
+    }
+    return best;
+  }
+
+  const IndexData& data_;
+  const Mesh& mesh_;
+  const ExactGeometry& geometry_;
+  Index patch_ = no_index;
+  Index row_ = no_index;
+};
+
+bool append(const Mesh& mesh, FaceStrip& strip, Index face, Index exit, Index entry, Index pivot) {
+  if (exit == no_index) return turn_around(mesh, strip, pivot, face);
+  strip.push(face, exit, entry);
+  return true;
+}
+
+}  // namespace
+
+bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
+  const Mesh& mesh = *data.work.mesh;
+  strip.clear();
+  auto any_face = [&](const SurfacePoint& point) {
+    return point.is_vertex() ? Mesh::face_of(mesh.corners(point.vertex).front()) : point.face;
+  };
+  HopWalker walker(data);
+  Index vertex = chain.source;
+  if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
+  for (const ChainStep& step : chain.steps) {
+    const bool forwards = row_in_patch(data, step.patch, step.vertex) != no_index;
+    if (!walker.walk(step.patch, forwards ? vertex : step.vertex, forwards ? step.vertex : vertex))
+      return false;
+    const auto& passed = walker.passed;
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+      const std::size_t at = forwards ? i : passed.size() - 1 - i;
+      Index exit = passed[at].exit;
+      Index entry = passed[at].entry;
+      Index pivot = passed[at].pivot;
+      if (!forwards) {
+        // The link to the face walked after this one, the other way round.
+        const bool first = at + 1 == passed.size();
+        exit = first ? no_index : passed[at + 1].entry;
+        entry = first ? no_index : passed[at + 1].exit;
+        pivot = first ? vertex : passed[at + 1].pivot;
+      }
+      if (strip.faces.empty()) {
+        strip.faces.push_back(passed[at].face);
+      } else if (!append(mesh, strip, passed[at].face, exit, entry, pivot)) {
+        return false;
+      }
+    }
+    vertex = step.vertex;
+  }
+  if (strip.faces.empty()) strip.faces.push_back(any_face(strip.source));
+  if (strip.target.is_vertex()) {
+    const auto& last = mesh.face_vertices(strip.faces.back());
+    if (std::find(last.begin(), last.end(), strip.target.vertex) == last.end()) return false;
+  } else if (!turn_around(mesh, strip, vertex, strip.target.face)) {
+    return false;
+  }
+  tidy(mesh, strip);
+  return true;
+}
+
+}  // namespace vorogeo

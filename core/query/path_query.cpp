@@ -1,0 +1,230 @@
+// From end points to a path: near ends by propagation, the others through the index.
+#include "query/path_query.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "query/exact_pair.h"
+#include "query/path_hops.h"
+#include "query/path_refine.h"
+#include "query/table_route.h"
+#include "query/work_points.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// A length from the single-precision tables, this much longer, is an upper bound.
+constexpr double estimate_slack = 1.0 + 1e-5;
+/// Rounding of lengths summed along different ways.
+constexpr double rounding = 1e-9;
+
+double distance_between(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// An end point in the work mesh.
+struct End {
+  SurfacePoint point;
+  Index vertex = no_index;  ///< the point itself or the nearest corner of its face
+  double beside = 0.0;      ///< distance of that vertex
+  std::vector<Index> patches;
+};
+
+}  // namespace
+
+struct PathQuery::State {
+  explicit State(std::shared_ptr<const GeodesicIndex> shared_index)
+      : index(std::move(shared_index)),
+        data(index->data()),
+        solver(data.geometry),
+        halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
+        graph_router(data),
+        table_router(data),
+        refiner(*data.geometry),
+        bounds(data) {}
+
+  End end_at(const SurfacePoint& point) const;
+  Index component(const SurfacePoint& point) const {
+    return data.mesh->component(point.is_vertex() ? point.vertex
+                                                  : data.mesh->face_vertices(point.face).front());
+  }
+  bool connected(const SurfacePoint& source, const SurfacePoint& target) const {
+    auto on_surface = [&](const SurfacePoint& p) {
+      return !p.is_vertex() || data.work.work_vertex[p.vertex] != no_index;
+    };
+    return on_surface(source) && on_surface(target) && component(source) == component(target);
+  }
+  bool near(const End& a, const End& b) const;
+  GraphRoute route(const End& from, const End& to);
+  SurfacePath run(const End& from, const End& to, const ExactLimits& limits);
+  SurfacePath path_nearby(const End& from, const End& to, double estimate);
+  SurfacePath path_by_chain(const End& from, const End& to);
+  SurfacePath path(const End& from, const End& to, bool& certified);
+
+  std::shared_ptr<const GeodesicIndex> index;
+  const IndexData& data;
+  ExactSolver solver;
+  Halo halo;
+  GraphRouter graph_router;
+  TableRouter table_router;
+  PathRefiner refiner;
+  FaceStrip strip;
+  RemainingBounds bounds;
+};
+
+PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
+    : state_(std::make_unique<State>(std::move(index))) {}
+PathQuery::~PathQuery() = default;
+PathQuery::PathQuery(PathQuery&&) noexcept = default;
+PathQuery& PathQuery::operator=(PathQuery&&) noexcept = default;
+const GeodesicIndex& PathQuery::index() const { return *state_->index; }
+
+End PathQuery::State::end_at(const SurfacePoint& user) const {
+  const Mesh& mesh = *data.work.mesh;
+  End end;
+  end.point = work_point(data, user);
+  auto add = [&](Index patch) {
+    if (std::ranges::find(end.patches, patch) == end.patches.end()) end.patches.push_back(patch);
+  };
+  if (end.point.is_vertex()) {
+    end.vertex = end.point.vertex;
+  } else {
+    const Point at = position_of(mesh, end.point);
+    end.beside = unreachable;
+    for (Index v : mesh.face_vertices(end.point.face)) {
+      const double beside = distance_between(at, mesh.position(v));
+      if (beside < end.beside) {
+        end.beside = beside;
+        end.vertex = v;
+      }
+    }
+  }
+  for_each_face_at(mesh, end.point,
+                   [&](Index face, const std::array<double, 3>&) { add(data.work.second_layer[face]); });
+  return end;
+}
+
+/// Whether a patch of one end is or touches a patch of the other.
+bool PathQuery::State::near(const End& a, const End& b) const {
+  auto is_of_b = [&](Index p) { return std::ranges::find(b.patches, p) != b.patches.end(); };
+  return std::ranges::any_of(a.patches, [&](Index p) {
+    if (is_of_b(p)) return true;
+    return std::ranges::any_of(data.second.nodes(p), [&](Index node) {
+      return std::ranges::any_of(data.second.patches_of(node),
+                                 [&](const PatchRow& at) { return is_of_b(at.patch); });
+    });
+  });
+}
+
+GraphRoute PathQuery::State::route(const End& from, const End& to) {
+  const RouteEnd a = route_end(data, from.vertex);
+  const RouteEnd b = route_end(data, to.vertex);
+  if (data.node_table.count == 0) return graph_router.route(a, b);
+  GraphRoute best = table_router.route(a, b);
+  if (std::ranges::find_first_of(a.parents, b.parents) != a.parents.end()) {
+    GraphRoute inside = graph_router.route(a, b);
+    if (inside.length < best.length) best = std::move(inside);
+  }
+  return best;
+}
+
+/// One propagation and the path it finds; without points if there is none within the limits.
+SurfacePath PathQuery::State::run(const End& from, const End& to, const ExactLimits& limits) {
+  const ExactSource source{from.point};
+  ExactLimits corridor = limits;
+  corridor.corridor_point = &to.point;
+  solver.run(std::span(&source, 1), corridor);
+  SurfacePath path = solver.path_to_source(to.point);
+  if (path.points.empty()) path.length = unreachable;
+  std::ranges::reverse(path.points);
+  return path;
+}
+
+/// Exact: first in the patches of both ends and their halo; if a path could have left them, everywhere.
+SurfacePath PathQuery::State::path_nearby(const End& from, const End& to, double estimate) {
+  std::vector<Index> patches = from.patches;
+  for (Index p : to.patches) {
+    if (std::ranges::find(patches, p) == patches.end()) patches.push_back(p);
+  }
+  halo.surround(patches);
+  ExactLimits limits;
+  limits.max_distance = estimate;
+  limits.face_allowed = halo.mask();
+  SurfacePath found = run(from, to, limits);
+  if (found.length <= solver.barrier_distance() && found.length < unreachable) return found;
+  limits.face_allowed = {};
+  limits.max_distance = std::min(found.length, estimate) * (1.0 + rounding);
+  SurfacePath better = run(from, to, limits);
+  return better.length <= found.length ? better : found;
+}
+
+/// The way of the index, refined; without points if the tables do not lead all the way.
+SurfacePath PathQuery::State::path_by_chain(const End& from, const End& to) {
+  SurfacePath none;
+  none.length = unreachable;
+  const GraphRoute way = route(from, to);
+  if (way.length == unreachable) return none;
+  strip.source = from.point;
+  strip.target = to.point;
+  if (!strip_along_chain(data, chain_of_route(data, way, from.vertex, to.vertex), strip)) return none;
+  refiner.refine(strip);
+  return refiner.path();
+}
+
+SurfacePath PathQuery::State::path(const End& from, const End& to, bool& certified) {
+  certified = false;
+  if (near(from, to)) {
+    certified = true;
+    const double way = from.vertex == to.vertex ? 0.0 : route(from, to).length;
+    return path_nearby(from, to, (from.beside + way + to.beside) * estimate_slack);
+  }
+  SurfacePath found = path_by_chain(from, to);
+  if (found.points.empty()) {
+    certified = true;
+    found = run(from, to, {});
+  }
+  return found;
+}
+
+SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& target) {
+  State& state = *state_;
+  const SurfacePoint s = validated(*state.data.mesh, source);
+  const SurfacePoint t = validated(*state.data.mesh, target);
+  SurfacePath none;
+  none.length = unreachable;
+  if (!state.connected(s, t)) return none;
+  if (position_of(*state.data.mesh, s) == position_of(*state.data.mesh, t)) return {{s, t}, 0.0};
+  bool certified = false;
+  return user_path(state.data, state.path(state.end_at(s), state.end_at(t), certified));
+}
+
+ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
+  State& state = *state_;
+  const SurfacePoint s = validated(*state.data.mesh, source);
+  const SurfacePoint t = validated(*state.data.mesh, target);
+  ExactPath result;
+  result.path.length = unreachable;
+  result.certified = true;
+  if (!state.connected(s, t)) return result;
+  const End from = state.end_at(s);
+  const End to = state.end_at(t);
+  SurfacePath best = state.path(from, to, result.certified);
+  if (!result.certified) {
+    ExactLimits limits;
+    limits.max_distance = best.length * (1.0 + rounding);
+    if (!certify) {
+      limits.least_remaining = state.bounds.fill(route_end(state.data, from.vertex),
+                                                 route_end(state.data, to.vertex), to.patches, best.length);
+    }
+    SurfacePath found = state.run(from, to, limits);
+    if (found.length < best.length) best = std::move(found);
+    result.certified = certify;
+  }
+  result.path = user_path(state.data, best);
+  return result;
+}
+
+}  // namespace vorogeo

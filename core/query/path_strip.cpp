@@ -1,0 +1,186 @@
+// Walking around vertices, and taking detours out of strips.
+#include "query/path_strip.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// The half-edge of the face of `halfedge` that also ends in `vertex`, but is not `halfedge`.
+Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
+  const Index next = Mesh::next_in_face(halfedge);
+  const Index previous = Mesh::previous_in_face(halfedge);
+  return mesh.tail(halfedge) == vertex ? previous : next;
+}
+
+struct Crossing {
+  Index exit;
+  Index entry;
+};
+
+/// Walks around a vertex from the face of `exit` across it, until `face` is entered. \return the angle passed
+/// between, infinity if a border or a non-manifold edge stops it.
+double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<Crossing>& passed) {
+  double angle = 0.0;
+  const Index begin = Mesh::face_of(exit);
+  for (;;) {
+    const Index entry = mesh.next_around_edge(exit);
+    if (entry == exit || mesh.next_around_edge(entry) != exit) return unreachable;
+    passed.push_back({exit, entry});
+    const Index at = Mesh::face_of(entry);
+    if (at == face) return angle;
+    if (at == begin) return unreachable;
+    exit = other_halfedge_at(mesh, entry, vertex);
+    angle += mesh.corner_angle(mesh.tail(entry) == vertex ? entry : exit);
+  }
+}
+
+/// The way around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
+bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<Crossing>& passed) {
+  struct Visit {
+    Index face;
+    Crossing by;
+    std::size_t before;
+  };
+  std::vector<Visit> visited{{from, {no_index, no_index}, 0}};
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    if (visited[i].face == to) {
+      for (std::size_t at = i; at != 0; at = visited[at].before)
+        passed.insert(passed.begin(), visited[at].by);
+      return true;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Index exit = 3 * visited[i].face + k;
+      if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+      for (Index entry = mesh.next_around_edge(exit); entry != exit; entry = mesh.next_around_edge(entry)) {
+        const Index face = Mesh::face_of(entry);
+        bool known = false;
+        for (const Visit& visit : visited) known |= visit.face == face;
+        if (!known) visited.push_back({face, {exit, entry}, i});
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void FaceStrip::clear() {
+  faces.clear();
+  entry.clear();
+  exit.clear();
+}
+
+void FaceStrip::push(Index face, Index exit_halfedge, Index entry_halfedge) {
+  faces.push_back(face);
+  exit.push_back(exit_halfedge);
+  entry.push_back(entry_halfedge);
+}
+
+bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
+                     std::array<double, 3>& weights) {
+  weights = {};
+  if (!point.is_vertex() && point.face == face) {
+    weights = point.barycentric;
+    return true;
+  }
+  double found = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const Index v = mesh.face_vertices(face)[k];
+    if (point.is_vertex()) {
+      weights[k] = v == point.vertex ? 1.0 : 0.0;
+      found += weights[k];
+      continue;
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.face_vertices(point.face)[i] == v) weights[k] = point.barycentric[i];
+    }
+    found += weights[k];
+  }
+  if (point.is_vertex()) return found > 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (point.barycentric[i] == 0.0) continue;
+    const Index v = mesh.face_vertices(point.face)[i];
+    const auto& there = mesh.face_vertices(face);
+    if (there[0] != v && there[1] != v && there[2] != v) return false;
+  }
+  return true;
+}
+
+bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
+  const Index from = strip.faces.back();
+  if (from == face) return true;
+  std::vector<Crossing> best;
+  double least = unreachable;
+  if (mesh.fan(vertex) != Mesh::Fan::non_manifold) {
+    std::vector<Crossing> passed;
+    for (int k = 0; k < 3; ++k) {
+      const Index exit = 3 * from + k;
+      if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+      passed.clear();
+      const double angle = walk(mesh, vertex, exit, face, passed);
+      if (angle < least) {
+        least = angle;
+        best = passed;
+      }
+    }
+  }
+  if (least == unreachable) {
+    best.clear();
+    if (!search(mesh, vertex, from, face, best)) return false;
+  }
+  for (const Crossing& crossing : best) {
+    strip.push(Mesh::face_of(crossing.entry), crossing.exit, crossing.entry);
+  }
+  return true;
+}
+
+bool other_side(const Mesh& mesh, const FaceStrip& strip, Index vertex, std::size_t first, std::size_t last,
+                FaceStrip& result) {
+  if (mesh.fan(vertex) != Mesh::Fan::closed || first >= last) return false;
+  const Index exit = other_halfedge_at(mesh, strip.exit[first], vertex);
+  std::vector<Crossing> passed;
+  if (walk(mesh, vertex, exit, strip.faces[last], passed) == unreachable) return false;
+  for (const Crossing& crossing : passed) {
+    result.push(Mesh::face_of(crossing.entry), crossing.exit, crossing.entry);
+  }
+  return true;
+}
+
+void tidy(const Mesh& mesh, FaceStrip& strip) {
+  // Faces left and entered again at once, by a stack.
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < strip.faces.size(); ++i) {
+    if (kept > 0 && strip.faces[kept - 1] == strip.faces[i]) {
+      --kept;
+      continue;
+    }
+    ++kept;
+    strip.faces[kept] = strip.faces[i];
+    strip.entry[kept - 1] = strip.entry[i - 1];
+    strip.exit[kept - 1] = strip.exit[i - 1];
+  }
+  if (!strip.faces.empty()) {
+    strip.faces.resize(kept + 1);
+    strip.entry.resize(kept);
+    strip.exit.resize(kept);
+  }
+  std::array<double, 3> weights{};
+  std::size_t begin = 0;
+  while (begin + 1 < strip.faces.size() &&
+         weights_in_face(mesh, strip.source, strip.faces[begin + 1], weights)) {
+    ++begin;
+  }
+  if (begin > 0) {
+    strip.faces.erase(strip.faces.begin(), strip.faces.begin() + static_cast<std::ptrdiff_t>(begin));
+    strip.entry.erase(strip.entry.begin(), strip.entry.begin() + static_cast<std::ptrdiff_t>(begin));
+    strip.exit.erase(strip.exit.begin(), strip.exit.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+  while (strip.faces.size() > 1 &&
+         weights_in_face(mesh, strip.target, strip.faces[strip.faces.size() - 2], weights)) {
+    strip.faces.pop_back();
+    strip.entry.pop_back();
+    strip.exit.pop_back();
+  }
+}
+
+}  // namespace vorogeo
