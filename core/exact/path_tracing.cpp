@@ -91,7 +91,9 @@ std::array<double, 3> source_in_face(const ExactSolver::State& state, Index sour
 
 }  // namespace
 
-BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric) {
+BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
+                  std::span<const Index> avoided) {
+  auto is_avoided = [&](Index item) { return std::ranges::find(avoided, item) != avoided.end(); };
   const FacePlane plane(*state.geometry, face);
   const auto target = plane.at(barycentric);
   BackStep best;
@@ -102,7 +104,7 @@ BackStep best_way(const ExactSolver::State& state, Index face, const std::array<
   }
   for (int i = 0; i < 3; ++i) {
     const Index v = state.mesh.face_vertices(face)[i];
-    if (barycentric[i] == 1.0) continue;
+    if (barycentric[i] == 1.0 || is_avoided(v)) continue;
     const double distance = state.vertices[v].distance + distance_in_plane(plane.corner[i], target);
     if (distance < best.distance) best = {distance, no_index, v, no_index, 0.0};
   }
@@ -110,6 +112,7 @@ BackStep best_way(const ExactSolver::State& state, Index face, const std::array<
     if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge does not come across it
     const Index h = 3 * face + i;
     const Index edge = state.mesh.edge_of(h);
+    if (is_avoided(state.mesh.vertex_count() + edge)) continue;
     const FaceFrame& frame = state.geometry->frame[h];
     const double length = state.mesh.edge_length(edge);
     const bool along = state.mesh.tail(h) == state.mesh.edge_vertices(edge)[0];
@@ -174,7 +177,7 @@ class Tracer {
     std::array<double, 3> best_here{};
     for_each_face_at(mesh_, here, [&](Index face, const std::array<double, 3>& barycentric) {
       if (face == entered_ && !here.is_vertex()) return;  // the one just crossed
-      const BackStep way = best_way(state_, face, barycentric);
+      const BackStep way = best_way(state_, face, barycentric, stood_);
       if (way.distance < best.distance) {
         best = way;
         best_face = face;
@@ -203,6 +206,13 @@ class Tracer {
     }
     const double walked = distance_in_plane(from, plane.at(there));
     const double before = left_;
+    // Steps of no length, through faces of no area, must not lead back to where the path has been.
+    if (walked > least_gain * path_.length) stood_.clear();
+    if (best.vertex != no_index) {
+      stood_.push_back(best.vertex);
+    } else if (best.halfedge != no_index) {
+      stood_.push_back(mesh_.vertex_count() + mesh_.edge_of(best.halfedge));
+    }
     left_ -= walked;
     path_.length += walked;
     path_.points.push_back(validated(mesh_, SurfacePoint::in_face(best_face, there)));
@@ -232,6 +242,7 @@ class Tracer {
   SurfacePath path_;
   double left_ = 0.0;
   Index entered_ = no_index;
+  std::vector<Index> stood_;  ///< vertices and edges passed without getting on
 };
 
 }  // namespace

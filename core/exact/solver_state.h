@@ -132,7 +132,9 @@ struct FacePlane {
   std::array<std::array<double, 2>, 3> corner;
 };
 
-/// The best way to a point given by barycentric coordinates in `face`.
-BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric);
+/// The best way to a point given by barycentric coordinates in `face`, but not over the vertices and edges in
+/// `avoided` (vertices are items [0, n), edges follow).
+BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
+                  std::span<const Index> avoided = {});
 
 }  // namespace vorogeo

@@ -89,7 +89,7 @@ void IndexData::count() {
   statistics.bytes = static_cast<std::int64_t>(
       first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
       work.mesh->memory_bytes() + geometry->memory_bytes() + bytes(work.work_vertex) +
-      bytes(work.user_vertex) + bytes(work.second_layer) + bytes(work.user_face) +
+      bytes(work.user_vertex) + bytes(work.second_layer) + bytes(work.user_face) + bytes(work.edge_points) +
       bytes(partition.first_layer) + bytes(partition.second_layer) + bytes(partition.parent) +
       bytes(parent_column) + bytes(home_patch) + bytes(home_column));
 }

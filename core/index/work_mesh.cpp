@@ -74,6 +74,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   const auto pieces = pieces_of_edges(mesh, partition);
   std::vector<Point> positions = mesh.positions();
   std::vector<Index> first_point(mesh.edge_count(), no_index);
+  std::vector<WorkMesh::EdgePoint> edge_points;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (pieces[e] == 1) continue;
     first_point[e] = static_cast<Index>(positions.size());
@@ -81,6 +82,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
     const Point b = mesh.position(mesh.edge_vertices(e)[1]);
     for (Index k = 1; k < pieces[e]; ++k) {
       const double t = static_cast<double>(k) / pieces[e];
+      edge_points.push_back({static_cast<Index>(positions.size()), e, t});
       positions.push_back({std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)});
     }
   }
@@ -127,6 +129,11 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
       v = renamed[v];
     }
   }
+  for (auto& point : edge_points) point.vertex = renamed[point.vertex];
+  std::sort(edge_points.begin(), edge_points.end(),
+            [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+  edge_points.shrink_to_fit();
+  work.edge_points = std::move(edge_points);
   renamed.resize(mesh.vertex_count());
   renamed.shrink_to_fit();
   sorted.shrink_to_fit();

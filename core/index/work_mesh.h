@@ -17,6 +17,14 @@ struct WorkMesh {
   std::vector<Index> user_vertex;   ///< by work vertex; no_index for a point on a border edge
   std::vector<Index> second_layer;  ///< second-layer patch by work face, ascending
   std::vector<Index> user_face;     ///< by work face; ascending inside a second-layer patch
+
+  /// A point on a border edge: where it is on the user's edge, from its first vertex (0) to its second (1).
+  struct EdgePoint {
+    Index vertex;
+    Index user_edge;
+    double position;
+  };
+  std::vector<EdgePoint> edge_points;  ///< by work vertex, ascending
 };
 
 /// Splits border edges that are long for the patches beside them, since distances between patches are kept at

@@ -64,6 +64,7 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
     }
   }
   for (Index p : near) is_near_[p] = 1;
+  const double margin = index_margin_in_edges * data_.work.mesh->mean_edge_length();
   for (Index p = 0; p < second.patch_count; ++p) {
     if (!allowed_[p] && !is_near_[p]) continue;
     const auto members = second.members(p);
@@ -77,7 +78,8 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
     swept_.push_back(p);
     const auto found = sweep_.sweep(second, search_, p);
     for (std::size_t i = 0; i < members.size(); ++i) {
-      bound_[members[i]] = std::min(bound_[members[i]], found[i] * (1.0 - index_margin));
+      bound_[members[i]] =
+          std::min(bound_[members[i]], std::max(0.0, found[i] * (1.0 - index_margin) - margin));
     }
   }
   for (Index p : near) is_near_[p] = 0;

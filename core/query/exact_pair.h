@@ -10,9 +10,11 @@
 
 namespace vorogeo {
 
-/// Which part of the distance to a target the index may be in error; what is left is taken as a lower bound.
-/// Many times the largest error measured (docs/paths.md): not proven, so what rests on it is not certified.
-inline constexpr double index_margin = 0.004;
+/// What the index is taken to be in error at most: this part of the distance and this part of the mean edge,
+/// as a single crossing of a border errs in edges, not in distances. About twice the largest error measured
+/// on shortest paths (docs/paths.md). Not proven, so what rests on it is not certified.
+inline constexpr double index_margin = 0.003;
+inline constexpr double index_margin_in_edges = 0.5;
 
 /// Fills in lower bounds for the vertices on paths of at most a given length between two points.
 ///

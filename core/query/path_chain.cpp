@@ -35,7 +35,10 @@ class ChainBuilder {
     const bool backwards = first_row(parent, a) == no_index;
     const Index fixed = first_row(parent, backwards ? b : a);
     const Index goal = backwards ? b : a;
-    if (fixed == no_index) return;
+    if (fixed == no_index) {
+      second_layer_hop(no_index, vertex_of(b));
+      return;
+    }
     // From the other end towards the goal, by the goal's distances.
     std::vector<ChainStep> back;
     Index here = backwards ? a : b;
@@ -59,7 +62,7 @@ class ChainBuilder {
           }
         }
       }
-      if (next == no_index) break;
+      if (next == no_index) next = goal;  // not through one patch: along edges
       back.push_back({vertex_of(here), through});
       here = next;
     }
@@ -92,12 +95,16 @@ class ChainBuilder {
           }
         }
       }
-      if (next == no_index) break;
+      if (next == no_index) next = goal;
       back.push_back({next, here, through});
       here = next;
     }
     for (auto hop = back.rbegin(); hop != back.rend(); ++hop) {
-      first_layer_hop(hop->parent, second_node(hop->from), second_node(hop->to));
+      if (hop->parent == no_index) {
+        second_layer_hop(no_index, vertex_of(second_node(hop->to)));
+      } else {
+        first_layer_hop(hop->parent, second_node(hop->from), second_node(hop->to));
+      }
     }
   }
 

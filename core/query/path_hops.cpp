@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <unordered_map>
 
 namespace vorogeo {
 
@@ -31,27 +33,22 @@ class HopWalker {
   explicit HopWalker(const IndexData& data)
       : data_(data), mesh_(*data.work.mesh), geometry_(*data.geometry) {}
 
-  /// From `start` to the border vertex `goal` of a patch. \return false if the distances do not lead there.
+  /// From `start` to the border vertex `goal` of a patch; along edges from where the distances lead out of
+  /// the patch, or if there is no patch. \return false if no edges lead there.
   bool walk(Index patch, Index start, Index goal) {
     passed.clear();
     patch_ = patch;
-    row_ = row_in_patch(data_, patch, goal);
-    if (row_ == no_index) return false;
+    row_ = patch == no_index ? no_index : row_in_patch(data_, patch, goal);
     Index vertex = start;
-    const std::size_t most = 8 * static_cast<std::size_t>(data_.second.member_count(patch)) + 64;
-    for (std::size_t step = 0; vertex != goal; ++step) {
-      if (step > most) return false;
-      Move move = leave_vertex(vertex);
-      if (move.face == no_index) return false;
-      passed.push_back({move.face, no_index, no_index, vertex});
-      while (move.vertex == no_index) {
-        const Index entry = mesh_.next_around_edge(move.halfedge);
-        const Index exit = move.halfedge;
-        move = cross(entry, move.x);
-        if (move.face == no_index || ++step > most) return false;
-        passed.push_back({Mesh::face_of(entry), exit, entry, no_index});
+    while (vertex != goal) {
+      if (row_ == no_index) return walk_along_edges(vertex, goal);
+      const std::size_t before = passed.size();
+      const Index next = walk_to_vertex(vertex);
+      if (next == no_index) {
+        passed.resize(before);
+        return walk_along_edges(vertex, goal);
       }
-      vertex = move.vertex;
+      vertex = next;
     }
     return true;
   }
@@ -59,6 +56,72 @@ class HopWalker {
   std::vector<Passed> passed;
 
  private:
+  /// Straight on from a vertex until the next one is met; no_index if the way is longer than it should be.
+  Index walk_to_vertex(Index vertex) {
+    constexpr double longer = 1.1;
+    at_last_ = distance(vertex);
+    Move move = leave_vertex(vertex);
+    double expected = at_last_ * longer;
+    if (move.face == no_index || move.length > expected) return no_index;
+    passed.push_back({move.face, no_index, no_index, vertex});
+    std::size_t left = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
+    while (move.vertex == no_index) {
+      const Index exit = move.halfedge;
+      const Index entry = mesh_.next_around_edge(exit);
+      expected = std::min(expected, move.length * longer);
+      move = cross(entry, move.x);
+      if (move.face == no_index || move.length > expected || --left == 0) return no_index;
+      passed.push_back({Mesh::face_of(entry), exit, entry, no_index});
+    }
+    return move.vertex;
+  }
+
+  /// The shortest way over edges (Hart, Nilsson, Raphael 1968); such a way is short and seldom needed.
+  bool walk_along_edges(Index start, Index goal) {
+    struct Entry {
+      double key;
+      Index vertex;
+      bool operator<(const Entry& other) const { return key > other.key; }
+    };
+    struct Reached {
+      double distance;
+      Index before;
+      Index face;
+    };
+    const Point& end = mesh_.position(goal);
+    auto straight = [&](Index v) {
+      const Point& p = mesh_.position(v);
+      return std::hypot(p[0] - end[0], p[1] - end[1], p[2] - end[2]);
+    };
+    std::unordered_map<Index, Reached> reached{{start, {0.0, no_index, no_index}}};
+    std::priority_queue<Entry> queue;
+    queue.push({straight(start), start});
+    while (!queue.empty()) {
+      const auto [key, vertex] = queue.top();
+      queue.pop();
+      if (vertex == goal) break;
+      const double at = reached.at(vertex).distance;
+      if (key > (at + straight(vertex)) * (1.0 + 1e-12)) continue;
+      for (Index corner : mesh_.corners(vertex)) {
+        for (Index side : {corner, Mesh::previous_in_face(corner)}) {
+          const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
+          const double there = at + mesh_.edge_length(mesh_.edge_of(side));
+          const auto known = reached.find(other);
+          if (known != reached.end() && known->second.distance <= there) continue;
+          reached[other] = {there, vertex, Mesh::face_of(side)};
+          queue.push({there + straight(other), other});
+        }
+      }
+    }
+    if (!reached.contains(goal)) return false;
+    const std::size_t first = passed.size();
+    for (Index v = goal; v != start; v = reached.at(v).before) {
+      passed.push_back({reached.at(v).face, no_index, no_index, reached.at(v).before});
+    }
+    std::reverse(passed.begin() + static_cast<std::ptrdiff_t>(first), passed.end());
+    return true;
+  }
+
   double distance(Index vertex) const {
     const Index column = column_in_patch(data_, patch_, vertex);
     return column == no_index ? unreachable : data_.second.line(patch_, column)[row_];
@@ -79,8 +142,11 @@ class HopWalker {
     const double way = std::hypot(x - px, y + py);
     if (way < best.length) best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing};
   }
-  static void to_vertex(double way, Index face, Index vertex, Move& best) {
-    if (way < best.length) best = {way, face, vertex, no_index, 0.0};
+  /// Only to vertices nearer to the goal than the last one, so that rounding of the tables makes no circles.
+  void to_vertex(double step, double from_there, Index face, Index vertex, Move& best) const {
+    if (from_there < at_last_ && step + from_there < best.length) {
+      best = {step + from_there, face, vertex, no_index, 0.0};
+    }
   }
 
   Move leave_vertex(Index vertex) const {
@@ -94,7 +160,7 @@ class HopWalker {
       const Index face = Mesh::face_of(corner);
       for (Index side : {corner, Mesh::previous_in_face(corner)}) {
         const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
-        to_vertex(mesh_.edge_length(mesh_.edge_of(side)) + (other == a ? at_a : at_b), face, other, best);
+        to_vertex(mesh_.edge_length(mesh_.edge_of(side)), other == a ? at_a : at_b, face, other, best);
       }
       if (mesh_.is_border_edge(edge)) continue;
       const FaceFrame& frame = geometry_.frame[opposite];
@@ -112,9 +178,9 @@ class HopWalker {
     const double at_apex = distance(frame.apex);
     const Index face = Mesh::face_of(halfedge);
     Move best;
-    to_vertex(std::hypot(frame.apex_x - x, frame.apex_depth) + at_apex, face, frame.apex, best);
-    to_vertex(x + distance(a), face, a, best);
-    to_vertex(length - x + distance(b), face, b, best);
+    to_vertex(std::hypot(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
+    to_vertex(x, distance(a), face, a, best);
+    to_vertex(length - x, distance(b), face, b, best);
     for (const bool first : {true, false}) {
       const Index side = first ? frame.first_side : frame.second_side;
       const Index side_edge = mesh_.edge_of(side);
@@ -140,6 +206,7 @@ class HopWalker {
   const ExactGeometry& geometry_;
   Index patch_ = no_index;
   Index row_ = no_index;
+  double at_last_ = unreachable;  ///< distance of the vertex last passed
 };
 
 bool append(const Mesh& mesh, FaceStrip& strip, Index face, Index exit, Index entry, Index pivot) {
@@ -160,7 +227,7 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
   Index vertex = chain.source;
   if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
   for (const ChainStep& step : chain.steps) {
-    const bool forwards = row_in_patch(data, step.patch, step.vertex) != no_index;
+    const bool forwards = step.patch == no_index || row_in_patch(data, step.patch, step.vertex) != no_index;
     if (!walker.walk(step.patch, forwards ? vertex : step.vertex, forwards ? step.vertex : vertex))
       return false;
     const auto& passed = walker.passed;

@@ -57,6 +57,8 @@ struct PathQuery::State {
     };
     return on_surface(source) && on_surface(target) && component(source) == component(target);
   }
+  /// The border nodes of the end's patch with their distances from it.
+  RouteEnd starts_of(const End& end) const;
   bool near(const End& a, const End& b) const;
   GraphRoute route(const End& from, const End& to);
   SurfacePath run(const End& from, const End& to, const ExactLimits& limits);
@@ -117,6 +119,26 @@ bool PathQuery::State::near(const End& a, const End& b) const {
                                  [&](const PatchRow& at) { return is_of_b(at.patch); });
     });
   });
+}
+
+RouteEnd PathQuery::State::starts_of(const End& end) const {
+  if (end.point.is_vertex()) return route_end(data, end.vertex);
+  RouteEnd result;
+  result.patch = data.work.second_layer[end.point.face];
+  const auto nodes = data.second.nodes(result.patch);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    // Between the corners of a face a distance lies hardly below their mean.
+    double distance = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const Index v = data.work.mesh->face_vertices(end.point.face)[k];
+      const Index column = column_in_patch(data, result.patch, v);
+      if (end.point.barycentric[k] > 0.0) {
+        distance += end.point.barycentric[k] * data.second.line(result.patch, column)[i];
+      }
+    }
+    if (distance < unreachable) result.starts.push_back({nodes[i], distance});
+  }
+  return result;
 }
 
 GraphRoute PathQuery::State::route(const End& from, const End& to) {
@@ -183,8 +205,11 @@ SurfacePath PathQuery::State::path(const End& from, const End& to, bool& certifi
   }
   SurfacePath found = path_by_chain(from, to);
   if (found.points.empty()) {
+    // The tables did not lead all the way: exact, within the length that the graph gives.
     certified = true;
-    found = run(from, to, {});
+    ExactLimits limits;
+    limits.max_distance = (from.beside + route(from, to).length + to.beside) * estimate_slack;
+    found = run(from, to, limits);
   }
   return found;
 }
@@ -216,8 +241,8 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
     ExactLimits limits;
     limits.max_distance = best.length * (1.0 + rounding);
     if (!certify) {
-      limits.least_remaining = state.bounds.fill(route_end(state.data, from.vertex),
-                                                 route_end(state.data, to.vertex), to.patches, best.length);
+      limits.least_remaining =
+          state.bounds.fill(state.starts_of(from), state.starts_of(to), to.patches, best.length);
     }
     SurfacePath found = state.run(from, to, limits);
     if (found.length < best.length) best = std::move(found);

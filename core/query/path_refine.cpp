@@ -182,7 +182,7 @@ SurfacePath PathRefiner::path() const {
   std::size_t piece = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const UnfoldedEdge& edge = edges[i];
-    while (piece < bends.size() && bends[piece].crossing == i) add_vertex(bends[piece++].vertex);
+    while (piece < bends.size() && bends[piece].crossing <= i) add_vertex(bends[piece++].vertex);
     const Index before = piece > 0 ? bends[piece - 1].vertex : no_index;
     const Index after = piece < bends.size() ? bends[piece].vertex : no_index;
     const bool at_bend = (before != no_index && (edge.left == before || edge.right == before)) ||

@@ -154,6 +154,12 @@ void tidy(const Mesh& mesh, FaceStrip& strip) {
       --kept;
       continue;
     }
+    if (kept > 0 && strip.exit[i - 1] == strip.entry[kept - 1]) {
+      // Left by the edge it was entered by, to a third face of that edge: straight there.
+      strip.faces[kept] = strip.faces[i];
+      strip.entry[kept - 1] = strip.entry[i - 1];
+      continue;
+    }
     ++kept;
     strip.faces[kept] = strip.faces[i];
     strip.entry[kept - 1] = strip.entry[i - 1];

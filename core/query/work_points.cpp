@@ -2,7 +2,6 @@
 #include "query/work_points.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vorogeo {
 
@@ -23,10 +22,6 @@ Weights cleaned(Weights weights) {
   return weights;
 }
 
-double distance_between(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Weights of a work vertex in a face of the user's mesh that holds it: a corner or a point on an edge.
 Weights weights_of(const IndexData& data, Index work_vertex, Index user_face) {
   Weights weights{};
@@ -36,20 +31,13 @@ Weights weights_of(const IndexData& data, Index work_vertex, Index user_face) {
     for (int i = 0; i < 3; ++i) weights[i] = corners[i] == user ? 1.0 : 0.0;
     return weights;
   }
-  const Point& p = data.work.mesh->position(work_vertex);
-  double least = unreachable;
+  const auto& points = data.work.edge_points;
+  const auto at = std::lower_bound(points.begin(), points.end(), work_vertex,
+                                   [](const auto& point, Index vertex) { return point.vertex < vertex; });
+  const auto [a, b] = data.mesh->edge_vertices(at->user_edge);
   for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const double from_i = distance_between(p, data.mesh->position(corners[i]));
-    const double from_j = distance_between(p, data.mesh->position(corners[j]));
-    const double length = distance_between(data.mesh->position(corners[i]), data.mesh->position(corners[j]));
-    const double detour = from_i + from_j - length;
-    if (detour < least && length > 0.0) {
-      least = detour;
-      weights = {};
-      weights[j] = std::clamp(from_i / length, 0.0, 1.0);
-      weights[i] = 1.0 - weights[j];
-    }
+    if (corners[i] == a) weights[i] = 1.0 - at->position;
+    if (corners[i] == b) weights[i] = at->position;
   }
   return weights;
 }
