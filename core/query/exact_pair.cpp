@@ -9,7 +9,7 @@ namespace vorogeo {
 
 RemainingBounds::RemainingBounds(const IndexData& data)
     : data_(data),
-      search_(data.second),
+      borders_(data),
       bound_(data.work.mesh->vertex_count(), unreachable),
       allowed_(data.second.patch_count, 0),
       is_near_(data.second.patch_count, 0) {}
@@ -52,9 +52,9 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
   }
   swept_.clear();
   allow_patches(source, target, length);
-  search_.start();
-  for (const auto& start : target.starts) search_.add(start.node, start.distance);
-  search_.run(allowed_, length * (1.0 + index_margin));
+  starts_.clear();
+  for (const auto& start : target.starts) starts_.push_back({start.node, start.distance, 0});
+  borders_.start(starts_, length * (1.0 + index_margin));
 
   // The patches around the target, and those that touch them.
   std::vector<Index> near(target_patches.begin(), target_patches.end());
@@ -65,21 +65,28 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
   }
   for (Index p : near) is_near_[p] = 1;
   const double margin = index_margin_in_edges * data_.work.mesh->mean_edge_length();
-  for (Index p = 0; p < second.patch_count; ++p) {
-    if (!allowed_[p] && !is_near_[p]) continue;
-    const auto members = second.members(p);
-    if (is_near_[p]) {
+  for (Index parent = 0; parent < data_.first.patch_count; ++parent) {
+    const NodeRange children = borders_.children(parent);
+    bool is_filled = false;
+    for (Index p = children.begin; p < children.end; ++p) {
+      if (!allowed_[p] && !is_near_[p]) continue;
+      const auto members = second.members(p);
+      if (is_near_[p]) {
+        swept_.push_back(p);
+        for (Index v : members) bound_[v] = 0.0;
+        continue;
+      }
+      if (!is_filled) borders_.fill(parent, sweep_);
+      is_filled = true;
+      const auto distance = borders_.border().distance;
+      if (std::ranges::none_of(second.nodes(p), [&](Index node) { return distance[node] <= length; }))
+        continue;
       swept_.push_back(p);
-      for (Index v : members) bound_[v] = 0.0;
-      continue;
-    }
-    const auto nodes = second.nodes(p);
-    if (std::ranges::none_of(nodes, [&](Index node) { return search_.distance(node) <= length; })) continue;
-    swept_.push_back(p);
-    const auto found = sweep_.sweep(second, search_, p);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      bound_[members[i]] =
-          std::min(bound_[members[i]], std::max(0.0, found[i] * (1.0 - index_margin) - margin));
+      const auto found = sweep_.sweep(second, borders_.border(), p);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const double least = std::max(0.0, found[i] * (1.0 - index_margin) - margin);
+        bound_[members[i]] = std::min(bound_[members[i]], least);
+      }
     }
   }
   for (Index p : near) is_near_[p] = 0;

@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "index/border_search.h"
-#include "query/field_sweep.h"
+#include "query/border_field.h"
 #include "query/graph_route.h"
 
 namespace vorogeo {
@@ -18,10 +17,9 @@ inline constexpr double index_margin_in_edges = 0.5;
 
 /// Fills in lower bounds for the vertices on paths of at most a given length between two points.
 ///
-/// The search runs over the second layer from the target, in the patches that landmarks do not exclude, and
-/// stops at the length. Each patch passed is swept. In the patches around the target, where the index is
-/// least accurate, the bound is 0: the straight line in space is used there. One object belongs to one
-/// thread.
+/// The distances of the border nodes from the target come from the tables; each patch that neither they nor
+/// the landmarks exclude is swept. In the patches around the target, where the index is least accurate, the
+/// bound is 0: the straight line in space is used there. One object belongs to one thread.
 class RemainingBounds {
  public:
   explicit RemainingBounds(const IndexData& data);
@@ -37,7 +35,8 @@ class RemainingBounds {
   void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);
 
   const IndexData& data_;
-  BorderSearch search_;
+  BorderField borders_;
+  std::vector<BorderField::Start> starts_;
   FieldSweep sweep_;
   std::vector<double> bound_;
   std::vector<std::uint8_t> allowed_;

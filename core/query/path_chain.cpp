@@ -49,12 +49,13 @@ class ChainBuilder {
       double best = unreachable;
       for (const PatchRow& at : data_.second.patches_of(here)) {
         const auto nodes = data_.second.nodes(at.patch);
-        const float* line = data_.second.line(at.patch, at.row);
+        line_.resize(nodes.size());
+        data_.second.read_border(at.patch, at.row, line_.data());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           if (nodes[i] == here) continue;
           const double from_goal = nodes[i] == goal ? 0.0 : from_row(parent, fixed, nodes[i]);
           if (!(from_goal < at_here)) continue;
-          const double sum = from_goal + line[i];
+          const double sum = from_goal + line_[i];
           if (sum < best) {
             best = sum;
             next = nodes[i];
@@ -84,10 +85,11 @@ class ChainBuilder {
       double best = unreachable;
       for (const PatchRow& at : data_.first.patches_of(here)) {
         const auto nodes = data_.first.nodes(at.patch);
-        const float* line = data_.first.line(at.patch, parent_column(at.patch, here));
+        line_.resize(nodes.size());
+        data_.first.read_column(at.patch, parent_column(at.patch, here), line_.data());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           if (nodes[i] == here || !(from_goal[nodes[i]] < from_goal[here])) continue;
-          const double sum = static_cast<double>(from_goal[nodes[i]]) + line[i];
+          const double sum = static_cast<double>(from_goal[nodes[i]]) + line_[i];
           if (sum < best * (nodes[i] == goal ? 1.0 + equal_sums : 1.0)) {
             best = sum;
             next = nodes[i];
@@ -133,7 +135,7 @@ class ChainBuilder {
   }
   double from_row(Index parent, Index row, Index second_node) const {
     const Index column = column_of(parent, second_node);
-    return column == no_index ? unreachable : data_.first.line(parent, column)[row];
+    return column == no_index ? unreachable : data_.first.distance(parent, row, column);
   }
 
   /// `back`: steps in the order of walking, each with the vertex it left and the patch it went through.
@@ -150,6 +152,7 @@ class ChainBuilder {
 
   const IndexData& data_;
   PathChain& chain_;
+  std::vector<float> line_;
 };
 
 }  // namespace

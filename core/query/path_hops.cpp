@@ -124,7 +124,7 @@ class HopWalker {
 
   double distance(Index vertex) const {
     const Index column = column_in_patch(data_, patch_, vertex);
-    return column == no_index ? unreachable : data_.second.line(patch_, column)[row_];
+    return column == no_index ? unreachable : data_.second.distance(patch_, row_, column);
   }
 
   /// The way from a point (px, py >= 0) across an edge on the x axis to the point beyond that has the

@@ -16,8 +16,8 @@ namespace vorogeo {
 
 namespace {
 
-/// A length from the single-precision tables, this much longer, is an upper bound.
-constexpr double estimate_slack = 1.0 + 1e-5;
+/// A length from the tables, this much longer, is an upper bound in spite of their precision.
+constexpr double estimate_slack = 1.0 + 1e-3;
 /// Rounding of lengths summed along different ways.
 constexpr double rounding = 1e-9;
 
@@ -133,7 +133,8 @@ RouteEnd PathQuery::State::starts_of(const End& end) const {
       const Index v = data.work.mesh->face_vertices(end.point.face)[k];
       const Index column = column_in_patch(data, result.patch, v);
       if (end.point.barycentric[k] > 0.0) {
-        distance += end.point.barycentric[k] * data.second.line(result.patch, column)[i];
+        distance +=
+            end.point.barycentric[k] * data.second.distance(result.patch, static_cast<Index>(i), column);
       }
     }
     if (distance < unreachable) result.starts.push_back({nodes[i], distance});
