@@ -26,6 +26,7 @@ struct FieldTeam::State {
     if (!solver) solver.emplace(geometry);
     ExactLimits limits;
     limits.max_distance = max_distance;
+    limits.distances_only = true;
     solver->run_from_vertices(sources, limits);
     std::vector<double> distances(mesh->vertex_count());
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
