@@ -13,6 +13,8 @@ namespace {
 constexpr double tie = 1e-12;
 /// Relative error of a distance at which a crossing counts as found.
 constexpr double sharp = 1e-14;
+/// Steps towards a crossing; Newton's method takes three, halving sixty.
+constexpr int most_steps = 80;
 
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
 struct Division {
@@ -46,50 +48,47 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
   return found;
 }
 
-/// The one place in (l, r) where the difference of the distances changes sign: a root in closed form, made
-/// sharp by Newton's method, since the closed form cancels when the pseudo-sources are far; bisection if that
-/// fails.
+/// Where in (l, r) the difference of the distances, of opposite signs at the ends, is zero: a root in closed
+/// form, made sharp by Newton's method within the bracket, since the closed form cancels when the
+/// pseudo-sources are far.
 double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
-  std::array<double, 2> x{};
-  const int found = crossings(fresh, old, l, r, x);
-  for (int i = 0; i < found; ++i) {
-    double at = x[i];
-    for (int step = 0; step < 3; ++step) {
-      const double to_fresh = fresh.plane_distance(at);
-      const double to_old = old.plane_distance(at);
-      const double difference = fresh.offset + to_fresh - (old.offset + to_old);
-      if (std::abs(difference) <= sharp * (old.offset + to_old)) return at;
-      const double slope = (at - fresh.source_x) / to_fresh - (at - old.source_x) / to_old;
-      const double next = at - difference / slope;
-      if (!(next > l && next < r)) break;
-      at = next;
-    }
+  std::array<double, 2> root{};
+  double x = crossings(fresh, old, l, r, root) > 0 ? root[0] : 0.5 * (l + r);
+  for (int step = 0; step < most_steps; ++step) {
+    const double to_fresh = fresh.plane_distance(x);
+    const double to_old = old.plane_distance(x);
+    const double difference = fresh.offset + to_fresh - (old.offset + to_old);
+    if (std::abs(difference) <= sharp * (old.offset + to_old)) break;
+    ((difference < 0.0) == fresh_at_l ? l : r) = x;
+    if (r - l <= 1e-15 * (std::abs(l) + std::abs(r))) break;
+    const double slope = (x - fresh.source_x) / to_fresh - (x - old.source_x) / to_old;
+    const double next = x - difference / slope;
+    x = next > l && next < r ? next : 0.5 * (l + r);
   }
-  double best = 0.5 * (l + r);
-  for (int i = 0; i < 100 && r - l > 1e-15 * (std::abs(l) + std::abs(r)); ++i) {
-    best = 0.5 * (l + r);
-    ((fresh.distance(best) < old.distance(best)) == fresh_at_l ? l : r) = best;
-  }
-  return best;
+  return x;
 }
 
-/// Divides [l, r], where both windows have a say.
+/// Divides [l, r], where both windows have a say. The new window gets a part only if it is truly shorter at
+/// an end of it, or in the middle between two crossings: equal windows would otherwise take turns for ever.
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
-  const bool wins_l = fresh_l < old_l - tie * old_l;
-  const bool wins_r = fresh_r < old_r - tie * old_r;
+  const double gain_l = old_l - fresh_l;
+  const double gain_r = old_r - fresh_r;
+  const double tie_l = tie * old_l;
+  const double tie_r = tie * old_r;
   Division division;
-  division.new_first = wins_l;
-  if (wins_l != wins_r) {
+  if ((gain_l > tie_l && gain_r < -tie_r) || (gain_l < -tie_l && gain_r > tie_r)) {
+    division.new_first = gain_l > 0.0;
     division.cuts = 1;
-    division.at[0] = sign_change(fresh, old, l, r, wins_l);
+    division.at[0] = sign_change(fresh, old, l, r, division.new_first);
     return division;
   }
+  division.new_first = gain_l > tie_l || gain_r > tie_r;
   // The same owner at both ends; the other can own the middle only if its least distance is low enough
   // and the two are unequally far from their pseudo-sources.
-  const Window& loser = wins_l ? old : fresh;
-  const double bound = wins_l ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
+  const Window& loser = division.new_first ? old : fresh;
+  const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (fresh.offset == old.offset || loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) {
     return division;
   }
@@ -97,7 +96,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   if (crossings(fresh, old, l, r, x) != 2) return division;
   const double middle = 0.5 * (x[0] + x[1]);
   const double at_old = old.distance(middle);
-  if ((fresh.distance(middle) < at_old - tie * at_old) == wins_l) return division;
+  if ((fresh.distance(middle) < at_old - tie * at_old) == division.new_first) return division;
   division.cuts = 2;
   division.at = x;
   return division;

@@ -220,23 +220,17 @@ void ExactSolver::State::close_edges_behind_front() {
 }
 
 void ExactSolver::State::take_edge(Index edge) {
-  fresh.clear();
-  for (Window& window : envelope.windows(edge)) {
-    if (window.propagated) continue;
-    window.propagated = 1;
-    fresh.push_back(window);
-  }
-  if (fresh.empty()) return;
   const Index first = mesh.edge_halfedge(edge);
   Index h = first;
   do {
     crossing.clear();
-    for (const Window& window : fresh) {
-      if (window.came_from != h) crossing.push_back({window, 0.0});
+    for (const Window& window : envelope.windows(edge)) {
+      if (!window.propagated && window.came_from != h) crossing.push_back({window, 0.0});
     }
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);
+  for (Window& window : envelope.windows(edge)) window.propagated = 1;
 }
 
 }  // namespace vorogeo

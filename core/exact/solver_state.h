@@ -97,7 +97,6 @@ struct ExactSolver::State {
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
   WindowEnvelope envelope;
-  std::vector<Window> fresh;  ///< windows of the edge being taken that have not been handed on
   /// A window being handed on across a face, and where the ray to the face's apex leaves its edge.
   struct Crossing {
     Window window;
