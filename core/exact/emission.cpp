@@ -14,7 +14,8 @@ constexpr double sector_tolerance = 1e-6;
 
 }  // namespace
 
-void ExactSolver::State::emit(Index vertex, Index corner, double least_angle, double greatest_angle) {
+void ExactSolver::State::emit(Index vertex, Index corner, double width, double least_angle,
+                              double greatest_angle) {
   const Index opposite = Mesh::next_in_face(corner);
   const FaceFrame& frame = geometry->frame[opposite];
   const Index edge = mesh.edge_of(opposite);
@@ -22,7 +23,6 @@ void ExactSolver::State::emit(Index vertex, Index corner, double least_angle, do
   const VertexState& state = vertices[vertex];
   Window window =
       Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
-  const double width = mesh.corner_angle(corner);
   if (least_angle > 0.0 || greatest_angle < width) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
     const bool own = geometry->begins_at_own_edge[corner] != 0;
@@ -50,19 +50,20 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
   const auto fan = mesh.fan(vertex);
   everywhere |= arrival < 0.0 || fan == Mesh::Fan::non_manifold;
   const double total = mesh.total_angle(vertex);
-  for (Index corner : corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Index corner = corners[i];
     if (!may_enter(Mesh::face_of(corner))) continue;
-    const double width = mesh.corner_angle(corner);
     if (everywhere) {
-      emit(vertex, corner, 0.0, width);
+      emit(vertex, corner, 0.0, 0.0, 0.0);
       continue;
     }
     // A path bends only so that both its sides measure at least pi.
     const double begin = geometry->corner_begin[corner];
+    const double width = (i + 1 < corners.size() ? geometry->corner_begin[corners[i + 1]] : total) - begin;
     auto emit_sector = [&](double from, double to) {
       const double least = std::max(0.0, from - sector_tolerance - begin);
       const double greatest = std::min(width, to + sector_tolerance - begin);
-      if (least < greatest) emit(vertex, corner, least, greatest);
+      if (least < greatest) emit(vertex, corner, width, least, greatest);
     };
     if (fan == Mesh::Fan::open) {
       emit_sector(arrival + std::numbers::pi, total);

@@ -27,7 +27,6 @@ ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)
   vertices.resize(mesh.vertex_count());
   envelope.resize(mesh.edge_count());
   queue.resize(static_cast<std::size_t>(mesh.vertex_count()) + mesh.edge_count());
-  closing.resize(mesh.edge_count());
 }
 
 void ExactSolver::State::reset() {
@@ -36,7 +35,7 @@ void ExactSolver::State::reset() {
   envelope.clear();
   face_sources.clear();
   queue.start(bucket_width * mesh.mean_edge_length());
-  closing.start(bucket_width * mesh.mean_edge_length());
+  closing.clear();
 }
 
 void ExactSolver::State::require_windows() const {

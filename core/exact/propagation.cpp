@@ -204,7 +204,7 @@ void ExactSolver::State::close_edges_at(Index vertex) {
   auto close_later = [&](Index edge) {
     const auto [a, b] = mesh.edge_vertices(edge);
     const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
-    if (bound < unreachable) closing.push(edge, bound * (1.0 + 1e-12));
+    if (bound < unreachable) closing.emplace_back(bound * (1.0 + 1e-12), edge);
   };
   for (Index corner : mesh.corners(vertex)) {
     close_later(mesh.edge_of(corner));
@@ -214,8 +214,8 @@ void ExactSolver::State::close_edges_at(Index vertex) {
 
 void ExactSolver::State::close_edges_behind_front() {
   const double front = queue.lower_bound();
-  for (Index edge = closing.pop_below(front); edge != no_index; edge = closing.pop_below(front)) {
-    envelope.retire(edge);
+  for (; !closing.empty() && closing.front().first < front; closing.pop_front()) {
+    envelope.retire(closing.front().second);
   }
 }
 

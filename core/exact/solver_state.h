@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "exact/envelope.h"
@@ -45,7 +47,8 @@ struct ExactSolver::State {
   void insert_window(Window window);
   void store_edge();
   void reach_apex(const Window& window, Index halfedge, double distance);
-  void emit(Index vertex, Index corner, double least_angle, double greatest_angle);
+  /// Into the sector between two angles of a corner of the given width.
+  void emit(Index vertex, Index corner, double width, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
   void emit_fan(Index vertex, bool everywhere);
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
@@ -112,7 +115,8 @@ struct ExactSolver::State {
   BucketQueue queue;
   /// Only vertex distances are wanted: edges give up their windows when the front has passed.
   bool distances_only = false;
-  BucketQueue closing;  ///< edges by the distance at which the front has passed them
+  /// Edges with the distance at which the front has passed them, roughly in that order.
+  std::deque<std::pair<double, Index>> closing;
 };
 
 /// Where the straight way back from a point of a face leads: the best of all ways into that face.

@@ -9,8 +9,10 @@
 
 namespace vorogeo {
 
-/// Queue of items 0..count-1, each at most once, in its lowest bucket. Items of one bucket leave last in,
-/// first out; the propagation corrects itself, so the exact order only matters for speed.
+/// Queue of items 0..count-1, each at most once, in its lowest bucket. The propagation corrects itself, so
+/// the order within a bucket only matters for speed. Last in, first out lets fewer windows meet; but where a
+/// bucket is much wider than the edges it would follow one chain of short steps (round a long spike, say)
+/// almost for ever, so a bucket from which many items have been taken goes on first in, first out.
 class BucketQueue {
  public:
   void resize(std::size_t count) { bucket_of_.assign(count, none); }
@@ -40,43 +42,27 @@ class BucketQueue {
   Index pop() {
     for (;;) {
       if (in_ring_ == 0) {
+        leave_bucket();
         if (!refill()) return no_index;
       }
       auto& bucket = ring_[current_ % ring_size];
-      while (!bucket.empty()) {
-        const Index item = bucket.back();
-        bucket.pop_back();
+      while (first_ < bucket.size()) {
+        Index item;
+        if (++taken_ <= most_last_first) {
+          item = bucket.back();
+          bucket.pop_back();
+        } else {
+          item = bucket[first_++];
+        }
         --in_ring_;
         if (bucket_of_[item] == current_) {
           bucket_of_[item] = none;
           return item;
         }
       }
+      leave_bucket();
       ++current_;
       // An item of the overflow may belong here by now.
-      if (current_ >= overflow_check_ && !overflow_.empty()) refill();
-    }
-  }
-
-  /// The next item of the buckets that end at `bound` or before; no_index if there is none.
-  Index pop_below(double bound) {
-    const auto end = static_cast<std::int64_t>(std::min(bound * per_width_, 9e15));
-    for (;;) {
-      if (in_ring_ == 0) {
-        if (overflow_.empty() || !refill()) return no_index;
-      }
-      if (current_ >= end) return no_index;
-      auto& bucket = ring_[current_ % ring_size];
-      while (!bucket.empty()) {
-        const Index item = bucket.back();
-        bucket.pop_back();
-        --in_ring_;
-        if (bucket_of_[item] == current_) {
-          bucket_of_[item] = none;
-          return item;
-        }
-      }
-      ++current_;
       if (current_ >= overflow_check_ && !overflow_.empty()) refill();
     }
   }
@@ -92,12 +78,21 @@ class BucketQueue {
     for (Index item : overflow_) bucket_of_[item] = none;
     overflow_.clear();
     in_ring_ = 0;
+    first_ = 0;
+    taken_ = 0;
     overflow_check_ = ring_size / 2;
   }
 
  private:
   static constexpr std::int64_t ring_size = 1024;
+  static constexpr std::size_t most_last_first = 1 << 14;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+
+  void leave_bucket() {
+    ring_[current_ % ring_size].clear();
+    first_ = 0;
+    taken_ = 0;
+  }
 
   /// Moves what fits from the overflow into the ring; false if nothing is left anywhere.
   bool refill() {
@@ -132,6 +127,8 @@ class BucketQueue {
   std::int64_t current_ = 0;
   std::int64_t overflow_check_ = ring_size / 2;
   std::size_t in_ring_ = 0;
+  std::size_t first_ = 0;  ///< first item left in the current bucket
+  std::size_t taken_ = 0;  ///< items taken from the current bucket
   double per_width_ = 1.0;
   double width_ = 1.0;
 };

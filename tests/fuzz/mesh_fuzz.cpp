@@ -67,7 +67,7 @@ Soup nasty(Random& random) {
         round_positions(soup, number(random, 0.01, 0.5));
         break;
       case 1:  // needles
-        for (Point& p : soup.positions) p[random() % 3] *= std::pow(10.0, number(random, -6, 0));
+        for (Point& p : soup.positions) p[random() % 3] *= std::pow(10.0, number(random, -9, 0));
         break;
       case 2: {  // sizes at the ends of what numbers can hold
         const double scale = std::pow(10.0, number(random, -140, 140));
@@ -78,7 +78,7 @@ Soup nasty(Random& random) {
       }
       case 3:  // one vertex far away
         soup.positions[random() % soup.positions.size()][random() % 3] =
-            std::pow(10.0, number(random, -5, 5));
+            std::pow(10.0, number(random, -9, 9));
         break;
       case 4:  // faces turned over, repeated, left out
         for (auto& face : soup.faces) {
