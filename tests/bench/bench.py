@@ -100,15 +100,15 @@ def measure_core(
     print(f"{raw.stem}: {n:,} vertices, {len(mesh[1]):,} faces\n  core ...", flush=True)
     exact, exact_peak = measure.core(["exact", str(raw), *map(str, sources)])
     found: dict[str, Any] = {
-        "exact": summary.spread(exact["exact", n]),
+        "exact": summary.of_line(exact["exact", n]),
         "exact_peak": exact_peak,
-        "exact_patch": {str(d): summary.spread(v) for (name, d), v in exact.items() if name == "exact_patch"},
+        "exact_patch": {str(d): summary.of_line(v) for (name, d), v in exact.items() if name == "exact_patch"},
         "build": {},
     }
     for threads in thread_counts:
         lines, found["build_peak"] = measure.core(["build", str(raw), str(threads), str(index_file)])
-        found["build"][str(threads)] = summary.spread(lines["build", threads])
-        found["index_bytes"], found["file_bytes"] = lines["index_bytes", n][0], lines["file_bytes", n][0]
+        found["build"][str(threads)] = summary.of_line(lines["build", threads])
+        found["index_bytes"], found["file_bytes"] = lines["index_bytes", n].values[0], lines["file_bytes", n].values[0]
     return found
 
 
@@ -126,10 +126,10 @@ def query_core(
     pairs, _ = measure.core(["pairs", str(raw), str(index_file), str(pairs_file), "1"])
     lines |= pairs
     return {
-        "load": summary.spread(lines["load", 1]),
-        "field": {str(int(d)): summary.spread(v) for (name, d), v in lines.items() if name == "field"},
-        "far_pair": summary.spread(lines["far_pair", 1]),
-        "near_pair": summary.spread(lines["near_pair", 1]),
+        "load": summary.of_line(lines["load", 1]),
+        "field": {str(int(d)): summary.of_line(v) for (name, d), v in lines.items() if name == "field"},
+        "far_pair": summary.of_line(lines["far_pair", 1]),
+        "near_pair": summary.of_line(lines["near_pair", 1]),
         "query_peak": peak,
     }
 

@@ -92,13 +92,13 @@ void run(const char* mesh_file, const char* fields_file, double budget, int repe
     const Vertex source(static_cast<Vertex::size_type>(std::atol(sources[i])));
     for (int repeat = 0; repeat < repeats && (repeat == 0 || bench::now() - begin < budget); ++repeat) {
       std::vector<double> distances;
-      const double time = bench::seconds([&] { distances = method.field(source); });
+      const bench::Seconds time = bench::seconds([&] { distances = method.field(source); });
       if (repeat == 0) {
         fields.write(reinterpret_cast<const char*>(distances.data()),
                      static_cast<std::streamsize>(distances.size() * sizeof(double)));
         fields.flush();
       }
-      std::printf("{\"field\": %s, \"seconds\": %.9g}\n", sources[i], time);
+      std::printf("{\"field\": %s, \"seconds\": %.9g, \"cpu\": %.9g}\n", sources[i], time.wall, time.cpu);
       std::fflush(stdout);
     }
   }

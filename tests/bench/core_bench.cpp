@@ -1,4 +1,5 @@
-// Times of the C++ core on one mesh, as lines of JSON: {"name": ..., "unit": "s", "values": [...]}. Tasks:
+// Times of the C++ core on one mesh, as lines of JSON: {"name": ..., "detail": ..., "values": [wall clock],
+// "cpu": [all cores together]}, in seconds. Tasks:
 // - exact MESH SOURCE...: exact solver on the whole mesh, one thread, and on cut-out pieces
 // - build MESH THREADS INDEX: one build; the index is saved to INDEX
 // - fields MESH INDEX THREADS ROUNDS SOURCE...: fields with 1 to THREADS threads
@@ -12,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
 #include "mesh_file.h"
@@ -23,13 +23,36 @@ namespace {
 using vorogeo::Index;
 using MeshPointer = std::shared_ptr<const vorogeo::Mesh>;
 
-/// One line of the output. `detail` tells measurements of one name apart.
-void print(const char* name, const char* unit, double detail, const std::vector<double>& values) {
-  std::printf("{\"name\": \"%s\", \"unit\": \"%s\", \"detail\": %.17g, \"values\": [", name, unit, detail);
+void print_array(const char* name, const std::vector<double>& values) {
+  std::printf(", \"%s\": [", name);
   for (std::size_t i = 0; i < values.size(); ++i) std::printf("%s%.9g", i ? ", " : "", values[i]);
-  std::printf("]}\n");
+  std::printf("]");
+}
+
+/// One line of the output. `detail` tells measurements of one name apart.
+void print(const char* name, double detail, const std::vector<double>& values,
+           const std::vector<double>& cpu = {}) {
+  std::printf("{\"name\": \"%s\", \"detail\": %.17g", name, detail);
+  print_array("values", values);
+  print_array("cpu", cpu);
+  std::printf("}\n");
   std::fflush(stdout);
 }
+
+/// The times of many calls, each divided by `share`.
+class Times {
+ public:
+  template <class Call>
+  void add(Call&& call, double share = 1.0) {
+    const bench::Seconds seconds = bench::seconds(call);
+    wall_.push_back(seconds.wall / share);
+    cpu_.push_back(seconds.cpu / share);
+  }
+  void print(const char* name, double detail) const { ::print(name, detail, wall_, cpu_); }
+
+ private:
+  std::vector<double> wall_, cpu_;
+};
 
 MeshPointer load(const char* file) {
   bench::RawMesh raw = bench::read_mesh(file);
@@ -70,21 +93,25 @@ MeshPointer cut_out(const vorogeo::Mesh& mesh, Index seed, std::size_t size) {
   return std::make_shared<const vorogeo::Mesh>(std::move(positions), faces);
 }
 
-vorogeo::ExactLimits only_distances() { return {}; }
+/// Nothing but the distances of vertices is read after the runs.
+vorogeo::ExactLimits only_distances() {
+  vorogeo::ExactLimits limits;
+  limits.distances_only = true;
+  return limits;
+}
 
 void time_exact(const MeshPointer& mesh, const std::vector<Index>& sources) {
-  std::vector<double> times;
-  auto geometry = std::make_shared<const vorogeo::ExactGeometry>(mesh);
   {
-    vorogeo::ExactSolver solver(geometry);
+    Times times;
+    vorogeo::ExactSolver solver(mesh);
     for (const Index& source : sources) {
-      times.push_back(bench::seconds([&] { solver.run_from_vertices({&source, 1}, only_distances()); }));
+      times.add([&] { solver.run_from_vertices({&source, 1}, only_distances()); });
     }
-    print("exact", "s", mesh->vertex_count(), times);
+    times.print("exact", mesh->vertex_count());
   }
   for (const std::size_t size : {700, 1200, 2500}) {
     if (size * 2 > static_cast<std::size_t>(mesh->vertex_count())) continue;
-    times.clear();
+    Times times;
     for (int patch = 0; patch < 5; ++patch) {
       const auto seed =
           static_cast<Index>((2 * patch + 1) * static_cast<std::int64_t>(mesh->face_count()) / 10);
@@ -93,11 +120,12 @@ void time_exact(const MeshPointer& mesh, const std::vector<Index>& sources) {
       for (int run = 0; run < 20; ++run) {
         const auto source =
             static_cast<Index>((2 * run + 1) * static_cast<std::int64_t>(part->vertex_count()) / 40);
-        const double time = bench::seconds([&] { solver.run_from_vertices({&source, 1}, only_distances()); });
-        if (run > 0) times.push_back(time / part->vertex_count());
+        const auto solve = [&] { solver.run_from_vertices({&source, 1}, only_distances()); };
+        if (run == 0) solve();  // takes the memory that later runs find
+        times.add(solve, part->vertex_count());
       }
     }
-    print("exact_patch", "s per vertex", static_cast<double>(size), times);
+    times.print("exact_patch", static_cast<double>(size));
   }
 }
 
@@ -105,16 +133,19 @@ void time_build(const MeshPointer& mesh, int threads, const char* file) {
   vorogeo::IndexOptions options;
   options.threads = threads;
   std::shared_ptr<const vorogeo::GeodesicIndex> index;
-  const double time = bench::seconds([&] { index = vorogeo::GeodesicIndex::build(mesh, options); });
-  print("build", "s", threads, {time});
+  Times times;
+  times.add([&] { index = vorogeo::GeodesicIndex::build(mesh, options); });
+  times.print("build", threads);
   index->save(file);
-  print("index_bytes", "B", mesh->vertex_count(), {static_cast<double>(index->statistics().bytes)});
-  print("file_bytes", "B", mesh->vertex_count(), {static_cast<double>(std::filesystem::file_size(file))});
+  print("index_bytes", mesh->vertex_count(), {static_cast<double>(index->statistics().bytes)});
+  print("file_bytes", mesh->vertex_count(), {static_cast<double>(std::filesystem::file_size(file))});
 }
 
 std::shared_ptr<const vorogeo::GeodesicIndex> load_index(const MeshPointer& mesh, const char* file) {
   std::shared_ptr<const vorogeo::GeodesicIndex> index;
-  print("load", "s", 1, {bench::seconds([&] { index = vorogeo::GeodesicIndex::load(file, mesh); })});
+  Times times;
+  times.add([&] { index = vorogeo::GeodesicIndex::load(file, mesh); });
+  times.print("load", 1);
   return index;
 }
 
@@ -123,14 +154,12 @@ void time_fields(const MeshPointer& mesh, const char* index_file, int threads, i
   const auto index = load_index(mesh, index_file);
   for (int workers = 1; workers <= threads; ++workers) {
     vorogeo::GeodesicQuery query(index, workers);
-    std::vector<double> times;
     query.distance_field({sources.data(), 1});
+    Times times;
     for (int round = 0; round < rounds; ++round) {
-      for (const Index& source : sources) {
-        times.push_back(bench::seconds([&] { query.distance_field({&source, 1}); }));
-      }
+      for (const Index& source : sources) times.add([&] { query.distance_field({&source, 1}); });
     }
-    print("field", "s", workers, times);
+    times.print("field", workers);
   }
 }
 
@@ -141,14 +170,13 @@ void time_pairs(const MeshPointer& mesh, const char* index_file, const char* pai
   const auto pairs = bench::read_array<std::array<Index, 3>>(stream, count);
   vorogeo::GeodesicQuery query(index, 1);
   for (const Index near : {0, 1}) {
-    std::vector<double> times;
+    Times times;
     for (int round = 0; round < rounds; ++round) {
       for (const auto& [source, target, is_near] : pairs) {
-        if (is_near != near) continue;
-        times.push_back(bench::seconds([&, s = source, t = target] { query.distance(s, t); }));
+        if (is_near == near) times.add([&, s = source, t = target] { query.distance(s, t); });
       }
     }
-    print(near ? "near_pair" : "far_pair", "s", 1, times);
+    times.print(near ? "near_pair" : "far_pair", 1);
   }
 }
 

@@ -39,6 +39,7 @@ class Result:
     prepared: float | None = None
     version: str = ""
     field_seconds: list[float] = field(default_factory=list)
+    field_cpu: list[float] = field(default_factory=list)  #: the same, all cores together
     fields: NDArray[np.float64] | None = None  #: shape (sources done, n)
     pair_seconds: list[float] = field(default_factory=list)
     pair_distances: list[float] = field(default_factory=list)
@@ -120,13 +121,24 @@ def stream(command: list[str], limit: float, take: Any) -> tuple[int | str, str,
     )
 
 
-def core(arguments: list[str], limit: float = 7200.0) -> tuple[dict[tuple[str, float], list[float]], int]:
+@dataclass
+class Line:
+    """One measurement of core_bench: seconds on the wall's clock, and of all cores together; or another quantity."""
+
+    values: list[float]
+    cpu: list[float] = field(default_factory=list)
+
+
+Lines = dict[tuple[str, float], Line]
+
+
+def core(arguments: list[str], limit: float = 7200.0) -> tuple[Lines, int]:
     """Lines of the program core_bench by name and detail, and its peak memory; ends the run if it fails."""
-    found: dict[tuple[str, float], list[float]] = {}
+    found: Lines = {}
 
     def take(text: str) -> None:
         line = json.loads(text)
-        found[line["name"], line["detail"]] = line["values"]
+        found[line["name"], line["detail"]] = Line(line["values"], line["cpu"])
 
     status, errors, peak = stream([str(PROGRAMS / "core_bench"), *arguments], limit, take)
     if status != 0:
@@ -171,6 +183,7 @@ def _take(result: Result, text: str) -> None:
         result.prepared, result.version = line["prepared"], line["version"]
     elif "field" in line:
         result.field_seconds.append(line["seconds"])
+        result.field_cpu.append(line["cpu"])
     elif "pair" in line:
         result.pair_seconds.append(line["seconds"])
         result.pair_distances.append(line["distance"])

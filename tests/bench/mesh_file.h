@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -41,12 +42,17 @@ inline double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds that a call takes.
+/// Seconds that a call takes: on the wall's clock, and of all cores together.
+struct Seconds {
+  double wall, cpu;
+};
+
 template <class Call>
-double seconds(Call&& call) {
+Seconds seconds(Call&& call) {
+  const std::clock_t cpu = std::clock();
   const double start = now();
   call();
-  return now() - start;
+  return {now() - start, static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
 }
 
 }  // namespace bench

@@ -1,11 +1,17 @@
 #!/usr/bin/env bash
 # Says which functions of the core take the time of the exact solver, the build, a field and two points. Does its own set-up.
 #
-# Usage: tests/bench/profile.sh [MESH]   (default igea; a mesh that tests/bench/run.sh has measured)
+# Usage: tests/bench/profile.sh [--write] [MESH]   (default igea; a mesh that tests/bench/run.sh has measured)
+#   --write: also refresh the tables of docs/benchmarks.md.
 # Needs perf (Debian: linux-perf) and, in containers, the right to sample a clock. Samples lie in build/bench-work/profile.
 set -euo pipefail
 bench="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$bench/../.."
+write=""
+if [ "${1:-}" = --write ]; then
+  write=--write
+  shift
+fi
 name="${1:-igea}"
 bash "$root/samples/setup.sh" --bench >&2
 command -v perf >/dev/null || { echo "profile.sh: perf is missing: apt-get install linux-perf" >&2; exit 1; }
@@ -27,4 +33,4 @@ profile build build "$mesh" 2 "$work/profile/index"
 profile field fields "$mesh" "$index" 1 200 0 1000 2000
 profile pairs pairs "$mesh" "$index" "$pairs" 20
 rm -f "$work/profile/index"
-"$root/build/venv-bench/bin/python" "$bench/profile_table.py" "$work/profile"
+"$root/build/venv-bench/bin/python" "$bench/profile_table.py" "$work/profile" $write

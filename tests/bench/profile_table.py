@@ -1,6 +1,6 @@
 """Tables of the functions that take the time, from the samples that profile.sh recorded.
 
-Usage: python profile_table.py FOLDER
+Usage: python profile_table.py FOLDER [--write]; --write puts them into docs/benchmarks.md
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+import pages
 import tables
 
 TITLES = {
@@ -25,6 +26,7 @@ LEAST = 1.0  # percent
 
 def main() -> None:
     """One table for each recording in the folder."""
+    text = ""
     for name, title in TITLES.items():
         data = Path(sys.argv[1]) / f"{name}.data"
         if not data.is_file():
@@ -32,7 +34,10 @@ def main() -> None:
         shares = shares_of(data)
         rows = [[f"`{function}`", f"{share:.0f}"] for function, share in shares if share >= LEAST][:SHOWN]
         rows.append(["all others", f"{100 - sum(share for _, share in shares[: len(rows)]):.0f}"])
-        print(tables.table(f"{title}: function | share of samples (%)", rows))
+        text += "\n" + tables.table(f"{title}: function | share of samples (%)", rows)
+    print(text)
+    if "--write" in sys.argv[2:]:
+        pages.replace(pages.BENCHMARKS, "profile", text + "\n")
 
 
 def shares_of(data: Path) -> list[tuple[str, float]]:

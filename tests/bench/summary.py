@@ -9,13 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 import methods
-from measure import Result
+from measure import Line, Result
 
 Summary = dict[str, Any]
 
 
-def spread(values: Sequence[float]) -> Summary | None:
-    """Median, p99, quartiles and range of measurements; None without any."""
+def of_line(line: Line) -> Summary | None:
+    """The spread of a line of core_bench."""
+    return spread(line.values, line.cpu)
+
+
+def spread(values: Sequence[float], cpu: Sequence[float] = ()) -> Summary | None:
+    """Median, p99, quartiles and range of measurements, and the median of all cores together; None without any."""
     if not len(values):
         return None
     array = np.asarray(values, float)
@@ -27,6 +32,7 @@ def spread(values: Sequence[float]) -> Summary | None:
         "min": float(array.min()),
         "max": float(array.max()),
         "count": len(array),
+        "cpu": float(np.median(cpu)) if len(cpu) else None,
     }
 
 
@@ -67,7 +73,7 @@ def of_method(
         "prepared": result.prepared,
         "peak_bytes": result.peak_bytes,
         "failure": result.failure,
-        "field": spread(result.field_seconds),
+        "field": spread(result.field_seconds, result.field_cpu),
         "field_sources": 0 if result.fields is None else len(result.fields),
         "many": spread(result.many),
     }

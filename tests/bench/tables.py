@@ -47,6 +47,11 @@ def spread(times: Summary | None) -> str:
     return f"{duration(times['median'])} ({duration(times['q1'])} to {duration(times['q3'])})"
 
 
+def cpu(times: Summary | None) -> str:
+    """Median of the time of all cores together."""
+    return duration(times.get("cpu")) if times else DASH
+
+
 def percent(errors: Summary | None, key: str) -> str:
     """One figure of the errors, in percent; below rounding it is 0."""
     if not errors or key not in errors:
@@ -63,20 +68,20 @@ def figures(result: Summary) -> str:
     """The figures of VoroGeo on one mesh: C++ core, and what numpy sees."""
     core, own = result["core"], result["methods"].get("vorogeo_index", {})
     n = result["vertices"]
-    rows = [["exact solver, whole mesh, a source, one thread", spread(core.get("exact"))]]
+    rows = [["exact solver, whole mesh, a source, one thread", spread(core["exact"]), cpu(core["exact"])]]
     for size, times in core["exact_patch"].items():
         text = f"exact solver on a piece of {float(size):.0f} vertices, per vertex and source"
-        rows.append([text, spread(times)])
+        rows.append([text, spread(times), cpu(times)])
     for threads, times in core["build"].items():
-        rows.append([f"build, {threads} thread{'s' * (threads != '1')}", duration(times["median"])])
+        rows.append([f"build, {threads} thread{'s' * (threads != '1')}", duration(times["median"]), cpu(times)])
     rows += [
         ["peak memory of the process while it builds", f"{number(core['build_peak'] / 2**20)} MiB"],
         ["index in memory, bytes per vertex", number(core["index_bytes"] / n)],
         ["index in the file, bytes per vertex", number(core["file_bytes"] / n)],
     ]
     for threads, times in core["field"].items():
-        rows.append([f"field, {threads} thread{'s' * (threads != '1')}", spread(times)])
-    rows.append(["field, numpy", spread(own.get("field"))])
+        rows.append([f"field, {threads} thread{'s' * (threads != '1')}", spread(times), cpu(times)])
+    rows.append(["field, numpy", spread(own.get("field")), cpu(own.get("field"))])
     for name, key in (("far", "far_pair"), ("near", "near_pair")):
         for where, times in (("", core[key]), (", numpy", own.get(name))):
             if times:
@@ -90,7 +95,7 @@ def figures(result: Summary) -> str:
         if error and "mean" in error:
             text = " / ".join(f"{percent(error, key)} %" for key in ("mean", "p99", "over", "under"))
             rows.append([f"error, {name}: mean / p99 / largest too long / too short", text])
-    return table("figure | measured", rows)
+    return table("figure | measured | of all cores", [[*row, *[""] * (3 - len(row))] for row in rows])
 
 
 def fields(result: Summary) -> str:
@@ -99,7 +104,7 @@ def fields(result: Summary) -> str:
     index = all_methods.get("vorogeo_index", {}).get("field")
     exact = all_methods.get("vorogeo_exact", {}).get("field")
     heading = (
-        "one source to all vertices | set-up | a field: median (quartiles) | sources | times our index "
+        "one source to all vertices | set-up | a field: median (quartiles) | of all cores | sources | times our index "
         "| times our exact | mean error (%) | p99 (%) | too long (%) | too short (%) | peak memory (MiB)"
     )
     rows = []
@@ -112,6 +117,7 @@ def fields(result: Summary) -> str:
                 method["title"],
                 duration(method["prepared"]),
                 spread(method["field"]),
+                cpu(method["field"]),
                 str(method["field_sources"]),
                 ratio(method["field"], index),
                 ratio(method["field"], exact),

@@ -1,8 +1,9 @@
 """Measures one method in a process of its own, so that a crash or a time limit ends nothing else.
 
 Usage: python worker.py TASK, a file written by measure.py; what comes out are lines of JSON, read by it as they come:
-  {"prepared": seconds, "version": text}, {"field": source, "seconds": t}, {"pair": i, "seconds": t, "distance": d},
-  {"many": pairs, "seconds": t}. The first field of each source is added to the task's file of fields.
+  {"prepared": seconds, "version": text}, {"field": source, "seconds": t, "cpu": t},
+  {"pair": i, "seconds": t, "distance": d}, {"many": pairs, "seconds": t}.
+The first field of each source is added to the task's file of fields.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ def main() -> None:
     vertices, faces = meshes.read_raw(Path(task["mesh"]))
     try:
         methods.import_package(task["method"])
-        method, prepared = timed(
+        method, prepared, _ = timed(
             lambda: methods.make(task["method"], vertices, faces, task["threads"], task["index_file"])
         )
         say(prepared=prepared, version=methods.version(task["method"]))
@@ -52,11 +53,11 @@ def measure_fields(method: Any, task: dict[str, Any]) -> None:
             for repeat in range(task["repeats"]):
                 if repeat > 0 and time.perf_counter() > end:
                     break
-                found, seconds = timed(lambda s=source: method.field(s))
+                found, seconds, cpu = timed(lambda s=source: method.field(s))
                 if repeat == 0:
                     np.ascontiguousarray(found, np.float64).tofile(file)
                     file.flush()
-                say(field=source, seconds=seconds)
+                say(field=source, seconds=seconds, cpu=cpu)
 
 
 def measure_pairs(method: Any, task: dict[str, Any]) -> None:
@@ -68,22 +69,22 @@ def measure_pairs(method: Any, task: dict[str, Any]) -> None:
     for number, (source, target) in enumerate(pairs):
         if number > 0 and time.perf_counter() > end:
             break
-        found, seconds = timed(lambda s=source, t=target: method.pair(s, t))
+        found, seconds, _ = timed(lambda s=source, t=target: method.pair(s, t))
         say(pair=number, seconds=seconds, distance=found)
 
 
 def measure_many(method: Any, pairs: np.ndarray) -> None:
     """All pairs in one call of VoroGeo."""
     for _ in range(3):
-        _, seconds = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
+        _, seconds, _ = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
         say(many=len(pairs), seconds=seconds)
 
 
-def timed(run: Callable[[], Any]) -> tuple[Any, float]:
-    """Result and wall-clock seconds of a call."""
-    start = time.perf_counter()
+def timed(run: Callable[[], Any]) -> tuple[Any, float, float]:
+    """Result of a call, its seconds on the wall's clock, and those of all cores together."""
+    start, cpu = time.perf_counter(), time.process_time()
     result = run()
-    return result, time.perf_counter() - start
+    return result, time.perf_counter() - start, time.process_time() - cpu
 
 
 def say(**values: object) -> None:

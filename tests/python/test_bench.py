@@ -98,7 +98,7 @@ def test_a_run_without_peers_gives_all_tables(tmp_path: Path, monkeypatch: pytes
     assert len(pages.figures_row(result)) == len(pages.ROWS_HEADING.split("|"))
 
 
-def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[dict[tuple[str, float], list[float]], int]:
+def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measure.Lines, int]:
     """What the C++ program would print, which is not built here; the index is a real one."""
     n = len(mesh[0])
     lines: dict[str, Any] = {
@@ -110,4 +110,4 @@ def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[dict[t
     if arguments[0] == "build":
         vorogeo.GeodesicIndex(*mesh, patches=(4, 3)).save(arguments[3])
         lines["build"] |= {("index_bytes", n): [1000.0 * n], ("file_bytes", n): [500.0 * n]}
-    return lines[arguments[0]], 2**27
+    return {key: measure.Line(values) for key, values in lines[arguments[0]].items()}, 2**27
