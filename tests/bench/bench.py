@@ -119,17 +119,18 @@ def query_core(
     random = np.random.default_rng(2)
     far = near.far_pairs(*(questions.with_face(mesh, 5000, random) for _ in range(2)))
     close = near.near_pairs(questions.with_face(mesh, 500, random), random)
-    kinds = np.repeat([0, 1], [len(far), len(close)])
-    pairs_file = raw.with_suffix(".pairs")
-    np.column_stack([np.vstack([far, close]), kinds]).astype(np.int32).tofile(pairs_file)
     lines, peak = measure.core(["fields", str(raw), str(index_file), str(threads), "3", *map(str, sources)])
-    pairs, _ = measure.core(["pairs", str(raw), str(index_file), str(pairs_file), "1"])
-    lines |= pairs
+    times = {}
+    for name, pairs in (("far", far), ("near", close)):
+        file = raw.with_suffix(f".{name}")
+        pairs.astype(np.int32).tofile(file)
+        if len(pairs):
+            times[name] = measure.core(["pairs", str(raw), str(index_file), str(file), "1"])[0]["pair", 1]
     return {
         "load": summary.of_line(lines["load", 1]),
         "field": {str(int(d)): summary.of_line(v) for (name, d), v in lines.items() if name == "field"},
-        "far_pair": summary.of_line(lines["far_pair", 1]),
-        "near_pair": summary.of_line(lines["near_pair", 1]),
+        "far_pair": summary.of_line(times["far"]) if "far" in times else None,
+        "near_pair": summary.of_line(times["near"]) if "near" in times else None,
         "query_peak": peak,
     }
 

@@ -3,7 +3,7 @@
 // - exact MESH SOURCE...: exact solver on the whole mesh, one thread, and on cut-out pieces
 // - build MESH THREADS INDEX: one build; the index is saved to INDEX
 // - fields MESH INDEX THREADS ROUNDS SOURCE...: fields with 1 to THREADS threads
-// - pairs MESH INDEX PAIRS ROUNDS: two points; PAIRS: int32 (source, target, near)
+// - pairs MESH INDEX PAIRS ROUNDS: two points; PAIRS: a file of int32 (source, target)
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -166,18 +166,14 @@ void time_fields(const MeshPointer& mesh, const char* index_file, int threads, i
 void time_pairs(const MeshPointer& mesh, const char* index_file, const char* pairs_file, int rounds) {
   const auto index = load_index(mesh, index_file);
   std::ifstream stream(pairs_file, std::ios::binary);
-  const std::size_t count = std::filesystem::file_size(pairs_file) / sizeof(std::array<Index, 3>);
-  const auto pairs = bench::read_array<std::array<Index, 3>>(stream, count);
+  const std::size_t count = std::filesystem::file_size(pairs_file) / sizeof(std::array<Index, 2>);
+  const auto pairs = bench::read_array<std::array<Index, 2>>(stream, count);
   vorogeo::GeodesicQuery query(index, 1);
-  for (const Index near : {0, 1}) {
-    Times times;
-    for (int round = 0; round < rounds; ++round) {
-      for (const auto& [source, target, is_near] : pairs) {
-        if (is_near == near) times.add([&, s = source, t = target] { query.distance(s, t); });
-      }
-    }
-    times.print(near ? "near_pair" : "far_pair", 1);
+  Times times;
+  for (int round = 0; round < rounds; ++round) {
+    for (const auto& pair : pairs) times.add([&] { query.distance(pair[0], pair[1]); });
   }
+  times.print("pair", 1);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ name="${1:-igea}"
 bash "$root/samples/setup.sh" --bench >&2
 command -v perf >/dev/null || { echo "profile.sh: perf is missing: apt-get install linux-perf" >&2; exit 1; }
 work="$root/build/bench-work"
-mesh="$work/$name.raw" index="$work/$name.vgi" pairs="$work/$name.pairs"
-for file in "$mesh" "$index" "$pairs"; do
+mesh="$work/$name.raw" index="$work/$name.vgi"
+for file in "$mesh" "$index" "$work/$name.far" "$work/$name.near"; do
   [ -f "$file" ] || { echo "profile.sh: there is no $file; run tests/bench/run.sh --no-peers $name first" >&2; exit 1; }
 done
 mkdir -p "$work/profile"
@@ -31,6 +31,7 @@ profile() {
 profile exact exact "$mesh" 0 1000 2000
 profile build build "$mesh" 2 "$work/profile/index"
 profile field fields "$mesh" "$index" 1 200 0 1000 2000
-profile pairs pairs "$mesh" "$index" "$pairs" 20
+profile far pairs "$mesh" "$index" "$work/$name.far" 20
+profile near pairs "$mesh" "$index" "$work/$name.near" 1
 rm -f "$work/profile/index"
 "$root/build/venv-bench/bin/python" "$bench/profile_table.py" "$work/profile" $write

@@ -1,4 +1,4 @@
-"""Tables of the functions that take the time, from the samples that profile.sh recorded.
+"""Tables of the source files and functions that take the time, from the samples that profile.sh recorded.
 
 Usage: python profile_table.py FOLDER [--write]; --write puts them into docs/benchmarks.md
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import pages
@@ -18,38 +18,85 @@ TITLES = {
     "exact": "exact solver, whole mesh",
     "build": "build, two threads",
     "field": "field, one thread",
-    "pairs": "two points, one thread",
+    "far": "two far points, one thread",
+    "near": "two near points, one thread",
 }
 SHOWN = 8
 LEAST = 1.0  # percent
+CORE = "/core/"
+TESTS = "/tests/bench/"
 
 
 def main() -> None:
     """One table for each recording in the folder."""
+    folder = Path(sys.argv[1])
     text = ""
     for name, title in TITLES.items():
-        data = Path(sys.argv[1]) / f"{name}.data"
+        data = folder / f"{name}.data"
         if not data.is_file():
             continue
-        shares = shares_of(data)
-        rows = [[f"`{function}`", f"{share:.0f}"] for function, share in shares if share >= LEAST][:SHOWN]
-        rows.append(["all others", f"{100 - sum(share for _, share in shares[: len(rows)]):.0f}"])
-        text += "\n" + tables.table(f"{title}: function | share of samples (%)", rows)
+        rows = [
+            [f"{place} {share:.0f} %" if place else "" for place, share in pair]
+            for pair in zip(longest(files_of(data)), longest(functions_of(data)), strict=True)
+        ]
+        text += f"\n**{title[0].upper()}{title[1:]}**\n\n" + tables.table("by file | by function", rows)
     print(text)
     if "--write" in sys.argv[2:]:
         pages.replace(pages.BENCHMARKS, "profile", text + "\n")
 
 
-def shares_of(data: Path) -> list[tuple[str, float]]:
-    """Functions and their own shares of the samples in percent, greatest first."""
-    command = ["perf", "report", "-i", str(data), "--stdio", "--no-children", "-g", "none", "--sort", "symbol", "-q"]
-    report = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+def longest(shares: dict[str, float]) -> list[tuple[str, float]]:
+    """The greatest shares and the rest, as many for every table."""
+    ordered = sorted(((share, place) for place, share in shares.items() if share >= LEAST), reverse=True)[:SHOWN]
+    shown = [(f"`{place}`" if "." in place or "::" in place else place, share) for share, place in ordered]
+    shown.append(("all others", 100 - sum(share for share, _ in ordered)))
+    return shown + [("", 0.0)] * (SHOWN + 1 - len(shown))
+
+
+def files_of(data: Path) -> dict[str, float]:
+    """Source files of the core, with headers put into their callers, and their shares of the samples in percent."""
+    samples = Counter[tuple[str, str]]()
+    for line in perf("script", data, "-F", "ip,dso"):
+        found = re.match(r"\s*([0-9a-f]+)\s+\((.*)\)", line)
+        if found:
+            samples[found[1], found[2]] += 1
+    program = next((dso for _, dso in samples if dso.endswith("core_bench")), None)
+    addresses = [address for address, dso in samples if dso == program]
+    places = {}
+    if program:
+        command = ["addr2line", "-e", program]
+        answer = subprocess.run(command, input="\n".join(addresses), check=True, capture_output=True, text=True).stdout
+        places = dict(zip(addresses, answer.splitlines(), strict=True))
     shares: dict[str, float] = defaultdict(float)
-    for line in report.splitlines():
-        found = re.match(r"\s*([\d.]+)%\s+\[(.)\]\s+(.*)$", line)
+    for (address, dso), count in samples.items():
+        shares[file_name(places.get(address, ""), dso, program)] += 100 * count / samples.total()
+    return shares
+
+
+def file_name(place: str, dso: str, program: str | None) -> str:
+    """`exact/envelope.cpp` for a line of the core, otherwise the library or the system."""
+    if dso != program:
+        return re.sub(r"\.so.*", "", Path(dso).name) if ".so" in dso else "the system"
+    file = place.rsplit(":", 1)[0]
+    if TESTS in file:
+        return "the benchmark"
+    return file.rsplit(CORE, 1)[1] if CORE in file else "C++ standard library"
+
+
+def functions_of(data: Path) -> dict[str, float]:
+    """Functions and their own shares of the samples in percent."""
+    shares: dict[str, float] = defaultdict(float)
+    for line in perf("report", data, "--stdio", "--no-children", "-g", "none", "-F", "overhead,sym", "-q"):
+        found = re.match(r"\s*([\d.]+)%\s+\[(.)\]\s+(.*\S)", line)
         if found:
             shares["the system" if found[2] == "k" else short(found[3])] += float(found[1])
-    return sorted(shares.items(), key=lambda item: -item[1])
+    return shares
+
+
+def perf(task: str, data: Path, *options: str) -> list[str]:
+    """The lines that perf prints about a recording."""
+    command = ["perf", task, "-i", str(data), *options]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()
 
 
 def short(symbol: str) -> str:

@@ -105,7 +105,7 @@ def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measur
         "exact": {("exact", n): [0.1, 0.2], ("exact_patch", 700): [1e-6]},
         "build": {("build", int(arguments[2]) if arguments[0] == "build" else 0): [1.0]},
         "fields": {("load", 1): [0.1], ("field", 1): [0.003], ("field", 2): [0.002]},
-        "pairs": {("far_pair", 1): [1e-5], ("near_pair", 1): [2e-4]},
+        "pairs": {("pair", 1): [1e-5]},
     }
     if arguments[0] == "build":
         vorogeo.GeodesicIndex(*mesh, patches=(4, 3)).save(arguments[3])
