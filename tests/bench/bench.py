@@ -30,8 +30,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="tests/bench/run.sh", description="Compares geodesic distances in one run.")
     parser.add_argument("meshes", nargs="*", default=DEFAULT, metavar="MESH", help="default: igea casting")
     parser.add_argument("--sources", type=int, default=10, help="random source vertices (default 10)")
-    parser.add_argument("--budget", type=float, default=20, help="seconds of fields of a method (default 20)")
-    parser.add_argument("--limit", type=float, default=300, help="seconds after which a method is ended (default 300)")
+    parser.add_argument(
+        "--budget", type=float, default=20, help="seconds of processor time for the fields of a method (default 20)"
+    )
+    parser.add_argument(
+        "--limit", type=float, default=300, help="seconds of processor time after which a method is ended (default 300)"
+    )
     parser.add_argument("--threads", type=int, default=2, help="threads of build and field (default 2)")
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
     parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")

@@ -31,7 +31,9 @@ def main() -> None:
     parser.add_argument("sizes", nargs="*", default=SIZES, metavar="SIZE", help=f"default: {' '.join(SIZES)}")
     parser.add_argument("--mesh", default="igea", help="mesh file or name (default igea)")
     parser.add_argument("--sources", type=int, default=2, help="random source vertices (default 2)")
-    parser.add_argument("--limit", type=float, default=120, help="seconds after which a peer is ended (default 120)")
+    parser.add_argument(
+        "--limit", type=float, default=120, help="seconds of processor time after which a peer is ended (default 120)"
+    )
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone; peers measured before are kept")
     parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and its picture")
     arguments = parser.parse_args()
