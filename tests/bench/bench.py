@@ -37,6 +37,7 @@ def main() -> None:
         "--limit", type=float, default=300, help="seconds of processor time after which a method is ended (default 300)"
     )
     parser.add_argument("--threads", type=int, default=2, help="threads of build and field (default 2)")
+    parser.add_argument("--one-build", action="store_true", help="no build on one thread")
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
     parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")
     parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and docs/figures.md")
@@ -46,7 +47,8 @@ def main() -> None:
     for name in arguments.meshes:
         file = meshes.find(name)
         if file:
-            result = measure_mesh(file, arguments.sources, chosen, limits, arguments.threads)
+            count = arguments.sources
+            result = measure_mesh(file, count, chosen, limits, arguments.threads, not arguments.one_build)
             show(result, write=arguments.write)
     if arguments.write:
         pages.refresh_figures({file.stem: json.loads(file.read_text()) for file in sorted(RESULTS.glob("*.json"))})
@@ -85,7 +87,7 @@ def measure_mesh(
         result = exact if name == "vorogeo_exact" else measure.run(name, task, limits)
         found[name] = summary.of_method(result, exact.fields, exact_pairs, len(far_pairs))
     if "vorogeo_index" in found:  # it was read from the file that the core wrote
-        found["vorogeo_index"]["prepared"] = core["build"][str(threads)]["median"]
+        found["vorogeo_index"]["prepared"] = core["build"][str(threads)]["cpu"]["median"]
     return {
         "mesh": file.stem,
         "vertices": len(mesh[0]),

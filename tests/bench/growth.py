@@ -20,7 +20,7 @@ RESULTS = meshes.WORK / "growth"
 SIZES = ("1/16", "1/4", "1", "loop1", "loop2")
 PEERS = ("pygeodesic", "pp3d_heat", "pp3d_marching", "igl_heat", "cgal_heat", "meshlab_point")
 HEADING = (
-    "vertices | build (s) | ms per vertex | peak of the build (MiB) | bytes per vertex | file | field (ms) "
+    "vertices | build (s) | µs per vertex | peak of the build (MiB) | bytes per vertex | file | field (ms) "
     "| ns per vertex | two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%) | exact field (s)"
 )
 
@@ -66,13 +66,13 @@ def row(result: dict[str, Any]) -> list[str]:
     """One size."""
     core, own, n = result["core"], result["methods"]["vorogeo_index"], result["vertices"]
     threads = max(core["build"])
-    build, field = core["build"][threads]["median"], core["field"][threads]["median"]
-    far, near = core["far_pair"] or {}, core["near_pair"] or {}
+    build, field = core["build"][threads]["cpu"]["median"], core["field"]["1"]["cpu"]["median"]
+    far, near = ((core[name] or {}).get("cpu") for name in ("far_pair", "near_pair"))
     error = own.get("field_error")
     return [
         f"{n:,}",
         tables.number(build),
-        tables.number(1e3 * build / n),
+        tables.number(1e6 * build / n),
         tables.number(core["build_peak"] / 2**20),
         tables.number(core["index_bytes"] / n),
         tables.number(core["file_bytes"] / n),
@@ -82,7 +82,7 @@ def row(result: dict[str, Any]) -> list[str]:
         tables.number(1e6 * near["median"]) if near else tables.DASH,
         tables.percent(error, "mean"),
         tables.percent(error, "p99"),
-        tables.number(core["exact"]["median"]),
+        tables.number(core["exact"]["cpu"]["median"]),
     ]
 
 

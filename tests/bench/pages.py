@@ -15,7 +15,7 @@ BENCHMARKS = meshes.ROOT / "docs" / "benchmarks.md"
 FIGURES = meshes.ROOT / "docs" / "figures.md"
 PICTURES = meshes.ROOT / "docs" / "figures"
 ROWS_HEADING = (
-    "mesh | vertices | build, one thread (s) | two (s) | bytes per vertex | in the file | field (ms) "
+    "mesh | vertices | build (s) | bytes per vertex | in the file | field (ms) "
     "| two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%) | too long (%) | too short (%) "
     "| far points, mean error (%) | exact field (s)"
 )
@@ -49,19 +49,19 @@ def mesh_section(result: dict[str, Any]) -> str:
 def figures_row(result: dict[str, Any]) -> list[str]:
     """The row of a mesh in docs/figures.md."""
     core, own, n = result["core"], result["methods"]["vorogeo_index"], result["vertices"]
-    build = core["build"]
+    build, far, near = core["build"], core["far_pair"], core["near_pair"]
     return [
         result["mesh"],
         str(n),
-        *(tables.number(build[threads]["median"]) if threads in build else tables.DASH for threads in ("1", "2")),
+        tables.number(build[min(build)]["cpu"]["median"]),
         f"{core['index_bytes'] / n:.0f}",
         f"{core['file_bytes'] / n:.0f}",
-        tables.number(1e3 * core["field"][max(core["field"])]["median"]),
-        *(tables.number(1e6 * core["far_pair"][key]) if core["far_pair"] else tables.DASH for key in ("median", "p99")),
-        tables.number(1e6 * core["near_pair"]["median"]) if core["near_pair"] else tables.DASH,
+        tables.number(1e3 * core["field"]["1"]["cpu"]["median"]),
+        *(tables.number(1e6 * far["cpu"][key]) if far else tables.DASH for key in ("median", "p99")),
+        tables.number(1e6 * near["cpu"]["median"]) if near else tables.DASH,
         *(tables.percent(own.get("field_error"), key) for key in ("mean", "p99", "over", "under")),
         tables.percent(own.get("far_error"), "mean"),
-        tables.number(core["exact"]["median"]),
+        tables.number(core["exact"]["cpu"]["median"]),
     ]
 
 

@@ -38,9 +38,9 @@ def error_against_time(result: dict[str, Any], file: Path) -> None:
             if not method[times] or "mean" not in (method.get(errors) or {}):
                 continue
             mean = EXACT_AT if method["exact"] else max(method[errors]["mean"], 2 * EXACT_AT)
-            seen[method["title"]] = draw_point(axes, name, method, method[times], mean)
+            seen[method["title"]] = draw_point(axes, name, method, method[times]["cpu"] or method[times], mean)
         axes.axhline(EXACT_AT, color="#bbbbbb", linewidth=0.8, zorder=0)
-        axes.set(xscale="log", yscale="log", title=title, xlabel="time (s)")
+        axes.set(xscale="log", yscale="log", title=title, xlabel="processor time (s)")
         axes.grid(alpha=0.3, which="major")
     panels[0].set_ylabel("mean relative error (%)")
     bottom, top = panels[0].get_ylim()
@@ -49,7 +49,9 @@ def error_against_time(result: dict[str, Any], file: Path) -> None:
     panels[0].set_yticks([], minor=True)
     panels[0].set_ylim(min(bottom, 0.6 * EXACT_AT), top)
     figure.legend(seen.values(), seen.keys(), loc="outside right upper", fontsize=8, frameon=False)
-    figure.suptitle(f"{result['mesh']}, {result['vertices']:,} vertices: median time (bars: quartiles)", fontsize=11)
+    figure.suptitle(
+        f"{result['mesh']}, {result['vertices']:,} vertices: median processor time (bars: quartiles)", fontsize=11
+    )
     save(figure, file)
 
 
@@ -71,10 +73,10 @@ def growth(results: Sequence[dict[str, Any]], file: Path) -> None:
     core = [(r["vertices"], r["core"]) for r in results]
     threads = max(core[0][1]["build"])
     for label, values, marker in (
-        (f"VoroGeo, build, {threads} threads", [(n, c["build"][threads]["median"]) for n, c in core], "D"),
-        ("VoroGeo, exact field, one thread", [(n, c["exact"]["median"]) for n, c in core], "s"),
-        (f"VoroGeo, field, {threads} threads", [(n, c["field"][threads]["median"]) for n, c in core], "*"),
-        ("VoroGeo, two far vertices", [(n, c["far_pair"]["median"]) for n, c in core if c["far_pair"]], "."),
+        ("VoroGeo, build", [(n, c["build"][threads]["cpu"]["median"]) for n, c in core], "D"),
+        ("VoroGeo, exact field", [(n, c["exact"]["cpu"]["median"]) for n, c in core], "s"),
+        ("VoroGeo, field", [(n, c["field"]["1"]["cpu"]["median"]) for n, c in core], "*"),
+        ("VoroGeo, two far vertices", [(n, c["far_pair"]["cpu"]["median"]) for n, c in core if c["far_pair"]], "."),
     ):
         time_axes.plot(*zip(*values, strict=True), marker=marker, label=label, **own)
     for label, key, marker in (
@@ -91,12 +93,12 @@ def growth(results: Sequence[dict[str, Any]], file: Path) -> None:
         method = measured[0][1]
         kind = next((kind for kind in MARKERS if kind in name), "exact")
         style = {"color": COLOURS[method["package"]], "marker": MARKERS[kind], "linestyle": "--", "linewidth": 1}
-        times = [(n, m["field"]["median"]) for n, m in measured]
+        times = [(n, m["field"]["cpu"]["median"]) for n, m in measured]
         time_axes.plot(*zip(*times, strict=True), label=f"{method['title']}, field", **style)
         peaks = [(n, m["peak_bytes"] / 2**20) for n, m in measured]
         memory_axes.plot(*zip(*peaks, strict=True), label=method["title"], **style)
     for axes, title, unit in (
-        (time_axes, "time", "time (s)"),
+        (time_axes, "time", "processor time (s)"),
         (memory_axes, "peak memory", "memory of the process (MiB)"),
     ):
         axes.set(xscale="log", yscale="log", xlabel="vertices", ylabel=unit, title=title)

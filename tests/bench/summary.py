@@ -20,7 +20,7 @@ def of_line(line: Line) -> Summary | None:
 
 
 def spread(values: Sequence[float], cpu: Sequence[float] = ()) -> Summary | None:
-    """Median, p99, quartiles and range of measurements, and the median of all cores together; None without any."""
+    """Median, p99, quartiles and range of measurements, and the same of processor time; None without any."""
     if not len(values):
         return None
     array = np.asarray(values, float)
@@ -32,7 +32,7 @@ def spread(values: Sequence[float], cpu: Sequence[float] = ()) -> Summary | None
         "min": float(array.min()),
         "max": float(array.max()),
         "count": len(array),
-        "cpu": float(np.median(cpu)) if len(cpu) else None,
+        "cpu": spread(cpu),
     }
 
 
@@ -75,13 +75,13 @@ def of_method(
         "failure": result.failure,
         "field": spread(result.field_seconds, result.field_cpu),
         "field_sources": 0 if result.fields is None else len(result.fields),
-        "many": spread(result.many),
+        "many": spread(result.many, result.many_cpu),
     }
     if result.fields is not None and len(result.fields):
         summary["field_error"] = errors(result.fields, exact_fields[: len(result.fields)])
     distances = np.array(result.pair_distances)
     for name, part in (("far", slice(0, first_near)), ("near", slice(first_near, None))):
-        summary[name] = spread(result.pair_seconds[part])
+        summary[name] = spread(result.pair_seconds[part], result.pair_cpu[part])
         if len(distances[part]):
             summary[f"{name}_error"] = errors(distances[part], exact_pairs[: len(distances)][part])
     return summary

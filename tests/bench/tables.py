@@ -48,8 +48,8 @@ def spread(times: Summary | None) -> str:
 
 
 def cpu(times: Summary | None) -> str:
-    """Median of the time of all cores together."""
-    return duration(times.get("cpu")) if times else DASH
+    """Median and quartiles of the processor time."""
+    return spread(times["cpu"]) if times and times["cpu"] else DASH
 
 
 def percent(errors: Summary | None, key: str) -> str:
@@ -60,8 +60,10 @@ def percent(errors: Summary | None, key: str) -> str:
 
 
 def ratio(times: Summary | None, to: Summary | None) -> str:
-    """How many times as long a median is as another."""
-    return f"{number(times['median'] / to['median'], 2)}" if times and to else DASH
+    """How many times as long a median is as another, in processor time."""
+    if not times or not to:
+        return DASH
+    return f"{number((times['cpu'] or times)['median'] / (to['cpu'] or to)['median'], 2)}"
 
 
 def figures(result: Summary) -> str:
@@ -73,7 +75,13 @@ def figures(result: Summary) -> str:
         text = f"exact solver on a piece of {float(size):.0f} vertices, per vertex and source"
         rows.append([text, spread(times), cpu(times)])
     for threads, times in core["build"].items():
-        rows.append([f"build, {threads} thread{'s' * (threads != '1')}", duration(times["median"]), cpu(times)])
+        rows.append(
+            [
+                f"build, {threads} thread{'s' * (threads != '1')}",
+                duration(times["median"]),
+                duration(times["cpu"]["median"] if times["cpu"] else None),
+            ]
+        )
     rows += [
         ["peak memory of the process while it builds", f"{number(core['build_peak'] / 2**20)} MiB"],
         ["index in memory, bytes per vertex", number(core["index_bytes"] / n)],
@@ -85,17 +93,17 @@ def figures(result: Summary) -> str:
     for name, key in (("far", "far_pair"), ("near", "near_pair")):
         for where, times in (("", core[key]), (", numpy", own.get(name))):
             if times:
-                rows.append(
-                    [f"two points, {name}{where}", f"{duration(times['median'])}, p99 {duration(times['p99'])}"]
-                )
+                both = [f"{duration(t['median'])}, p99 {duration(t['p99'])}" for t in (times, times["cpu"]) if t]
+                rows.append([f"two points, {name}{where}", *both])
     if own.get("many"):
-        rows.append(["many far pairs in one call, numpy", f"{number(own['many']['median'])} pairs a second"])
+        both = [f"{number(rate['median'])} a second" for rate in (own["many"], own["many"]["cpu"]) if rate]
+        rows.append(["many far pairs in one call, numpy", *both])
     for name in ("field", "far", "near"):
         error = own.get(f"{name}_error")
         if error and "mean" in error:
             text = " / ".join(f"{percent(error, key)} %" for key in ("mean", "p99", "over", "under"))
             rows.append([f"error, {name}: mean / p99 / largest too long / too short", text])
-    return table("figure | measured | of all cores", [[*row, *[""] * (3 - len(row))] for row in rows])
+    return table("figure | wall clock | processor time", [[*row, *[""] * (3 - len(row))] for row in rows])
 
 
 def fields(result: Summary) -> str:
@@ -104,7 +112,7 @@ def fields(result: Summary) -> str:
     index = all_methods.get("vorogeo_index", {}).get("field")
     exact = all_methods.get("vorogeo_exact", {}).get("field")
     heading = (
-        "one source to all vertices | set-up | a field: median (quartiles) | of all cores | sources | times our index "
+        "one source to all vertices | set-up | a field: processor time | wall clock | sources | times our index "
         "| times our exact | mean error (%) | p99 (%) | too long (%) | too short (%) | peak memory (MiB)"
     )
     rows = []
@@ -116,8 +124,8 @@ def fields(result: Summary) -> str:
             [
                 method["title"],
                 duration(method["prepared"]),
-                spread(method["field"]),
                 cpu(method["field"]),
+                duration(method["field"]["median"]) if method["field"] else DASH,
                 str(method["field_sources"]),
                 ratio(method["field"], index),
                 ratio(method["field"], exact),
@@ -137,10 +145,12 @@ def pairs(result: Summary) -> str:
             continue
         error = method.get("far_error")
         figures_of_error = [percent(error, key) for key in ("mean", "p99", "over", "under")]
-        row = [method["title"], spread(method["far"]), str(method["far"]["count"]), ratio(method["far"], index)]
+        row = [method["title"], cpu(method["far"]), str(method["far"]["count"]), ratio(method["far"], index)]
         rows.append(row + figures_of_error)
+    if not rows:
+        return "No two of the vertices drawn are far from each other and joined by a path.\n"
     heading = (
-        "two far vertices | median (quartiles) | pairs | times our index | mean error (%) | p99 (%) | too long (%) "
+        "two far vertices | processor time | pairs | times our index | mean error (%) | p99 (%) | too long (%) "
         "| too short (%)"
     )
     return table(heading, rows)

@@ -1,8 +1,8 @@
 """Measures one method in a process of its own, so that a crash or a time limit ends nothing else.
 
 Usage: python worker.py TASK, a file written by measure.py; what comes out are lines of JSON, read by it as they come:
-  {"prepared": seconds, "version": text}, {"field": source, "seconds": t, "cpu": t},
-  {"pair": i, "seconds": t, "distance": d}, {"many": pairs, "seconds": t}.
+  {"prepared": processor time, "version": text}, {"field": source, "seconds": t, "cpu": t},
+  {"pair": i, "seconds": t, "cpu": t, "distance": d}, {"many": pairs, "seconds": t, "cpu": t}.
 The first field of each source is added to the task's file of fields.
 """
 
@@ -27,7 +27,7 @@ def main() -> None:
     vertices, faces = meshes.read_raw(Path(task["mesh"]))
     try:
         methods.import_package(task["method"])
-        method, prepared, _ = timed(
+        method, _, prepared = timed(
             lambda: methods.make(task["method"], vertices, faces, task["threads"], task["index_file"])
         )
         say(prepared=prepared, version=methods.version(task["method"]))
@@ -69,15 +69,15 @@ def measure_pairs(method: Any, task: dict[str, Any]) -> None:
     for number, (source, target) in enumerate(pairs):
         if number > 0 and time.process_time() > end:
             break
-        found, seconds, _ = timed(lambda s=source, t=target: method.pair(s, t))
-        say(pair=number, seconds=seconds, distance=found)
+        found, seconds, cpu = timed(lambda s=source, t=target: method.pair(s, t))
+        say(pair=number, seconds=seconds, cpu=cpu, distance=found)
 
 
 def measure_many(method: Any, pairs: np.ndarray) -> None:
     """All pairs in one call of VoroGeo."""
     for _ in range(3):
-        _, seconds, _ = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
-        say(many=len(pairs), seconds=seconds)
+        _, seconds, cpu = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
+        say(many=len(pairs), seconds=seconds, cpu=cpu)
 
 
 def timed(run: Callable[[], Any]) -> tuple[Any, float, float]:

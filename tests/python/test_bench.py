@@ -110,4 +110,4 @@ def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measur
     if arguments[0] == "build":
         vorogeo.GeodesicIndex(*mesh, patches=(4, 3)).save(arguments[3])
         lines["build"] |= {("index_bytes", n): [1000.0 * n], ("file_bytes", n): [500.0 * n]}
-    return {key: measure.Line(values) for key, values in lines[arguments[0]].items()}, 2**27
+    return {key: measure.Line(values, values) for key, values in lines[arguments[0]].items()}, 2**27
