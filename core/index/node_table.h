@@ -1,6 +1,8 @@
 // Distances between all first-layer nodes: far pairs are then read instead of searched.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "index/patch_layer.h"
@@ -9,16 +11,54 @@
 namespace vorogeo {
 
 /// A symmetric table over the nodes of the first layer; empty if it would be too large.
+///
+/// Nodes that follow one another along a border between the same patches make groups of up to eight. Of two
+/// groups the table keeps the least distance between them, a lower bound that most searches can stop at, and
+/// for each pair of nodes by how many units its distance is above that, in 16 bits. Those of two groups, a
+/// *cell*, are next to each other in memory.
 struct NodeTable {
-  Index count = 0;              ///< nodes; 0: there is no table
-  std::vector<float> distance;  ///< shape (count, count)
+  static constexpr Index group_size = 8;
+  static constexpr std::uint16_t greatest_entry = 65534;
+  static constexpr std::uint16_t no_way = 65535;  ///< the entry for an infinite distance
 
-  const float* row(Index node) const { return distance.data() + static_cast<std::size_t>(node) * count; }
-  std::size_t memory_bytes() const { return distance.size() * sizeof(float); }
+  Index count = 0;                   ///< nodes; 0: there is no table
+  std::vector<Index> group_begin;    ///< first node, by group; then count
+  std::vector<Index> group_of;       ///< by node
+  float unit = 0.0f;                 ///< distance of an entry of 1
+  std::vector<float> least;          ///< shape (groups, groups)
+  std::vector<std::uint16_t> entry;  ///< by cell
+
+  Index group_count() const { return static_cast<Index>(group_begin.size()) - 1; }
+  Index size(Index group) const { return group_begin[group + 1] - group_begin[group]; }
+  /// Least distances of a group from all groups.
+  const float* least_from(Index group) const {
+    return least.data() + static_cast<std::size_t>(group) * group_count();
+  }
+  /// Entries of the nodes of two groups. Shape (size(a), size(b)).
+  const std::uint16_t* cell(Index a, Index b) const { return entry.data() + cell_begin(a, b); }
+  std::size_t cell_begin(Index a, Index b) const {
+    return static_cast<std::size_t>(group_begin[a]) * count +
+           static_cast<std::size_t>(size(a)) * group_begin[b];
+  }
+  float distance(Index a, Index b) const {
+    const Index group_a = group_of[a];
+    const Index group_b = group_of[b];
+    const std::uint16_t found =
+        cell(group_a, group_b)[(a - group_begin[group_a]) * size(group_b) + (b - group_begin[group_b])];
+    return found == no_way ? std::numeric_limits<float>::infinity()
+                           : least_from(group_a)[group_b] + unit * static_cast<float>(found);
+  }
+  std::size_t memory_bytes() const {
+    return entry.size() * sizeof(entry[0]) + least.size() * sizeof(least[0]) +
+           (group_begin.size() + group_of.size()) * sizeof(Index);
+  }
 };
 
 /// Whether the table of so many nodes is small enough for a mesh of so many vertices.
 bool node_table_fits(Index nodes, Index vertices);
+
+/// A table without distances: the groups of the nodes, which follow from the layer alone.
+NodeTable group_nodes(const PatchLayer& first);
 
 /// Fills the table by a search over the first layer from each of its nodes. Complexity: O(nodes arcs log
 /// nodes).

@@ -37,6 +37,55 @@ VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label
   return result;
 }
 
+/// Puts nodes between the same patches, which follow one another in `node_vertex`, into their order along the
+/// border, so that nodes with close numbers are close to each other. `same` tells whether two vertices lie
+/// between the same patches.
+template <class Same>
+void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::vector<Index>& node_vertex,
+                         Same&& same) {
+  std::vector<std::vector<Index>> beside(node_vertex.size());
+  std::vector<Index> node_of(mesh.vertex_count(), no_index);
+  for (std::size_t i = 0; i < node_vertex.size(); ++i) node_of[node_vertex[i]] = static_cast<Index>(i);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    if (node_of[a] == no_index || node_of[b] == no_index || !same(a, b)) continue;
+    const Index first = mesh.edge_halfedge(e);
+    bool border = false;
+    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      border = border || label[Mesh::face_of(h)] != label[Mesh::face_of(first)];
+    }
+    if (!border) continue;
+    beside[node_of[a]].push_back(node_of[b]);
+    beside[node_of[b]].push_back(node_of[a]);
+  }
+  std::vector<std::uint8_t> placed(node_vertex.size(), 0);
+  std::vector<Index> ordered;
+  ordered.reserve(node_vertex.size());
+  auto walk = [&](std::size_t start) {
+    auto at = static_cast<Index>(start);
+    while (at != no_index) {
+      placed[at] = 1;
+      ordered.push_back(node_vertex[at]);
+      Index next = no_index;
+      for (Index other : beside[at]) {
+        if (placed[other] == 0 && (next == no_index || other < next)) next = other;
+      }
+      at = next;
+    }
+  };
+  for (std::size_t begin = 0, end = 0; begin < node_vertex.size(); begin = end) {
+    while (end < node_vertex.size() && same(node_vertex[begin], node_vertex[end])) ++end;
+    // From the ends of the borders first; what is left are closed ones.
+    for (std::size_t i = begin; i < end; ++i) {
+      if (placed[i] == 0 && beside[i].size() < 2) walk(i);
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      if (placed[i] == 0) walk(i);
+    }
+  }
+  node_vertex.swap(ordered);
+}
+
 }  // namespace
 
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
@@ -65,6 +114,11 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     const auto of_a = patches_at(a);
     const auto of_b = patches_at(b);
     return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+  });
+  order_along_borders(mesh, label, layer.node_vertex, [&](Index a, Index b) {
+    const auto of_a = patches_at(a);
+    const auto of_b = patches_at(b);
+    return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   });
   layer.incidence_begin.push_back(0);
   for (Index node = 0; node < layer.node_count(); ++node) {

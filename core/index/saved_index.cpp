@@ -38,14 +38,25 @@ void load_layer(IndexFileReader& in, PatchLayer& layer) {
   note_complete(layer);
 }
 
-void load_node_table(IndexFileReader& in, NodeTable& table, Index nodes) {
-  table.distance = in.block<float>();
-  if (table.distance.empty()) return;
-  if (table.distance.size() != static_cast<std::size_t>(nodes) * nodes) {
+void load_node_table(IndexFileReader& in, NodeTable& table, const PatchLayer& first) {
+  auto entry = in.block<std::uint16_t>();
+  auto least = in.block<float>();
+  const auto unit = in.block<float>(1);
+  require_distances(in, least);
+  if (!(unit[0] >= 0.0f && unit[0] < std::numeric_limits<float>::infinity())) {
+    in.fail("is damaged (the unit of a table is infinite or no number)");
+  }
+  if (entry.empty() && least.empty()) return;
+  NodeTable laid_out = group_nodes(first);
+  const auto count = static_cast<std::size_t>(laid_out.count);
+  const auto groups = static_cast<std::size_t>(laid_out.group_count());
+  if (entry.size() != count * count || least.size() != groups * groups) {
     in.fail("is damaged (the table of borders has the wrong size)");
   }
-  require_distances(in, table.distance);
-  table.count = nodes;
+  table = std::move(laid_out);
+  table.entry = std::move(entry);
+  table.least = std::move(least);
+  table.unit = unit[0];
 }
 
 /// Every patch from 0 to count - 1 owns a face, and no face another.
@@ -126,7 +137,9 @@ void GeodesicIndex::save(const std::filesystem::path& file) const {
   out.block(data_->partition.parent);
   save_layer(out, data_->second);
   save_layer(out, data_->first);
-  out.block(data_->node_table.distance);
+  out.block(data_->node_table.entry);
+  out.block(data_->node_table.least);
+  out.block(std::vector<float>{data_->node_table.unit});
   out.block(data_->graph.arc_begin);
   out.block(data_->graph.arc);
   out.block(data_->graph.landmark_distance);
@@ -152,7 +165,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->lay_out(0, {});
   load_layer(in, data->second);
   load_layer(in, data->first);
-  load_node_table(in, data->node_table, data->first.node_count());
+  load_node_table(in, data->node_table, data->first);
   load_graph(in, data->graph, data->second, data->first);
   in.finish();
   data->count();

@@ -70,12 +70,41 @@ void BorderField::cross_node_table() {
   }
   least_.assign(count, std::numeric_limits<float>::infinity());
   least_row_.assign(count, no_index);
-  for (Index row : rows_) {
-    const auto base = static_cast<float>(search_.distance(first_name_[row]) - lowest_);
-    lower_by_line(data_.node_table.row(row), base, row, count, least_.data(), least_row_.data());
-  }
+  scan_node_table();
   for (Index begin = 0; begin < count; begin += Crossings::capacity) {
     cross_rows(begin, std::min(Crossings::capacity, count - begin));
+  }
+}
+
+/// Least sums over rows_. Most cells of the table are passed over by their least distance.
+void BorderField::scan_node_table() {
+  const NodeTable& table = data_.node_table;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  bases_.clear();
+  for (Index row : rows_) {
+    const Index group = table.group_of[row];
+    if (bases_.empty() || bases_.back().group != group) {
+      bases_.push_back({group, infinite, {}});
+      std::fill(std::begin(bases_.back().base), std::end(bases_.back().base), infinite);
+    }
+    GroupBase& at = bases_.back();
+    const auto base = static_cast<float>(search_.distance(first_name_[row]) - lowest_);
+    at.base[row - table.group_begin[group]] = base;
+    at.least = std::min(at.least, base);
+  }
+  std::sort(bases_.begin(), bases_.end(), [](const GroupBase& a, const GroupBase& b) {
+    return a.least < b.least || (a.least == b.least && a.group < b.group);
+  });
+  worst_.assign(table.group_count(), infinite);
+  for (const GroupBase& from : bases_) {
+    const float* least = table.least_from(from.group);
+    for (Index to = 0; to < table.group_count(); ++to) {
+      if (!(from.least + least[to] < worst_[to])) continue;
+      const Index begin = table.group_begin[to];
+      worst_[to] = lower_by_cell(table.cell(from.group, to), table.size(from.group), table.size(to),
+                                 from.base, least[to], table.unit, table.group_begin[from.group],
+                                 least_.data() + begin, least_row_.data() + begin);
+    }
   }
 }
 
@@ -87,7 +116,7 @@ void BorderField::cross_rows(Index begin, Index count) {
     if (row == no_index) continue;
     const Index column = begin + k;
     crossings.source[k] = static_cast<float>(search_.distance(first_name_[row]) - lowest_);
-    crossings.target[k] = data_.node_table.row(row)[column];
+    crossings.target[k] = data_.node_table.distance(row, column);
     int used = 0;
     for (const BorderEdges::Edge& edge : first_edges_.at(row)) {
       if (edge.node == no_index || used == 2) break;
@@ -98,7 +127,7 @@ void BorderField::cross_rows(Index begin, Index count) {
       }
       auto& side = crossings.side[used++];
       side.source[k] = static_cast<float>(distance - lowest_);
-      side.target[k] = data_.node_table.row(edge.node)[column];
+      side.target[k] = data_.node_table.distance(edge.node, column);
       side.length[k] = edge.length;
     }
   }

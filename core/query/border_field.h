@@ -41,6 +41,7 @@ class BorderField {
 
  private:
   void cross_node_table();
+  void scan_node_table();
   void cross_rows(Index begin, Index count);
 
   const IndexData& data_;
@@ -55,6 +56,14 @@ class BorderField {
   std::vector<double> first_distance_;
   std::vector<Index> first_before_;
   std::vector<Index> rows_;  ///< first-layer nodes around the starts
+  /// Distances of the nodes of a group above the lowest, infinite for those that are not in rows_.
+  struct GroupBase {
+    Index group;
+    float least;
+    float base[NodeTable::group_size];
+  };
+  std::vector<GroupBase> bases_;
+  std::vector<float> worst_;  ///< greatest of least_, by group
   std::vector<float> least_;
   std::vector<Index> least_row_;
   std::vector<std::uint8_t> allowed_;

@@ -8,6 +8,7 @@
 #include "exact/exact_solver.h"
 #include "index/index_data.h"
 #include "index/local_tables.h"
+#include "index/patch_neighbours.h"
 #include "query/border_field.h"
 #include "query/field_sweep.h"
 #include "query/graph_route.h"
@@ -24,8 +25,8 @@ namespace {
 /// more than the unfolding can err: then the distance over the border is below this part of it.
 constexpr double shorter_outside = 0.99;
 
-/// A route's length can be too short by what unfolding errs; this much longer it is an upper bound.
-constexpr double estimate_slack = 1.02;
+/// A sum of two table entries can be too short by their rounding; this much longer it is an upper bound.
+constexpr double bound_slack = 1.001;
 
 /// Growth of the halo for the near field: over a border close to the source, the largest errors would lie in
 /// the next patch.
@@ -41,10 +42,12 @@ struct GeodesicQuery::State {
         solver(data.geometry),
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
         borders(data),
+        patch_neighbours(data.second),
         graph_router(data),
         table_router(data),
         sweeps(threads),
-        is_near(data.second.patch_count, 0) {}
+        is_near(data.second.patch_count, 0),
+        unfolder(data) {}
 
   Index work_vertex(Index vertex, const char* role) const {
     if (vertex < 0 || vertex >= data.mesh->vertex_count()) {
@@ -54,15 +57,18 @@ struct GeodesicQuery::State {
     }
     return data.work.work_vertex[vertex];
   }
-  std::vector<Index> patches_of(Index work) const {
+  /// Calls visit(patch, column) for the second-layer patches of a vertex and its place among their members.
+  template <class Visit>
+  void for_each_patch(Index work, Visit&& visit) const {
     const Index node = data.second.vertex_node[work];
-    if (node == no_index) return {data.home_patch[work]};
-    std::vector<Index> patches;
-    for (const PatchRow& at : data.second.patches_of(node)) patches.push_back(at.patch);
-    return patches;
+    if (node == no_index) {
+      visit(data.home_patch[work], data.home_column[work]);
+      return;
+    }
+    for (const PatchRow& at : data.second.patches_of(node)) visit(at.patch, at.row);
   }
-  std::vector<Index> patches_if_near(Index source, Index target) const;
-  GraphRoute route(const RouteEnd& from, const RouteEnd& to);
+  double near_bound(Index source, Index target);
+  double route_length(Index source, Index target);
   bool in_near_patch(Index work) const {
     if (is_near[data.home_patch[work]] != 0) return true;
     const Index node = data.second.vertex_node[work];
@@ -76,7 +82,7 @@ struct GeodesicQuery::State {
   void sweep_patches(Index first_layer_patch, FieldSweep& sweep, double max_distance,
                      std::vector<double>& field);
   void join_near_field(double certain, double max_distance, std::vector<double>& field);
-  double distance_nearby(Index source, Index target, const std::vector<Index>& patches, double estimate);
+  double distance_nearby(Index source, Index target, double bound);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -84,12 +90,20 @@ struct GeodesicQuery::State {
   ExactSolver solver;
   Halo halo;
   BorderField borders;
+  PatchNeighbours patch_neighbours;
   GraphRouter graph_router;
   TableRouter table_router;
   std::vector<FieldSweep> sweeps;
   std::vector<std::uint8_t> is_near;
   std::vector<BorderField::Start> starts;
   std::vector<Index> targets;
+  RouteEnd from;
+  RouteEnd to;
+  GraphRoute far_route;
+  RouteUnfolder unfolder;
+  std::vector<Index> pair_patches;
+  std::vector<float> source_column;
+  std::vector<float> target_column;
 };
 
 GeodesicQuery::GeodesicQuery(std::shared_ptr<const GeodesicIndex> index, int threads)
@@ -100,54 +114,68 @@ GeodesicQuery& GeodesicQuery::operator=(GeodesicQuery&&) noexcept = default;
 
 const GeodesicIndex& GeodesicQuery::index() const { return *state_->index; }
 
-/// The patches of both vertices if one of the source's is or touches one of the target's; empty if none does.
-std::vector<Index> GeodesicQuery::State::patches_if_near(Index source, Index target) const {
-  auto patches = patches_of(source);
-  const auto of_target = patches_of(target);
-  auto is_target_patch = [&](Index p) {
-    return std::find(of_target.begin(), of_target.end(), p) != of_target.end();
+/// If a patch of one vertex is or touches one of the other: an upper bound of their distance, over the border
+/// vertices that both patches have; otherwise unreachable. Leaves the patches in pair_patches.
+double GeodesicQuery::State::near_bound(Index source, Index target) {
+  const PatchLayer& second = data.second;
+  double bound = unreachable;
+  pair_patches.clear();
+  auto add = [&](Index patch) {
+    if (std::find(pair_patches.begin(), pair_patches.end(), patch) == pair_patches.end())
+      pair_patches.push_back(patch);
   };
-  auto touches = [&](Index p) {
-    const auto nodes = data.second.nodes(p);
-    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
-      const auto at_node = data.second.patches_of(node);
-      return std::any_of(at_node.begin(), at_node.end(),
-                         [&](const PatchRow& at) { return is_target_patch(at.patch); });
+  for_each_patch(source, [&](Index p, Index source_at) {
+    for_each_patch(target, [&](Index q, Index target_at) {
+      if (p != q && !patch_neighbours.touch(p, q)) return;
+      add(p);
+      add(q);
+      source_column.resize(second.border_size(p));
+      target_column.resize(second.border_size(q));
+      second.read_column(p, source_at, source_column.data());
+      second.read_column(q, target_at, target_column.data());
+      // Both lists of nodes ascend.
+      const auto here = second.nodes(p);
+      const auto there = second.nodes(q);
+      for (std::size_t i = 0, k = 0; i < here.size() && k < there.size();) {
+        if (here[i] == there[k]) {
+          bound = std::min(bound, static_cast<double>(source_column[i]) + target_column[k]);
+        }
+        const bool next_here = here[i] <= there[k];
+        const bool next_there = there[k] <= here[i];
+        i += next_here ? 1 : 0;
+        k += next_there ? 1 : 0;
+      }
     });
-  };
-  if (std::none_of(patches.begin(), patches.end(),
-                   [&](Index p) { return is_target_patch(p) || touches(p); })) {
-    return {};
-  }
-  for (Index p : of_target) {
-    if (std::find(patches.begin(), patches.end(), p) == patches.end()) patches.push_back(p);
-  }
-  return patches;
+  });
+  return bound;
 }
 
-GraphRoute GeodesicQuery::State::route(const RouteEnd& from, const RouteEnd& to) {
-  if (data.node_table.count == 0) return graph_router.route(from, to);
-  GraphRoute best = table_router.route(from, to);
-  const bool neighbours = std::find_first_of(from.parents.begin(), from.parents.end(), to.parents.begin(),
-                                             to.parents.end()) != from.parents.end();
-  if (neighbours) {
+/// Length of the shortest route of the tables or the graph, unfolded.
+double GeodesicQuery::State::route_length(Index source, Index target) {
+  route_end(data, source, from);
+  route_end(data, target, to);
+  if (data.node_table.count == 0) {
+    graph_router.route(from, to, far_route);
+  } else {
+    table_router.route(from, to, far_route);
+    const bool neighbours = std::find_first_of(from.parents.begin(), from.parents.end(), to.parents.begin(),
+                                               to.parents.end()) != from.parents.end();
     // The way may stay inside a first-layer patch.
-    GraphRoute inside = graph_router.route(from, to);
-    if (inside.length < best.length) best = std::move(inside);
+    if (neighbours) graph_router.route(from, to, far_route, far_route.length);
   }
-  return best;
+  if (far_route.length == unreachable) return unreachable;
+  return std::min(far_route.length, unfolder.length(far_route, source, target));
 }
 
 /// Exact distance of two vertices by propagation around `patches`. If a path could have left the faces
 /// allowed to it, a second run over all faces decides; the first one's result keeps it in a thin corridor.
-double GeodesicQuery::State::distance_nearby(Index source, Index target, const std::vector<Index>& patches,
-                                             double estimate) {
-  halo.surround(patches);
+double GeodesicQuery::State::distance_nearby(Index source, Index target, double bound) {
+  halo.surround(pair_patches);
   ExactLimits limits;
   limits.targets = std::span(&target, 1);
   limits.corridor_target = target;
   limits.distances_only = true;
-  limits.max_distance = estimate * estimate_slack;
+  limits.max_distance = bound * bound_slack;
   limits.face_allowed = halo.mask();
   solver.run_from_vertices(std::span(&source, 1), limits);
   const double found = solver.distance(target);
@@ -169,13 +197,9 @@ double GeodesicQuery::distance(Index source, Index target) {
   }
   // One order for both directions makes the answer symmetric to the last bit.
   if (s > t) std::swap(s, t);
-  const RouteEnd from = route_end(data, s);
-  const RouteEnd to = route_end(data, t);
-  const GraphRoute route = state.route(from, to);
-  const auto near = state.patches_if_near(s, t);
-  if (!near.empty()) return state.distance_nearby(s, t, near, route.length);
-  if (route.length == unreachable) return unreachable;
-  return std::min(route.length, unfolded_length(data, route, s, t));
+  const double bound = state.near_bound(s, t);
+  if (!state.pair_patches.empty()) return state.distance_nearby(s, t, bound);
+  return state.route_length(s, t);
 }
 
 /// The border nodes of the source's patches, with the distances of the tables.
@@ -275,11 +299,11 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
     if (work == no_index) continue;
     state.add_starts(work, static_cast<Index>(works.size()));
     works.push_back(work);
-    for (Index p : state.patches_of(work)) {
-      if (state.is_near[p]) continue;
+    state.for_each_patch(work, [&](Index p, Index) {
+      if (state.is_near[p]) return;
       near.push_back(p);
       state.is_near[p] = 1;
-    }
+    });
   }
   if (works.empty()) return field;
 

@@ -6,8 +6,10 @@
 
 namespace vorogeo {
 
-RouteEnd route_end(const IndexData& data, Index work_vertex) {
-  RouteEnd end;
+void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
+  end.starts.clear();
+  end.parents.clear();
+  end.patch = no_index;
   const PatchLayer& second = data.second;
   const Index node = second.vertex_node[work_vertex];
   auto add_parent = [&](Index patch) {
@@ -18,7 +20,7 @@ RouteEnd route_end(const IndexData& data, Index work_vertex) {
   if (node != no_index) {
     end.starts.push_back({node, 0.0});
     for (const PatchRow& at : second.patches_of(node)) add_parent(at.patch);
-    return end;
+    return;
   }
   end.patch = data.home_patch[work_vertex];
   add_parent(end.patch);
@@ -27,7 +29,6 @@ RouteEnd route_end(const IndexData& data, Index work_vertex) {
     const double distance = second.distance(end.patch, static_cast<Index>(i), data.home_column[work_vertex]);
     if (distance < unreachable) end.starts.push_back({nodes[i], distance});
   }
-  return end;
 }
 
 GraphRouter::GraphRouter(const IndexData& data)
@@ -83,13 +84,13 @@ void GraphRouter::settle(int side) {
   }
 }
 
-GraphRoute GraphRouter::route(const RouteEnd& source, const RouteEnd& target) {
+bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& route, double below) {
   if (++stamp_ == 0) {
     for (auto& state : state_) state.stamp = 0;
     std::fill(parent_open_.begin(), parent_open_.end(), 0);
     stamp_ = 1;
   }
-  best_ = unreachable;
+  best_ = below;
   meeting_ = no_index;
   settled_ = 0;
   const RouteEnd* ends[2] = {&source, &target};
@@ -112,9 +113,13 @@ GraphRoute GraphRouter::route(const RouteEnd& source, const RouteEnd& target) {
     settle(heap_[0].size() <= heap_[1].size() ? 0 : 1);
   }
 
-  GraphRoute route;
+  if (meeting_ == no_index) {
+    if (below == unreachable) route = {};
+    return false;
+  }
   route.length = best_;
-  if (meeting_ == no_index) return route;
+  route.nodes.clear();
+  route.arc_patches.clear();
   for (Index node = meeting_; node != no_index; node = state_[node].before[0]) {
     route.nodes.push_back(node);
     if (state_[node].before[0] != no_index) route.arc_patches.push_back(state_[node].arc_patch[0]);
@@ -125,7 +130,7 @@ GraphRoute GraphRouter::route(const RouteEnd& source, const RouteEnd& target) {
     route.arc_patches.push_back(state_[node].arc_patch[1]);
     route.nodes.push_back(state_[node].before[1]);
   }
-  return route;
+  return true;
 }
 
 }  // namespace vorogeo

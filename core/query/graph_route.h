@@ -20,8 +20,8 @@ struct RouteEnd {
   std::vector<Index> parents;  ///< first-layer patches whose second-layer arcs may be used
 };
 
-/// The end of a route at a work vertex.
-RouteEnd route_end(const IndexData& data, Index work_vertex);
+/// The end of a route at a work vertex, in the place of what `end` was.
+void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
 
 /// Stands for an arc patch where a route goes from one first-layer node to another by the node table.
 inline constexpr Index by_node_table = std::numeric_limits<Index>::min();
@@ -43,7 +43,9 @@ struct GraphRoute {
 class GraphRouter {
  public:
   explicit GraphRouter(const IndexData& data);
-  GraphRoute route(const RouteEnd& source, const RouteEnd& target);
+  /// Writes the shortest route to `result` if it is shorter than `below`, else leaves that as it was (without
+  /// `below`: a route of length unreachable). Whether there is one.
+  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
   /// Nodes settled in the last search, for measurements.
   std::size_t settled() const { return settled_; }
 

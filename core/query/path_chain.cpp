@@ -74,7 +74,7 @@ class ChainBuilder {
   void node_table_hop(Index a, Index b) {
     const Index goal = data_.first.vertex_node[vertex_of(a)];
     Index here = data_.first.vertex_node[vertex_of(b)];
-    const float* from_goal = data_.node_table.row(goal);
+    auto from_goal = [&](Index node) { return data_.node_table.distance(goal, node); };
     struct Hop {
       Index from, to, parent;
     };
@@ -88,8 +88,8 @@ class ChainBuilder {
         line_.resize(nodes.size());
         data_.first.read_column(at.patch, parent_column(at.patch, here), line_.data());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-          if (nodes[i] == here || !(from_goal[nodes[i]] < from_goal[here])) continue;
-          const double sum = static_cast<double>(from_goal[nodes[i]]) + line_[i];
+          if (nodes[i] == here || !(from_goal(nodes[i]) < from_goal(here))) continue;
+          const double sum = static_cast<double>(from_goal(nodes[i])) + line_[i];
           if (sum < best * (nodes[i] == goal ? 1.0 + equal_sums : 1.0)) {
             best = sum;
             next = nodes[i];

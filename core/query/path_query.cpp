@@ -122,8 +122,11 @@ bool PathQuery::State::near(const End& a, const End& b) const {
 }
 
 RouteEnd PathQuery::State::starts_of(const End& end) const {
-  if (end.point.is_vertex()) return route_end(data, end.vertex);
   RouteEnd result;
+  if (end.point.is_vertex()) {
+    route_end(data, end.vertex, result);
+    return result;
+  }
   result.patch = data.work.second_layer[end.point.face];
   const auto nodes = data.second.nodes(result.patch);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -143,13 +146,18 @@ RouteEnd PathQuery::State::starts_of(const End& end) const {
 }
 
 GraphRoute PathQuery::State::route(const End& from, const End& to) {
-  const RouteEnd a = route_end(data, from.vertex);
-  const RouteEnd b = route_end(data, to.vertex);
-  if (data.node_table.count == 0) return graph_router.route(a, b);
-  GraphRoute best = table_router.route(a, b);
+  RouteEnd a;
+  RouteEnd b;
+  route_end(data, from.vertex, a);
+  route_end(data, to.vertex, b);
+  GraphRoute best;
+  if (data.node_table.count == 0) {
+    graph_router.route(a, b, best);
+    return best;
+  }
+  table_router.route(a, b, best);
   if (std::ranges::find_first_of(a.parents, b.parents) != a.parents.end()) {
-    GraphRoute inside = graph_router.route(a, b);
-    if (inside.length < best.length) best = std::move(inside);
+    graph_router.route(a, b, best, best.length);
   }
   return best;
 }

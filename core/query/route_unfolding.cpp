@@ -11,12 +11,8 @@ namespace vorogeo {
 
 namespace {
 
-/// A border node near the route: the route's own node first, then its border neighbours.
-struct Near {
-  Index vertex;
-  double distance;  ///< from the source
-  double length;    ///< of the border edge to the route's own node
-};
+using Near = RouteUnfolder::Near;
+using Leg = RouteUnfolder::Leg;
 
 Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
   const Index node = layer.vertex_node[vertex];
@@ -27,20 +23,12 @@ Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
   return no_index;
 }
 
-/// The table by which a route goes on: that of a patch of either layer, or the node table.
-struct Leg {
-  enum class Table { second, first, nodes };
-  Table table;
-  Index patch;        ///< unused for the node table
-  Index exit_vertex;  ///< where the route leaves it; the target at last
-};
-
 /// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
 double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
   if (leg.table == Leg::Table::nodes) {
     const Index a = data.first.vertex_node[from];
     const Index b = data.first.vertex_node[to];
-    return a == no_index || b == no_index ? unreachable : data.node_table.row(a)[b];
+    return a == no_index || b == no_index ? unreachable : data.node_table.distance(a, b);
   }
   const PatchLayer& layer = leg.table == Leg::Table::first ? data.first : data.second;
   auto column_of = [&](Index vertex) {
@@ -95,8 +83,9 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
   return best;
 }
 
-std::vector<Leg> legs_of(const IndexData& data, const GraphRoute& route, Index source, Index target) {
-  std::vector<Leg> legs;
+void find_legs(const IndexData& data, const GraphRoute& route, Index source, Index target,
+               std::vector<Leg>& legs) {
+  legs.clear();
   auto add = [&](Leg::Table table, Index patch, Index exit_vertex) {
     // Two arcs in a row through one patch are one way through it.
     if (!legs.empty() && legs.back().table == table && legs.back().patch == patch) legs.pop_back();
@@ -118,7 +107,6 @@ std::vector<Leg> legs_of(const IndexData& data, const GraphRoute& route, Index s
   if (data.second.vertex_node[target] == no_index) {
     add(Leg::Table::second, data.home_patch[target], target);
   }
-  return legs;
 }
 
 /// Calls visit(vertex, length) for the border neighbours of the vertex where the route goes from one leg to
@@ -139,22 +127,21 @@ void for_each_neighbour(const IndexData& data, const Leg& leg, const Leg& next, 
 
 }  // namespace
 
-double unfolded_length(const IndexData& data, const GraphRoute& route, Index source, Index target) {
-  const auto legs = legs_of(data, route, source, target);
-  std::vector<Near> near{{source, 0.0, 0.0}};
-  std::vector<Near> next;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = legs[i];
-    next.clear();
-    next.push_back({leg.exit_vertex, cross(data, leg, near, leg.exit_vertex), 0.0});
-    if (i + 1 < legs.size()) {
-      for_each_neighbour(data, leg, legs[i + 1], [&](Index vertex, double length) {
-        next.push_back({vertex, cross(data, leg, near, vertex), length});
+double RouteUnfolder::length(const GraphRoute& route, Index source, Index target) {
+  find_legs(data_, route, source, target, legs_);
+  near_.assign(1, {source, 0.0, 0.0});
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const Leg& leg = legs_[i];
+    next_.clear();
+    next_.push_back({leg.exit_vertex, cross(data_, leg, near_, leg.exit_vertex), 0.0});
+    if (i + 1 < legs_.size()) {
+      for_each_neighbour(data_, leg, legs_[i + 1], [&](Index vertex, double length) {
+        next_.push_back({vertex, cross(data_, leg, near_, vertex), length});
       });
     }
-    near.swap(next);
+    near_.swap(next_);
   }
-  return near.front().distance;
+  return near_.front().distance;
 }
 
 }  // namespace vorogeo

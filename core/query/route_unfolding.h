@@ -1,14 +1,42 @@
 // A better length for a route of the graph: each border it crosses is unfolded around the crossing.
 #pragma once
 
+#include <vector>
+
 #include "query/graph_route.h"
 
 namespace vorogeo {
 
-/// Length of the way along a route from source to target (work vertices), crossing each border anywhere on
-/// the border edges at the route's node instead of at the node. Near a node, distances are kept for the node
-/// and its border neighbours; they come from the same wave, so no guard is needed. Complexity: O(nodes of the
-/// route).
-double unfolded_length(const IndexData& data, const GraphRoute& route, Index source, Index target);
+/// Walks routes of one index. Holds scratch memory: one object belongs to one thread.
+class RouteUnfolder {
+ public:
+  explicit RouteUnfolder(const IndexData& data) : data_(data) {}
+
+  /// Length of the way along a route from source to target (work vertices), crossing each border anywhere on
+  /// the border edges at the route's node instead of at the node. Near a node, distances are kept for the
+  /// node and its border neighbours; they come from the same wave, so no guard is needed. Complexity: O(nodes
+  /// of the route).
+  double length(const GraphRoute& route, Index source, Index target);
+
+  /// A border node near the route: the route's own node first, then its border neighbours.
+  struct Near {
+    Index vertex;
+    double distance;  ///< from the source
+    double length;    ///< of the border edge to the route's own node
+  };
+  /// The table by which a route goes on: that of a patch of either layer, or the node table.
+  struct Leg {
+    enum class Table { second, first, nodes };
+    Table table;
+    Index patch;        ///< unused for the node table
+    Index exit_vertex;  ///< where the route leaves it; the target at last
+  };
+
+ private:
+  const IndexData& data_;
+  std::vector<Leg> legs_;
+  std::vector<Near> near_;
+  std::vector<Near> next_;
+};
 
 }  // namespace vorogeo

@@ -1,5 +1,5 @@
-// The scans. Sums are formed in the same order on all instruction sets, so the results are the same to the
-// last bit.
+// The scans. Those in integers and plain sums give the same on all instruction sets to the last bit; where a
+// product is added, some sets round once and others twice.
 #include "support/min_plus.h"
 
 #include <cstring>
@@ -12,39 +12,10 @@ namespace vorogeo {
 namespace {
 
 constexpr std::uint16_t no_way_entry = 32767;
+constexpr std::uint16_t no_way_node = 65535;
 constexpr std::int16_t greatest_sum = 32767;
 
 }  // namespace
-
-VOROGEO_CLONES
-float least_sum(const float* a, const float* b, Index count) {
-  // Several minima side by side, as the order of minima may not be changed by the compiler.
-  constexpr Index lanes = 32;
-  float lane[lanes];
-  for (float& value : lane) value = std::numeric_limits<float>::infinity();
-  Index i = 0;
-  for (; i + lanes <= count; i += lanes) {
-    for (Index k = 0; k < lanes; ++k) {
-      const float sum = a[i + k] + b[i + k];
-      lane[k] = sum < lane[k] ? sum : lane[k];
-    }
-  }
-  for (; i < count; ++i) {
-    const float sum = a[i] + b[i];
-    lane[0] = sum < lane[0] ? sum : lane[0];
-  }
-  for (Index half = lanes / 2; half > 0; half /= 2) {
-    for (Index k = 0; k < half; ++k) lane[k] = lane[k + half] < lane[k] ? lane[k + half] : lane[k];
-  }
-  return lane[0];
-}
-
-Index first_within(const float* a, const float* b, Index count, float bound) {
-  for (Index i = 0; i < count; ++i) {
-    if (a[i] + b[i] <= bound) return i;
-  }
-  return no_index;
-}
 
 VOROGEO_CLONES
 Index first_lower(const float* line, double base, const double* distance, Index begin, Index count) {
@@ -66,26 +37,57 @@ Index first_lower(const float* line, double base, const double* distance, Index 
 }
 
 VOROGEO_CLONES
-void lower_by_line(const float* line, float base, Index name, Index count, float* least, Index* best) {
+void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least) {
   for (Index i = 0; i < count; ++i) {
-    const float through = base + line[i];
-    const bool lower = through < least[i];
+    const float through = base + unit * static_cast<float>(entries[i]);
+    const bool lower = (entries[i] != no_way_entry) & (through < least[i]);
     least[i] = lower ? through : least[i];
-    best[i] = lower ? name : best[i];
   }
 }
 
 VOROGEO_CLONES
-void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index name, Index count,
-                      float* least, Index* best) {
-  for (Index i = 0; i < count; ++i) {
-    const float entry = entries[i] == no_way_entry ? std::numeric_limits<float>::infinity()
-                                                   : unit * static_cast<float>(entries[i]);
-    const float through = base + entry;
-    const bool lower = through < least[i];
-    least[i] = lower ? through : least[i];
-    best[i] = lower ? name : best[i];
+float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
+                    float unit, Index first_name, float* least, Index* best) {
+  float worst = 0.0f;
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+    const float start = base[row] + offset;
+    for (Index i = 0; i < columns; ++i) {
+      const float through = start + unit * static_cast<float>(entries[i]);
+      const bool lower = (entries[i] != no_way_node) & (through < least[i]);
+      least[i] = lower ? through : least[i];
+      best[i] = lower ? first_name + row : best[i];
+    }
   }
+  for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
+  return worst;
+}
+
+VOROGEO_CLONES
+float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,
+                    float unit) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  constexpr Index width = 8;
+  float lane[width];
+  for (float& value : lane) value = infinite;
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+    if (columns == width) {
+      for (Index k = 0; k < width; ++k) {
+        const float sum = (from[row] + unit * static_cast<float>(entries[k])) + to[k];
+        const bool lower = (entries[k] != no_way_node) & (sum < lane[k]);
+        lane[k] = lower ? sum : lane[k];
+      }
+    } else {
+      for (Index k = 0; k < columns; ++k) {
+        const float sum = (from[row] + unit * static_cast<float>(entries[k])) + to[k];
+        if (entries[k] != no_way_node && sum < lane[0]) lane[0] = sum;
+      }
+    }
+  }
+  float least = lane[0];
+  for (Index k = 1; k < width; ++k) least = lane[k] < least ? lane[k] : least;
+  return least;
 }
 
 VOROGEO_CLONES

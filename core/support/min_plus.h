@@ -7,17 +7,8 @@
 
 namespace vorogeo {
 
-/// Least a[i] + b[i] for i in [0, count); infinity for none.
-float least_sum(const float* a, const float* b, Index count);
-
-/// First i with a[i] + b[i] <= bound; no_index for none.
-Index first_within(const float* a, const float* b, Index count, float bound);
-
 /// First i in [begin, count) with base + line[i] < distance[i]; count for none.
 Index first_lower(const float* line, double base, const double* distance, Index begin, Index count);
-
-/// least[i] = min(least[i], base + line[i]); where that is lower, best[i] = name.
-void lower_by_line(const float* line, float base, Index name, Index count, float* least, Index* best);
 
 // Tables of 15 bits: an entry of 32767 stands for an infinite distance. A *base* is at most 0, so that sums
 // are int16_t; -32768 is the least distance, and a sum of -1 or more stands for none.
@@ -25,9 +16,8 @@ void lower_by_line(const float* line, float base, Index name, Index count, float
 /// distances[i] = unit * entries[i], or infinity.
 void scale_entries(const std::uint16_t* entries, Index count, float unit, float* distances);
 
-/// lower_by_line for the line unit * entries[i].
-void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index name, Index count,
-                      float* least, Index* best);
+/// least[i] = min(least[i], base + unit * entries[i]).
+void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least);
 
 /// Least base[i] + entries[i] for i in [0, count); 32767 for none.
 std::int16_t least_entry_sum(const std::int16_t* base, const std::uint16_t* entries, Index count);
@@ -39,5 +29,16 @@ Index first_entry_sum(const std::int16_t* base, const std::uint16_t* entries, In
 /// row that has it.
 void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index rows, std::int16_t* least,
                      std::int16_t* best);
+
+// Cells of the node table: 16 bits, of which 65535 stands for an infinite distance; row by row.
+
+/// For each column: least = min(least, base[row] + offset + unit * cell[columns row + column]) over the rows,
+/// with best = first_name + row where that is lower. Returns the greatest of the least.
+float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
+                    float unit, Index first_name, float* least, Index* best);
+
+/// Least from[row] + unit * cell[columns row + column] + to[column]; infinity for none.
+float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,
+                    float unit);
 
 }  // namespace vorogeo

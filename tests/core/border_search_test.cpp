@@ -41,7 +41,7 @@ std::vector<double> plain_sums(const PatchLayer& layer, Index start,
 
 /// Entries are rounded to 1 / 32766 of the greatest of their table, which in these patches is at most some
 /// ten edges.
-constexpr double rounding = 5e-4;
+constexpr double rounding = 1e-3;
 
 struct Comparison {
   test::ErrorStatistics with_unfolding;

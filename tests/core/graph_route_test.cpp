@@ -52,10 +52,10 @@ void expect_shortest(const GeodesicIndex& index, int sources, int targets) {
   test::ReferenceRouter reference(data);
   const Index n = data.work.mesh->vertex_count();
   for (Index source : test::random_vertices(n, sources, 17)) {
-    const RouteEnd from = route_end(data, source);
+    const RouteEnd from = test::route_end(data, source);
     for (Index target : test::random_vertices(n, targets, 1000 + source)) {
-      const RouteEnd to = route_end(data, target);
-      const GraphRoute route = router.route(from, to);
+      const RouteEnd to = test::route_end(data, target);
+      const GraphRoute route = test::graph_route(router, from, to);
       const double expected = reference.length(source, target);
       if (expected == unreachable) {
         ASSERT_EQ(route.length, unreachable) << source << " to " << target;
@@ -91,8 +91,10 @@ TEST(GraphRouter, ARouteIsTheSameBackwards) {
   GraphRouter router(data);
   for (Index source : test::random_vertices(2562, 10, 1)) {
     for (Index target : test::random_vertices(2562, 10, 2)) {
-      const double there = router.route(route_end(data, source), route_end(data, target)).length;
-      const double back = router.route(route_end(data, target), route_end(data, source)).length;
+      const double there =
+          test::graph_route(router, test::route_end(data, source), test::route_end(data, target)).length;
+      const double back =
+          test::graph_route(router, test::route_end(data, target), test::route_end(data, source)).length;
       EXPECT_NEAR(there, back, 1e-12 * there);
     }
   }
@@ -106,7 +108,7 @@ TEST(GraphRouter, GuidanceSavesWork) {
   int pairs = 0;
   for (Index source : test::random_vertices(3721, 15, 1)) {
     for (Index target : test::random_vertices(3721, 15, 2)) {
-      router.route(route_end(data, source), route_end(data, target));
+      test::graph_route(router, test::route_end(data, source), test::route_end(data, target));
       settled += static_cast<double>(router.settled());
       ++pairs;
     }
@@ -118,7 +120,7 @@ TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);
   const IndexData& data = index->data();
   for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
-    const RouteEnd end = route_end(data, v);
+    const RouteEnd end = test::route_end(data, v);
     const auto patches = test::patches_at(*data.work.mesh, data.work.second_layer, v);
     std::set<Index> parents;
     for (Index p : patches) parents.insert(data.partition.parent[p]);
@@ -143,10 +145,10 @@ TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
 
 TEST(RouteEnd, AMeshOfOnePatchHasNoStarts) {
   const auto index = test::make_index(test::icosphere(1), 1, 1);
-  const RouteEnd end = route_end(index->data(), 5);
+  const RouteEnd end = test::route_end(index->data(), 5);
   EXPECT_TRUE(end.starts.empty());
   GraphRouter router(index->data());
-  EXPECT_EQ(router.route(end, route_end(index->data(), 7)).length, unreachable);
+  EXPECT_EQ(test::graph_route(router, end, test::route_end(index->data(), 7)).length, unreachable);
 }
 
 }  // namespace

@@ -24,33 +24,6 @@ struct Numbers {
   std::vector<float> all;
 };
 
-TEST(MinPlus, LeastSum) {
-  for (Index count = 0; count < 150; ++count) {
-    Numbers a(count, count);
-    Numbers b(count, 1000 + count);
-    float least = infinite;
-    for (Index i = 0; i < count; ++i) least = std::min(least, a[i] + b[i]);
-    EXPECT_EQ(least_sum(a.data(), b.data(), count), least) << count;
-  }
-}
-
-TEST(MinPlus, FirstWithin) {
-  for (Index count = 0; count < 150; ++count) {
-    Numbers a(count, count);
-    Numbers b(count, 1000 + count);
-    for (float bound : {0.0F, 0.05F, 0.3F, 2.0F}) {
-      Index first = no_index;
-      for (Index i = count - 1; i >= 0; --i) {
-        if (a[i] + b[i] <= bound) first = i;
-      }
-      EXPECT_EQ(first_within(a.data(), b.data(), count, bound), first) << count;
-    }
-    const float least = least_sum(a.data(), b.data(), count);
-    const Index at = first_within(a.data(), b.data(), count, least);
-    EXPECT_TRUE(count == 0 || a[at] + b[at] == least);
-  }
-}
-
 TEST(MinPlus, FirstLower) {
   for (Index count = 0; count < 100; ++count) {
     Numbers line(count, count);
@@ -64,27 +37,6 @@ TEST(MinPlus, FirstLower) {
             << count << ", " << begin;
       }
     }
-  }
-}
-
-TEST(MinPlus, LowerByLine) {
-  for (Index count = 0; count < 100; ++count) {
-    std::vector<float> least(count, infinite);
-    std::vector<Index> best(count, no_index);
-    std::vector<float> expected(least);
-    std::vector<Index> expected_best(best);
-    for (Index name = 0; name < 6; ++name) {
-      Numbers line(count, 100 * name + count);
-      const float base = 0.125F * static_cast<float>(name);
-      lower_by_line(line.data(), base, name, count, least.data(), best.data());
-      for (Index i = 0; i < count; ++i) {
-        if (!(base + line[i] < expected[i])) continue;
-        expected[i] = base + line[i];
-        expected_best[i] = name;
-      }
-    }
-    EXPECT_EQ(least, expected);
-    EXPECT_EQ(best, expected_best) << "the first of equal ones stays";
   }
 }
 
@@ -108,14 +60,12 @@ TEST(MinPlus, EntriesAsDistances) {
     std::vector<float> scaled(count);
     scale_entries(entries.data(), count, 0.75F, scaled.data());
     std::vector<float> least(count, 1e4F);
-    std::vector<Index> best(count, 5);
-    lower_by_entries(entries.data(), 0.75F, 2.0F, 9, count, least.data(), best.data());
+    lower_by_entries(entries.data(), 0.75F, 2.0F, count, least.data());
     for (Index i = 0; i < count; ++i) {
       const std::uint16_t entry = entries.data()[i];
       const float expected = entry == 32767 ? infinite : 0.75F * static_cast<float>(entry);
       EXPECT_EQ(scaled[i], expected);
       EXPECT_EQ(least[i], std::min(1e4F, 2.0F + expected));
-      EXPECT_EQ(best[i], 2.0F + expected < 1e4F ? 9 : 5);
     }
   }
 }
@@ -156,6 +106,48 @@ TEST(MinPlus, LeastTileSums) {
       }
       EXPECT_EQ(least[column], expected);
       EXPECT_EQ(best[column], expected_row);
+    }
+  }
+}
+
+TEST(MinPlus, CellsOfTheNodeTable) {
+  std::mt19937 random(7);
+  for (Index rows : {1, 3, 8}) {
+    for (Index columns : {1, 5, 8}) {
+      for (int round = 0; round < 40; ++round) {
+        std::vector<std::uint16_t> cell(static_cast<std::size_t>(rows) * columns);
+        for (auto& entry : cell) entry = random() % 8 == 0 ? 65535 : random() % 65535;
+        std::vector<float> from(rows);
+        std::vector<float> to(columns);
+        for (float& x : from) x = random() % 8 == 0 ? infinite : static_cast<float>(random() % 4096);
+        for (float& x : to) x = random() % 8 == 0 ? infinite : static_cast<float>(random() % 4096);
+        // Products and sums that need no rounding.
+        const float unit = 0.25F;
+        std::vector<float> least(columns, 3000.0F);
+        std::vector<Index> best(columns, -7);
+        const float worst = lower_by_cell(cell.data(), rows, columns, from.data(), 16.0F, unit, 40,
+                                          least.data(), best.data());
+        float expected = infinite;
+        float greatest = 0.0F;
+        for (Index column = 0; column < columns; ++column) {
+          float lowest = 3000.0F;
+          Index name = -7;
+          for (Index row = 0; row < rows; ++row) {
+            const std::uint16_t entry = cell[row * columns + column];
+            if (entry == 65535) continue;
+            const float through = from[row] + unit * static_cast<float>(entry);
+            expected = std::min(expected, through + to[column]);
+            if (through + 16.0F >= lowest) continue;
+            lowest = through + 16.0F;
+            name = 40 + row;
+          }
+          EXPECT_EQ(least[column], lowest);
+          EXPECT_EQ(best[column], name);
+          greatest = std::max(greatest, lowest);
+        }
+        EXPECT_EQ(worst, greatest);
+        EXPECT_EQ(least_in_cell(cell.data(), rows, columns, from.data(), to.data(), unit), expected);
+      }
     }
   }
 }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "exact/exact_solver.h"
 #include "support/error.h"
@@ -19,10 +21,10 @@ TEST(NodeTable, SymmetricWithZeroDiagonal) {
   ASSERT_EQ(table.count, index->data().first.node_count());
   ASSERT_GT(table.count, 0);
   for (Index a = 0; a < table.count; ++a) {
-    EXPECT_EQ(table.row(a)[a], 0.0F);
+    EXPECT_EQ(table.distance(a, a), 0.0F);
     for (Index b = 0; b < a; ++b) {
-      EXPECT_EQ(table.row(a)[b], table.row(b)[a]);
-      EXPECT_GE(table.row(a)[b], 0.0F);
+      EXPECT_EQ(table.distance(a, b), table.distance(b, a));
+      EXPECT_GE(table.distance(a, b), 0.0F);
     }
   }
 }
@@ -37,7 +39,7 @@ TEST(NodeTable, CloseToExact) {
     for (Index a : test::random_vertices(data.node_table.count, 30, 5)) {
       solver.run_from_vertices(std::array{data.first.node_vertex[a]});
       for (Index b = 0; b < data.node_table.count; ++b) {
-        errors.add(data.node_table.row(a)[b], solver.distance(data.first.node_vertex[b]));
+        errors.add(data.node_table.distance(a, b), solver.distance(data.first.node_vertex[b]));
       }
     }
     EXPECT_EQ(errors.contradictions, 0U);
@@ -54,7 +56,7 @@ TEST(NodeTable, OtherComponentsAreUnreachable) {
   auto component = [&](Index node) { return data.work.mesh->component(data.first.node_vertex[node]); };
   for (Index a = 0; a < data.node_table.count; ++a) {
     for (Index b = 0; b < data.node_table.count; ++b) {
-      EXPECT_EQ(data.node_table.row(a)[b] == std::numeric_limits<float>::infinity(),
+      EXPECT_EQ(data.node_table.distance(a, b) == std::numeric_limits<float>::infinity(),
                 component(a) != component(b));
     }
   }
@@ -63,8 +65,39 @@ TEST(NodeTable, OtherComponentsAreUnreachable) {
 TEST(NodeTable, TheSameWhateverTheThreads) {
   const auto index = test::make_index(test::hills(30, 0.2), 4, 4);
   const NodeTable one = make_node_table(index->data().first, 1, {});
-  EXPECT_EQ(make_node_table(index->data().first, 3, {}).distance, one.distance);
-  EXPECT_EQ(index->data().node_table.distance, one.distance);
+  EXPECT_EQ(make_node_table(index->data().first, 3, {}).entry, one.entry);
+  EXPECT_EQ(index->data().node_table.entry, one.entry);
+}
+
+TEST(NodeTable, GroupsAreNodesAlongOneBorderAndCellsKeepTheirLeastDistance) {
+  const auto index = test::make_index(test::hills(40, 0.12), 6, 4);
+  const PatchLayer& first = index->data().first;
+  const NodeTable& table = index->data().node_table;
+  ASSERT_GT(table.count, 0);
+  EXPECT_EQ(table.group_begin.front(), 0);
+  EXPECT_EQ(table.group_begin.back(), table.count);
+  auto patches = [&](Index node) {
+    std::vector<Index> list;
+    for (const PatchRow& at : first.patches_of(node)) list.push_back(at.patch);
+    return list;
+  };
+  for (Index a = 0; a < table.group_count(); ++a) {
+    EXPECT_GT(table.size(a), 0);
+    EXPECT_LE(table.size(a), NodeTable::group_size);
+    for (Index i = table.group_begin[a]; i < table.group_begin[a + 1]; ++i) {
+      EXPECT_EQ(table.group_of[i], a);
+      EXPECT_EQ(patches(i), patches(table.group_begin[a]));
+    }
+    for (Index b = 0; b < table.group_count(); ++b) {
+      float least = std::numeric_limits<float>::infinity();
+      for (Index i = table.group_begin[a]; i < table.group_begin[a + 1]; ++i) {
+        for (Index j = table.group_begin[b]; j < table.group_begin[b + 1]; ++j) {
+          least = std::min(least, table.distance(i, j));
+        }
+      }
+      EXPECT_EQ(table.least_from(a)[b], least);
+    }
+  }
 }
 
 TEST(NodeTable, FitsSmallMeshesAndNotTooManyNodes) {

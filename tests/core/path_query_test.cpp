@@ -51,7 +51,7 @@ struct PathErrors {
 
 /// Checks paths of both kinds between random points against the exact solver on the user's mesh.
 PathErrors check_paths(const std::shared_ptr<const GeodesicIndex>& index, int sources, int targets,
-                       unsigned seed) {
+                       unsigned seed, bool certify = false) {
   const Mesh& mesh = *index->mesh();
   PathQuery query(index);
   ExactSolver solver(index->mesh());
@@ -63,7 +63,7 @@ PathErrors check_paths(const std::shared_ptr<const GeodesicIndex>& index, int so
     for (const SurfacePoint& target : random_points(mesh, targets, seed + 1)) {
       const double exact = solver.distance(target);
       const SurfacePath refined = query.path(source, target);
-      const ExactPath found = query.exact_path(source, target);
+      const ExactPath found = query.exact_path(source, target, certify);
       if (exact == unreachable) {
         EXPECT_TRUE(refined.points.empty() && found.path.points.empty());
         EXPECT_EQ(refined.length, unreachable);
@@ -83,8 +83,8 @@ PathErrors check_paths(const std::shared_ptr<const GeodesicIndex>& index, int so
   return errors;
 }
 
-void expect_paths(const Soup& soup, double mean_error, unsigned seed = 7) {
-  const PathErrors errors = check_paths(test::make_index(soup, 3, 4), 9, 12, seed);
+void expect_paths(const Soup& soup, double mean_error, unsigned seed = 7, bool certify = false) {
+  const PathErrors errors = check_paths(test::make_index(soup, 3, 4), 9, 12, seed, certify);
   EXPECT_LE(errors.mean_refined, mean_error);
   EXPECT_LE(errors.worst_exact, 1e-9);
 }
@@ -103,7 +103,11 @@ TEST(PathQuery, Torus) { expect_paths(test::torus(30, 20, 2.0, 0.8), 1e-4); }
 TEST(PathQuery, FlippedFaces) {
   expect_paths(test::with_flipped_faces(test::torus(30, 20, 2.0, 0.8), 2), 1e-4);
 }
-TEST(PathQuery, NonManifoldSpine) { expect_paths(test::book_of_three_pages(10, 2.0, 1.0).soup, 2e-2); }
+TEST(PathQuery, NonManifoldSpine) {
+  // In patches of some ten vertices the index errs by more than the bounds of a path that is not certified
+  // allow.
+  expect_paths(test::book_of_three_pages(10, 2.0, 1.0).soup, 2e-2, 7, true);
+}
 TEST(PathQuery, VertexBetweenTwoFans) { expect_paths(test::bow_tie(8).soup, 1e-3); }
 
 TEST(PathQuery, BetweenComponentsThereIsNoPath) {

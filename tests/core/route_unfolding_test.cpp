@@ -32,8 +32,9 @@ Comparison compare(const test::Soup& soup) {
       const auto a = test::patches_at(*data.work.mesh, data.work.second_layer, source);
       const auto b = test::patches_at(*data.work.mesh, data.work.second_layer, target);
       if (std::ranges::any_of(a, [&](Index p) { return b.contains(p); })) continue;
-      const GraphRoute route = router.route(route_end(data, source), route_end(data, target));
-      const double length = unfolded_length(data, route, source, target);
+      const GraphRoute route =
+          test::graph_route(router, test::route_end(data, source), test::route_end(data, target));
+      const double length = RouteUnfolder(data).length(route, source, target);
       sums.add(route.length, solver.distance(target));
       unfolded.add(std::min(route.length, length), solver.distance(target));
     }
@@ -71,8 +72,8 @@ TEST(RouteUnfolding, BetweenTwoNodesOfOneArcTheTableEntry) {
       route.length = arc.length;
       route.nodes = {node, arc.target};
       route.arc_patches = {arc.patch};
-      const double length =
-          unfolded_length(data, route, data.second.node_vertex[node], data.second.node_vertex[arc.target]);
+      const double length = RouteUnfolder(data).length(route, data.second.node_vertex[node],
+                                                       data.second.node_vertex[arc.target]);
       EXPECT_NEAR(length, arc.length, 1e-6 * arc.length);
     }
   }

@@ -158,7 +158,7 @@ TEST_F(DamagedIndex, GarbageAndWrongHeads) {
   bytes[8] = 1;
   EXPECT_EQ(loading_bytes(bytes),
             "The index file " + file_.string() +
-                " has format version 1, this program reads version 2; build the index again.");
+                " has format version 1, this program reads version 3; build the index again.");
   EXPECT_EQ(loading_bytes(good_ + "more"), damaged("it goes on after its end"));
 }
 
@@ -221,7 +221,7 @@ TEST_F(DamagedIndex, LabelsThatAskForOtherTables) {
 
 TEST_F(DamagedIndex, DistancesThatAreNone) {
   const auto original = blocks_;
-  for (auto block : {test::second_unit, test::first_unit, test::node_table}) {
+  for (auto block : {test::second_unit, test::first_unit, test::node_least}) {
     for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
       blocks_ = original;
       blocks_[block].set<float>(2, value);
@@ -236,6 +236,12 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
   blocks_ = original;
   blocks_[test::first_unit].set<float>(1, std::numeric_limits<float>::infinity());
   EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite"));
+  for (float value :
+       {-1.0F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    blocks_ = original;
+    blocks_[test::node_unit].set<float>(0, value);
+    EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or no number"));
+  }
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(loading_blocks(), damaged("a distance is negative or no number"));
@@ -247,10 +253,11 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
 TEST_F(DamagedIndex, ABorderTableOfTheWrongSizeAndNone) {
   auto& table = blocks_[test::node_table];
   ASSERT_GT(table.count(), 0U);
-  table.contents.resize(table.contents.size() - sizeof(float));
+  table.contents.resize(table.contents.size() - sizeof(std::uint16_t));
   EXPECT_EQ(loading_blocks(), damaged("the table of borders has the wrong size"));
   // Without the table distances are searched instead of read.
   table.contents.clear();
+  blocks_[test::node_least].contents.clear();
   write_bytes(file_, test::with_blocks(good_, blocks_));
   GeodesicQuery without(GeodesicIndex::load(file_, mesh_));
   write_bytes(file_, good_);

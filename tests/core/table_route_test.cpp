@@ -37,9 +37,9 @@ double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to
     for (Index q : to.parents) {
       const auto there = approach(to, q);
       for (std::size_t a = 0; a < here.size(); ++a) {
-        const float* row = data.node_table.row(data.first.nodes(p)[a]);
+        const Index row = data.first.nodes(p)[a];
         for (std::size_t b = 0; b < there.size(); ++b) {
-          least = std::min(least, here[a] + row[data.first.nodes(q)[b]] + there[b]);
+          least = std::min(least, here[a] + data.node_table.distance(row, data.first.nodes(q)[b]) + there[b]);
         }
       }
     }
@@ -56,10 +56,11 @@ TEST(TableRouter, TheLeastOfAllSums) {
     const Index n = data.work.mesh->vertex_count();
     for (Index source : test::random_vertices(n, 14, 1)) {
       for (Index target : test::random_vertices(n, 14, 2)) {
-        const RouteEnd from = route_end(data, source);
-        const RouteEnd to = route_end(data, target);
+        const RouteEnd from = test::route_end(data, source);
+        const RouteEnd to = test::route_end(data, target);
         const double expected = least_sum(data, from, to);
-        const GraphRoute route = router.route(from, to);
+        GraphRoute route;
+        router.route(from, to, route);
         if (expected == unreachable) {
           EXPECT_EQ(route.length, unreachable);
           EXPECT_TRUE(route.nodes.empty());
@@ -77,9 +78,10 @@ TEST(TableRouter, RoutesAreAsLongAsTheirParts) {
   TableRouter router(data);
   for (Index source : test::random_vertices(800, 12, 3)) {
     for (Index target : test::random_vertices(800, 12, 4)) {
-      const RouteEnd from = route_end(data, source);
-      const RouteEnd to = route_end(data, target);
-      const GraphRoute route = router.route(from, to);
+      const RouteEnd from = test::route_end(data, source);
+      const RouteEnd to = test::route_end(data, target);
+      GraphRoute route;
+      router.route(from, to, route);
       ASSERT_FALSE(route.nodes.empty());
       ASSERT_EQ(route.arc_patches.size() + 1, route.nodes.size());
       auto at_end = [](const RouteEnd& end, Index node) {
@@ -98,7 +100,7 @@ TEST(TableRouter, RoutesAreAsLongAsTheirParts) {
         if (route.arc_patches[i] == by_node_table) {
           ASSERT_NE(first_a, no_index);
           ASSERT_NE(first_b, no_index);
-          length += data.node_table.row(first_a)[first_b];
+          length += data.node_table.distance(first_a, first_b);
           continue;
         }
         ASSERT_LT(route.arc_patches[i], 0) << "a first-layer patch";

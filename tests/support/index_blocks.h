@@ -39,6 +39,8 @@ enum IndexBlockName {
   first_table,
   first_unit,
   node_table,
+  node_least,
+  node_unit,
   arc_begin,
   arcs,
   landmarks

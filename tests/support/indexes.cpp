@@ -63,9 +63,21 @@ std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, 
   return patches;
 }
 
+RouteEnd route_end(const IndexData& data, Index work_vertex) {
+  RouteEnd end;
+  vorogeo::route_end(data, work_vertex, end);
+  return end;
+}
+
+GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteEnd& target) {
+  GraphRoute route;
+  router.route(source, target, route);
+  return route;
+}
+
 double ReferenceRouter::length(Index source, Index target) {
-  const RouteEnd from = route_end(data_, source);
-  const RouteEnd to = route_end(data_, target);
+  const RouteEnd from = test::route_end(data_, source);
+  const RouteEnd to = test::route_end(data_, target);
   std::set<Index> open(from.parents.begin(), from.parents.end());
   open.insert(to.parents.begin(), to.parents.end());
   auto [found, added] = known_.try_emplace({source, open});

@@ -50,6 +50,11 @@ std::vector<Index> random_vertices(Index count, int wanted, unsigned seed);
 /// Patches of the faces at a vertex.
 std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex);
 
+/// The end of a route at a work vertex.
+RouteEnd route_end(const IndexData& data, Index work_vertex);
+/// The shortest route of the graph.
+GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteEnd& target);
+
 /// Plain Dijkstra over the arcs of a graph that `usable` lets through. Shape (nodes).
 template <class Usable>
 std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEnd::Start>& starts,
