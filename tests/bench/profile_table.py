@@ -48,7 +48,7 @@ def main() -> None:
 def longest(shares: dict[str, float]) -> list[tuple[str, float]]:
     """The greatest shares and the rest, as many for every table."""
     ordered = sorted(((share, place) for place, share in shares.items() if share >= LEAST), reverse=True)[:SHOWN]
-    shown = [(f"`{place}`" if "." in place or "::" in place else place, share) for share, place in ordered]
+    shown = [(place if " " in place and "(" not in place else f"`{place}`", share) for share, place in ordered]
     shown.append(("all others", 100 - sum(share for share, _ in ordered)))
     return shown + [("", 0.0)] * (SHOWN + 1 - len(shown))
 
