@@ -10,6 +10,7 @@
 #include "exact/exact_solver.h"
 #include "index_of_layer.h"
 #include "query/geodesic_query.h"
+#include "query/source_field.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -88,14 +89,12 @@ RichFloat max_distance_parameter() {
       "quality -1. 0 means no limit.");
 }
 
-Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
-                             Method method) {
-  const double limit = max_distance_of(call);
-  Field field = method == Method::index ? field_by_index(call, layer_mesh, sources, limit)
-                                        : field_by_exact_solver(call, layer_mesh, sources, limit);
+namespace {
+
+/// Writes a field that was computed; `has_source`: by component of its mesh.
+Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
+                    const std::vector<bool>& has_source, std::size_t source_count, const char* source_name) {
   const Mesh& mesh = *field.mesh;
-  std::vector<bool> has_source(static_cast<std::size_t>(mesh.component_count()), false);
-  for (Index source : sources) has_source[mesh.component(source)] = true;
   double largest = 0.0;
   int reached = 0;
   int no_path = 0;
@@ -125,7 +124,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, cons
 
   std::ostringstream text;
   text.precision(17);
-  text << "Distances from " << sources.size() << " source vertices to " << reached
+  text << "Distances from " << source_count << " " << source_name << " to " << reached
        << " vertices, the largest " << largest << ", in " << field.seconds << " s";
   call.log(text.str());
   if (no_path > 0) {
@@ -137,12 +136,72 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, cons
              " vertices lie beyond max_distance; their quality is -1 and their colour grey");
   }
   Results results = std::move(field.about_index);
-  results["source_vertices"] = static_cast<int>(sources.size());
+  results["source_vertices"] = static_cast<int>(source_count);
   results["reached_vertices"] = reached;
   results["unreachable_vertices"] = no_path;
   results["vertices_beyond_max_distance"] = beyond;
   results["max_distance"] = largest;
   results["seconds"] = field.seconds;
+  return results;
+}
+
+}  // namespace
+
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+                             Method method) {
+  const double limit = max_distance_of(call);
+  Field field = method == Method::index ? field_by_index(call, layer_mesh, sources, limit)
+                                        : field_by_exact_solver(call, layer_mesh, sources, limit);
+  std::vector<bool> has_source(static_cast<std::size_t>(field.mesh->component_count()), false);
+  for (Index source : sources) has_source[field.mesh->component(source)] = true;
+  return write_field(call, layer_mesh, field, has_source, sources.size(), "source vertices");
+}
+
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
+                             const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
+                             const std::vector<Index>& numbers, Method method) {
+  const double limit = max_distance_of(call);
+  Field field;
+  field.mesh = mesh;
+  LabelledField found;
+  if (method == Method::index) {
+    const IndexOfLayer index = index_of_layer(call, layer_mesh);
+    call.progress.report(0.9, "Geodesic distances");
+    const auto start = Clock::now();
+    found = SourceField(index.index).field(sources, limit);
+    field.seconds = seconds_since(start);
+    field.about_index = {{"index_reused", index.reused},
+                         {"index_seconds", index.reused ? 0.0 : index.index->statistics().seconds}};
+  } else {
+    for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
+    const auto start = Clock::now();
+    ExactSolver solver(mesh);
+    ExactLimits limits;
+    limits.max_distance = limit;
+    limits.progress = &call.progress;
+    limits.distances_only = true;
+    solver.run(sources, limits);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      found.distance.push_back(solver.distance(v));
+      found.source.push_back(solver.nearest_source(v));
+    }
+    field.seconds = seconds_since(start);
+  }
+  field.distances = std::move(found.distance);
+  std::vector<bool> has_source(static_cast<std::size_t>(mesh->component_count()), false);
+  for (const ExactSource& source : sources) {
+    const SurfacePoint& p = source.point;
+    has_source[mesh->component(p.is_vertex() ? p.vertex : mesh->face_vertices(p.face)[0])] = true;
+  }
+  Results results = write_field(call, layer_mesh, field, has_source, sources.size(), "source points");
+  auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    const Index source = found.source[v];
+    const Index number = source == no_index || numbers.empty() ? source : numbers[source];
+    label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] = static_cast<Scalarm>(number);
+  }
+  results["source_points"] = results["source_vertices"];
+  results.erase("source_vertices");
   return results;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "exact/exact_solver.h"
 #include "filter_row.h"
 #include "layer_mesh.h"
 
@@ -30,5 +31,12 @@ RichFloat max_distance_parameter();
 /// index_reused and index_seconds.
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
                              Method method);
+
+/// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset. The
+/// vertices also get the number of their nearest source as the custom attribute nearest_source, -1 where
+/// there is none; numbers are those in `sources` or, if not empty, in `numbers`.
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
+                             const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
+                             const std::vector<Index>& numbers, Method method);
 
 }  // namespace vorogeo::plugin

@@ -44,7 +44,10 @@ struct PathQuery::State {
         graph_router(data),
         table_router(data),
         refiner(*data.geometry),
-        bounds(data) {}
+        bounds(data) {
+    const Mesh& mesh = *data.work.mesh;
+    for (Index e = 0; e < mesh.edge_count(); ++e) branches = branches || mesh.edge_face_count(e) > 2;
+  }
 
   End end_at(const SurfacePoint& point) const;
   Index component(const SurfacePoint& point) const {
@@ -75,6 +78,9 @@ struct PathQuery::State {
   PathRefiner refiner;
   FaceStrip strip;
   RemainingBounds bounds;
+  /// Whether an edge has more than two faces: crossings are unfolded as on a surface, so the margin of the
+  /// bounds does not hold there.
+  bool branches = false;
 };
 
 PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
@@ -249,6 +255,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (!result.certified) {
     ExactLimits limits;
     limits.max_distance = best.length * (1.0 + rounding);
+    certify = certify || state.branches;
     if (!certify) {
       limits.least_remaining =
           state.bounds.fill(state.starts_of(from), state.starts_of(to), to.patches, best.length);

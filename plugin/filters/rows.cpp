@@ -20,7 +20,10 @@ std::vector<FilterRow> all_rows() {
           lloyd_relaxation_row(),
           isolines_row(),
           disk_selection_row(),
-          extent_row()};
+          extent_row(),
+          distance_from_layer_row(),
+          distance_from_edges_row(),
+          geodesic_path_row()};
 }
 
 }  // namespace vorogeo::plugin

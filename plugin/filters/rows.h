@@ -24,6 +24,9 @@ FilterRow lloyd_relaxation_row();
 FilterRow isolines_row();
 FilterRow disk_selection_row();
 FilterRow extent_row();
+FilterRow distance_from_layer_row();
+FilterRow distance_from_edges_row();
+FilterRow geodesic_path_row();
 
 /// In the order in which the host lists them.
 std::vector<FilterRow> all_rows();

@@ -13,6 +13,7 @@ from .exact import exact_distance_field
 from .index import GeodesicIndex, IndexStatistics
 from .matrices import SparseDistances
 from .mesh_check import MeshFinding, MeshReport, check_mesh
+from .paths import GeodesicPath, SurfacePoints
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
 from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
@@ -25,6 +26,7 @@ __all__ = [
     "Extent",
     "FarthestSamples",
     "GeodesicIndex",
+    "GeodesicPath",
     "IndexFileError",
     "IndexStatistics",
     "InvalidInput",
@@ -36,6 +38,7 @@ __all__ = [
     "Polylines",
     "RelaxedPoints",
     "SparseDistances",
+    "SurfacePoints",
     "VoronoiRegions",
     "check_mesh",
     "exact_distance_field",

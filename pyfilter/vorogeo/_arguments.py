@@ -235,3 +235,47 @@ def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if array.ndim != 1 or array.dtype.kind == "b":
         raise InvalidInput(f"{name}: has shape {array.shape} and type {array.dtype}; give {wanted}.")
     return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Finite triples of real numbers as contiguous float64 of shape (k, 3); one triple counts as k = 1."""
+    wanted = "finite real numbers of shape (3,) or (k, 3)"
+    array = np.atleast_2d(_array(name, value, wanted))
+    if array.size == 0:
+        return np.empty((0, 3))
+    _triples(name, array, wanted)
+    points = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(points).all():
+        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        raise InvalidInput(f"{name}[{row}]: {points[row].tolist()} is not finite; give {wanted}.")
+    return points
+
+
+def face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
+    """Rows of faces as contiguous int32 of shape (k,), none negative; the core knows how many there are."""
+    wanted = "rows of the faces (integers)"
+    array = np.atleast_1d(_array(name, value, wanted))
+    if array.size == 0:
+        return np.empty(0, dtype=np.int32)
+    _integers(name, array, wanted)
+    bad = (array < 0) | (array > _INT32.max)
+    if array.ndim != 1 or bad.any():
+        found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"
+        raise InvalidInput(f"{name}: has {found}; give {wanted}.")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:
+    """Start offsets of so many sources as float64 of shape (count,), finite and not negative; zeros for None."""
+    if value is None:
+        return np.zeros(count)
+    wanted = f"{count} lengths of 0 or more, one for each source"
+    array = np.atleast_1d(_array("offsets", value, wanted))
+    if array.shape != (count,):
+        raise InvalidInput(f"offsets: has shape {array.shape}; give {wanted}.")
+    lengths = np.ascontiguousarray(array, dtype=np.float64)
+    bad = ~(np.isfinite(lengths) & (lengths >= 0))
+    if bad.any():
+        row = int(np.flatnonzero(bad)[0])
+        raise InvalidInput(f"offsets[{row}]: is {lengths[row]}; give {wanted}.")
+    return lengths

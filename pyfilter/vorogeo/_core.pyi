@@ -64,3 +64,22 @@ def extent(
     index: Index, start: int, most_fields: int, exact: bool, progress: _Progress
 ) -> tuple[tuple[float, float], tuple[int, int], tuple[float, float], int, int]: ...
 def relax(index: Index, points: _Ids, rounds: int, exact: bool, progress: _Progress) -> tuple[_Ids, _Floats]: ...
+
+class Paths:
+    def __init__(self, index: Index) -> None: ...
+    def snap(self, points: _Floats) -> tuple[_Ids, _Floats, _Floats]: ...
+    def paths(
+        self,
+        source_vertex: _Ids,
+        source_face: _Ids,
+        source_weights: _Floats,
+        target_vertex: _Ids,
+        target_face: _Ids,
+        target_weights: _Floats,
+        exact: bool,
+        certify: bool,
+        progress: _Progress,
+    ) -> tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats]: ...
+    def field(
+        self, vertex: _Ids, face: _Ids, weights: _Floats, offsets: _Floats, max_distance: float
+    ) -> tuple[_Floats, _Ids]: ...

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import overload
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,7 @@ from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
 from .matrices import Matrices
+from .paths import Paths, SurfacePoints
 from .progress import ProgressFunction, reporter
 from .surface_tasks import SurfaceTasks
 
@@ -56,7 +58,7 @@ class IndexStatistics:
     seed: int
 
 
-class GeodesicIndex(Matrices, SurfaceTasks):
+class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     """Index of a triangle mesh for geodesic distances.
 
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
@@ -96,7 +98,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     >>> index.distance_field([0, 17])
     """
 
-    __slots__ = ("__weakref__", "_handle", "_statistics")
+    __slots__ = ("__weakref__", "_handle", "_paths", "_statistics")
 
     _handle: _core.Index
     _statistics: IndexStatistics
@@ -154,6 +156,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
 
     def _adopt(self, handle: _core.Index) -> None:
         self._handle = handle
+        self._paths = _core.Paths(handle)
         self._statistics = IndexStatistics(**handle.statistics())
 
     def save(self, file: str | os.PathLike[str]) -> None:
@@ -169,14 +172,19 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     @overload
     def distance(self, source: int | np.integer, target: int | np.integer) -> float: ...
     @overload
-    def distance(self, source: ArrayLike, target: ArrayLike) -> float | NDArray[np.float64]: ...
-    def distance(self, source: ArrayLike, target: ArrayLike) -> float | NDArray[np.float64]:
-        """Distance between two vertices, or between the vertices of each of k pairs.
+    def distance(
+        self, source: ArrayLike | SurfacePoints, target: ArrayLike | SurfacePoints
+    ) -> float | NDArray[np.float64]: ...
+    def distance(
+        self, source: ArrayLike | SurfacePoints, target: ArrayLike | SurfacePoints
+    ) -> float | NDArray[np.float64]:
+        """Distance between two points, or between the points of each of k pairs.
 
         Parameters
         ----------
-        source, target : int, or array_like of int of shape (k,)
-            Vertex ids, 0 to n - 1; both single or both of the same length.
+        source, target : int, array_like of int of shape (k,), or SurfacePoints
+            Vertex ids, 0 to n - 1, or points from `snap`; both single or both of the same length. If one of them is
+            SurfacePoints, the answer is the length of the refined path (`path`).
 
         Returns
         -------
@@ -191,6 +199,9 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         count = self._statistics.vertices
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
             return self._handle.distance(source, target)
+        if isinstance(source, SurfacePoints) or isinstance(target, SurfacePoints):
+            found = self.path(source, target)
+            return np.array([path.length for path in found]) if isinstance(found, list) else found.length
         sources = check.vertex_ids("source", source, count)
         targets = check.vertex_ids("target", target, count)
         if sources.shape != targets.shape:
@@ -202,28 +213,67 @@ class GeodesicIndex(Matrices, SurfaceTasks):
             return self._handle.distance(int(sources), int(targets))
         return self._handle.distances(sources, targets)
 
-    def distance_field(self, sources: ArrayLike, max_distance: float | None = None) -> NDArray[np.float64]:
+    @overload
+    def distance_field(
+        self,
+        sources: ArrayLike | SurfacePoints | Sequence[Any],
+        max_distance: float | None = None,
+        *,
+        offsets: ArrayLike | None = None,
+        return_labels: Literal[False] = False,
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def distance_field(
+        self,
+        sources: ArrayLike | SurfacePoints | Sequence[Any],
+        max_distance: float | None = None,
+        *,
+        offsets: ArrayLike | None = None,
+        return_labels: Literal[True],
+    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
+    def distance_field(
+        self,
+        sources: Any,
+        max_distance: float | None = None,
+        *,
+        offsets: ArrayLike | None = None,
+        return_labels: bool = False,
+    ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Distance of every vertex from its nearest source.
 
         Parameters
         ----------
-        sources : int or array_like of int, shape (k,), k >= 1
-            Vertex ids, 0 to n - 1; repeated ones count once.
+        sources : int, array_like of int of shape (k,), SurfacePoints, or a list of any of these
+            Vertex ids, 0 to n - 1, or points from `snap`, at least one; repeated ones count once.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
+        offsets : array_like, shape (k,), optional
+            What to add to the distance from each source, 0 or more; the least sum is taken.
+        return_labels : bool, default False
+            Whether to return also which source is nearest.
 
         Returns
         -------
-        ndarray of float64, shape (n,)
+        distance : ndarray of float64, shape (n,)
             In the unit of the vertices; infinity where no source can be reached.
+        label : ndarray of int32, shape (n,)
+            Only if `return_labels`: the place of the nearest source in `sources`, -1 where there is none. Of sources
+            that are nearly equally near, either.
 
         Raises
         ------
         InvalidInput
-            (a ValueError) If there is no source, an id is no integer or out of range, or the limit is negative.
+            (a ValueError) If there is no source, an id is no integer or out of range, an offset is negative or not
+            finite, or the limit is negative.
         """
-        ids = check.source_ids(sources, self._statistics.vertices)
-        return self._handle.distance_field(ids, check.max_distance(max_distance))
+        limit = check.max_distance(max_distance)
+        plain = not isinstance(sources, SurfacePoints) and not (
+            isinstance(sources, (list, tuple)) and any(isinstance(part, SurfacePoints) for part in sources)
+        )
+        if plain and offsets is None and not return_labels:
+            return self._handle.distance_field(check.source_ids(sources, self._statistics.vertices), limit)
+        distance, label = self._labelled_field(sources, offsets, limit)
+        return (distance, label) if return_labels else distance
 
     def face_patches(self, layer: int) -> NDArray[np.int32]:
         """Patch of each face, numbered from 0.

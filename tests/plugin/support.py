@@ -29,6 +29,9 @@ LLOYD = "generate_sampling_vorogeo_lloyd_relaxation"
 ISOLINES = "generate_polyline_by_vorogeo_isolines"
 DISK = "compute_selection_by_vorogeo_geodesic_disk"
 EXTENT = "get_vorogeo_diameter_and_centre"
+FROM_LAYER = "compute_scalar_by_vorogeo_distance_from_layer_per_vertex"
+FROM_EDGES = "compute_scalar_by_vorogeo_distance_from_edges_per_vertex"
+PATH = "generate_polyline_by_vorogeo_geodesic_path"
 ALL_FILTERS = [
     INDEX,
     FROM_POINT,
@@ -47,6 +50,9 @@ ALL_FILTERS = [
     ISOLINES,
     DISK,
     EXTENT,
+    FROM_LAYER,
+    FROM_EDGES,
+    PATH,
 ]
 
 PROJECT = Path(__file__).resolve().parents[2]

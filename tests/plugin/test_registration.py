@@ -12,6 +12,8 @@ from support import (
     EXTENT,
     FARTHEST,
     FROM_BORDER,
+    FROM_EDGES,
+    FROM_LAYER,
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
@@ -20,6 +22,7 @@ from support import (
     MATRIX,
     PAIRS_WITHIN,
     PATCHES,
+    PATH,
     POISSON,
     TWO_VERTICES,
     VORONOI,
@@ -56,6 +59,15 @@ def test_filter_is_in_the_list_of_filters(name):
         (ISOLINES, {"line_number", "values", "is_distance"}),
         (DISK, {"radius", "vertex_index", "exact"}),
         (EXTENT, {"fields", "vertex_index", "exact"}),
+        (
+            FROM_LAYER,
+            {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "exact", "max_distance"},
+        ),
+        (FROM_EDGES, {"from_border", "spacing", "exact", "max_distance"}),
+        (
+            PATH,
+            {"source", "target", "source_point", "target_point", "max_snap_distance", "exact", "certify"},
+        ),
     ],
 )
 def test_parameters_have_python_names(name, parameters):
@@ -82,6 +94,9 @@ def test_parameters_have_python_names(name, parameters):
         (ISOLINES, 0),
         (DISK, VERTEX_SELECTION | FACE_SELECTION),
         (EXTENT, 0),
+        (FROM_LAYER, VERTEX_COLOR | VERTEX_QUALITY),
+        (FROM_EDGES, VERTEX_COLOR | VERTEX_QUALITY),
+        (PATH, 0),
     ],
 )
 def test_help_and_masks(name, changes):

@@ -1,0 +1,44 @@
+// The point of a surface nearest to a point in space.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// A surface point and how far it is from the point it was found for.
+struct SnappedPoint {
+  SurfacePoint point;
+  double distance = 0.0;
+};
+
+/// A tree of boxes over the faces. Immutable; may be shared by threads. It is our own, as VCG's grids need a
+/// VCG mesh, which the core and the Python package do not have.
+class SurfaceLocator {
+ public:
+  /// \throw InvalidInput for a mesh without faces. Complexity: O(m log m).
+  explicit SurfaceLocator(std::shared_ptr<const Mesh> mesh);
+
+  /// The nearest point of the surface, at a vertex or on an edge if it is one but for rounding.
+  /// \throw InvalidInput for a coordinate that is not finite. Complexity: O(log m) for points near the
+  /// surface.
+  SnappedPoint nearest(const Point& point) const;
+
+ private:
+  struct Box {
+    Point low;
+    Point high;
+    Index begin;  ///< into order_
+    Index end;
+    Index second = no_index;  ///< box of the second half; the first half's follows this one; no_index: a leaf
+  };
+  Index build(Index begin, Index end);
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<Index> order_;
+  std::vector<Box> boxes_;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,195 @@
+// Filters: distance from the points or lines of another layer, from selected edges, from the border as a
+// curve.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "distance_field.h"
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "mesh/surface_locator.h"
+#include "query/curve_sources.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichFloat spacing_parameter() {
+  return RichFloat(
+      "spacing", 0, "Spacing",
+      "Distances start at points along lines at most this far apart; 0: a quarter of the mean edge.");
+}
+RichBool exact_parameter() {
+  return RichBool("exact", false, "Exact", "By exact propagation, without an index.");
+}
+
+RichParameterList from_layer_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(RichInt("source_layer", 0, "Source layer", "Number of the layer with the points or lines."));
+  list.addParam(spacing_parameter());
+  list.addParam(RichFloat("max_snap_distance", 0, "Max snap distance",
+                          "How far a point may be from the surface; 0: any distance."));
+  list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
+                         "Add the quality of a point of the source layer to the distances from it."));
+  list.addParam(exact_parameter());
+  list.addParam(max_distance_parameter());
+  return list;
+}
+
+RichParameterList from_edges_parameters(const MeshModel&) {
+  RichParameterList list;
+  list.addParam(
+      RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
+  list.addParam(spacing_parameter());
+  list.addParam(exact_parameter());
+  list.addParam(max_distance_parameter());
+  return list;
+}
+
+double spacing_of(const FilterCall& call, const Mesh& mesh) {
+  const double spacing = call.parameters.getFloat("spacing");
+  if (!std::isfinite(spacing) || spacing < 0.0) {
+    throw InvalidInput("spacing is " + std::to_string(spacing) +
+                       ". Give a positive length, or 0 for a quarter of the mean edge.");
+  }
+  return spacing > 0.0 ? spacing : 0.25 * mesh.mean_edge_length();
+}
+
+Method method_of(const FilterCall& call) {
+  return call.parameters.getBool("exact") ? Method::exact : Method::index;
+}
+
+Results distances_from_layer(FilterCall& call) {
+  const int id = call.parameters.getInt("source_layer");
+  const MeshModel* other = call.document.getMesh(id);
+  if (other == nullptr || other == &call.layer) {
+    throw InvalidInput("source_layer is " + std::to_string(id) +
+                       (other == nullptr ? ", but there is no such layer." : ", the current layer itself.") +
+                       " Give the number of the layer with the points or lines.");
+  }
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto mesh = layer_mesh.make_mesh();
+  const SurfaceLocator locator(mesh);
+  const double most = call.parameters.getFloat("max_snap_distance");
+  const bool with_offsets = call.parameters.getBool("quality_as_offset");
+  const double spacing = spacing_of(call, *mesh);
+  std::vector<ExactSource> sources;
+  std::vector<Index> numbers;
+  double farthest = 0.0;
+  auto add = [&](const Point& at, double offset, std::size_t number) {
+    const SnappedPoint found = locator.nearest(at);
+    if (most > 0.0 && found.distance > most) {
+      std::ostringstream text;
+      text << "Vertex " << number << " of layer " << id << " is " << found.distance
+           << " away from the surface, more than max_snap_distance " << most
+           << ". Move it or raise the limit.";
+      throw InvalidInput(text.str());
+    }
+    farthest = std::max(farthest, found.distance);
+    sources.push_back({found.point, offset});
+    numbers.push_back(static_cast<Index>(number));
+  };
+  auto position = [](const CVertexO& v) {
+    return Point{double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])};
+  };
+  auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
+  const CMeshO& points = other->cm;
+  for (std::size_t v = 0; v < points.vert.size(); ++v) {
+    if (!points.vert[v].IsD()) add(position(points.vert[v]), offset(points.vert[v]), v);
+  }
+  for (const auto& edge : points.edge) {
+    if (edge.IsD()) continue;
+    const CVertexO& a = *edge.cV(0);
+    const CVertexO& b = *edge.cV(1);
+    const auto between = points_between(position(a), position(b), spacing);
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      const double t = static_cast<double>(i + 1) / static_cast<double>(between.size() + 1);
+      const CVertexO& nearer = t < 0.5 ? a : b;
+      add(between[i], std::lerp(offset(a), offset(b), t),
+          static_cast<std::size_t>(&nearer - points.vert.data()));
+    }
+  }
+  if (sources.empty()) {
+    throw InvalidInput("Layer " + std::to_string(id) +
+                       " has no vertex. Choose a layer with points or lines.");
+  }
+  Results results = write_distance_field(call, layer_mesh, mesh, sources, numbers, method_of(call));
+  results["snap_distance"] = farthest;
+  return results;
+}
+
+Results distances_from_edges(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto mesh = layer_mesh.make_mesh();
+  const bool from_border = call.parameters.getBool("from_border");
+  std::vector<Index> edges;
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    bool chosen = from_border && mesh->is_border_edge(e);
+    Index h = mesh->edge_halfedge(e);
+    do {
+      const CFaceO& face = call.layer.cm.face[layer_mesh.host_face(*mesh, Mesh::face_of(h))];
+      chosen |= !from_border && face.IsFaceEdgeS(h % 3);
+      h = mesh->next_around_edge(h);
+    } while (h != mesh->edge_halfedge(e));
+    if (chosen) edges.push_back(e);
+  }
+  if (edges.empty()) {
+    throw InvalidInput(
+        from_border ? "The surface has no border: every edge has two faces. Select edges instead."
+                    : "No edge is selected. Select edges, for example with 'Select Crease Edges', or set "
+                      "from_border.");
+  }
+  const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
+  Results results = write_distance_field(call, layer_mesh, mesh, sources, {}, method_of(call));
+  results["source_edges"] = static_cast<int>(edges.size());
+  return results;
+}
+
+QString help_on_curves() {
+  return "<p>Lines are replaced by points at most <b>spacing</b> apart, ends included. The distance is then "
+         "never too "
+         "short and at most half the spacing too long, at a distance d much larger than the spacing at most "
+         "about "
+         "spacing<sup>2</sup> / (8 d). ";
+}
+
+FilterPlugin::FilterClass field_class() {
+  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
+}
+
+}  // namespace
+
+FilterRow distance_from_layer_row() {
+  return {"Geodesic distance from the points or lines of a layer (VoroGeo)",
+          "compute_scalar_by_vorogeo_distance_from_layer_per_vertex",
+          "<p>Geodesic distance of every vertex from the nearest point of another layer: its vertices and, "
+          "if it has "
+          "edges, the lines between them. Each point is first moved to the nearest point of the surface, "
+          "which need not "
+          "be a vertex; <i>snap_distance</i> is the farthest move.</p>" +
+              help_on_curves() +
+              "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex of "
+              "the source "
+              "layer, -1 where there is none.</p>" +
+              help_on_field() + help_on_index() + references_of_index(),
+          field_class(),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          from_layer_parameters,
+          distances_from_layer};
+}
+
+FilterRow distance_from_edges_row() {
+  return {"Geodesic distance from edges (VoroGeo)",
+          "compute_scalar_by_vorogeo_distance_from_edges_per_vertex",
+          "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest border "
+          "edge if "
+          "<b>from_border</b> is set.</p>" +
+              help_on_curves() + "</p>" + help_on_field() + help_on_index() + references_of_index(),
+          field_class(),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          from_edges_parameters,
+          distances_from_edges};
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,128 @@
+// Filter: the shortest path between two points as a polyline layer.
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "index_of_layer.h"
+#include "mesh/surface_locator.h"
+#include "new_layer.h"
+#include "query/path_query.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+RichParameterList path_parameters(const MeshModel& layer) {
+  RichParameterList list;
+  list.addParam(
+      RichInt("source", -1, "Source vertex", "Number of the vertex where the path begins; -1: a point."));
+  list.addParam(
+      RichInt("target", -1, "Target vertex", "Number of the vertex where the path ends; -1: a point."));
+  list.addParam(RichPosition("source_point", layer.cm.bbox.min, "Source point",
+                             "Used if the source vertex is -1: the nearest point of the surface is taken."));
+  list.addParam(RichPosition("target_point", layer.cm.bbox.max, "Target point",
+                             "Used if the target vertex is -1: the nearest point of the surface is taken."));
+  list.addParam(RichFloat("max_snap_distance", 0, "Max snap distance",
+                          "How far a point may be from the surface; 0: any distance."));
+  list.addParam(
+      RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
+  list.addParam(RichBool("certify", false, "Certify",
+                         "With exact: prove that no path is shorter; slower again on curved surfaces."));
+  return list;
+}
+
+/// An end of the path: a vertex by its number, else the surface point nearest to a position.
+SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
+                    const std::shared_ptr<const Mesh>& mesh, const char* vertex, const char* point) {
+  const int number = call.parameters.getInt(vertex);
+  if (number != -1) return {SurfacePoint::at_vertex(layer_mesh.core_vertex(number, vertex)), 0.0};
+  const Point3m at = call.parameters.getPoint3m(point);
+  const SnappedPoint found = SurfaceLocator(mesh).nearest({double(at[0]), double(at[1]), double(at[2])});
+  const double most = call.parameters.getFloat("max_snap_distance");
+  if (most > 0.0 && found.distance > most) {
+    std::ostringstream text;
+    text << point << " is " << found.distance << " away from the surface, more than max_snap_distance "
+         << most << ". Move the point or raise the limit.";
+    throw InvalidInput(text.str());
+  }
+  return found;
+}
+
+Results draw_path(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto mesh = layer_mesh.make_mesh();
+  const SnappedPoint source = end_of(call, layer_mesh, mesh, "source", "source_point");
+  const SnappedPoint target = end_of(call, layer_mesh, mesh, "target", "target_point");
+  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  PathQuery query(found.index);
+  const auto start = std::chrono::steady_clock::now();
+  ExactPath result;
+  if (call.parameters.getBool("exact")) {
+    result = query.exact_path(source.point, target.point, call.parameters.getBool("certify"));
+  } else {
+    result.path = query.path(source.point, target.point);
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  call.progress.report(1.0, "Shortest path");
+  SurfaceLines lines;
+  std::vector<double> along;
+  for (const SurfacePoint& point : result.path.points) {
+    lines.points.push_back(position_of(*mesh, point));
+    const auto count = static_cast<Index>(lines.points.size());
+    double step = 0.0;
+    if (count > 1) {
+      lines.segments.push_back({count - 2, count - 1});
+      const Point& a = lines.points[count - 2];
+      const Point& b = lines.points[count - 1];
+      step = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+    along.push_back(along.empty() ? 0.0 : along.back() + step);
+  }
+  std::ostringstream text;
+  text.precision(17);
+  if (lines.points.empty()) {
+    text << "No path: the points lie in different components";
+  } else {
+    add_polyline_layer(call, "Geodesic path", lines, along, true);
+    text << "Path of length " << result.path.length << " over " << lines.points.size() << " points";
+  }
+  call.log(text.str());
+  return {{"length", result.path.length},
+          {"certified", result.certified},
+          {"points", static_cast<int>(lines.points.size())},
+          {"source_snap_distance", source.distance},
+          {"target_snap_distance", target.distance},
+          {"seconds", seconds},
+          {"index_reused", found.reused},
+          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+}
+
+}  // namespace
+
+FilterRow geodesic_path_row() {
+  return {
+      "Shortest path between two points (VoroGeo)",
+      "generate_polyline_by_vorogeo_geodesic_path",
+      "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
+      "current one; the quality of its vertices is the length up to there. A point is a vertex, given by its "
+      "number in <b>source</b> or <b>target</b>, or, if that is -1, the point of the surface nearest to "
+      "<b>source_point</b> or <b>target_point</b>; <i>source_snap_distance</i> and "
+      "<i>target_snap_distance</i> say "
+      "how far it was moved.</p><p>Without <b>exact</b>, the way that the index gives is shortened until it "
+      "is a "
+      "geodesic: never shorter than the shortest path, and mostly that very path. With <b>exact</b> it is "
+      "the shortest one, found in milliseconds by propagation in a corridor; <b>certify</b> proves it "
+      "without "
+      "relying on the index.</p><p>Returns the <i>length</i>, infinity and no layer if the points lie in "
+      "different components, the number of <i>points</i> and whether it is <i>certified</i>.</p>" +
+          help_on_index() + references_of_index(),
+      FilterPlugin::Measure,
+      MeshModel::MM_NONE,
+      path_parameters,
+      draw_path};
+}
+
+}  // namespace vorogeo::plugin
