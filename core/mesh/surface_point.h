@@ -29,8 +29,8 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 
 /// Calls `visit(face, weights)` for every face that holds the point, with its barycentric weights there: all
-/// faces at a vertex, all faces around the edge of a point on an edge, else the face of the point. The face of
-/// the point comes first.
+/// faces at a vertex, all faces around the edge of a point on an edge, else the face of the point. The face
+/// of the point comes first.
 template <class Visit>
 void for_each_face_at(const Mesh& mesh, const SurfacePoint& point, Visit&& visit) {
   if (point.is_vertex()) {
