@@ -14,7 +14,8 @@ import vorogeo
 matplotlib.use("agg")
 from matplotlib import pyplot
 
-mesh = mesh_input.load_from_command_line().current_mesh()
+mesh_set = mesh_input.load_from_command_line()
+mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 index = vorogeo.GeodesicIndex(vertices, faces)
 
