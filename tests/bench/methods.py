@@ -224,6 +224,7 @@ class MeshLabHeat:
 
         self.set = pymeshlab.MeshSet()
         self.set.add_mesh(pymeshlab.Mesh(vertices, faces))
+        self.field(0)  # the first call factors the matrices
 
     def field(self, source: int) -> Field:
         self.set.compute_selection_by_condition_per_vertex(condselect=f"(vi == {source})")

@@ -61,11 +61,9 @@ def measure_fields(method: Any, task: dict[str, Any]) -> None:
 
 
 def measure_pairs(method: Any, task: dict[str, Any]) -> None:
-    """The pairs one by one until half of the budget is used up; the first is made twice."""
+    """The pairs one by one until half of the budget is used up."""
     pairs = np.load(task["pairs"]).tolist()
     end = time.process_time() + 0.5 * task["budget"]
-    if pairs and task["repeats"] > 1:
-        method.pair(*pairs[0])
     for number, (source, target) in enumerate(pairs):
         if number > 0 and time.process_time() > end:
             break
