@@ -24,8 +24,17 @@ RichFileToWrite file_parameter() {
                          "File to write to, in the format of numpy. Empty: nothing is written.");
 }
 
+/// Where to write, empty for nowhere; refused before a long computation if there is no such folder.
 std::filesystem::path matrix_file(const FilterCall& call) {
-  return QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
+  const std::filesystem::path file =
+      QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::error_code error;
+  if (!file.empty() && !std::filesystem::is_directory(folder, error)) {
+    throw InvalidInput("The file " + file.string() + " cannot be written: there is no folder " +
+                       folder.string() + ". Create it or name another file.");
+  }
+  return file;
 }
 
 std::vector<int> host_numbers(const LayerMesh& layer_mesh, const std::vector<Index>& vertices) {
@@ -49,10 +58,10 @@ Results distance_matrix_of_selection(FilterCall& call) {
   require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
                  "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
                  "Select fewer vertices, or use the numpy interface, which can write it to a file directly.");
+  const auto file = matrix_file(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   std::vector<double> matrix(k * k);
   distance_matrix(found.team, points, MatrixMethod::automatic, matrix, found.progress);
-  const auto file = matrix_file(call);
   if (!file.empty()) {
     write_npy(file, k, k, matrix);
     call.log("Distance matrix: written to " + file.string());
@@ -79,6 +88,7 @@ Results pairs_of_selection(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const double radius = length_parameter(call, "radius", true);
   const auto points = selected_vertices(call.layer.cm, layer_mesh, "among which pairs are wanted");
+  const auto file = matrix_file(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const SparseDistances pairs = pairs_within(found.team, points, radius, 0, found.progress);
   std::vector<int> first;
@@ -94,7 +104,6 @@ Results pairs_of_selection(FilterCall& call) {
       table.insert(table.end(), {double(first.back()), double(second.back()), distance.back()});
     }
   }
-  const auto file = matrix_file(call);
   if (!file.empty()) {
     write_npy(file, distance.size(), 3, table);
     call.log("Pairs within the radius: written to " + file.string());
