@@ -84,6 +84,25 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     division.at[0] = sign_change(fresh, old, l, r, division.new_first);
     return division;
   }
+  const bool tied_l = std::abs(gain_l) <= tie_l;
+  const bool tied_r = std::abs(gain_r) <= tie_r;
+  if (tied_l != tied_r && fresh.offset != old.offset) {
+    // Equal at one end: behind a crossing, the one that is longer at the other end may be shorter beside it.
+    std::array<double, 2> x{};
+    if (const int found = crossings(fresh, old, l, r, x); found > 0) {
+      const double cut = tied_r ? x[found - 1] : x[0];
+      const double beside = 0.5 * (cut + (tied_r ? r : l));
+      const double at_old = old.distance(beside);
+      const double gain_beside = at_old - fresh.distance(beside);
+      const double gain_there = tied_r ? gain_l : gain_r;
+      if (std::abs(gain_beside) > tie * at_old && (gain_beside > 0.0) != (gain_there > 0.0)) {
+        division.new_first = (tied_r ? gain_there : gain_beside) > 0.0;
+        division.cuts = 1;
+        division.at[0] = cut;
+        return division;
+      }
+    }
+  }
   division.new_first = gain_l > tie_l || gain_r > tie_r;
   // The same owner at both ends; the other can own the middle only if its least distance is low enough
   // and the two are unequally far from their pseudo-sources.

@@ -125,6 +125,42 @@ TEST(WindowEnvelope, RandomWindowsGiveTheLeastEverywhere) {
   }
 }
 
+TEST(WindowEnvelope, EqualAtOneEndEachKeepsWhereItIsShorter) {
+  // Two branches of hyperbolas that cross at x = 1 and at the common end x = 3: b.offset makes them equal at
+  // both.
+  const double ax = -1.0, ay = 0.5;
+  // Pseudo-source of b on the x axis beyond: found so that both differences of distance agree.
+  auto difference = [&](double by, double x) { return std::hypot(x - 0.4, by) - std::hypot(x - ax, ay); };
+  double low = 0.0, high = 10.0;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (difference(middle, 1.0) - difference(middle, 3.0) < difference(0.0, 1.0) - difference(0.0, 3.0) + 0.3
+         ? low
+         : high) = middle;
+  }
+  for (const bool swapped : {false, true}) {
+    for (const bool mirrored : {false, true}) {
+      Window a = window(0.0, 3.0, ax, ay, 5.0, 0);
+      // Offset such that b equals a at x = 3.
+      Window b = window(0.0, 3.0, 0.4, 0.5 * (low + high), 0.0, 1);
+      b.offset = a.distance(3.0) - b.plane_distance(3.0);
+      if (mirrored) {
+        for (Window* w : {&a, &b}) w->source_x = 3.0 - w->source_x;
+      }
+      WindowEnvelope envelope;
+      envelope.resize(1);
+      insert(envelope, 0, swapped ? b : a);
+      insert(envelope, 0, swapped ? a : b);
+      const auto list = windows_of(envelope, 0);
+      for (int k = 1; k < 300; ++k) {
+        const double x = k / 100.0;
+        ASSERT_NEAR(value_at(list, x), std::min(a.distance(x), b.distance(x)), 1e-9)
+            << "x " << x << (swapped ? " swapped" : "") << (mirrored ? " mirrored" : "");
+      }
+    }
+  }
+}
+
 TEST(WindowEnvelope, ABatchGivesTheSameAsItsWindowsOneByOne) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
