@@ -21,7 +21,7 @@ namespace vorogeo::plugin {
 class IndexCache {
  public:
   /// `most_bytes`: what the indexes may take together; the newest is kept however large it is.
-  explicit IndexCache(std::int64_t most_bytes = std::int64_t{2} << 30) : most_bytes_(most_bytes) {}
+  explicit IndexCache(std::int64_t most_bytes = default_memory_budget << 20) : most_bytes_(most_bytes) {}
 
   /// The index of exactly this mesh, or nothing.
   std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays);

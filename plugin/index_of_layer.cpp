@@ -19,7 +19,8 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMe
   const auto index = GeodesicIndex::build(std::move(mesh), options, progress);
   const IndexStatistics& s = index->statistics();
   std::ostringstream text;
-  text << "Geodesic index: " << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
+  text << "Geodesic index in the form of " << (s.form == IndexForm::graph ? "a graph" : "tables") << ": "
+       << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
        << s.second_layer_patches << " second-layer patches with " << s.first_layer_border_vertices << " and "
        << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs ("
        << s.arcs_before_pruning << " before pruning), " << s.bytes << " bytes, built in " << s.seconds

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "index/unfolding.h"
+#include "support/checkpoint.h"
 #include "support/min_plus.h"
 
 namespace vorogeo {
@@ -74,7 +75,10 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
 }
 
 void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_distance) {
+  constexpr int nodes_per_checkpoint = 256;
+  int taken = 0;
   for (Index node = queue_.pop(); node != no_index; node = queue_.pop()) {
+    if (++taken % nodes_per_checkpoint == 0) checkpoint();
     const NodeState state = state_[node];
     double& distance = distance_[node];
     if (distance > max_distance) continue;

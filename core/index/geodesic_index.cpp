@@ -7,6 +7,7 @@
 
 #include "index/index_data.h"
 #include "index/local_tables.h"
+#include "index/memory_budget.h"
 #include "index/overlay.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
@@ -75,6 +76,16 @@ void IndexData::link_layers() {
   }
 }
 
+std::int64_t IndexData::bytes() const {
+  auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
+  return static_cast<std::int64_t>(
+      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
+      work.mesh->memory_bytes() + geometry->memory_bytes() + of(work.work_vertex) + of(work.user_vertex) +
+      of(work.second_layer) + of(work.user_face) + of(work.edge_points) + of(partition.first_layer) +
+      of(partition.second_layer) + of(partition.parent) + of(parent_column) + of(home_patch) +
+      of(home_column));
+}
+
 void IndexData::count() {
   statistics.vertices = mesh->vertex_count();
   statistics.faces = mesh->face_count();
@@ -83,15 +94,23 @@ void IndexData::count() {
   statistics.second_layer_patches = second.patch_count;
   statistics.first_layer_border_vertices = first.node_count();
   statistics.second_layer_border_vertices = second.node_count();
+  statistics.form = form();
   statistics.arcs_before_pruning = graph.arcs_before_pruning;
-  statistics.arcs = static_cast<std::int64_t>(graph.arc.size() / 2);
-  auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-  statistics.bytes = static_cast<std::int64_t>(
-      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
-      work.mesh->memory_bytes() + geometry->memory_bytes() + bytes(work.work_vertex) +
-      bytes(work.user_vertex) + bytes(work.second_layer) + bytes(work.user_face) + bytes(work.edge_points) +
-      bytes(partition.first_layer) + bytes(partition.second_layer) + bytes(partition.parent) +
-      bytes(parent_column) + bytes(home_patch) + bytes(home_column));
+  statistics.arcs =
+      graph.has_arcs() ? static_cast<std::int64_t>(graph.arc.size() / 2) : graph.arcs_before_pruning;
+  statistics.bytes = bytes();
+}
+
+const char* to_string(IndexForm form) {
+  switch (form) {
+    case IndexForm::automatic:
+      return "automatic";
+    case IndexForm::tables:
+      return "tables";
+    case IndexForm::graph:
+      return "graph";
+  }
+  return "unknown";
 }
 
 std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,
@@ -101,6 +120,11 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
   if (!(options.delta >= 0.0 && options.delta < 1.0)) {
     throw InvalidInput("delta is " + std::to_string(options.delta) +
                        "; it must be at least 0 (nothing lost) and below 1.");
+  }
+  if (options.memory_budget < 0) {
+    throw InvalidInput("The memory budget is " + std::to_string(options.memory_budget) +
+                       " MiB; give a positive number, or 0 for " + std::to_string(default_memory_budget) +
+                       " MiB.");
   }
   require_lengths(*mesh, "an index takes", least_mean_edge, greatest_edge);
   auto data = std::make_unique<IndexData>();
@@ -115,15 +139,21 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
       *data->mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
       progress.part(0.01, 0.07));
   data->lay_out(options.threads, progress.part(0.07, 0.1));
+  const MemoryBudget budget(options);
+  const IndexForm form = budget.form_of(*data);
   fill_local_tables(data->geometry, data->work.second_layer, data->second, options.threads,
                     progress.part(0.1, 0.8));
   compose_tables(data->second, data->partition.parent, data->first, options.threads,
                  progress.part(0.8, 0.85));
-  if (node_table_fits(data->first.node_count(), data->mesh->vertex_count())) {
-    data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.95));
+  if (form == IndexForm::tables) {
+    data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.98));
+    data->graph = make_landmarks(data->second, data->first, progress.part(0.98, 1.0));
+  } else {
+    data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
+                                    options.threads, progress.part(0.85, 1.0));
+    drop_tables(data->first);
+    budget.require(data->bytes());
   }
-  data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
-                                  options.threads, progress.part(0.95, 1.0));
   data->count();
   data->statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::make_shared<const GeodesicIndex>(std::move(data));

@@ -36,6 +36,9 @@ struct IndexData {
   void lay_out(int threads, const Progress& progress);
   /// Fills in parent_column; the last step of lay_out().
   void link_layers();
+  IndexForm form() const { return graph.has_arcs() ? IndexForm::graph : IndexForm::tables; }
+  /// Memory held beside the user's mesh.
+  std::int64_t bytes() const;
   /// Fills in what the statistics say of the parts.
   void count();
 };

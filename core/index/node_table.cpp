@@ -11,17 +11,13 @@
 
 namespace vorogeo {
 
-namespace {
-
-/// The table may take as much memory as the other tables together, per vertex and in any case.
-constexpr double bytes_per_vertex = 512.0;
-constexpr double bytes_always = 4.0 * 1024 * 1024;
-
-}  // namespace
-
-bool node_table_fits(Index nodes, Index vertices) {
-  const double bytes = static_cast<double>(nodes) * nodes * sizeof(std::uint16_t);
-  return bytes <= std::max(bytes_always, bytes_per_vertex * vertices);
+std::int64_t node_table_bytes(const PatchLayer& first) {
+  if (first.node_count() == 0) return 0;
+  const NodeTable table = group_nodes(first);
+  const auto count = static_cast<std::int64_t>(table.count);
+  const auto groups = static_cast<std::int64_t>(table.group_count());
+  return static_cast<std::int64_t>(table.memory_bytes() + sizeof(std::uint16_t) * count * count +
+                                   sizeof(float) * groups * groups);
 }
 
 NodeTable group_nodes(const PatchLayer& first) {

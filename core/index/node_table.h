@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-/// A symmetric table over the nodes of the first layer; empty if it would be too large.
+/// A symmetric table over the nodes of the first layer; empty in an index in the form of a graph.
 ///
 /// Nodes that follow one another along a border between the same patches make groups of up to eight. Of two
 /// groups the table keeps the least distance between them, a lower bound that most searches can stop at, and
@@ -54,8 +54,8 @@ struct NodeTable {
   }
 };
 
-/// Whether the table of so many nodes is small enough for a mesh of so many vertices.
-bool node_table_fits(Index nodes, Index vertices);
+/// Memory that the table of a laid out layer takes, in bytes.
+std::int64_t node_table_bytes(const PatchLayer& first);
 
 /// A table without distances: the groups of the nodes, which follow from the layer alone.
 NodeTable group_nodes(const PatchLayer& first);

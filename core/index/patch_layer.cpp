@@ -298,6 +298,12 @@ void note_complete(PatchLayer& layer) {
   }
 }
 
+void drop_tables(PatchLayer& layer) {
+  layer.table = {};
+  layer.unit = {};
+  layer.complete = {};
+}
+
 std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
   return bytes(node_vertex) + bytes(vertex_node) + bytes(border_begin) + bytes(border_node) +

@@ -134,6 +134,9 @@ class TableDraft {
   std::vector<float> value_;
 };
 
+/// Gives up the tables of a layer; its layout stays.
+void drop_tables(PatchLayer& layer);
+
 /// Entries that the table of a patch takes.
 std::size_t table_size(const PatchLayer& layer, Index patch);
 

@@ -46,7 +46,7 @@ void load_node_table(IndexFileReader& in, NodeTable& table, const PatchLayer& fi
   if (!(unit[0] >= 0.0f && unit[0] < std::numeric_limits<float>::infinity())) {
     in.fail("is damaged (the unit of a table is infinite or no number)");
   }
-  if (entry.empty() && least.empty()) return;
+  if (first.node_count() == 0 && entry.empty() && least.empty()) return;
   NodeTable laid_out = group_nodes(first);
   const auto count = static_cast<std::size_t>(laid_out.count);
   const auto groups = static_cast<std::size_t>(laid_out.group_count());
@@ -97,16 +97,19 @@ bool on_border(const PatchLayer& second, const PatchLayer& layer, Index node, In
   return std::any_of(patches.begin(), patches.end(), [&](const PatchRow& at) { return at.patch == patch; });
 }
 
-void load_graph(IndexFileReader& in, SearchGraph& graph, const PatchLayer& second, const PatchLayer& first) {
+void load_graph(IndexFileReader& in, SearchGraph& graph, IndexForm form, const PatchLayer& second,
+                const PatchLayer& first) {
   const Index nodes = second.node_count();
-  graph.arc_begin = in.block<std::int64_t>(static_cast<std::size_t>(nodes) + 1);
-  graph.arc = in.block<Arc>();
+  const bool has_arcs = form == IndexForm::graph;
+  graph.arc_begin = in.block<std::int64_t>(has_arcs ? static_cast<std::size_t>(nodes) + 1 : 0);
+  graph.arc = has_arcs ? in.block<Arc>() : in.block<Arc>(0);
   graph.landmark_distance = in.block<double>(static_cast<std::size_t>(nodes) * SearchGraph::landmark_count);
   require_distances(in, graph.landmark_distance);
   if (std::find(graph.landmark_distance.begin(), graph.landmark_distance.end(), unreachable) !=
       graph.landmark_distance.end()) {
     in.fail("is damaged (a landmark is infinitely far)");
   }
+  if (!has_arcs) return;
   if (graph.arc_begin.front() != 0 || graph.arc_begin.back() != static_cast<std::int64_t>(graph.arc.size()) ||
       !std::is_sorted(graph.arc_begin.begin(), graph.arc_begin.end())) {
     in.fail("is damaged (the arcs are not in order)");
@@ -131,7 +134,8 @@ void GeodesicIndex::save(const std::filesystem::path& file) const {
   const auto& statistics = data_->statistics;
   out.block(std::vector<double>{statistics.delta});
   out.block(std::vector<std::uint64_t>{statistics.seed,
-                                       static_cast<std::uint64_t>(data_->graph.arcs_before_pruning)});
+                                       static_cast<std::uint64_t>(data_->graph.arcs_before_pruning),
+                                       data_->form() == IndexForm::graph ? 1U : 0U});
   out.block(data_->partition.first_layer);
   out.block(data_->partition.second_layer);
   out.block(data_->partition.parent);
@@ -158,15 +162,25 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
                          " was built for another mesh, or the mesh was edited since; build the index again.");
   }
   data->statistics.delta = in.block<double>(1)[0];
-  const auto numbers = in.block<std::uint64_t>(2);
+  const auto numbers = in.block<std::uint64_t>(3);
   data->statistics.seed = numbers[0];
   data->graph.arcs_before_pruning = static_cast<std::int64_t>(numbers[1]);
+  if (numbers[2] > 1) in.fail("is damaged (its form is unknown)");
+  const IndexForm form = numbers[2] == 1 ? IndexForm::graph : IndexForm::tables;
   load_partition(in, data->partition, data->mesh->face_count());
   data->lay_out(0, {});
   load_layer(in, data->second);
-  load_layer(in, data->first);
-  load_node_table(in, data->node_table, data->first);
-  load_graph(in, data->graph, data->second, data->first);
+  if (form == IndexForm::tables) {
+    load_layer(in, data->first);
+    load_node_table(in, data->node_table, data->first);
+  } else {
+    in.block<std::uint16_t>(0);
+    in.block<float>(0);
+    in.block<std::uint16_t>(0);
+    in.block<float>(0);
+    in.block<float>(1);
+  }
+  load_graph(in, data->graph, form, data->second, data->first);
   in.finish();
   data->count();
   return std::make_shared<const GeodesicIndex>(std::move(data));

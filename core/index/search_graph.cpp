@@ -6,6 +6,7 @@
 #include <numeric>
 #include <queue>
 
+#include "index/border_search.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
 
@@ -136,17 +137,17 @@ std::vector<double> graph_distances(const SearchGraph& graph, Index start) {
   return distance;
 }
 
-/// Landmarks far from one another; the first is farthest from node 0.
-void place_landmarks(SearchGraph& graph, Watch& watch) {
+/// Landmarks far from one another; the first is farthest from node 0. `distances_from(node)`: of all nodes.
+template <class Distances>
+void place_landmarks(SearchGraph& graph, std::size_t nodes, Distances&& distances_from, Watch& watch) {
   constexpr int count = SearchGraph::landmark_count;
-  const std::size_t nodes = graph.arc_begin.size() - 1;
   graph.landmark_distance.assign(nodes * count, 0.0);
   if (nodes == 0) return;
-  std::vector<double> nearest = graph_distances(graph, 0);
+  std::vector<double> nearest = distances_from(0);
   for (int l = 0; l < count; ++l) {
     watch.reach(static_cast<double>(l + 1) / (count + 1));
     const auto farthest = std::max_element(nearest.begin(), nearest.end()) - nearest.begin();
-    const auto distance = graph_distances(graph, static_cast<Index>(farthest));
+    const auto distance = distances_from(static_cast<Index>(farthest));
     for (std::size_t node = 0; node < nodes; ++node) {
       if (distance[node] == unreachable) continue;
       graph.landmark_distance[node * count + l] = distance[node];
@@ -208,9 +209,33 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
   }
   {
     Watch watch(progress.part(0.8, 1.0), "Placing landmarks");
-    place_landmarks(graph, watch);
+    place_landmarks(
+        graph, graph.arc_begin.size() - 1, [&](Index node) { return graph_distances(graph, node); }, watch);
   }
   progress.report(1.0, "Placing landmarks");
+  return graph;
+}
+
+SearchGraph make_landmarks(const PatchLayer& second, const PatchLayer& first, const Progress& progress) {
+  SearchGraph graph;
+  for (const PatchLayer* layer : {&second, &first}) {
+    for (Index p = 0; p < layer->patch_count; ++p) {
+      const auto k = static_cast<std::int64_t>(layer->border_size(p));
+      graph.arcs_before_pruning += k * (k - 1) / 2;
+    }
+  }
+  Watch watch(progress, "Placing landmarks");
+  BorderSearch search(second);
+  auto distances_from = [&](Index start) {
+    search.start();
+    search.add(start, 0.0);
+    search.run();
+    std::vector<double> distance(second.node_count());
+    for (Index node = 0; node < second.node_count(); ++node) distance[node] = search.distance(node);
+    return distance;
+  };
+  place_landmarks(graph, second.node_count(), distances_from, watch);
+  watch.reach(1.0);
   return graph;
 }
 

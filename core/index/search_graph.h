@@ -19,7 +19,8 @@ struct Arc {
   Index patch_index() const { return patch < 0 ? -1 - patch : patch; }
 };
 
-/// Undirected graph: each arc is stored at both ends. Nodes are those of the second layer.
+/// Undirected graph: each arc is stored at both ends. Nodes are those of the second layer. In an index in the
+/// form of tables it has landmarks only, its arcs being the entries of the tables.
 struct SearchGraph {
   std::vector<std::int64_t> arc_begin;  ///< by node
   std::vector<Arc> arc;
@@ -28,6 +29,7 @@ struct SearchGraph {
   /// Distance of each node from each landmark over the whole graph, 0 where a landmark does not reach.
   std::vector<double> landmark_distance;  ///< shape (nodes, landmark_count)
 
+  bool has_arcs() const { return !arc_begin.empty(); }
   std::span<const Arc> arcs(Index node) const {
     return {arc.data() + arc_begin[node], arc.data() + arc_begin[node + 1]};
   }
@@ -47,5 +49,9 @@ struct SearchGraph {
 SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
                               std::span<const Index> parent, double delta, int threads,
                               const Progress& progress);
+
+/// Only the landmarks, their distances by a search over the second-layer tables, and the number of arcs that
+/// a graph would begin with.
+SearchGraph make_landmarks(const PatchLayer& second, const PatchLayer& first, const Progress& progress);
 
 }  // namespace vorogeo

@@ -43,6 +43,9 @@ GraphRouter::NodeState& GraphRouter::touch(Index node) {
     state.before[side] = no_index;
     state.done[side] = false;
   }
+  state.potential = 0.0;
+  // Landmark distances belong to the graph's arcs; those of tables may make shorter ways.
+  if (!data_.graph.has_arcs()) return state;
   const double* landmark = data_.graph.landmarks(node);
   double bound[2] = {0.0, 0.0};
   for (int side : {0, 1}) {
@@ -78,13 +81,28 @@ void GraphRouter::settle(int side) {
   state.done[side] = true;
   ++settled_;
   const double distance = state.distance[side];
+  if (!data_.graph.has_arcs()) {
+    for (const PatchRow& at : data_.second.patches_of(entry.node)) {
+      if (parent_open_[data_.partition.parent[at.patch]] != stamp_) continue;
+      const auto nodes = data_.second.nodes(at.patch);
+      reach_.resize(nodes.size());
+      data_.second.read_border(at.patch, at.row, reach_.data());
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (reach_[i] < std::numeric_limits<float>::infinity()) {
+          lower(side, nodes[i], distance + reach_[i], entry.node, at.patch);
+        }
+      }
+    }
+    return;
+  }
   for (const Arc& arc : data_.graph.arcs(entry.node)) {
+    if (arc.in_first_layer() && !first_layer_) continue;
     if (!arc.in_first_layer() && parent_open_[data_.partition.parent[arc.patch]] != stamp_) continue;
     lower(side, arc.target, distance + arc.length, entry.node, arc.patch);
   }
 }
 
-bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& route, double below) {
+bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRoute& route, double below) {
   if (++stamp_ == 0) {
     for (auto& state : state_) state.stamp = 0;
     std::fill(parent_open_.begin(), parent_open_.end(), 0);
@@ -130,6 +148,52 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     route.arc_patches.push_back(state_[node].arc_patch[1]);
     route.nodes.push_back(state_[node].before[1]);
   }
+  return true;
+}
+
+void GraphRouter::append_way(Index from, Index to, GraphRoute& route) {
+  // In the first-layer patches at both ends, so that the way may pass beside the arc's own patch.
+  RouteEnd ends[2];
+  for (int side : {0, 1}) {
+    const Index node = side == 0 ? from : to;
+    ends[side].starts.push_back({node, 0.0});
+    for (const PatchRow& at : data_.second.patches_of(node)) {
+      const Index parent = data_.partition.parent[at.patch];
+      if (std::find(ends[side].parents.begin(), ends[side].parents.end(), parent) == ends[side].parents.end())
+        ends[side].parents.push_back(parent);
+    }
+  }
+  first_layer_ = false;
+  GraphRoute way;
+  if (!search(ends[0], ends[1], way)) {
+    // Patches in several pieces: the way leads through others.
+    for (Index parent = 0; parent < data_.first.patch_count; ++parent) ends[0].parents.push_back(parent);
+    search(ends[0], ends[1], way);
+  }
+  first_layer_ = true;
+  route.nodes.insert(route.nodes.end(), way.nodes.begin() + 1, way.nodes.end());
+  route.arc_patches.insert(route.arc_patches.end(), way.arc_patches.begin(), way.arc_patches.end());
+}
+
+bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
+  if (!search(source, target, result, below)) return false;
+  const bool shortcuts = std::any_of(result.arc_patches.begin(), result.arc_patches.end(),
+                                     [](Index patch) { return patch < 0; });
+  if (!shortcuts) return true;
+  const std::size_t settled = settled_;
+  const GraphRoute found = std::move(result);
+  result = {};
+  result.length = found.length;
+  result.nodes.push_back(found.nodes.front());
+  for (std::size_t i = 0; i < found.arc_patches.size(); ++i) {
+    if (found.arc_patches[i] < 0) {
+      append_way(found.nodes[i], found.nodes[i + 1], result);
+    } else {
+      result.nodes.push_back(found.nodes[i + 1]);
+      result.arc_patches.push_back(found.arc_patches[i]);
+    }
+  }
+  settled_ = settled;
   return true;
 }
 

@@ -44,8 +44,13 @@ class GraphRouter {
  public:
   explicit GraphRouter(const IndexData& data);
   /// Writes the shortest route to `result` if it is shorter than `below`, else leaves that as it was (without
-  /// `below`: a route of length unreachable). Whether there is one.
+  /// `below`: a route of length unreachable). Whether there is one. In the form of tables the second-layer
+  /// tables stand for the arcs, and first-layer tables are not used: it is the shortest among those near the
+  /// ends. In the form of a graph each first-layer arc, for whose patch there is no table, is replaced by a
+  /// way over second-layer arcs.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// The same with first-layer arcs as they stand.
+  bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
   /// Nodes settled in the last search, for measurements.
   std::size_t settled() const { return settled_; }
 
@@ -67,6 +72,7 @@ class GraphRouter {
   NodeState& touch(Index node);
   void lower(int side, Index node, double distance, Index before, Index arc_patch);
   void settle(int side);
+  void append_way(Index from, Index to, GraphRoute& route);
 
   const IndexData& data_;
   std::vector<NodeState> state_;
@@ -77,6 +83,8 @@ class GraphRouter {
   double best_ = unreachable;
   Index meeting_ = no_index;
   std::size_t settled_ = 0;
+  bool first_layer_ = true;  ///< whether first-layer arcs are used
+  std::vector<float> reach_;
 };
 
 }  // namespace vorogeo

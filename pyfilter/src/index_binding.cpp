@@ -91,6 +91,7 @@ class IndexHandle {
     d["second_layer_patches"] = s.second_layer_patches;
     d["first_layer_border_vertices"] = s.first_layer_border_vertices;
     d["second_layer_border_vertices"] = s.second_layer_border_vertices;
+    d["form"] = to_string(s.form);
     d["arcs_before_pruning"] = s.arcs_before_pruning;
     d["arcs"] = s.arcs;
     d["bytes"] = s.bytes;
@@ -108,13 +109,14 @@ class IndexHandle {
 /// The Python object takes over what build and load return.
 IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index first_layer_patches,
                    Index second_layer_patches, double delta, int threads, std::uint64_t seed,
-                   nb::object progress) {
+                   std::int64_t memory_budget, nb::object progress) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
   options.delta = delta;
   options.threads = threads;
   options.seed = seed;
+  options.memory_budget = memory_budget;
   ProgressBridge bridge(progress);
   auto index = bridge.run([&](const Progress& report) {
     std::shared_ptr<const Mesh> mesh;
@@ -142,7 +144,7 @@ void bind_index(nb::module_& module) {
   nb::class_<IndexHandle>(module, "Index")
       .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("first_layer_patches"),
                   nb::arg("second_layer_patches"), nb::arg("delta"), nb::arg("threads"), nb::arg("seed"),
-                  nb::arg("progress").none())
+                  nb::arg("memory_budget"), nb::arg("progress").none())
       .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"), nb::arg("threads"))
       .def("distance", &IndexHandle::distance, nb::arg("source"), nb::arg("target"))
       .def("distances", &IndexHandle::distances, nb::arg("sources"), nb::arg("targets"))

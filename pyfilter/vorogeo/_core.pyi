@@ -16,6 +16,7 @@ class Index:
         delta: float,
         threads: int,
         seed: int,
+        memory_budget: int,
         progress: Callable[[float, str], object] | None,
     ) -> Index: ...
     @staticmethod

@@ -31,8 +31,10 @@ class IndexStatistics:
         Patches of the mesh in each layer.
     first_layer_border_vertices, second_layer_border_vertices : int
         Vertices shared by patches of each layer.
+    form : str
+        'tables' (fast) or 'graph' (small), as delta and the memory budget chose.
     arcs_before_pruning, arcs : int
-        Arcs of the graph between border vertices.
+        Arcs between border vertices; all of them stay in the form of tables.
     bytes : int
         Memory held by the index.
     seconds : float
@@ -50,6 +52,7 @@ class IndexStatistics:
     second_layer_patches: int
     first_layer_border_vertices: int
     second_layer_border_vertices: int
+    form: str
     arcs_before_pruning: int
     arcs: int
     bytes: int
@@ -73,7 +76,8 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     patches : (int, int), optional
         Numbers of patches: of the mesh, and of each patch again. 0, or None for both, chooses from n.
     delta : float, default 0
-        Relative average error that pruning of the graph may add, in [0, 1). 0 loses nothing.
+        Relative average error that pruning of the graph may add, in [0, 1). 0 loses nothing; above 0 it asks for
+        the form of a graph.
     threads : int, optional
         Threads of the build and of each field; None is one per core. The results do not depend on it.
     seed : int, default 0
@@ -81,11 +85,15 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     progress : callable or bool, optional
         Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never falls; a result of
         False cancels. True shows a tqdm bar.
+    memory_budget : int, optional
+        MiB that the index may take; None is 4096. If its tables fit they are kept, else it is a pruned graph,
+        smaller and slower; `statistics.form` says which.
 
     Raises
     ------
     InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element, or if the index does
+        not fit the memory budget, naming the least that it takes.
     Cancelled
         If `progress` returned False.
     MemoryError
@@ -112,6 +120,7 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
         threads: int | None = None,
         seed: int = 0,
         progress: ProgressFunction | bool | None = None,
+        memory_budget: int | None = None,
     ) -> None:
         points = check.vertices(vertices)
         triangles = check.faces(faces, len(points))
@@ -119,8 +128,9 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
         delta = check.delta(delta)
         workers = check.threads(threads)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
+        budget = 0 if memory_budget is None else check.integer("memory_budget", memory_budget, 1, 2**31 - 1)
         with reporter(progress) as report:
-            handle = _core.Index.build(points, triangles, n1, n2, delta, workers, seed, report)
+            handle = _core.Index.build(points, triangles, n1, n2, delta, workers, seed, budget, report)
         self._adopt(handle)
 
     @classmethod

@@ -64,6 +64,7 @@ TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
   EXPECT_EQ(statistics.arcs, static_cast<std::int64_t>(index->data().graph.arc.size() / 2));
   const auto tables = static_cast<std::int64_t>(
       sizeof(std::uint16_t) * (index->data().first.table.size() + index->data().second.table.size()));
+  EXPECT_EQ(statistics.form, IndexForm::graph) << "asked for by delta";
   EXPECT_GT(statistics.bytes, tables);
   EXPECT_LT(statistics.bytes, 8 * tables);
   // Border vertices by definition: vertices of the work mesh in two or more patches.

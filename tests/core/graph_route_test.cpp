@@ -69,24 +69,24 @@ void expect_shortest(const GeodesicIndex& index, int sources, int targets) {
 
 TEST(GraphRouter, TenThousandPairsAsByDijkstra) {
   VOROGEO_HEAVY_TEST();
-  expect_shortest(*test::make_index(test::random_sphere(2500, 5), 6, 5), 100, 100);
+  expect_shortest(*test::make_graph_index(test::random_sphere(2500, 5), 6, 5), 100, 100);
 }
 TEST(GraphRouter, PrunedGraphsAsByDijkstra) {
-  expect_shortest(*test::make_index(test::hills(36, 0.2), 5, 4, 0.005), 20, 40);
-  expect_shortest(*test::make_index(test::torus(40, 20, 2.0, 0.7), 4, 4, 0.05), 20, 40);
+  expect_shortest(*test::make_graph_index(test::hills(36, 0.2), 5, 4, 0.005), 20, 40);
+  expect_shortest(*test::make_graph_index(test::torus(40, 20, 2.0, 0.7), 4, 4, 0.05), 20, 40);
 }
 TEST(GraphRouter, SeveralComponentsAsByDijkstra) {
   Soup soup = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
   soup = test::two_components(soup, test::icosphere(1));
-  expect_shortest(*test::make_index(soup, 4, 4), 30, 60);
+  expect_shortest(*test::make_graph_index(soup, 4, 4), 30, 60);
 }
 TEST(GraphRouter, NonManifoldMeshesAsByDijkstra) {
-  expect_shortest(*test::make_index(test::book_of_three_pages(12, 2.0, 1.0).soup, 4, 4), 20, 40);
-  expect_shortest(*test::make_index(test::bow_tie(12).soup, 3, 4), 20, 40);
+  expect_shortest(*test::make_graph_index(test::book_of_three_pages(12, 2.0, 1.0).soup, 4, 4), 20, 40);
+  expect_shortest(*test::make_graph_index(test::bow_tie(12).soup, 3, 4), 20, 40);
 }
 
 TEST(GraphRouter, ARouteIsTheSameBackwards) {
-  const auto index = test::make_index(test::icosphere(4), 5, 4);
+  const auto index = test::make_graph_index(test::icosphere(4), 5, 4);
   const IndexData& data = index->data();
   GraphRouter router(data);
   for (Index source : test::random_vertices(2562, 10, 1)) {
@@ -101,7 +101,7 @@ TEST(GraphRouter, ARouteIsTheSameBackwards) {
 }
 
 TEST(GraphRouter, GuidanceSavesWork) {
-  const auto index = test::make_index(test::hills(60, 0.1), 8, 5);
+  const auto index = test::make_graph_index(test::hills(60, 0.1), 8, 5);
   const IndexData& data = index->data();
   GraphRouter router(data);
   double settled = 0.0;
@@ -114,6 +114,66 @@ TEST(GraphRouter, GuidanceSavesWork) {
     }
   }
   EXPECT_LT(settled / pairs, data.second.node_count()) << "fewer than a search from one end";
+}
+
+TEST(GraphRouter, WaysForFirstLayerArcsConnectAndAreHardlyLonger) {
+  for (const Soup& soup : {test::hills(40, 0.15), test::book_of_three_pages(12, 2.0, 1.0).soup}) {
+    for (double delta : {0.0, 0.02}) {
+      const auto index = test::make_graph_index(soup, 6, 5, delta);
+      const IndexData& data = index->data();
+      GraphRouter router(data);
+      double stated = 0.0;
+      double walked = 0.0;
+      for (Index source : test::random_vertices(data.work.mesh->vertex_count(), 12, 1)) {
+        for (Index target : test::random_vertices(data.work.mesh->vertex_count(), 12, 2)) {
+          const RouteEnd from = test::route_end(data, source);
+          const RouteEnd to = test::route_end(data, target);
+          GraphRoute route;
+          router.route(from, to, route);
+          ASSERT_EQ(route.nodes.size(), route.arc_patches.size() + 1);
+          for (std::size_t i = 0; i < route.arc_patches.size(); ++i) {
+            double step = unreachable;
+            for (const Arc& arc : data.graph.arcs(route.nodes[i])) {
+              if (arc.target == route.nodes[i + 1] && arc.patch == route.arc_patches[i]) step = arc.length;
+            }
+            ASSERT_LT(step, unreachable) << "no second-layer arc";
+            walked += step;
+          }
+          auto start = [](const RouteEnd& end, Index node) {
+            double least = unreachable;
+            for (const auto& at : end.starts) {
+              if (at.node == node) least = std::min(least, at.distance);
+            }
+            return least;
+          };
+          walked += start(from, route.nodes.front()) + start(to, route.nodes.back());
+          stated += route.length;
+        }
+      }
+      EXPECT_GT(walked, 0.999 * stated);
+      EXPECT_LT(walked, (1.01 + delta) * stated);
+    }
+  }
+}
+
+TEST(GraphRouter, InTablesTheShortestNearTheEnds) {
+  // All in one first-layer patch: the second-layer tables are all there is, so plain Dijkstra over the
+  // complete graph of their entries gives the same.
+  const auto tables = test::make_index(test::hills(36, 0.2), 1, 9);
+  const auto graph = test::make_graph_index(test::hills(36, 0.2), 1, 9);
+  ASSERT_EQ(tables->statistics().form, IndexForm::tables);
+  ASSERT_EQ(graph->statistics().form, IndexForm::graph);
+  GraphRouter router(tables->data());
+  test::ReferenceRouter reference(graph->data());
+  for (Index source : test::random_vertices(1369, 10, 1)) {
+    for (Index target : test::random_vertices(1369, 20, 2)) {
+      const double expected = reference.length(source, target);
+      const double found = test::graph_route(router, test::route_end(tables->data(), source),
+                                             test::route_end(tables->data(), target))
+                               .length;
+      EXPECT_NEAR(found, expected, 1e-6 * expected);
+    }
+  }
 }
 
 TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {

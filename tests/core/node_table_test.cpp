@@ -100,13 +100,6 @@ TEST(NodeTable, GroupsAreNodesAlongOneBorderAndCellsKeepTheirLeastDistance) {
   }
 }
 
-TEST(NodeTable, FitsSmallMeshesAndNotTooManyNodes) {
-  EXPECT_TRUE(node_table_fits(0, 1));
-  EXPECT_TRUE(node_table_fits(500, 1000));
-  EXPECT_FALSE(node_table_fits(50000, 100000)) << "10 GB";
-  EXPECT_TRUE(node_table_fits(3000, 1000000));
-}
-
 TEST(NodeTable, RangesCoverTheBorderInItsOrder) {
   const auto index = test::make_index(test::icosphere(4), 6, 3);
   const PatchLayer& first = index->data().first;

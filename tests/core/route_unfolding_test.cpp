@@ -63,7 +63,7 @@ TEST(RouteUnfolding, OnCurvedSurfacesBetterThanSums) {
 }
 
 TEST(RouteUnfolding, BetweenTwoNodesOfOneArcTheTableEntry) {
-  const auto index = test::make_index(test::plane_grid(24, 24, 1.0, 1.0, 0.2).soup, 2, 3);
+  const auto index = test::make_graph_index(test::plane_grid(24, 24, 1.0, 1.0, 0.2).soup, 2, 3);
   const IndexData& data = index->data();
   for (Index node = 0; node < data.second.node_count(); ++node) {
     for (const Arc& arc : data.graph.arcs(node)) {

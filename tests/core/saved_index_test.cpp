@@ -250,27 +250,44 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
   EXPECT_EQ(loading_blocks(), damaged("a landmark is infinitely far"));
 }
 
-TEST_F(DamagedIndex, ABorderTableOfTheWrongSizeAndNone) {
+TEST_F(DamagedIndex, ABorderTableOfTheWrongSize) {
   auto& table = blocks_[test::node_table];
   ASSERT_GT(table.count(), 0U);
   table.contents.resize(table.contents.size() - sizeof(std::uint16_t));
   EXPECT_EQ(loading_blocks(), damaged("the table of borders has the wrong size"));
-  // Without the table distances are searched instead of read.
   table.contents.clear();
   blocks_[test::node_least].contents.clear();
-  write_bytes(file_, test::with_blocks(good_, blocks_));
-  GeodesicQuery without(GeodesicIndex::load(file_, mesh_));
-  write_bytes(file_, good_);
-  GeodesicQuery with(GeodesicIndex::load(file_, mesh_));
-  for (Index source : test::random_vertices(642, 12, 1)) {
-    for (Index target : test::random_vertices(642, 12, 2)) {
-      const double distance = with.distance(source, target);
-      EXPECT_NEAR(without.distance(source, target), distance, 0.02 * distance);
-    }
-  }
+  EXPECT_EQ(loading_blocks(), damaged("the table of borders has the wrong size"));
 }
 
-TEST_F(DamagedIndex, ArcsThatLeadNowhere) {
+TEST_F(DamagedIndex, AFormThatDoesNotExist) {
+  blocks_[test::numbers].set<std::uint64_t>(2, 2);
+  EXPECT_EQ(loading_blocks(), damaged("its form is unknown"));
+  blocks_[test::numbers].set<std::uint64_t>(2, 1);
+  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size")) << "tables are not a graph";
+}
+
+/// The same for an index in the form of a graph.
+class DamagedGraph : public DamagedIndex {
+ protected:
+  DamagedGraph() {
+    test::make_graph_index(test::icosphere(3), 3, 4)->save(file_);
+    good_ = read_bytes(file_);
+    blocks_ = test::index_blocks(good_);
+  }
+};
+
+TEST_F(DamagedGraph, TruncatedOrOfTheOtherForm) {
+  EXPECT_EQ(loading_blocks(), "loaded");
+  for (std::size_t boundary : test::block_boundaries(good_)) {
+    if (boundary == good_.size()) continue;
+    EXPECT_NE(loading_bytes(good_.substr(0, boundary)), "loaded");
+  }
+  blocks_[test::numbers].set<std::uint64_t>(2, 0);
+  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size"));
+}
+
+TEST_F(DamagedGraph, ArcsThatLeadNowhere) {
   const auto original = blocks_;
   const Arc arc = blocks_[test::arcs].get<Arc>(0);
   auto loading_arc = [&](Arc changed) {
@@ -296,7 +313,7 @@ TEST_F(DamagedIndex, ArcsThatLeadNowhere) {
   EXPECT_GE(refused, 8);
 }
 
-TEST_F(DamagedIndex, ArcsOutOfOrder) {
+TEST_F(DamagedGraph, ArcsOutOfOrder) {
   const auto original = blocks_;
   for (std::int64_t value : {std::int64_t{-1}, std::int64_t{1} << 40}) {
     for (std::size_t at : {std::size_t{0}, std::size_t{3}, blocks_[test::arc_begin].count() - 1}) {

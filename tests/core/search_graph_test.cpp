@@ -134,7 +134,7 @@ TEST(SearchGraph, TheErrorStaysBelowDeltaAndArcsGetFewer) {
 TEST(SearchGraph, ArcsAreTableEntriesStoredAtBothEndsOnce) {
   for (const auto& index : small_indexes()) {
     const IndexData& data = index->data();
-    const SearchGraph& graph = data.graph;
+    const SearchGraph graph = graph_of(data, 0.0);
     std::map<std::array<Index, 3>, float> found;
     for (Index node = 0; node < data.second.node_count(); ++node) {
       for (const Arc& arc : graph.arcs(node)) {
@@ -162,7 +162,7 @@ TEST(SearchGraph, ArcsAreTableEntriesStoredAtBothEndsOnce) {
 
 TEST(SearchGraph, LandmarksHoldGraphDistances) {
   for (const auto& index : small_indexes()) {
-    const SearchGraph& graph = index->data().graph;
+    const SearchGraph graph = graph_of(index->data(), 0.0);
     const Matrix all = distances(graph);
     for (int l = 0; l < SearchGraph::landmark_count; ++l) {
       // The landmark is a node with this very column; nodes that it does not reach hold 0.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pymeshlab
 import pytest
 from support import (
     EXACT_FROM_POINT,
@@ -93,7 +94,7 @@ def test_index_values_describe_the_mesh_and_the_parameters():
     result = ms.apply_filter(INDEX, n1=12, n2=5)
     assert set(result) == {
         "vertices", "first_layer_patches", "second_layer_patches", "first_layer_border_vertices",
-        "second_layer_border_vertices", "arcs_before_pruning", "arcs", "bytes", "seconds",
+        "second_layer_border_vertices", "is_graph", "arcs_before_pruning", "arcs", "bytes", "seconds",
     }  # fmt: skip
     assert result["vertices"] == len(vertices)
     assert result["first_layer_patches"] == 12
@@ -111,6 +112,18 @@ def test_index_is_the_same_for_every_number_of_threads():
         del result["seconds"]
         counts.append(result)
     assert counts[0] == counts[1]
+
+
+def test_memory_budget_chooses_the_form():
+    tables = mesh_set(*sphere(5)).apply_filter(INDEX, n1=8, n2=4)
+    graph = mesh_set(*sphere(5)).apply_filter(INDEX, n1=8, n2=4, delta=0.02)
+    assert tables["is_graph"] == 0
+    assert graph["is_graph"] == 1
+    assert graph["bytes"] < tables["bytes"]
+    with pytest.raises(pymeshlab.PyMeshLabException, match="memory budget is 1 MiB, but the index of this mesh takes"):
+        mesh_set(*sphere(5)).apply_filter(INDEX, memory_budget=1)
+    with pytest.raises(pymeshlab.PyMeshLabException, match="memory_budget is -1"):
+        mesh_set(*sphere(5)).apply_filter(INDEX, memory_budget=-1)
 
 
 def test_delta_leaves_out_arcs():

@@ -42,7 +42,7 @@ def test_filter_is_in_the_list_of_filters(name):
 @pytest.mark.parametrize(
     ("name", "parameters"),
     [
-        (INDEX, {"n1", "n2", "delta", "index_file", "threads", "seed"}),
+        (INDEX, {"n1", "n2", "delta", "memory_budget", "index_file", "threads", "seed"}),
         (FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
         (EXACT_FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
         (FROM_SELECTION, {"max_distance"}),

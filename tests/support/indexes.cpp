@@ -7,13 +7,20 @@
 namespace vorogeo::test {
 
 std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches,
-                                                Index second_layer_patches, double delta, int threads) {
+                                                Index second_layer_patches, double delta, int threads,
+                                                IndexForm form) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
   options.delta = delta;
   options.threads = threads;
+  options.form = form;
   return GeodesicIndex::build(make_mesh(soup), options);
+}
+
+std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
+                                                      Index second_layer_patches, double delta) {
+  return make_index(soup, first_layer_patches, second_layer_patches, delta, 0, IndexForm::graph);
 }
 
 Soup hills(int cells, double height) {
@@ -71,7 +78,7 @@ RouteEnd route_end(const IndexData& data, Index work_vertex) {
 
 GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteEnd& target) {
   GraphRoute route;
-  router.route(source, target, route);
+  router.search(source, target, route);
   return route;
 }
 

@@ -18,7 +18,11 @@ namespace vorogeo::test {
 /// An index of a soup with the given numbers of patches (0: automatic).
 std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches = 0,
                                                 Index second_layer_patches = 0, double delta = 0.0,
-                                                int threads = 0);
+                                                int threads = 0, IndexForm form = IndexForm::automatic);
+
+/// The same in the form of a graph.
+std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
+                                                      Index second_layer_patches, double delta = 0.0);
 
 /// A terrain over plane_grid: smooth hills, so that shortest paths bend and distances have no formula.
 Soup hills(int cells, double height);

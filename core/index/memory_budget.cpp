@@ -1,0 +1,58 @@
+// Sizes of both forms from the layout.
+#include "index/memory_budget.h"
+
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr std::int64_t bytes_per_mib = 1 << 20;
+
+}  // namespace
+
+std::int64_t table_bytes(const PatchLayer& layer) {
+  return static_cast<std::int64_t>(layer.table_begin.back() * sizeof(layer.table[0]) +
+                                   layer.patch_count * (sizeof(layer.unit[0]) + sizeof(layer.complete[0])));
+}
+
+bool MemoryBudget::fits(std::int64_t bytes) const {
+  const std::int64_t mib = options_.memory_budget ? options_.memory_budget : default_memory_budget;
+  return (bytes + bytes_per_mib - 1) / bytes_per_mib <= mib;
+}
+
+void MemoryBudget::refuse(std::int64_t bytes, const char* comparison) const {
+  const std::int64_t mib = options_.memory_budget ? options_.memory_budget : default_memory_budget;
+  std::string advice = "give a larger memory budget";
+  if (options_.form != IndexForm::tables) {
+    advice +=
+        options_.delta > 0.0 ? " or a larger delta" : ", or a delta above 0, which makes the graph smaller";
+  }
+  throw InvalidInput(
+      "The memory budget is " + std::to_string(mib) + " MiB, but the index of this mesh takes " + comparison +
+      " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) + " MiB" +
+      (options_.form == IndexForm::tables ? "" : " in its smallest form") + ": " + advice + ".");
+}
+
+IndexForm MemoryBudget::form_of(const IndexData& data) const {
+  const std::int64_t landmarks =
+      static_cast<std::int64_t>(sizeof(double)) * SearchGraph::landmark_count * data.second.node_count();
+  const std::int64_t both = data.bytes() + table_bytes(data.second) + landmarks;
+  const std::int64_t tables = both + table_bytes(data.first) + node_table_bytes(data.first);
+  if (options_.form == IndexForm::tables) {
+    if (!fits(tables)) refuse(tables, "at least");
+    return IndexForm::tables;
+  }
+  if (options_.form == IndexForm::automatic && options_.delta == 0.0 && fits(tables))
+    return IndexForm::tables;
+  if (!fits(both)) refuse(both, "more than");
+  return IndexForm::graph;
+}
+
+void MemoryBudget::require(std::int64_t bytes) const {
+  if (!fits(bytes)) refuse(bytes, "at least");
+}
+
+}  // namespace vorogeo

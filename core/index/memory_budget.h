@@ -1,0 +1,32 @@
+// Choice of the form of an index by the memory it may take.
+#pragma once
+
+#include <cstdint>
+
+#include "index/index_data.h"
+
+namespace vorogeo {
+
+/// The memory an index may take, and the form that suits it.
+class MemoryBudget {
+ public:
+  explicit MemoryBudget(const IndexOptions& options) : options_(options) {}
+
+  /// The form for an index that is laid out but has no tables yet: the sizes of all tables follow from the
+  /// layout. \throw InvalidInput if not even the tables that both forms need fit, or those of the form asked
+  /// for do not.
+  IndexForm form_of(const IndexData& data) const;
+  /// \throw InvalidInput if a finished index of so many bytes is larger than the budget.
+  void require(std::int64_t bytes) const;
+
+ private:
+  bool fits(std::int64_t bytes) const;
+  [[noreturn]] void refuse(std::int64_t bytes, const char* comparison) const;
+
+  const IndexOptions& options_;
+};
+
+/// Memory that the tables of a laid out layer take, in bytes.
+std::int64_t table_bytes(const PatchLayer& layer);
+
+}  // namespace vorogeo
