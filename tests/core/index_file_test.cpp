@@ -144,7 +144,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   write_bytes(file, newer);
   EXPECT_EQ(reading(file),
             "The index file " + file.string() +
-                " has format version 99, this program reads version 3; build the index again.");
+                " has format version 99, this program reads version 4; build the index again.");
   std::string swapped = good;
   std::swap(swapped[12], swapped[15]);
   std::swap(swapped[13], swapped[14]);

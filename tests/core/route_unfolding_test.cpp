@@ -18,7 +18,7 @@ struct Comparison {
 };
 
 Comparison compare(const test::Soup& soup) {
-  const auto index = test::make_index(soup, 4, 5);
+  const auto index = test::make_graph_index(soup, 4, 5);
   const IndexData& data = index->data();
   GraphRouter router(data);
   ExactSolver solver(data.geometry);
@@ -32,8 +32,8 @@ Comparison compare(const test::Soup& soup) {
       const auto a = test::patches_at(*data.work.mesh, data.work.second_layer, source);
       const auto b = test::patches_at(*data.work.mesh, data.work.second_layer, target);
       if (std::ranges::any_of(a, [&](Index p) { return b.contains(p); })) continue;
-      const GraphRoute route =
-          test::graph_route(router, test::route_end(data, source), test::route_end(data, target));
+      GraphRoute route;
+      router.route(test::route_end(data, source), test::route_end(data, target), route);
       const double length = RouteUnfolder(data).length(route, source, target);
       sums.add(route.length, solver.distance(target));
       unfolded.add(std::min(route.length, length), solver.distance(target));

@@ -158,7 +158,7 @@ TEST_F(DamagedIndex, GarbageAndWrongHeads) {
   bytes[8] = 1;
   EXPECT_EQ(loading_bytes(bytes),
             "The index file " + file_.string() +
-                " has format version 1, this program reads version 3; build the index again.");
+                " has format version 1, this program reads version 4; build the index again.");
   EXPECT_EQ(loading_bytes(good_ + "more"), damaged("it goes on after its end"));
 }
 
