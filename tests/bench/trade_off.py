@@ -17,6 +17,7 @@ import matplotlib as mpl
 mpl.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 import meshes
 
@@ -65,6 +66,10 @@ def draw(name: str, count: int, rows: list[dict[str, Any]], file: Path) -> None:
                     point = (factor * row[key], 100 * row["pair_error"])
                     axes.plot(*point, "*", color=colour, markersize=14, label=f"tables, {size} vertices a patch")
         axes.set(xscale="log", yscale="log", xlabel=label)
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
         axes.grid(alpha=0.3, which="both")
     panels[0].set_ylabel("mean relative error of two points (%)")
     handles, labels = panels[0].get_legend_handles_labels()
