@@ -88,6 +88,7 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
                     indexes_,
                     progress_to(callback),
                     [this](const std::string& sentence) { log(GLLogStream::FILTER, sentence); }};
+    free_indexes_with(document);
     return row(action).apply(call);
   } catch (const MLException&) {
     throw;
@@ -99,6 +100,18 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
   } catch (...) {
     throw MLException("An unknown error happened inside VoroGeo; the layer was not changed.");
   }
+}
+
+void FilterVorogeo::free_indexes_with(MeshDocument& document) {
+  const void* gone = &document;
+  if (!documents_.insert(gone).second) return;
+  connect(
+      &document, &QObject::destroyed, this,
+      [this, gone] {
+        indexes_.forget(gone);
+        documents_.erase(gone);
+      },
+      Qt::DirectConnection);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterVorogeo)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <set>
 #include <vector>
 
 #include "filter_row.h"
@@ -39,6 +40,10 @@ class FilterVorogeo : public QObject, public FilterPlugin {
   const vorogeo::plugin::FilterRow& row(ActionIDType filter) const;
   const vorogeo::plugin::FilterRow& row(const QAction* action) const;
 
+  /// Indexes are kept while the document lives in which they were used.
+  void free_indexes_with(MeshDocument& document);
+
   std::vector<vorogeo::plugin::FilterRow> rows_;
   vorogeo::plugin::IndexCache indexes_;
+  std::set<const void*> documents_;  ///< whose end is waited for
 };

@@ -9,11 +9,15 @@
 
 namespace vorogeo::plugin {
 
-// The parameter type for a file to write was renamed after 2022.02.
+// These parameter types were renamed after 2022.02.
 #if VOROGEO_HOST_VERSION >= 202301
 using RichFileToWrite = RichFileSave;
+using RichFileToRead = RichFileOpen;
+using RichLength = RichPercentage;
 #else
 using RichFileToWrite = RichSaveFile;
+using RichFileToRead = RichOpenFile;
+using RichLength = RichAbsPerc;
 #endif
 
 }  // namespace vorogeo::plugin

@@ -6,6 +6,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <vector>
 
 #include "index/geodesic_index.h"
@@ -17,22 +18,27 @@ namespace vorogeo::plugin {
 ///
 /// An index is found by comparing the whole mesh, all positions and all faces, not a name or a hash of it:
 /// after any edit there is no index until one is built again, and after undoing the edit the old one fits
-/// again. May be used by several threads.
+/// again. An index belongs to the documents that used it and is freed with the last of them. May be used by
+/// several threads.
 class IndexCache {
  public:
   /// `most_bytes`: what the indexes may take together; the newest is kept however large it is.
   explicit IndexCache(std::int64_t most_bytes = default_memory_budget << 20) : most_bytes_(most_bytes) {}
 
-  /// The index of exactly this mesh, or nothing.
-  std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays);
-  /// Keeps an index, in the place of another one of the same mesh or else of those used longest ago.
-  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index);
+  /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is named).
+  std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays, const void* document = nullptr);
+  /// Keeps an index, in the place of another one of the same mesh or else of those used longest ago. Without
+  /// a document it stays until it is displaced.
+  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index, const void* document = nullptr);
+  /// Frees the indexes that belong to this document only.
+  void forget(const void* document);
 
  private:
   struct Entry {
     /// All faces given, also those that a Mesh leaves out: an edit may turn one of them into a proper face.
     std::vector<std::array<Index, 3>> faces;
     std::shared_ptr<const GeodesicIndex> index;
+    std::set<const void*> documents;
 
     bool fits(const VcgMeshArrays& arrays) const;
   };

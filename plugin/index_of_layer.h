@@ -15,6 +15,10 @@ struct IndexOfLayer {
   bool reused = false;
 };
 
+/// What an index holds, as one line of the log and as returned values.
+void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
+Results statistics_results(const IndexStatistics& statistics);
+
 /// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
                                                  const IndexOptions& options, const Progress& progress);

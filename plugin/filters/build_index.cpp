@@ -1,5 +1,4 @@
 // Filter: build the geodesic index of the current layer, and write it to a file if one is named.
-#include <QFile>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +6,7 @@
 #include <string>
 
 #include "filters/help.h"
+#include "filters/index_file_name.h"
 #include "filters/rows.h"
 #include "index_cache.h"
 #include "index_of_layer.h"
@@ -80,43 +80,19 @@ IndexOptions options_of(const RichParameterList& parameters) {
   return options;
 }
 
-/// Finds out before a long build whether the file can be written at all.
-void check_index_file(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) {
-    throw IndexFileError("The index file " + file.string() + " is a folder. Name a file in it.");
-  }
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) {
-    throw IndexFileError("The index file " + file.string() + " cannot be written: there is no folder " +
-                         folder.string() + ". Create it or name another file.");
-  }
-}
-
 Results build_index_of_layer(FilterCall& call) {
   const IndexOptions options = options_of(call.parameters);
-  const fs::path file = QFile::encodeName(call.parameters.getSaveFileName("index_file")).toStdString();
-  if (!file.empty()) check_index_file(file);
+  const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
+  if (!file.empty()) check_index_file_can_be_written(file);
   const LayerMesh layer_mesh(call.layer.cm);
   const auto index = build_index(call, layer_mesh, options, call.progress);
   if (!file.empty()) {
     index->save(file);
     call.log("Geodesic index: written to " + file.string());
   }
-  call.indexes.put(layer_mesh.arrays(), index);
+  call.indexes.put(layer_mesh.arrays(), index, &call.document);
 
-  // 64-bit counts go out as double: the host passes on int and double only, and double holds them exactly.
-  const IndexStatistics& s = index->statistics();
-  return {{"vertices", s.vertices},
-          {"first_layer_patches", s.first_layer_patches},
-          {"second_layer_patches", s.second_layer_patches},
-          {"first_layer_border_vertices", s.first_layer_border_vertices},
-          {"second_layer_border_vertices", s.second_layer_border_vertices},
-          {"is_graph", s.form == IndexForm::graph ? 1 : 0},
-          {"arcs_before_pruning", static_cast<double>(s.arcs_before_pruning)},
-          {"arcs", static_cast<double>(s.arcs)},
-          {"bytes", static_cast<double>(s.bytes)},
-          {"seconds", s.seconds}};
+  return statistics_results(index->statistics());
 }
 
 }  // namespace
@@ -125,23 +101,13 @@ FilterRow build_index_row() {
   return {
       "Geodesic index: build (VoroGeo)",
       "compute_geodesic_index_by_vorogeo",
-      "<p>Builds the index from which VoroGeo answers geodesic distances, and keeps it for this mesh: the "
-      "other VoroGeo filters use it until the mesh is edited. The indexes of the four meshes used last are "
-      "kept, as long as they take no more than 4 GiB together. The mesh is not changed.</p>"
-      "<p>The surface is split into <b>n1</b> geodesic Voronoi patches, and each of them into about "
-      "<b>n2</b> patches of a second layer. Exact distances inside the patches make a graph over the "
-      "vertices on patch borders; arcs that others make superfluous are left out.</p>"
-      "<p>How to choose: leave <b>n1</b> and <b>n2</b> at 0. Fewer, larger patches are a little more "
-      "accurate "
-      "and take longer to build. <b>memory_budget</b> chooses the form: tables, which answer fastest, "
-      "or a pruned graph. <b>delta</b> = 0 leaves out nothing that matters; 0.001 to 0.02 ask for a graph "
-      "and "
-      "save memory at the cost of that much average relative error. <b>index_file</b> keeps the index for "
-      "another program, which has to load the same mesh. <b>threads</b> does not influence the result; "
-      "another <b>seed</b> places the patches differently.</p>"
-      "<p>Returns and logs the number of vertices, of patches and border vertices of both layers, of arcs "
-      "before and after pruning, whether the index is a graph (1) or tables (0), the size in bytes and the "
-      "seconds it took.</p>" +
+      "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two layers of "
+      "geodesic Voronoi patches, and exact distances inside them make a graph over the patch borders. It is kept "
+      "for this mesh, and the other VoroGeo filters use it until the mesh is edited or the project is closed. Its "
+      "figures are logged and returned.</p>"
+      "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more accurate and "
+      "take longer to build. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at the cost of that "
+      "much average relative error. An <b>index file</b> keeps the index for later, for the same mesh.</p>" +
           references_of_index(),
       FilterPlugin::Measure,
       MeshModel::MM_NONE,

@@ -5,6 +5,9 @@ namespace vorogeo::plugin {
 
 std::vector<FilterRow> all_rows() {
   return {build_index_row(),
+          describe_index_row(),
+          save_index_row(),
+          load_index_row(),
           distance_from_point_row(),
           distance_from_selection_row(),
           distance_from_border_row(),
@@ -23,7 +26,8 @@ std::vector<FilterRow> all_rows() {
           extent_row(),
           distance_from_layer_row(),
           distance_from_edges_row(),
-          geodesic_path_row()};
+          geodesic_path_row(),
+          method_comparison_row()};
 }
 
 }  // namespace vorogeo::plugin

@@ -27,6 +27,10 @@ FilterRow extent_row();
 FilterRow distance_from_layer_row();
 FilterRow distance_from_edges_row();
 FilterRow geodesic_path_row();
+FilterRow describe_index_row();
+FilterRow save_index_row();
+FilterRow load_index_row();
+FilterRow method_comparison_row();
 
 /// In the order in which the host lists them.
 std::vector<FilterRow> all_rows();

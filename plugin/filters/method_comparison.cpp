@@ -1,0 +1,237 @@
+// Filter: where and by how much two geodesic methods differ, from one source, as a signed error map.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "filters/help.h"
+#include "filters/rows.h"
+#include "host_methods.h"
+#include "index_of_layer.h"
+#include "query/geodesic_query.h"
+#include "start_vertex.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// In the order of the choosers; scripts hold the numbers.
+enum class Compared { index, exact, fast_marching, heat, edge_graph };
+
+QStringList method_names() {
+  return {"VoroGeo index", "Exact (VoroGeo)", "Fast marching (MeshLab)", "Heat method (MeshLab)",
+          "Shortest edge path (Dijkstra)"};
+}
+
+RichParameterList comparison_parameters(const MeshModel& layer) {
+  RichParameterList list;
+  add_start_vertex_parameters(list, layer);
+  list.addParam(RichEnum("method", int(Compared::index), method_names(), "Method",
+                         "The method that is judged. MeshLab 2022.02 has no heat method."));
+  list.addParam(RichEnum("reference", int(Compared::exact), method_names(), "Reference",
+                         "The method it is compared with: differences are relative to its distances."));
+  return list;
+}
+
+Compared method_of(const FilterCall& call, const char* parameter) {
+  const int number = call.parameters.getEnum(parameter);
+  if (number < 0 || number >= method_names().size()) {
+    throw InvalidInput(std::string(parameter) + " is " + std::to_string(number) +
+                       ". Give the number of a method, 0 to 4.");
+  }
+  const auto method = static_cast<Compared>(number);
+  if (method == Compared::heat && !host_has_heat_method()) {
+    throw InvalidInput("MeshLab 2022.02 has no heat method; MeshLab 2025.07 has. Choose another method.");
+  }
+  return method;
+}
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+MethodField index_field(FilterCall& call, const LayerMesh& layer_mesh, Index source) {
+  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  MethodField field;
+  field.build_seconds = found.reused ? 0.0 : found.index->statistics().seconds;
+  GeodesicQuery query(found.index);
+  const auto start = Clock::now();
+  field.distances = query.distance_field(std::array{source});
+  field.seconds = seconds_since(start);
+  return field;
+}
+
+MethodField exact_field(const std::shared_ptr<const Mesh>& mesh, Index source, const Progress& progress) {
+  MethodField field;
+  auto start = Clock::now();
+  ExactSolver solver(mesh);
+  field.build_seconds = seconds_since(start);
+  start = Clock::now();
+  ExactLimits limits;
+  limits.progress = &progress;
+  limits.distances_only = true;
+  solver.run_from_vertices(std::array{source}, limits);
+  field.seconds = seconds_since(start);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) field.distances.push_back(solver.distance(v));
+  return field;
+}
+
+MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::shared_ptr<const Mesh>& mesh,
+                     Index source, Compared method, const Progress& progress) {
+  progress.report(0.0, "Geodesic distances: " + method_names()[int(method)].toStdString());
+  switch (method) {
+    case Compared::index: return index_field(call, layer_mesh, source);
+    case Compared::exact: return exact_field(mesh, source, progress);
+    case Compared::fast_marching: return fast_marching_field(*mesh, source);
+    case Compared::heat: return heat_field(*mesh, source);
+    case Compared::edge_graph: return edge_graph_field(*mesh, source);
+  }
+  throw InvalidInput("This method is not known.");
+}
+
+/// Signed relative differences of the vertices that both methods gave a distance, and their figures.
+struct Difference {
+  std::vector<double> relative;  ///< NaN where there is nothing to compare
+  int compared = 0;
+  int one_only = 0;  ///< vertices with a distance by one method only
+  double bias = 0.0;
+  double mean = 0.0;
+  double rms = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+
+Difference difference_of(const std::vector<double>& values, const std::vector<double>& reference) {
+  Difference result;
+  std::vector<double> sizes;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const bool both = std::isfinite(values[v]) && std::isfinite(reference[v]);
+    if (std::isfinite(values[v]) != std::isfinite(reference[v])) ++result.one_only;
+    if (!both || !(reference[v] > 0.0)) {
+      result.relative.push_back(std::nan(""));
+      continue;
+    }
+    const double error = (values[v] - reference[v]) / reference[v];
+    result.relative.push_back(error);
+    result.bias += error;
+    result.mean += std::abs(error);
+    result.rms += error * error;
+    sizes.push_back(std::abs(error));
+  }
+  result.compared = static_cast<int>(sizes.size());
+  if (sizes.empty()) return result;
+  const auto count = static_cast<double>(sizes.size());
+  result.bias /= count;
+  result.mean /= count;
+  result.rms = std::sqrt(result.rms / count);
+  std::sort(sizes.begin(), sizes.end());
+  result.p99 = sizes[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1];
+  result.max = sizes.back();
+  return result;
+}
+
+/// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
+/// scientific visualization" (2009), between its end colours.
+vcg::Color4b diverging_color(double t) {
+  constexpr std::array<double, 3> negative{59, 76, 192};
+  constexpr std::array<double, 3> middle{221, 221, 221};
+  constexpr std::array<double, 3> positive{180, 4, 38};
+  const double weight = std::min(1.0, std::abs(t));
+  std::array<unsigned char, 3> rgb{};
+  for (int i = 0; i < 3; ++i) {
+    const double end = t < 0.0 ? negative[i] : positive[i];
+    rgb[i] = static_cast<unsigned char>(std::lround(middle[i] + weight * (end - middle[i])));
+  }
+  return {rgb[0], rgb[1], rgb[2], 255};
+}
+
+/// Dark grey: vertices with nothing to compare.
+vcg::Color4b color_not_compared() { return {90, 90, 90, 255}; }
+
+void write_difference(FilterCall& call, const LayerMesh& layer_mesh, const Difference& difference) {
+  call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  const double range = difference.p99 > 0.0 ? difference.p99 : 1.0;
+  for (std::size_t v = 0; v < difference.relative.size(); ++v) {
+    CVertexO& vertex = call.layer.cm.vert[layer_mesh.host_vertex(static_cast<Index>(v))];
+    const double error = difference.relative[v];
+    vertex.Q() = static_cast<Scalarm>(std::isnan(error) ? 0.0 : error);
+    vertex.C() = std::isnan(error) ? color_not_compared() : diverging_color(error / range);
+  }
+}
+
+void log_difference(FilterCall& call, const Difference& d, const std::string& method,
+                    const std::string& reference, const MethodField& a, const MethodField& b) {
+  std::ostringstream text;
+  text.precision(3);
+  text << method << " against " << reference << ", " << d.compared << " vertices: mean " << 100 * d.mean
+       << " %, RMS " << 100 * d.rms << " %, 99 % of them below " << 100 * d.p99 << " %, largest " << 100 * d.max
+       << " %, mean with sign " << 100 * d.bias << " %";
+  call.log(text.str());
+  text.str("");
+  text << "Time of the field: " << method << " " << a.seconds << " s (and once per mesh " << a.build_seconds
+       << " s), " << reference << " " << b.seconds << " s (" << b.build_seconds << " s)";
+  call.log(text.str());
+  if (d.one_only > 0) {
+    call.log("Distance by one method only: " + std::to_string(d.one_only) + " vertices, not compared");
+  }
+}
+
+Results compare_methods(FilterCall& call) {
+  const Compared method = method_of(call, "method");
+  const Compared reference = method_of(call, "reference");
+  const LayerMesh layer_mesh(call.layer.cm);
+  const StartVertex start = start_vertex(call, layer_mesh);
+  const auto mesh = layer_mesh.make_mesh();
+  const MethodField b =
+      field_of(call, layer_mesh, mesh, start.vertex, reference, call.progress.part(0.0, 0.5));
+  const MethodField a = field_of(call, layer_mesh, mesh, start.vertex, method, call.progress.part(0.5, 1.0));
+  const Difference difference = difference_of(a.distances, b.distances);
+  call.progress.report(1.0, "Writing quality and colours");
+  write_difference(call, layer_mesh, difference);
+  const QStringList names = method_names();
+  log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a, b);
+  return {{"start_vertex", layer_mesh.host_vertex(start.vertex)},
+          {"compared_vertices", difference.compared},
+          {"vertices_by_one_method_only", difference.one_only},
+          {"mean_error", difference.mean},
+          {"mean_signed_error", difference.bias},
+          {"rms_error", difference.rms},
+          {"p99_error", difference.p99},
+          {"max_error", difference.max},
+          {"method_seconds", a.seconds},
+          {"method_build_seconds", a.build_seconds},
+          {"reference_seconds", b.seconds},
+          {"reference_build_seconds", b.build_seconds}};
+}
+
+}  // namespace
+
+FilterRow method_comparison_row() {
+  return {"Compare geodesic methods (VoroGeo)",
+          "compute_scalar_by_geodesic_method_comparison_per_vertex",
+          "<p>Runs two geodesic methods from one vertex and writes (<b>method</b> - <b>reference</b>) / "
+          "<b>reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
+          "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing to "
+          "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
+          "logged.</p>"
+          "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
+          "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without "
+          "a limit of distance.</p>"
+          "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on triangular "
+          "meshes\"</b><br/>WSCG 2002.<br/>"
+          "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
+          "Transactions on Graphics 32(5), 2013.</p>",
+          FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          comparison_parameters,
+          compare_methods};
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,32 @@
+// The geodesic methods that MeshLab brings along in VCG, on a copy of the mesh: to compare with.
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo::plugin {
+
+/// A distance field of one method and what it took.
+struct MethodField {
+  /// One entry per vertex of the mesh: `unreachable` where there is no path, NaN where the method gave no number.
+  std::vector<double> distances;
+  double build_seconds = 0.0;  ///< what is done once per mesh: index, adjacency, factorisation
+  double seconds = 0.0;        ///< the field itself
+};
+
+/// Whether the headers of this MeshLab have the heat method (2022.02 has none).
+bool host_has_heat_method();
+
+/// Fast marching as MeshLab's own filters run it (vcg::tri::Geodesic::Compute), without a limit.
+/// Numbers are of the host's scalar type, as in MeshLab's own filters.
+MethodField fast_marching_field(const Mesh& mesh, Index source);
+
+/// Shortest paths along edges (vcg::tri::Geodesic::PerVertexDijkstraCompute).
+MethodField edge_graph_field(const Mesh& mesh, Index source);
+
+/// Heat method with the step of MeshLab's own filter (vcg::tri::GeodesicHeat with m = 1; Crane, Weischedel,
+/// Wardetzky 2013). \throw InvalidInput if this MeshLab has none or its matrices cannot be factorised.
+MethodField heat_field(const Mesh& mesh, Index source);
+
+}  // namespace vorogeo::plugin
