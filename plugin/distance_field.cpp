@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point start) {
 
 /// The limit to compute with: `unreachable` stands for none.
 double max_distance_of(const FilterCall& call) {
-  const double value = call.parameters.getFloat("max_distance");
+  const double value = call.parameters.getAbsPerc("max_distance");
   if (!std::isfinite(value) || value < 0.0) {
     std::ostringstream text;
     text << "max_distance is " << value
@@ -82,11 +82,17 @@ Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const
 
 }  // namespace
 
-RichFloat max_distance_parameter() {
-  return RichFloat(
-      "max_distance", 0, "Max distance",
-      "Distances above this length, in the unit of the mesh, are not computed: those vertices get "
-      "quality -1. 0 means no limit.");
+RichLength max_distance_parameter(const MeshModel& layer) {
+  return RichLength(
+      "max_distance", 0, 0, layer.cm.bbox.Diag(), "Max distance",
+      "Distances above this length are not computed: those vertices get quality -1. In the unit of "
+      "the mesh, or in percent of the diagonal of its bounding box. 0 means no limit.");
+}
+
+RichParameterList only_max_distance(const MeshModel& layer) {
+  RichParameterList list;
+  list.addParam(max_distance_parameter(layer));
+  return list;
 }
 
 namespace {
@@ -123,9 +129,9 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
   }
 
   std::ostringstream text;
-  text.precision(17);
   text << "Distances from " << source_count << " " << source_name << " to " << reached
-       << " vertices, the largest " << largest << ", in " << field.seconds << " s";
+       << " vertices, the largest " << std::setprecision(17) << largest << " in the unit of the mesh, in "
+       << std::setprecision(3) << field.seconds << " s";
   call.log(text.str());
   if (no_path > 0) {
     call.log("No path leads to " + std::to_string(no_path) +

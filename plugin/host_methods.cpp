@@ -25,16 +25,17 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+template <class T>
+class FaceQuality : public vcg::face::Quality<Scalarm, T> {};
 class MethodVertex;
 class MethodFace;
-struct MethodTypes
-    : vcg::UsedTypes<vcg::Use<MethodVertex>::AsVertexType, vcg::Use<MethodFace>::AsFaceType> {};
+struct MethodTypes : vcg::UsedTypes<vcg::Use<MethodVertex>::AsVertexType, vcg::Use<MethodFace>::AsFaceType> {
+};
 class MethodVertex
     : public vcg::Vertex<MethodTypes, vcg::vertex::Coord3m, vcg::vertex::Normal3m, vcg::vertex::Qualitym,
                          vcg::vertex::VFAdj, vcg::vertex::Mark, vcg::vertex::BitFlags> {};
-class MethodFace
-    : public vcg::Face<MethodTypes, vcg::face::VertexRef, vcg::face::Normal3m, vcg::face::Qualitym,
-                       vcg::face::VFAdj, vcg::face::FFAdj, vcg::face::BitFlags> {};
+class MethodFace : public vcg::Face<MethodTypes, vcg::face::VertexRef, vcg::face::Normal3m, FaceQuality,
+                                    vcg::face::VFAdj, vcg::face::FFAdj, vcg::face::BitFlags> {};
 class MethodMesh : public vcg::tri::TriMesh<std::vector<MethodVertex>, std::vector<MethodFace>> {};
 
 /// The faces that hang together with the source, as a VCG mesh, and the numbers of its vertices.

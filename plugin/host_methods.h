@@ -9,7 +9,8 @@ namespace vorogeo::plugin {
 
 /// A distance field of one method and what it took.
 struct MethodField {
-  /// One entry per vertex of the mesh: `unreachable` where there is no path, NaN where the method gave no number.
+  /// One entry per vertex of the mesh: `unreachable` where there is no path, NaN where the method gave no
+  /// number.
   std::vector<double> distances;
   double build_seconds = 0.0;  ///< what is done once per mesh: index, adjacency, factorisation
   double seconds = 0.0;        ///< the field itself

@@ -20,7 +20,8 @@ std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& array
   return entries_.front().index;
 }
 
-void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index, const void* document) {
+void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
+                     const void* document) {
   const std::lock_guard lock(mutex_);
   Entry entry{arrays.faces, std::move(index), {}};
   if (document != nullptr) entry.documents.insert(document);

@@ -25,11 +25,13 @@ class IndexCache {
   /// `most_bytes`: what the indexes may take together; the newest is kept however large it is.
   explicit IndexCache(std::int64_t most_bytes = default_memory_budget << 20) : most_bytes_(most_bytes) {}
 
-  /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is named).
+  /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is
+  /// named).
   std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays, const void* document = nullptr);
   /// Keeps an index, in the place of another one of the same mesh or else of those used longest ago. Without
   /// a document it stays until it is displaced.
-  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index, const void* document = nullptr);
+  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
+           const void* document = nullptr);
   /// Frees the indexes that belong to this document only.
   void forget(const void* document);
 

@@ -13,8 +13,9 @@ void log_statistics(const FilterCall& call, const IndexStatistics& s) {
   std::ostringstream text;
   text << "Geodesic index in the form of " << (s.form == IndexForm::graph ? "a graph" : "tables") << ": " << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
        << s.second_layer_patches << " second-layer patches with " << s.first_layer_border_vertices << " and "
-       << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs (" << s.arcs_before_pruning
-       << " before pruning), " << std::setprecision(3) << static_cast<double>(s.bytes) / (1 << 20) << " MiB";
+       << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs ("
+       << s.arcs_before_pruning << " before pruning), " << std::setprecision(3)
+       << static_cast<double>(s.bytes) / (1 << 20) << " MiB";
   if (s.seconds > 0.0) text << ", built in " << s.seconds << " s";
   call.log(text.str());
 }

@@ -45,10 +45,10 @@ StartVertex read_start_vertex(const FilterCall& call, const LayerMesh& layer_mes
 }  // namespace
 
 void add_start_vertex_parameters(RichParameterList& list, const MeshModel& layer) {
-  list.addParam(
-      RichPosition("start_point", layer.cm.bbox.min, "Start point",
-                   "Where distances start: at the vertex nearest to this point that has a face. Choose "
-                   "'Surf. Pos.' and press Get, then double-click on the surface. Used if the start vertex is -1."));
+  list.addParam(RichPosition(
+      "start_point", layer.cm.bbox.min, "Start point",
+      "Where distances start: at the vertex nearest to this point that has a face. Choose "
+      "'Surf. Pos.' and press Get, then double-click on the surface. Used if the start vertex is -1."));
   list.addParam(
       RichInt("vertex_index", -1, "Start vertex",
               "Number of the vertex where distances start, counted from 0; -1: the vertex nearest to "
@@ -59,7 +59,8 @@ StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
   const StartVertex start = read_start_vertex(call, layer_mesh);
   std::ostringstream text;
   text << "Start: vertex " << layer_mesh.host_vertex(start.vertex);
-  if (call.parameters.getInt("vertex_index") == -1) text << ", " << start.distance << " away from the given point";
+  if (call.parameters.getInt("vertex_index") == -1)
+    text << ", " << start.distance << " away from the given point";
   call.log(text.str());
   return start;
 }

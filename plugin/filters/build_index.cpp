@@ -101,12 +101,17 @@ FilterRow build_index_row() {
   return {
       "Geodesic index: build (VoroGeo)",
       "compute_geodesic_index_by_vorogeo",
-      "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two layers of "
-      "geodesic Voronoi patches, and exact distances inside them make a graph over the patch borders. It is kept "
-      "for this mesh, and the other VoroGeo filters use it until the mesh is edited or the project is closed. Its "
+      "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two "
+      "layers of "
+      "geodesic Voronoi patches, and exact distances inside them make a graph over the patch borders. It is "
+      "kept "
+      "for this mesh, and the other VoroGeo filters use it until the mesh is edited or the project is "
+      "closed. Its "
       "figures are logged and returned.</p>"
-      "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more accurate and "
-      "take longer to build. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at the cost of that "
+      "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more accurate "
+      "and "
+      "take longer to build. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at "
+      "the cost of that "
       "much average relative error. An <b>index file</b> keeps the index for later, for the same mesh.</p>" +
           references_of_index(),
       FilterPlugin::Measure,

@@ -8,12 +8,6 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList from_border_parameters(const MeshModel&) {
-  RichParameterList list;
-  list.addParam(max_distance_parameter());
-  return list;
-}
-
 /// Vertices of edges with one face.
 std::vector<Index> border_vertices(const Mesh& mesh) {
   std::vector<Index> border;
@@ -42,10 +36,10 @@ FilterRow distance_from_border_row() {
       "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the shortest path "
       "over the surface. Border vertices are those of edges with only one face. A component without a "
       "border is unreachable.</p>" +
-          help_on_field() + help_on_index() + references_of_index(),
+          help_on_field() + help_on_choosing() + references_of_index(),
       FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      from_border_parameters,
+      only_max_distance,
       distances_from_border};
 }
 

@@ -12,7 +12,7 @@ namespace {
 RichParameterList from_point_parameters(const MeshModel& layer) {
   RichParameterList list;
   add_start_vertex_parameters(list, layer);
-  list.addParam(max_distance_parameter());
+  list.addParam(max_distance_parameter(layer));
   return list;
 }
 
@@ -29,11 +29,9 @@ Results index_distances_from_point(FilterCall& call) { return distances_from_poi
 Results exact_distances_from_point(FilterCall& call) { return distances_from_point(call, Method::exact); }
 
 QString help_on_start() {
-  return "<p>Distances start at the vertex <b>vertex_index</b>, or, if this is -1, at the vertex nearest to "
-         "<b>start_point</b>. The log and the returned values <i>start_vertex</i> and <i>snap_distance</i> "
-         "say "
-         "which vertex was taken and how far it is from the point. The host passes points on in single "
-         "precision; a vertex number is exact.</p>";
+  return "<p>It starts at the vertex nearest to the <b>Start point</b>, or at the <b>Start vertex</b> if one "
+         "is "
+         "named by its number, which is exact; the log says which and how far it is from the point.</p>";
 }
 
 FilterPlugin::FilterClass field_class() {
@@ -47,7 +45,7 @@ FilterRow distance_from_point_row() {
           "compute_scalar_by_vorogeo_distance_from_given_point_per_vertex",
           "<p>Geodesic distance of every vertex from a given point: the length of the shortest path over the "
           "surface.</p>" +
-              help_on_start() + help_on_field() + help_on_index() + references_of_index(),
+              help_on_start() + help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_point_parameters,

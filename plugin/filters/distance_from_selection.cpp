@@ -8,12 +8,6 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList from_selection_parameters(const MeshModel&) {
-  RichParameterList list;
-  list.addParam(max_distance_parameter());
-  return list;
-}
-
 Results distances_from_selection(FilterCall& call, Method method) {
   const LayerMesh layer_mesh(call.layer.cm);
   return write_distance_field(
@@ -39,10 +33,10 @@ FilterRow distance_from_selection_row() {
           "<p>Geodesic distance of every vertex from the nearest selected vertex: the length of the shortest "
           "path "
           "over the surface.</p>" +
-              help_on_field() + help_on_index() + references_of_index(),
+              help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_selection_parameters,
+          only_max_distance,
           index_distances_from_selection};
 }
 
@@ -54,7 +48,7 @@ FilterRow exact_distance_from_selection_row() {
               help_on_field() + help_on_exact() + references_of_exact(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_selection_parameters,
+          only_max_distance,
           exact_distances_from_selection};
 }
 

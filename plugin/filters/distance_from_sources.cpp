@@ -33,7 +33,7 @@ RichParameterList from_layer_parameters(const MeshModel&) {
   list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
                          "Add the quality of a point of the source layer to the distances from it."));
   list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter());
+  list.addParam(max_distance_parameter(layer));
   return list;
 }
 
@@ -43,7 +43,7 @@ RichParameterList from_edges_parameters(const MeshModel&) {
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
   list.addParam(spacing_parameter());
   list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter());
+  list.addParam(max_distance_parameter(layer));
   return list;
 }
 

@@ -4,32 +4,35 @@
 namespace vorogeo::plugin {
 
 QString help_on_index() {
-  return "<p>Answers come from a geodesic index: the surface is split into two layers of geodesic Voronoi "
-         "patches, and distances inside the patches are computed exactly once. The first distance on a mesh "
-         "builds the index, which takes seconds to minutes; later ones reuse it. After any edit of the mesh "
-         "a "
-         "new index is built. To choose its parameters, run <i>Geodesic index: build (VoroGeo)</i> first: "
-         "the index it made is then used.</p>";
+  return "<p>The first distance on a mesh builds an index, which takes seconds to minutes; later ones reuse "
+         "it until "
+         "the mesh is edited. <i>Geodesic index: build (VoroGeo)</i> builds it with chosen parameters.</p>";
 }
 
 QString help_on_field() {
-  return "<p>The distance goes into the quality of each vertex, in the unit of the mesh, and the vertices "
-         "are "
-         "coloured from red (the sources) to blue (the farthest vertex reached). Vertices that no path leads "
-         "to, in another component or without a face, and vertices beyond <b>max_distance</b> get quality "
-         "<b>-1</b> and the colour grey; both are counted in the log and in the returned values "
-         "<i>unreachable_vertices</i> and <i>vertices_beyond_max_distance</i>. The largest distance found is "
-         "returned as <i>max_distance</i>.</p><p><b>max_distance</b>: leave it at 0 unless only the "
-         "surroundings of the sources matter; a limit makes the filter faster. The transformation matrix of "
-         "the layer is not applied; freeze it first if it scales the mesh.</p>";
+  return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
+         "sources, "
+         "blue at the farthest vertex. Vertices that no path leads to, or only one longer than <b>Max "
+         "distance</b>, "
+         "get quality <b>-1</b> and grey and are counted in the log. The transformation of the layer is not "
+         "applied; "
+         "freeze it first if it scales.</p>";
 }
 
 QString help_on_exact() {
-  return "<p>The distances are exact on the triangle mesh up to rounding: windows of straight-line distances "
-         "are "
-         "propagated across the faces from all sources. Nothing is built or kept. For many fields on one "
-         "mesh the filters with an index are much faster, with a small error; this one is the reference they "
-         "are measured against.</p>";
+  return "<p>How to choose: exact up to rounding, without an index; one propagation over the whole mesh for "
+         "each "
+         "call. For many fields on one mesh take the filter with an index, which is much faster, with a "
+         "small "
+         "error. A limit of the distance makes it faster.</p>";
+}
+
+QString help_on_choosing() {
+  return "<p>How to choose: leave <b>Max distance</b> at 0 unless only the surroundings of the sources "
+         "matter. The "
+         "first distance on a mesh builds an index, which takes seconds to minutes, and later ones reuse it "
+         "until the "
+         "mesh is edited; for one field only, the exact filter is faster.</p>";
 }
 
 QString help_on_selected_points() {

@@ -21,7 +21,8 @@ RichParameterList no_parameters(const MeshModel&) { return {}; }
 
 RichParameterList file_to_write(const MeshModel&) {
   RichParameterList list;
-  list.addParam(RichFileToWrite("index_file", "", "*.vgi", "Index file", "File to write the index to, *.vgi."));
+  list.addParam(
+      RichFileToWrite("index_file", "", "*.vgi", "Index file", "File to write the index to, *.vgi."));
   return list;
 }
 
@@ -34,10 +35,12 @@ RichParameterList file_to_read(const MeshModel&) {
 
 Results describe_index(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
+  call.progress.report(0.0, "Looking for the geodesic index");
   const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
   if (!index) {
     call.log(
-        "Geodesic index: none for this mesh as it is. The next VoroGeo filter builds one; 'Geodesic index: build "
+        "Geodesic index: none for this mesh as it is. The next VoroGeo filter builds one; 'Geodesic index: "
+        "build "
         "(VoroGeo)' builds it with chosen parameters.");
     return {{"has_index", false}};
   }
@@ -55,7 +58,8 @@ Results save_index(FilterCall& call) {
   const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
   if (!index) {
     throw InvalidInput(
-        "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first, or any VoroGeo "
+        "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first, or any "
+        "VoroGeo "
         "filter that uses it.");
   }
   call.progress.report(0.0, "Writing the geodesic index");
@@ -70,6 +74,7 @@ Results save_index(FilterCall& call) {
 
 Results load_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getOpenFileName("index_file"));
+  if (file.empty()) throw IndexFileError("No index file is named. Name one that ends in .vgi.");
   const LayerMesh layer_mesh(call.layer.cm);
   call.progress.report(0.0, "Reading the geodesic index");
   const auto index = GeodesicIndex::load(file, layer_mesh.make_mesh());
@@ -80,7 +85,8 @@ Results load_index(FilterCall& call) {
 }
 
 QString help_on_life() {
-  return "<p>An index belongs to the mesh as it was when it was built: after an edit there is none until one is "
+  return "<p>An index belongs to the mesh as it was when it was built: after an edit there is none until one "
+         "is "
          "built or loaded again. It is freed when the project is closed.</p>";
 }
 
@@ -89,7 +95,8 @@ QString help_on_life() {
 FilterRow describe_index_row() {
   return {"Geodesic index: describe (VoroGeo)",
           "get_geodesic_index_by_vorogeo",
-          "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: vertices, "
+          "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: "
+          "vertices, "
           "patches, border vertices, arcs, size in memory and time of building. Builds nothing and changes "
           "nothing.</p>" +
               help_on_life() + references_of_index(),
@@ -103,7 +110,8 @@ FilterRow save_index_row() {
   return {"Geodesic index: save to file (VoroGeo)",
           "save_geodesic_index_by_vorogeo",
           "<p>Writes the index of the current mesh to a file, from which <i>Geodesic index: load from file "
-          "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh itself "
+          "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh "
+          "itself "
           "is not in the file. There must be an index: build one first.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
@@ -115,9 +123,11 @@ FilterRow save_index_row() {
 FilterRow load_index_row() {
   return {"Geodesic index: load from file (VoroGeo)",
           "load_geodesic_index_by_vorogeo",
-          "<p>Reads an index from a file and keeps it for the current mesh, as if it had been built. The file must "
+          "<p>Reads an index from a file and keeps it for the current mesh, as if it had been built. The "
+          "file must "
           "have been written for exactly this mesh, with the same vertices and faces in the same order; it "
-          "is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates in single precision "
+          "is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates in single "
+          "precision "
           "and PyMeshLab in double precision: an index made by one fits the other if the mesh came from the "
           "same file with single-precision coordinates.</p>" +
               help_on_life() + references_of_index(),

@@ -57,7 +57,9 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-MethodField index_field(FilterCall& call, const LayerMesh& layer_mesh, Index source) {
+MethodField index_field(FilterCall call, const LayerMesh& layer_mesh, Index source,
+                        const Progress& progress) {
+  call.progress = progress;
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   MethodField field;
   field.build_seconds = found.reused ? 0.0 : found.index->statistics().seconds;
@@ -87,11 +89,16 @@ MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::s
                      Index source, Compared method, const Progress& progress) {
   progress.report(0.0, "Geodesic distances: " + method_names()[int(method)].toStdString());
   switch (method) {
-    case Compared::index: return index_field(call, layer_mesh, source);
-    case Compared::exact: return exact_field(mesh, source, progress);
-    case Compared::fast_marching: return fast_marching_field(*mesh, source);
-    case Compared::heat: return heat_field(*mesh, source);
-    case Compared::edge_graph: return edge_graph_field(*mesh, source);
+    case Compared::index:
+      return index_field(call, layer_mesh, source, progress);
+    case Compared::exact:
+      return exact_field(mesh, source, progress);
+    case Compared::fast_marching:
+      return fast_marching_field(*mesh, source);
+    case Compared::heat:
+      return heat_field(*mesh, source);
+    case Compared::edge_graph:
+      return edge_graph_field(*mesh, source);
   }
   throw InvalidInput("This method is not known.");
 }
@@ -171,8 +178,8 @@ void log_difference(FilterCall& call, const Difference& d, const std::string& me
   std::ostringstream text;
   text.precision(3);
   text << method << " against " << reference << ", " << d.compared << " vertices: mean " << 100 * d.mean
-       << " %, RMS " << 100 * d.rms << " %, 99 % of them below " << 100 * d.p99 << " %, largest " << 100 * d.max
-       << " %, mean with sign " << 100 * d.bias << " %";
+       << " %, RMS " << 100 * d.rms << " %, 99 % of them below " << 100 * d.p99 << " %, largest "
+       << 100 * d.max << " %, mean with sign " << 100 * d.bias << " %";
   call.log(text.str());
   text.str("");
   text << "Time of the field: " << method << " " << a.seconds << " s (and once per mesh " << a.build_seconds
@@ -196,7 +203,8 @@ Results compare_methods(FilterCall& call) {
   call.progress.report(1.0, "Writing quality and colours");
   write_difference(call, layer_mesh, difference);
   const QStringList names = method_names();
-  log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a, b);
+  log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a,
+                 b);
   return {{"start_vertex", layer_mesh.host_vertex(start.vertex)},
           {"compared_vertices", difference.compared},
           {"vertices_by_one_method_only", difference.one_only},
@@ -214,24 +222,26 @@ Results compare_methods(FilterCall& call) {
 }  // namespace
 
 FilterRow method_comparison_row() {
-  return {"Compare geodesic methods (VoroGeo)",
-          "compute_scalar_by_geodesic_method_comparison_per_vertex",
-          "<p>Runs two geodesic methods from one vertex and writes (<b>method</b> - <b>reference</b>) / "
-          "<b>reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
-          "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing to "
-          "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
-          "logged.</p>"
-          "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
-          "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without "
-          "a limit of distance.</p>"
-          "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on triangular "
-          "meshes\"</b><br/>WSCG 2002.<br/>"
-          "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
-          "Transactions on Graphics 32(5), 2013.</p>",
-          FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          comparison_parameters,
-          compare_methods};
+  return {
+      "Compare geodesic methods (VoroGeo)",
+      "compute_scalar_by_geodesic_method_comparison_per_vertex",
+      "<p>Runs two geodesic methods from one vertex and writes (<b>method</b> - <b>reference</b>) / "
+      "<b>reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
+      "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing "
+      "to "
+      "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
+      "logged.</p>"
+      "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
+      "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without "
+      "a limit of distance.</p>"
+      "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on triangular "
+      "meshes\"</b><br/>WSCG 2002.<br/>"
+      "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
+      "Transactions on Graphics 32(5), 2013.</p>",
+      FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
+      MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+      comparison_parameters,
+      compare_methods};
 }
 
 }  // namespace vorogeo::plugin

@@ -19,6 +19,10 @@ FROM_BORDER = "compute_scalar_by_vorogeo_distance_from_border_per_vertex"
 EXACT_FROM_POINT = "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex"
 EXACT_FROM_SELECTION = "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex"
 PATCHES = "compute_color_by_vorogeo_patches_per_face"
+DESCRIBE_INDEX = "get_geodesic_index_by_vorogeo"
+SAVE_INDEX = "save_geodesic_index_by_vorogeo"
+LOAD_INDEX = "load_geodesic_index_by_vorogeo"
+COMPARISON = "compute_scalar_by_geodesic_method_comparison_per_vertex"
 TWO_VERTICES = "get_vorogeo_distance_between_vertices"
 MATRIX = "get_vorogeo_distance_matrix_of_selection"
 PAIRS_WITHIN = "get_vorogeo_pairs_within_radius_of_selection"
@@ -41,6 +45,8 @@ ALL_FILTERS = [
     EXACT_FROM_SELECTION,
     PATCHES,
     TWO_VERTICES,
+    DESCRIBE_INDEX,
+    COMPARISON,
     MATRIX,
     PAIRS_WITHIN,
     VORONOI,
@@ -100,6 +106,11 @@ def sphere(subdivisions: int) -> Arrays:
         v0, v1, v2 = faces.T
         faces = np.concatenate([np.column_stack(t) for t in [(v0, a, c), (v1, b, a), (v2, c, b), (a, b, c)]])
     return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces.astype(np.int32)
+
+
+def length(value: float) -> object:
+    """A length in the unit of the mesh, for parameters that may also be given in percent."""
+    return pymeshlab.PureValue(value) if hasattr(pymeshlab, "PureValue") else pymeshlab.AbsoluteValue(value)
 
 
 def side_by_side(*parts: Arrays) -> Arrays:

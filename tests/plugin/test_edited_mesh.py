@@ -107,7 +107,8 @@ def test_turning_a_left_out_face_into_a_proper_one():
 
 def test_undoing_an_edit_finds_the_old_index():
     vertices, faces = new_sphere()
-    apply_and_compare(mesh_set(vertices, faces))
+    original = mesh_set(vertices, faces)  # while it lives, its index is kept
+    apply_and_compare(original)
     apply_and_compare(mesh_set(vertices * [1, 1, 2], faces))
     apply_and_compare(mesh_set(vertices, faces), reused=True)
 

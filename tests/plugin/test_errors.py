@@ -17,6 +17,7 @@ from support import (
     TWO_VERTICES,
     fails_and_changes_nothing,
     grid,
+    length,
     mesh_set,
     sphere,
 )
@@ -102,7 +103,7 @@ def test_bad_max_distance(name, value):
     ms = mesh_set(*grid(3, 3))
     ms.apply_filter("set_selection_all")
     with fails_and_changes_nothing(ms, f"max_distance is {value}"):
-        ms.apply_filter(name, max_distance=value)
+        ms.apply_filter(name, max_distance=length(value))
 
 
 @pytest.mark.parametrize(

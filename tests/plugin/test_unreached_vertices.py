@@ -13,6 +13,7 @@ from support import (
     TWO_VERTICES,
     field,
     grid,
+    length,
     mesh_set,
     select_vertices,
     side_by_side,
@@ -53,7 +54,7 @@ def test_a_source_in_each_component_reaches_everything(name):
 def test_vertices_beyond_max_distance_are_counted_apart(name):
     vertices, faces = side_by_side(grid(40, 2), grid(3, 3))
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(name, vertex_index=0, max_distance=10.5)
+    result = ms.apply_filter(name, vertex_index=0, max_distance=length(10.5))
     true = np.linalg.norm(vertices[:123], axis=1)
     np.testing.assert_array_equal(field(ms)[:123] >= 0, true <= 10.5)
     np.testing.assert_array_equal(field(ms)[:123][true > 10.5], -1)

@@ -59,16 +59,22 @@ class MeshLabWindow(Screen):
         time.sleep(0.6)
         self.keys(*["Down"] * down)
 
-    def open_filter(self, name: str) -> Atspi.Accessible:
-        """Find a filter by its name in the search box and open its dialog."""
+    def open_filter(self, name: str) -> Atspi.Accessible | None:
+        """Find a filter by its name in the search box and open its dialog; without parameters it is applied at once."""
+        already = len(self.log_lines())
         for down in range(1, MOST_DOWN + 1):
             self.search(name, down)
             self.keys("Return")
             try:
-                return wait_for(f"the dialog of {name}", lambda: self.dialog(name), 1.5)
+                wait_for(f"the dialog of {name}", lambda: self.dialog(name) or self.applied(name, already), 1.5)
+                return self.dialog(name)
             except TimeoutError:
                 pass  # another filter's dialog: it is replaced by the next one
         raise TimeoutError(f"the search box does not offer '{name}'")
+
+    def applied(self, name: str, already: int) -> bool:
+        """Whether the log says, after its first lines, that a filter was applied."""
+        return any(line.startswith(f"Applied filter: {name} in") for line in self.log_lines()[already:])
 
     def parameters(self, dialog: Atspi.Accessible) -> list[Parameter]:
         """Labels, tooltips and fields of a filter's dialog, from top to bottom."""

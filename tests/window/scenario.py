@@ -19,6 +19,10 @@ FROM_POINT = "Geodesic distance from a given point (VoroGeo)"
 EXACT_FROM_POINT = "Exact geodesic distance from a given point (VoroGeo)"
 FROM_SELECTION = "Geodesic distance from the selection (VoroGeo)"
 FROM_BORDER = "Geodesic distance from the border (VoroGeo)"
+COMPARISON = "Compare geodesic methods (VoroGeo)"
+SAVE_INDEX = "Geodesic index: save to file (VoroGeo)"
+LOAD_INDEX = "Geodesic index: load from file (VoroGeo)"
+DESCRIBE_INDEX = "Geodesic index: describe (VoroGeo)"
 PATCHES = "Geodesic Voronoi patches: colour faces (VoroGeo)"
 SOURCE = 1234
 
@@ -45,6 +49,7 @@ class Scenario:
             self.picture(window, "start")
             self.look_at_dialogs(window)
             self.apply_filters(window)
+            self.keep_the_index(window)
             self.meet_errors(window)
             self.seen["alive"] = window.is_alive()
         finally:
@@ -58,13 +63,18 @@ class Scenario:
         names = sorted({item.rpartition("/")[2] for item in self.seen["menu"]})
         for name in names:
             dialog = window.open_filter(name)
-            self.seen["dialogs"][name] = [
-                {"label": entry.label, "tooltip": entry.tooltip, "values": entry.values()}
-                for entry in window.parameters(dialog)
-            ]
+            self.seen["dialogs"][name] = (
+                []
+                if dialog is None
+                else [
+                    {"label": entry.label, "tooltip": entry.tooltip, "values": entry.values()}
+                    for entry in window.parameters(dialog)
+                ]
+            )
             file = "".join(letter if letter.isalnum() else "_" for letter in name.removesuffix(" (VoroGeo)").lower())
-            self.picture(window, f"dialog_{file}")
-            window.close(dialog)
+            if dialog is not None:
+                self.picture(window, f"dialog_{file}")
+                window.close(dialog)
 
     def apply_filters(self, window: MeshLabWindow) -> None:
         """Fields with and without the index, patches; each field is saved."""
@@ -84,6 +94,24 @@ class Scenario:
         self.seen["errors"][f"apply {PATCHES}"] = window.apply(dialog)
         window.close(dialog)
         self.picture(window, "patches")
+        dialog = window.open_filter(COMPARISON)
+        window.fill(dialog, "Start vertex", str(SOURCE))
+        window.fill(dialog, "Method", "Fast marching (MeshLab)")
+        self.seen["errors"][f"apply {COMPARISON}"] = window.apply(dialog)
+        self.picture(window, "comparison")
+        window.close(dialog)
+        self.save(window, "comparison")
+
+    def keep_the_index(self, window: MeshLabWindow) -> None:
+        """Write the index to a file, read it again, look at it."""
+        file = str(self.folder / "terrain.vgi")
+        for name in (SAVE_INDEX, LOAD_INDEX):
+            dialog = window.open_filter(name)
+            window.fill(dialog, "Index file", file)
+            self.seen["errors"][f"apply {name}"] = window.apply(dialog)
+            window.close(dialog)
+        self.seen["describe opens"] = window.open_filter(DESCRIBE_INDEX) is not None
+        self.picture(window, "index_in_the_log")
 
     def save(self, window: MeshLabWindow, key: str) -> None:
         """Save the layer and keep the file under a name of its own."""

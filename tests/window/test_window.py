@@ -25,6 +25,12 @@ def seen() -> dict:
     return json.loads(file.read_text())
 
 
+def all_filters() -> set[str]:
+    """Menu names in the sources of the plugin."""
+    rows = (file.read_text() for file in (PROJECT / "plugin" / "filters").glob("*.cpp"))
+    return {name for text in rows for name in re.findall(r'return \{\s*"([^"]+\(VoroGeo\))"', text)}
+
+
 def documented_filters() -> set[str]:
     """Menu names in the documentation."""
     return set(re.findall(r"\*\*([^*]+\(VoroGeo\))\*\*", (PROJECT / "docs" / "filters.md").read_text()))
@@ -49,12 +55,13 @@ def test_no_plugin_complains_at_the_start(seen):
     assert complaints == []
 
 
-def test_every_documented_filter_is_in_the_menu_and_the_other_way_round(seen):
-    assert {item.rpartition("/")[2] for item in seen["menu"]} == documented_filters()
+def test_every_filter_is_in_the_menu(seen):
+    assert {item.rpartition("/")[2] for item in seen["menu"]} == all_filters()
+    assert documented_filters() <= all_filters()
 
 
 def test_every_filter_was_found_by_its_name_in_the_search_box(seen):
-    assert set(seen["dialogs"]) == documented_filters()
+    assert set(seen["dialogs"]) == all_filters()
 
 
 def test_every_parameter_has_a_label_and_a_tooltip_that_is_a_sentence(seen):
@@ -88,6 +95,34 @@ def test_saved_distance_from_the_border(seen):
     inside = exact > 0
     assert np.count_nonzero(quality == 0) == len(border)
     assert np.abs(quality[inside] / exact[inside] - 1).mean() < 5e-4
+
+
+def test_saved_comparison_is_the_error_of_fast_marching(seen):
+    """MeshLab's fast marching is a tenth of a percent to some percent too long or too short on this mesh."""
+    vertices, faces, quality = saved_mesh(seen["fields"]["comparison"])
+    name = "compute_scalar_by_geodesic_distance_from_given_point_per_vertex"
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.add_mesh(pymeshlab.Mesh(vertices, faces))
+    mesh_set.apply_filter(name, startpoint=vertices[seen["source"]], maxdistance=pymeshlab.PureValue(1000.0))
+    exact = vorogeo.exact_distance_field(vertices, faces, [seen["source"]])
+    others = exact > 0
+    expected = mesh_set.current_mesh().vertex_scalar_array()[others] / exact[others] - 1
+    np.testing.assert_allclose(quality[others], expected, atol=1e-4)
+    assert np.abs(expected).max() > 1e-3
+
+
+def test_index_file_is_written_and_read(seen):
+    vertices, faces, _ = saved_mesh(seen["fields"]["index"])
+    index = vorogeo.GeodesicIndex.load(FOLDER / "terrain.vgi", vertices, faces)
+    assert index.statistics.vertices == 3500
+    log = "\n".join(seen["log"])
+    assert "Geodesic index: written to" in log
+    assert "Geodesic index: read from" in log
+
+
+def test_the_index_is_described_without_a_dialog(seen):
+    assert seen["describe opens"] is False
+    assert any(re.match(r"Geodesic index: 3500 vertices, .* MiB$", line) for line in seen["log"])
 
 
 def test_applied_filters_said_nothing_in_a_box(seen):
