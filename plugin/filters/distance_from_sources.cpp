@@ -24,7 +24,7 @@ RichBool exact_parameter() {
   return RichBool("exact", false, "Exact", "By exact propagation, without an index.");
 }
 
-RichParameterList from_layer_parameters(const MeshModel&) {
+RichParameterList from_layer_parameters(const MeshModel& layer) {
   RichParameterList list;
   list.addParam(RichInt("source_layer", 0, "Source layer", "Number of the layer with the points or lines."));
   list.addParam(spacing_parameter());
@@ -37,7 +37,7 @@ RichParameterList from_layer_parameters(const MeshModel&) {
   return list;
 }
 
-RichParameterList from_edges_parameters(const MeshModel&) {
+RichParameterList from_edges_parameters(const MeshModel& layer) {
   RichParameterList list;
   list.addParam(
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
