@@ -11,7 +11,8 @@ namespace vorogeo::plugin {
 
 void log_statistics(const FilterCall& call, const IndexStatistics& s) {
   std::ostringstream text;
-  text << "Geodesic index in the form of " << (s.form == IndexForm::graph ? "a graph" : "tables") << ": " << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
+  text << "Geodesic index in the form of " << (s.form == IndexForm::graph ? "a graph" : "tables") << ": "
+       << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
        << s.second_layer_patches << " second-layer patches with " << s.first_layer_border_vertices << " and "
        << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs ("
        << s.arcs_before_pruning << " before pruning), " << std::setprecision(3)

@@ -110,7 +110,8 @@ FilterRow build_index_row() {
       "figures are logged and returned.</p>"
       "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more accurate "
       "and "
-      "take longer to build. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at "
+      "take longer to build. <b>Memory budget</b> chooses the form: tables, which answer fastest, or a "
+      "pruned graph. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at "
       "the cost of that "
       "much average relative error. An <b>index file</b> keeps the index for later, for the same mesh.</p>" +
           references_of_index(),
