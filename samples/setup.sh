@@ -55,7 +55,7 @@ packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyr
           qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
           libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
 if [ "$with_tests" = yes ]; then
-  packages+=(libgtest-dev clang-format debootstrap)
+  packages+=(libgtest-dev clang-format g++-aarch64-linux-gnu debootstrap)
 fi
 if [ "$for_bench" = yes ]; then
   packages+=(libcgal-dev linux-perf)
