@@ -99,7 +99,9 @@ class MeshLabWindow(Screen):
 
     def fill(self, dialog: Atspi.Accessible, label: str, *values: str) -> None:
         """Replace what stands in the fields of a parameter, by mouse and keyboard."""
-        parameter = next(entry for entry in self.parameters(dialog) if entry.label == label)
+        parameter = next(
+            entry for entry in self.parameters(dialog) if entry.label.removesuffix(" (abs and %)") == label
+        )
         widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:
