@@ -17,11 +17,14 @@ namespace {
 /// Vertices of a second-layer patch. Larger patches mean fewer crossings but a longer build: the build grows
 /// with the square root of this number, the size of the tables likewise.
 constexpr double second_layer_vertices = 350.0;
-/// Second-layer patches in a first-layer patch of a mesh of up to `ordinary_vertices`.
-constexpr double patches_per_parent = 24.0;
-/// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then the table of
-/// all first-layer border vertices and the first-layer tables grow alike, by the cube root per vertex.
+/// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
+/// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
+constexpr double ordinary_patches = 16.0;
+/// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then that table
+/// and the first-layer tables grow alike, by the cube root per vertex.
 constexpr double ordinary_vertices = 134400.0;
+/// On small meshes a first-layer patch has at least so many second-layer patches.
+constexpr double least_patches_per_parent = 2.0;
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
 
@@ -30,8 +33,8 @@ Index first_layer_count(double vertices, const PartitionOptions& options) {
   if (options.second_layer_patches) {
     return rounded(vertices / (options.second_layer_patches * second_layer_vertices));
   }
-  return rounded(std::min(vertices, std::cbrt(vertices * ordinary_vertices * ordinary_vertices)) /
-                 (patches_per_parent * second_layer_vertices));
+  const double wanted = ordinary_patches * std::cbrt(std::max(1.0, vertices / ordinary_vertices));
+  return rounded(std::min(wanted, vertices / (least_patches_per_parent * second_layer_vertices)));
 }
 
 std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces) {
