@@ -74,7 +74,8 @@ class MeshLabWindow(Screen):
 
     def applied(self, name: str, already: int) -> bool:
         """Whether the log says, after its first lines, that a filter was applied."""
-        return any(line.startswith(f"Applied filter: {name} in") for line in self.log_lines()[already:])
+        starts = (f"Applied filter {name} in", f"Applied filter: {name} in")  # as 2022.02 and 2025.07 write it
+        return any(line.startswith(starts) for line in self.log_lines()[already:])
 
     def parameters(self, dialog: Atspi.Accessible) -> list[Parameter]:
         """Labels, tooltips and fields of a filter's dialog, from top to bottom."""
