@@ -61,6 +61,8 @@ Method method_of(const FilterCall& call) {
 }
 
 Results distances_from_layer(FilterCall& call) {
+  const LayerMesh layer_mesh(call.layer.cm);
+  const auto mesh = layer_mesh.make_mesh();
   const int id = call.parameters.getInt("source_layer");
   const MeshModel* other = call.document.getMesh(id);
   if (other == nullptr || other == &call.layer) {
@@ -68,8 +70,6 @@ Results distances_from_layer(FilterCall& call) {
                        (other == nullptr ? ", but there is no such layer." : ", the current layer itself.") +
                        " Give the number of the layer with the points or lines.");
   }
-  const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = layer_mesh.make_mesh();
   const SurfaceLocator locator(mesh);
   const double most = call.parameters.getFloat("max_snap_distance");
   const bool with_offsets = call.parameters.getBool("quality_as_offset");

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     FROM_BORDER,
+    FROM_EDGES,
+    FROM_LAYER,
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
@@ -25,10 +28,16 @@ from support import (
 )
 
 
+# What these filters need beyond a surface with a selection.
+NEEDED = {FROM_LAYER: "source_layer=1", FROM_EDGES: "from_border=true"}
+
+
 def rectangle(size: float):
-    """A mesh of its own for every test, so that no test finds the index of another."""
-    ms = mesh_set(*grid(12, 12, spacing=size))
+    """A mesh of its own for every test, so that no test finds the index of another, and a layer of points."""
+    vertices, faces = grid(12, 12, spacing=size)
+    ms = mesh_set(vertices, faces)
     select_vertices(ms, [0, 50])
+    ms.add_mesh(pymeshlab.Mesh(vertices[[3, 40]]), "points", set_as_current=False)
     return ms
 
 
@@ -36,18 +45,21 @@ def rectangle(size: float):
 def test_cancelled_filter_changes_nothing(name):
     ms = rectangle(1.0 + ALL_FILTERS.index(name) / 64)
     with fails_and_changes_nothing(ms, "Cancelled: nothing was changed."):
-        ms.apply_filter("probe_apply", filter=name, calls_allowed=0)
+        ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""), calls_allowed=0)
 
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_filter_works_without_a_progress_function(name):
     ms = rectangle(2.0)
-    assert ms.apply_filter("probe_apply", filter=name, without_callback=True)["probe_calls"] == 0
+    numbers = NEEDED.get(name, "")
+    result = ms.apply_filter("probe_apply", filter=name, numbers=numbers, without_callback=True)
+    assert result["probe_calls"] == 0
 
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_progress_only_grows(name):
-    result = rectangle(3.0 + ALL_FILTERS.index(name) / 64).apply_filter("probe_apply", filter=name)
+    ms = rectangle(3.0 + ALL_FILTERS.index(name) / 64)
+    result = ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""))
     assert result["probe_calls"] > 0
     assert not result["probe_percentage_fell"]
     assert 0 <= result["probe_last_percentage"] <= 100

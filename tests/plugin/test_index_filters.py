@@ -115,8 +115,8 @@ def test_index_is_the_same_for_every_number_of_threads():
 
 
 def test_memory_budget_chooses_the_form():
-    tables = mesh_set(*sphere(5)).apply_filter(INDEX, n1=8, n2=4)
-    graph = mesh_set(*sphere(5)).apply_filter(INDEX, n1=8, n2=4, delta=0.02)
+    tables = mesh_set(*sphere(5)).apply_filter(INDEX, n1=32, n2=2)
+    graph = mesh_set(*sphere(5)).apply_filter(INDEX, n1=32, n2=2, delta=0.05)
     assert tables["is_graph"] == 0
     assert graph["is_graph"] == 1
     assert graph["bytes"] < tables["bytes"]

@@ -29,11 +29,13 @@ def test_is_typed():
 def test_stub_names_what_the_extension_has():
     tree = ast.parse((PACKAGE / "_core.pyi").read_text())
     functions = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
-    (index,) = [node for node in tree.body if isinstance(node, ast.ClassDef)]
-    methods = {node.name for node in index.body if isinstance(node, ast.FunctionDef)}
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     public = {name for name in dir(vorogeo._core) if not name.startswith("_")}
-    assert public == functions | {"Index"}
-    assert {name for name in dir(vorogeo._core.Index) if not name.startswith("_")} == methods
+    assert public == functions | set(classes)
+    for name, node in classes.items():
+        methods = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+        found = {item for item in dir(getattr(vorogeo._core, name)) if not item.startswith("_")}
+        assert found == {method for method in methods if not method.startswith("_")}, name
 
 
 def test_errors_are_also_builtin_ones():

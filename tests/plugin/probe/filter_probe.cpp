@@ -31,11 +31,15 @@ std::pair<FilterPlugin*, QAction*> find_filter(const QString& python_name) {
   throw MLException("There is no filter " + python_name);
 }
 
-/// "name=1;other=2": whole numbers for parameters of the filter.
+/// "name=1;other=true": whole numbers and yes-or-no values for parameters of the filter.
 void set_numbers(RichParameterList& list, const QString& text) {
   for (const QString& item : text.split(';', Qt::SkipEmptyParts)) {
     const QStringList parts = item.split('=');
-    list.setValue(parts.at(0), IntValue(parts.at(1).toInt()));
+    if (parts.at(1) == "true") {
+      list.setValue(parts.at(0), BoolValue(true));
+    } else {
+      list.setValue(parts.at(0), IntValue(parts.at(1).toInt()));
+    }
   }
 }
 
@@ -85,7 +89,7 @@ RichParameterList FilterProbe::initParameterList(const QAction* action, const Me
   RichParameterList list;
   list.addParam(RichString("filter", "", "Python name of the filter"));
   if (ID(action) == 1) return list;
-  list.addParam(RichString("numbers", "", "Whole-number parameters, name=1;other=2"));
+  list.addParam(RichString("numbers", "", "Parameters, name=1;other=true"));
   list.addParam(RichInt("calls_allowed", -1, "Progress calls answered with true; -1: all"));
   list.addParam(RichBool("without_callback", false, "Pass no progress function"));
   list.addParam(RichString("deleted_faces", "", "Faces to delete first, 1;2"));
