@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <regex>
 
 #include "exact/exact_solver.h"
 #include "query/geodesic_query.h"
@@ -68,10 +67,9 @@ TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
                         " MiB: give a larger memory budget.");
   c.options.form = IndexForm::automatic;
   const std::string early = c.refusal(1, 0.05);
-  EXPECT_TRUE(std::regex_match(
-      early,
-      std::regex("The memory budget is 1 MiB, but the index of this mesh takes more than [0-9]+ MiB in its "
-                 "smallest form: give a larger memory budget or a larger delta\\.")))
+  EXPECT_TRUE(early.starts_with("The memory budget is 1 MiB, but the index of this mesh takes more than "))
+      << early;
+  EXPECT_TRUE(early.ends_with(" MiB in its smallest form: give a larger memory budget or a larger delta."))
       << early;
   EXPECT_EQ(c.refusal(-1), "The memory budget is -1 MiB; give a positive number, or 0 for 4096 MiB.");
   // The least figure suffices, and one less does not.
