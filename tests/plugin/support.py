@@ -127,6 +127,16 @@ def mesh_set(vertices: np.ndarray, faces: np.ndarray | None = None) -> pymeshlab
     return ms
 
 
+def load(ms: pymeshlab.MeshSet, file: str) -> None:
+    """Load a file into a new layer.
+
+    PyMeshLab's progress of loading goes into the log of the MeshSet that applied a filter last, even if that one is
+    gone: a filter without effect makes it this one.
+    """
+    ms.apply_filter("set_selection_none")
+    ms.load_new_mesh(file)
+
+
 def layer_count(ms: pymeshlab.MeshSet) -> int:
     """Number of layers."""
     return ms.mesh_number() if hasattr(ms, "mesh_number") else ms.number_meshes()

@@ -13,6 +13,7 @@ from support import (
     exact_distances,
     field,
     grid,
+    load,
     mesh_set,
     select_vertices,
     sphere,
@@ -41,7 +42,7 @@ def test_random_terrain_agrees_with_pygeodesic(source, height, seed):
 @pytest.mark.parametrize("name", ["spot", "fandisk", "homer"])
 def test_real_meshes_agree_with_pygeodesic(shared_mesh, name):
     ms = mesh_set(np.zeros((1, 3)))
-    ms.load_new_mesh(shared_mesh(name))
+    load(ms, shared_mesh(name))
     vertices, faces = arrays(ms)
     source = len(vertices) // 3
     result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)

@@ -27,7 +27,6 @@ from support import (
     select_vertices,
 )
 
-
 # What these filters need beyond a surface with a selection.
 NEEDED = {FROM_LAYER: "source_layer=1", FROM_EDGES: "from_border=true"}
 
