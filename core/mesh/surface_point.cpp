@@ -42,6 +42,15 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
   return result;
 }
 
+SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
+  SurfacePoint first = point;
+  if (point.is_vertex()) return first;
+  for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    if (face < first.face) first = SurfacePoint::in_face(face, weights);
+  });
+  return first;
+}
+
 Point position_of(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return mesh.position(point.vertex);
   Point result{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 
 #include "mesh/mesh.h"
 
@@ -19,11 +20,17 @@ struct SurfacePoint {
     return {no_index, face, barycentric};
   }
   bool is_vertex() const { return vertex != no_index; }
+  /// Points in faces before vertices, then by their numbers.
+  std::partial_ordering operator<=>(const SurfacePoint&) const = default;
 };
 
 /// The same point in its simplest form: a point in a corner becomes that vertex.
 /// \throw InvalidInput if an index is out of range or the weights are negative or do not sum to 1.
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
+
+/// A validated point as every way of giving it is written: a point on an edge is held by the first of the
+/// edge's faces. So two are equal (but for rounding of their weights) only if their numbers are.
+SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
 /// Position in space.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);

@@ -17,11 +17,13 @@ constexpr std::size_t pairs_at_once = 64;
 
 /// A field costs as much as this many pairs: measured between meshes of 30,000 and 130,000 vertices.
 double pairs_per_field(const Mesh& mesh) { return std::max(16.0, mesh.vertex_count() / 500.0); }
+/// The same for points in faces, whose pairs are refined paths.
+double paths_per_field(const Mesh& mesh) { return std::max(2.0, mesh.vertex_count() / 5000.0); }
 
-bool use_fields(const FieldTeam& team, MatrixMethod method, double fields, double pairs) {
+bool use_fields(const FieldTeam& team, MatrixMethod method, bool only_vertices, double fields, double pairs) {
   if (team.is_exact()) return true;
   if (method != MatrixMethod::automatic) return method == MatrixMethod::fields;
-  return fields * pairs_per_field(team.mesh()) < pairs;
+  return fields * (only_vertices ? pairs_per_field(team.mesh()) : paths_per_field(team.mesh())) < pairs;
 }
 
 void require_size(std::size_t actual, std::size_t wanted) {
@@ -42,28 +44,29 @@ void in_blocks(FieldTeam& team, std::size_t count, const Progress& progress, Bod
 
 }  // namespace
 
-void pair_distances(FieldTeam& team, std::span<const Index> sources, std::span<const Index> targets,
+void pair_distances(FieldTeam& team, const PointList& sources, const PointList& targets,
                     std::span<double> distance, const Progress& progress) {
   if (sources.size() != targets.size()) {
     throw InvalidInput("There are " + std::to_string(sources.size()) + " sources and " +
                        std::to_string(targets.size()) + " targets; pairs need as many of both.");
   }
   require_size(distance.size(), sources.size());
-  require_vertices(team.mesh(), sources, "Source");
-  require_vertices(team.mesh(), targets, "Target");
-  in_blocks(team, sources.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
-    for (std::size_t i = first; i < last; ++i) distance[i] = team.distance(sources[i], targets[i], worker);
+  const PointList from = points_on(team.mesh(), sources, "Source");
+  const PointList to = points_on(team.mesh(), targets, "Target");
+  in_blocks(team, from.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
+    for (std::size_t i = first; i < last; ++i) distance[i] = team.distance(from[i], to[i], worker);
   });
 }
 
-void distance_matrix(FieldTeam& team, std::span<const Index> rows, std::span<const Index> columns,
+void distance_matrix(FieldTeam& team, const PointList& row_points, const PointList& column_points,
                      MatrixMethod method, std::span<double> matrix, const Progress& progress) {
-  require_size(matrix.size(), rows.size() * columns.size());
-  require_vertices(team.mesh(), rows, "Row");
-  require_vertices(team.mesh(), columns, "Column");
+  require_size(matrix.size(), row_points.size() * column_points.size());
+  const PointList rows = points_on(team.mesh(), row_points, "Row");
+  const PointList columns = points_on(team.mesh(), column_points, "Column");
   const std::size_t width = columns.size();
   const auto fewer = static_cast<double>(std::min(rows.size(), width));
-  if (!use_fields(team, method, fewer, static_cast<double>(matrix.size()))) {
+  const bool only_vertices = rows.only_vertices() && columns.only_vertices();
+  if (!use_fields(team, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
     in_blocks(team, matrix.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
       for (std::size_t i = first; i < last; ++i) {
         matrix[i] = team.distance(rows[i / width], columns[i % width], worker);
@@ -72,25 +75,24 @@ void distance_matrix(FieldTeam& team, std::span<const Index> rows, std::span<con
     return;
   }
   const bool from_rows = rows.size() <= width;
-  const auto sources = from_rows ? rows : columns;
+  const PointList& sources = from_rows ? rows : columns;
+  const PointList& targets = from_rows ? columns : rows;
   parallel_for(sources.size(), team.threads(), progress, "Distance fields",
                [&](std::size_t source, int worker) {
-                 const auto field = team.field(sources[source], unreachable, worker);
-                 if (from_rows) {
-                   for (std::size_t j = 0; j < width; ++j) matrix[source * width + j] = field[columns[j]];
-                 } else {
-                   for (std::size_t i = 0; i < rows.size(); ++i) matrix[i * width + source] = field[rows[i]];
+                 const auto found = team.distances(sources[source], targets, unreachable, worker);
+                 for (std::size_t i = 0; i < found.size(); ++i) {
+                   matrix[from_rows ? source * width + i : i * width + source] = found[i];
                  }
                });
 }
 
-void distance_matrix(FieldTeam& team, std::span<const Index> points, MatrixMethod method,
-                     std::span<double> matrix, const Progress& progress) {
-  const std::size_t count = points.size();
+void distance_matrix(FieldTeam& team, const PointList& given, MatrixMethod method, std::span<double> matrix,
+                     const Progress& progress) {
+  const std::size_t count = given.size();
   require_size(matrix.size(), count * count);
-  require_vertices(team.mesh(), points, "Point");
+  const PointList points = points_on(team.mesh(), given, "Point");
   const auto fields = static_cast<double>(count);
-  if (!use_fields(team, method, fields, 0.5 * fields * (fields - 1.0))) {
+  if (!use_fields(team, method, points.only_vertices(), fields, 0.5 * fields * (fields - 1.0))) {
     // Row i ends at the diagonal: the rows from both ends together make blocks of equal work.
     parallel_for((count + 1) / 2, team.threads(), progress, "Distances of pairs",
                  [&](std::size_t item, int worker) {
@@ -106,22 +108,22 @@ void distance_matrix(FieldTeam& team, std::span<const Index> points, MatrixMetho
     return;
   }
   parallel_for(count, team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
-    const auto field = team.field(points[i], unreachable, worker);
+    const auto found = team.distances(points[i], points, unreachable, worker);
     for (std::size_t j = 0; j < count; ++j) {
       if (points[j] == points[i]) {
         matrix[i * count + j] = 0.0;
       } else if (points[i] < points[j]) {
-        matrix[i * count + j] = matrix[j * count + i] = field[points[j]];
+        matrix[i * count + j] = matrix[j * count + i] = found[j];
       }
     }
   });
 }
 
-void distance_fields(FieldTeam& team, std::span<const Index> sources, double max_distance,
-                     std::span<double> rows, const Progress& progress) {
+void distance_fields(FieldTeam& team, const PointList& given, double max_distance, std::span<double> rows,
+                     const Progress& progress) {
   const auto width = static_cast<std::size_t>(team.mesh().vertex_count());
-  require_size(rows.size(), sources.size() * width);
-  require_vertices(team.mesh(), sources, "Source");
+  require_size(rows.size(), given.size() * width);
+  const PointList sources = points_on(team.mesh(), given, "Source");
   if (!(max_distance >= 0.0)) {
     throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
                        "; it must be at least 0.");

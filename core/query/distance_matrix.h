@@ -1,4 +1,4 @@
-// Many distances in one call: pairs, matrices between two sets of vertices, fields of many sources.
+// Many distances in one call: pairs, matrices between two sets of points, fields of many sources.
 #pragma once
 
 #include <span>
@@ -12,29 +12,30 @@ namespace vorogeo {
 /// of the index.
 enum class MatrixMethod {
   automatic,  ///< whichever is estimated to be faster for the size of the matrix
-  pairs,      ///< the distance of two vertices (GeodesicQuery::distance), entry by entry
-  fields      ///< a field from each vertex of the shorter list
+  pairs,      ///< the distance of two points (FieldTeam::distance), entry by entry
+  fields      ///< a field from each point of the shorter list
 };
 
-/// distance[i] of the pair (sources[i], targets[i]). \throw InvalidInput for a vertex out of range or lists
-/// of different lengths, Cancelled.
-void pair_distances(FieldTeam& team, std::span<const Index> sources, std::span<const Index> targets,
+/// distance[i] of the pair (sources[i], targets[i]). \throw InvalidInput for a point that is not on the mesh
+/// or lists of different lengths, Cancelled.
+void pair_distances(FieldTeam& team, const PointList& sources, const PointList& targets,
                     std::span<double> distance, const Progress& progress = {});
 
 /// Distances between all rows and columns, row by row: matrix[i * columns.size() + j]; `unreachable` where no
-/// path leads. Rows or columns may be empty. \throw InvalidInput for a vertex out of range or a matrix of
-/// another size, Cancelled (the matrix is then filled in part).
-void distance_matrix(FieldTeam& team, std::span<const Index> rows, std::span<const Index> columns,
-                     MatrixMethod method, std::span<double> matrix, const Progress& progress = {});
-
-/// The matrix of one list with itself: symmetric to the last bit, zero on the diagonal and for repeated
-/// vertices. By fields, a pair has the value that the field of the vertex with the smaller number gives it.
-void distance_matrix(FieldTeam& team, std::span<const Index> points, MatrixMethod method,
+/// path leads. Rows or columns may be empty. \throw InvalidInput for a point that is not on the mesh or a
+/// matrix of another size, Cancelled (the matrix is then filled in part).
+void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
                      std::span<double> matrix, const Progress& progress = {});
 
-/// The field of each source in a row of n values; distances above max_distance are `unreachable`.
-/// \throw as distance_matrix, and for a max_distance that is negative or no number.
-void distance_fields(FieldTeam& team, std::span<const Index> sources, double max_distance,
-                     std::span<double> rows, const Progress& progress = {});
+/// The matrix of one list with itself: symmetric to the last bit, zero on the diagonal and for repeated
+/// points. By fields, a pair has the value that the field of the point that comes first (SurfacePoint::<=>)
+/// gives it.
+void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<double> matrix,
+                     const Progress& progress = {});
+
+/// The field of each source at all vertices in a row of n values; distances above max_distance are
+/// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or no number.
+void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<double> rows,
+                     const Progress& progress = {});
 
 }  // namespace vorogeo

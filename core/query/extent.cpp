@@ -24,19 +24,18 @@ Eccentricity eccentricity_in(const std::vector<double>& field) {
 
 }  // namespace
 
-std::vector<Eccentricity> eccentricities(FieldTeam& team, std::span<const Index> vertices,
-                                         const Progress& progress) {
-  require_vertices(team.mesh(), vertices, "Point");
-  std::vector<Eccentricity> result(vertices.size());
-  parallel_for(vertices.size(), team.threads(), progress, "Eccentricities", [&](std::size_t i, int worker) {
-    result[i] = eccentricity_in(team.field(vertices[i], unreachable, worker));
+std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& given, const Progress& progress) {
+  const PointList points = points_on(team.mesh(), given, "Point");
+  std::vector<Eccentricity> result(points.size());
+  parallel_for(points.size(), team.threads(), progress, "Eccentricities", [&](std::size_t i, int worker) {
+    result[i] = eccentricity_in(team.field(points[i], unreachable, worker));
   });
   return result;
 }
 
 Extent extent_of_component(FieldTeam& team, Index start, Index most_fields, const Progress& progress) {
   const Mesh& mesh = team.mesh();
-  require_vertices(mesh, std::span(&start, 1), "Start");
+  points_on(mesh, std::span(&start, 1), "Start");
   if (most_fields < 2) throw InvalidInput("At least 2 fields are needed to bound a diameter; allow more.");
   std::vector<Index> members;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -100,10 +99,10 @@ Index first_vertex_of_largest_component(const Mesh& mesh) {
   return no_index;
 }
 
-GeodesicDisk geodesic_disk(FieldTeam& team, std::span<const Index> sources, double radius) {
+GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radius) {
   const Mesh& mesh = team.mesh();
-  if (sources.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
-  require_vertices(mesh, sources, "Point");
+  if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
+  const PointList sources = points_on(mesh, given, "Point");
   if (!(radius >= 0.0)) {
     throw InvalidInput("The radius is " + std::to_string(radius) +
                        "; it must be a length of at least 0 in the unit of the mesh.");

@@ -9,15 +9,17 @@
 
 namespace vorogeo {
 
-/// The greatest finite distance from a vertex, and where it is found (of equal ones the first vertex).
+/// The greatest finite distance of a vertex from a point, and where it is found (of equal ones the first
+/// vertex).
 struct Eccentricity {
   double distance = 0.0;
   Index farthest = no_index;
 };
 
-/// For each of the vertices, within its component. \throw InvalidInput for a vertex out of range, Cancelled.
+/// For each of the points, within its component. \throw InvalidInput for a point that is not on the mesh,
+/// Cancelled.
 /// Complexity: a field for each.
-std::vector<Eccentricity> eccentricities(FieldTeam& team, std::span<const Index> vertices,
+std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& points,
                                          const Progress& progress = {});
 
 /// A number known to lie between two bounds.
@@ -52,7 +54,7 @@ struct GeodesicDisk {
   std::vector<Index> faces;      ///< with all three corners inside, ascending
 };
 
-/// \throw InvalidInput for no source, one out of range, or a radius that is negative or no number.
-GeodesicDisk geodesic_disk(FieldTeam& team, std::span<const Index> sources, double radius);
+/// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or no number.
+GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& sources, double radius);
 
 }  // namespace vorogeo

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "index/geodesic_index.h"
+#include "query/point_list.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -25,20 +26,23 @@ class FieldTeam {
   int threads() const;
   bool is_exact() const;
 
-  /// Distances from one vertex to all, `unreachable` above max_distance. Shape (n). On one thread;
-  /// `worker` is in [0, threads()) and runs one call at a time.
+  /// Distances from one point to all vertices, `unreachable` above max_distance. Shape (n). On one thread;
+  /// `worker` is in [0, threads()) and runs one call at a time. Points are on the mesh.
+  std::vector<double> field(const SurfacePoint& source, double max_distance, int worker);
   std::vector<double> field(Index source, double max_distance, int worker);
-  /// The same from the nearest of several sources, on all threads; only one such call at a time.
-  std::vector<double> field_on_all_threads(std::span<const Index> sources, double max_distance = unreachable);
-  /// Distance of two vertices, symmetric. \throw InvalidInput without an index.
-  double distance(Index source, Index target, int worker);
+  /// Distances from one point to others: what a field gives at them. Points in faces get theirs from those of
+  /// the corners, or exactly where the source is near (SourceField) or the team exact.
+  std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
+                                int worker);
+  /// A field from the nearest of several sources, on all threads; only one such call at a time.
+  std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable);
+  /// Distance of two points, symmetric: of two vertices GeodesicQuery::distance, otherwise the length of the
+  /// refined path (PathQuery::path). \throw InvalidInput without an index.
+  double distance(const SurfacePoint& source, const SurfacePoint& target, int worker);
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// \throw InvalidInput if a vertex does not exist; the message calls it by `role` and its place in the list.
-void require_vertices(const Mesh& mesh, std::span<const Index> vertices, const char* role);
 
 }  // namespace vorogeo

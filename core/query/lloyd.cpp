@@ -32,7 +32,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 }
 
 /// Nearest site of each vertex; by fields bounded by the farthest vertex.
-std::vector<Label> label_vertices(FieldTeam& team, const std::vector<Index>& sites, double& radius,
+std::vector<Label> label_vertices(FieldTeam& team, const std::vector<SurfacePoint>& sites, double& radius,
                                   const Progress& progress) {
   const auto nearest = team.field_on_all_threads(sites);
   radius = 0.0;
@@ -65,8 +65,8 @@ Point between(const Point& p, const Point& q, double t) {
 
 /// The vertex of a region nearest in space to the point `step` of the way from the site to the region's
 /// centre of mass.
-Index candidate_of(const Mesh& mesh, const std::vector<double>& area, const std::vector<Index>& region,
-                   Index site, double step) {
+SurfacePoint candidate_of(const Mesh& mesh, const std::vector<double>& area, const std::vector<Index>& region,
+                          const SurfacePoint& site, double step) {
   Point centre{};
   double weight = 0.0;
   for (Index v : region) {
@@ -75,36 +75,35 @@ Index candidate_of(const Mesh& mesh, const std::vector<double>& area, const std:
   }
   if (!(weight > 0.0)) return site;
   for (double& coordinate : centre) coordinate /= weight;
-  const Point wanted = between(mesh.position(site), centre, step);
-  Index best = site;
+  const Point wanted = between(position_of(mesh, site), centre, step);
+  SurfacePoint best = site;
   double least = unreachable;
   for (Index v : region) {
     const Point& p = mesh.position(v);
     const double distance = std::hypot(p[0] - wanted[0], p[1] - wanted[1], p[2] - wanted[2]);
     if (distance >= least) continue;
     least = distance;
-    best = v;
+    best = SurfacePoint::at_vertex(v);
   }
   return best;
 }
 
 }  // namespace
 
-RelaxedPoints relax_points(FieldTeam& team, std::span<const Index> points, Index rounds,
-                           const Progress& progress) {
+RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds, const Progress& progress) {
   const Mesh& mesh = team.mesh();
-  if (points.empty()) throw InvalidInput("There is no point to relax; name at least one.");
-  require_vertices(mesh, points, "Point");
+  if (given.empty()) throw InvalidInput("There is no point to relax; name at least one.");
+  const PointList points = points_on(mesh, given, "Point");
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
   const auto area = vertex_areas(mesh);
   RelaxedPoints result;
-  result.vertices.assign(points.begin(), points.end());
+  result.points.assign(points.begin(), points.end());
   std::vector<double> step(points.size(), 1.0);
   for (Index round = 0;; ++round) {
     const Progress of_round =
         progress.part(static_cast<double>(round) / (rounds + 1.0), (round + 1.0) / (rounds + 1.0));
     double radius = 0.0;
-    const auto labels = label_vertices(team, result.vertices, radius, of_round.part(0.0, 0.5));
+    const auto labels = label_vertices(team, result.points, radius, of_round.part(0.0, 0.5));
     std::vector<std::vector<Index>> region(points.size());
     std::vector<double> energy(points.size(), 0.0);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -116,12 +115,13 @@ RelaxedPoints relax_points(FieldTeam& team, std::span<const Index> points, Index
     result.energy.push_back(std::accumulate(energy.begin(), energy.end(), 0.0));
     if (round == rounds) break;
 
-    std::vector<Index> moved_to(points.size(), no_index);
+    std::vector<SurfacePoint> moved_to(points.size());
     parallel_for(points.size(), team.threads(), of_round.part(0.5, 1.0), "Lloyd relaxation",
                  [&](std::size_t i, int worker) {
                    if (step[i] < least_step) return;
-                   const Index candidate = candidate_of(mesh, area, region[i], result.vertices[i], step[i]);
-                   if (candidate == result.vertices[i]) {
+                   const SurfacePoint candidate =
+                       candidate_of(mesh, area, region[i], result.points[i], step[i]);
+                   if (candidate == result.points[i]) {
                      step[i] = 0.0;
                      return;
                    }
@@ -136,8 +136,8 @@ RelaxedPoints relax_points(FieldTeam& team, std::span<const Index> points, Index
                  });
     bool any_moved = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (moved_to[i] == no_index) continue;
-      result.vertices[i] = moved_to[i];
+      if (!moved_to[i].is_vertex()) continue;
+      result.points[i] = moved_to[i];
       step[i] = 1.0;
       any_moved = true;
     }
@@ -149,6 +149,7 @@ RelaxedPoints relax_points(FieldTeam& team, std::span<const Index> points, Index
     }
     if (!goes_on) break;
   }
+  for (const SurfacePoint& point : result.points) result.vertices.push_back(point.vertex);
   progress.report(1.0, "Lloyd relaxation");
   return result;
 }

@@ -10,20 +10,21 @@
 namespace vorogeo {
 
 struct RelaxedPoints {
-  std::vector<Index> vertices;  ///< where each point ended, in the order given
+  std::vector<SurfacePoint> points;  ///< where each point ended, in the order given
+  std::vector<Index> vertices;       ///< the same; no_index for a point that stayed where no vertex is
   /// Before the first and after each round: integral over the surface of the squared distance from the
   /// nearest point, in the fourth power of the unit (each vertex stands for a third of its faces).
   std::vector<double> energy;
 };
 
 /// Relaxes points towards a centroidal geodesic Voronoi tessellation (Lloyd 1982; on surfaces Peyre, Cohen
-/// 2006), at vertices. In a round every point tries the vertex of its region next to the region's centre of
-/// mass in space, or, if that failed before, half the way; it moves if that lowers the integral of squared
-/// geodesic distances over its region, so the energy never rises (beyond the errors of the fields). Ends
-/// after `rounds` or when no point finds a better vertex. Repeated points stay where they are. \throw
-/// InvalidInput for no point or one out of range, or negative rounds; Cancelled. Complexity: two fields for
-/// each point and round, bounded by the regions' size.
-RelaxedPoints relax_points(FieldTeam& team, std::span<const Index> points, Index rounds,
+/// 2006). Points may begin anywhere and move to vertices. In a round every point tries the vertex of its
+/// region next to the region's centre of mass in space, or, if that failed before, half the way; it moves if
+/// that lowers the integral of squared geodesic distances over its region, so the energy never rises (beyond
+/// the errors of the fields). Ends after `rounds` or when no point finds a better vertex. Repeated points
+/// stay where they are. \throw InvalidInput for no point or one that is not on the mesh, or negative rounds;
+/// Cancelled. Complexity: two fields for each point and round, bounded by the regions' size.
+RelaxedPoints relax_points(FieldTeam& team, const PointList& points, Index rounds,
                            const Progress& progress = {});
 
 }  // namespace vorogeo

@@ -78,19 +78,18 @@ void keep_nearest(std::vector<Ranked>& best, std::size_t count, Ranked entry) {
 
 double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(Index) + sizeof(double)); }
 
-SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, double radius,
-                             std::int64_t most_bytes, const Progress& progress) {
-  require_vertices(team.mesh(), points, "Point");
+SparseDistances pairs_within(FieldTeam& team, const PointList& given, double radius, std::int64_t most_bytes,
+                             const Progress& progress) {
+  const PointList points = points_on(team.mesh(), given, "Point");
   require_radius(radius);
   std::vector<std::vector<Entry>> upper(points.size());  // the pairs whose field is that of the row
   EntryCounter counter(most_bytes);
   parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
                [&](std::size_t i, int worker) {
-                 const auto field = team.field(points[i], radius, worker);
+                 const auto found = team.distances(points[i], points, radius, worker);
                  for (std::size_t j = 0; j < points.size(); ++j) {
                    if (points[j] < points[i] || (points[j] == points[i] && j <= i)) continue;
-                   if (is_within(field[points[j]], radius))
-                     upper[i].push_back({static_cast<Index>(j), field[points[j]]});
+                   if (is_within(found[j], radius)) upper[i].push_back({static_cast<Index>(j), found[j]});
                  }
                  upper[i].shrink_to_fit();
                  counter.add(2 * upper[i].size());
@@ -109,19 +108,18 @@ SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, dou
   return compressed(rows);
 }
 
-SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, std::span<const Index> others,
+SparseDistances pairs_within(FieldTeam& team, const PointList& row_points, const PointList& column_points,
                              double radius, std::int64_t most_bytes, const Progress& progress) {
-  require_vertices(team.mesh(), points, "Point");
-  require_vertices(team.mesh(), others, "Other");
+  const PointList points = points_on(team.mesh(), row_points, "Point");
+  const PointList others = points_on(team.mesh(), column_points, "Other");
   require_radius(radius);
   std::vector<std::vector<Entry>> rows(points.size());
   EntryCounter counter(most_bytes);
   parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
                [&](std::size_t i, int worker) {
-                 const auto field = team.field(points[i], radius, worker);
+                 const auto found = team.distances(points[i], others, radius, worker);
                  for (std::size_t j = 0; j < others.size(); ++j) {
-                   if (is_within(field[others[j]], radius))
-                     rows[i].push_back({static_cast<Index>(j), field[others[j]]});
+                   if (is_within(found[j], radius)) rows[i].push_back({static_cast<Index>(j), found[j]});
                  }
                  rows[i].shrink_to_fit();
                  counter.add(rows[i].size());
@@ -129,19 +127,19 @@ SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, std
   return compressed(rows);
 }
 
-NearestOfSet nearest_of_set(FieldTeam& team, std::span<const Index> set, std::span<const Index> queries,
+NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set_points, const PointList& query_points,
                             std::size_t count, const Progress& progress) {
-  require_vertices(team.mesh(), set, "Point");
-  require_vertices(team.mesh(), queries, "Query");
+  const PointList set = points_on(team.mesh(), set_points, "Point");
+  const PointList queries = points_on(team.mesh(), query_points, "Query");
   std::vector<std::vector<Ranked>> best(queries.size());
   const std::string activity = "Nearest points";
   if (count == 0 || set.empty()) {
     // Nothing to find: all places stay empty.
   } else if (queries.size() <= set.size()) {
     parallel_for(queries.size(), team.threads(), progress, activity, [&](std::size_t q, int worker) {
-      const auto field = team.field(queries[q], unreachable, worker);
+      const auto found = team.distances(queries[q], set, unreachable, worker);
       for (std::size_t i = 0; i < set.size(); ++i) {
-        keep_nearest(best[q], count, {field[set[i]], static_cast<Index>(i)});
+        keep_nearest(best[q], count, {found[i], static_cast<Index>(i)});
       }
     });
   } else {
@@ -150,9 +148,9 @@ NearestOfSet nearest_of_set(FieldTeam& team, std::span<const Index> set, std::sp
     parallel_for(set.size(), team.threads(), progress, activity, [&](std::size_t i, int worker) {
       auto& mine = of_worker[worker];
       mine.resize(queries.size());
-      const auto field = team.field(set[i], unreachable, worker);
+      const auto found = team.distances(set[i], queries, unreachable, worker);
       for (std::size_t q = 0; q < queries.size(); ++q) {
-        keep_nearest(mine[q], count, {field[queries[q]], static_cast<Index>(i)});
+        keep_nearest(mine[q], count, {found[q], static_cast<Index>(i)});
       }
     });
     for (auto& ranks : of_worker) {

@@ -21,16 +21,16 @@ struct SparseDistances {
 double sparse_bytes(double entries);
 
 /// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
-/// A pair has the value that the field of the vertex with the smaller number gives it.
+/// A pair has the value that the field of the point that comes first (SurfacePoint::<=>) gives it.
 /// `most_bytes`: see require_memory; checked while the pairs are found.
-/// \throw InvalidInput for a vertex out of range, a radius that is negative or no number, NotEnoughMemory,
-/// Cancelled. Complexity: one field bounded by the radius for each point.
-SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, double radius,
+/// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or no number,
+/// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
+SparseDistances pairs_within(FieldTeam& team, const PointList& points, double radius,
                              std::int64_t most_bytes = 0, const Progress& progress = {});
 
 /// For each of `points` (rows) all of `others` (columns) at most `radius` away.
-SparseDistances pairs_within(FieldTeam& team, std::span<const Index> points, std::span<const Index> others,
-                             double radius, std::int64_t most_bytes = 0, const Progress& progress = {});
+SparseDistances pairs_within(FieldTeam& team, const PointList& points, const PointList& others, double radius,
+                             std::int64_t most_bytes = 0, const Progress& progress = {});
 
 /// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
 /// query. Where fewer can be reached the rest is no_index and `unreachable`. Equal distances: smaller
@@ -40,9 +40,9 @@ struct NearestOfSet {
   std::vector<double> distance;
 };
 
-/// \throw InvalidInput for a vertex out of range, Cancelled. Complexity: a field for each query or for each
-/// entry of the set, whichever are fewer.
-NearestOfSet nearest_of_set(FieldTeam& team, std::span<const Index> set, std::span<const Index> queries,
+/// \throw InvalidInput for a point that is not on the mesh, Cancelled. Complexity: a field for each query or
+/// for each entry of the set, whichever are fewer.
+NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set, const PointList& queries,
                             std::size_t count, const Progress& progress = {});
 
 }  // namespace vorogeo

@@ -7,6 +7,7 @@
 
 #include "index/index_data.h"
 #include "index/local_tables.h"
+#include "mesh/face_distance.h"
 #include "query/border_field.h"
 #include "query/work_points.h"
 #include "support/error.h"
@@ -33,9 +34,13 @@ struct SourceField::State {
         sweeps(threads),
         is_near(data.second.patch_count, 0) {}
 
-  void near_field(double max_distance);
-  void sweep(Index first_layer_patch, FieldSweep& sweep, LabelledField& field);
-  void join_near_field(LabelledField& field);
+  void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+  void take_sources(std::span<const ExactSource> given, double max_distance);
+  void near_field(double max_distance, bool distances_only);
+  void sweep(Index first_layer_patch, FieldSweep& sweep);
+  void join_near_field();
+  bool near_field_holds(double exact, double by_index, bool inside) const;
+  double distance_at(const SurfacePoint& user) const;
   Index source_of_node(Index node);
 
   std::shared_ptr<const GeodesicIndex> index;
@@ -48,10 +53,14 @@ struct SourceField::State {
   std::vector<std::uint8_t> is_near;
   std::vector<ExactSource> sources;  ///< in the work mesh
   std::vector<Index> number;         ///< of each in the caller's list
+  /// Sources at vertices without a face, which the work mesh does not have, by their place in the list.
+  std::vector<std::pair<Index, ExactSource>> lonely;
   std::vector<Index> near;
   std::vector<BorderField::Start> starts;
   std::vector<Index> node_source;
   double certain = 0.0;
+  std::vector<double> distance;  ///< by work vertex
+  std::vector<Index> source;     ///< by work vertex; during the sweeps the border node on its way
 };
 
 SourceField::SourceField(std::shared_ptr<const GeodesicIndex> index, int threads)
@@ -60,7 +69,7 @@ SourceField::~SourceField() = default;
 SourceField::SourceField(SourceField&&) noexcept = default;
 SourceField& SourceField::operator=(SourceField&&) noexcept = default;
 
-void SourceField::State::near_field(double max_distance) {
+void SourceField::State::near_field(double max_distance, bool distances_only) {
   halo.surround(near, near_field_growth);
   std::vector<Index> targets;
   for (Index p : near) {
@@ -69,7 +78,7 @@ void SourceField::State::near_field(double max_distance) {
   ExactLimits limits;
   limits.face_allowed = halo.mask();
   limits.targets = targets;
-  limits.distances_only = true;
+  limits.distances_only = distances_only;
   limits.max_distance = max_distance;
   solver.run(sources, limits);
   certain = std::min(solver.settled_distance(), solver.barrier_distance());
@@ -77,9 +86,9 @@ void SourceField::State::near_field(double max_distance) {
   for (Index face : halo.faces()) {
     for (Index v : data.work.mesh->face_vertices(face)) {
       const Index node = data.second.vertex_node[v];
-      const double distance = solver.distance(v);
-      if (node != no_index && distance < unreachable) {
-        starts.push_back({node, distance, number[solver.nearest_source(v)]});
+      const double found = solver.distance(v);
+      if (node != no_index && found < unreachable) {
+        starts.push_back({node, found, number[solver.nearest_source(v)]});
       }
     }
   }
@@ -89,8 +98,7 @@ void SourceField::State::near_field(double max_distance) {
   starts.erase(repeated.begin(), repeated.end());
 }
 
-/// Writes distances, and for now as the source of a vertex the border node on its way.
-void SourceField::State::sweep(Index first_layer_patch, FieldSweep& sweep, LabelledField& field) {
+void SourceField::State::sweep(Index first_layer_patch, FieldSweep& sweep) {
   borders.fill(first_layer_patch, sweep);
   const NodeRange children = borders.children(first_layer_patch);
   for (Index p = children.begin; p < children.end; ++p) {
@@ -99,11 +107,10 @@ void SourceField::State::sweep(Index first_layer_patch, FieldSweep& sweep, Label
     const auto members = data.second.members(p);
     const auto nodes = data.second.nodes(p);
     for (std::size_t i = 0; i < members.size(); ++i) {
-      const Index user = data.work.user_vertex[members[i]];
-      if (user == no_index || data.home_patch[members[i]] != p || !(found[i] < unreachable)) continue;
-      field.distance[user] = found[i];
+      if (data.home_patch[members[i]] != p || !(found[i] < unreachable)) continue;
+      distance[members[i]] = found[i];
       const Index row = i < nodes.size() ? static_cast<Index>(i) : rows[i];
-      field.source[user] = row == no_index ? no_index : nodes[row];
+      source[members[i]] = row == no_index ? no_index : nodes[row];
     }
   }
 }
@@ -117,100 +124,146 @@ Index SourceField::State::source_of_node(Index node) {
     passed.push_back(at);
     at = before[at];
   }
-  Index source = no_index;
+  Index found = no_index;
   if (at >= 0) {
-    source = node_source[at];
+    found = node_source[at];
   } else if (at < no_index) {
-    source = BorderSearch::wave_name(0) - at;
+    found = BorderSearch::wave_name(0) - at;
   }
-  for (Index n : passed) node_source[n] = source;
-  return source;
+  for (Index n : passed) node_source[n] = found;
+  return found;
 }
 
-void SourceField::State::join_near_field(LabelledField& field) {
+/// Inside the patches of the sources the solver's distance holds unless a way outside is clearly shorter.
+bool SourceField::State::near_field_holds(double exact, double by_index, bool inside) const {
+  return exact <= certain || exact <= by_index || (inside && by_index >= shorter_outside * exact);
+}
+
+void SourceField::State::join_near_field() {
   for (Index face : halo.faces()) {
     const bool inside = is_near[data.work.second_layer[face]] != 0;
     for (Index v : data.work.mesh->face_vertices(face)) {
-      const Index user = data.work.user_vertex[v];
-      if (user == no_index) continue;
       const double exact = solver.distance(v);
-      if (exact == unreachable) continue;
-      double& distance = field.distance[user];
-      // Inside the patches the solver's distance holds unless a way outside is clearly shorter.
-      const bool holds =
-          exact <= certain || exact <= distance || (inside && distance >= shorter_outside * exact);
-      if (!holds) continue;
-      distance = exact;
-      field.source[user] = number[solver.nearest_source(v)];
+      if (exact == unreachable || !near_field_holds(exact, distance[v], inside)) continue;
+      distance[v] = exact;
+      source[v] = number[solver.nearest_source(v)];
     }
   }
+}
+
+/// Sorts the sources into those of the work mesh and lonely ones.
+void SourceField::State::take_sources(std::span<const ExactSource> given, double max_distance) {
+  if (given.empty()) throw InvalidInput("There is no source; give at least one.");
+  if (!(max_distance >= 0.0)) {
+    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
+                       "; it must be at least 0.");
+  }
+  sources.clear();
+  number.clear();
+  lonely.clear();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const ExactSource& one = given[i];
+    if (!(one.offset >= 0.0 && std::isfinite(one.offset))) {
+      throw InvalidInput("Source " + std::to_string(i) + " has the offset " + std::to_string(one.offset) +
+                         "; it must be a finite number of at least 0.");
+    }
+    const SurfacePoint point = validated(*data.mesh, one.point);
+    if (one.offset > max_distance) continue;
+    if (point.is_vertex() && data.work.work_vertex[point.vertex] == no_index) {
+      lonely.push_back({static_cast<Index>(i), {point, one.offset}});
+      continue;
+    }
+    sources.push_back({work_point(data, point), one.offset});
+    number.push_back(static_cast<Index>(i));
+  }
+}
+
+/// Fills distance and source.
+void SourceField::State::run(std::span<const ExactSource> given, double max_distance, bool distances_only) {
+  take_sources(given, max_distance);
+  distance.assign(data.work.mesh->vertex_count(), unreachable);
+  source.assign(data.work.mesh->vertex_count(), no_index);
+  for (Index p : near) is_near[p] = 0;
+  near.clear();
+  if (sources.empty()) return;
+  for (const ExactSource& one : sources) {
+    for_each_face_at(*data.work.mesh, one.point, [&](Index face, const std::array<double, 3>&) {
+      std::uint8_t& marked = is_near[data.work.second_layer[face]];
+      if (marked == 0) near.push_back(data.work.second_layer[face]);
+      marked = 1;
+    });
+  }
+  near_field(max_distance, distances_only);
+  borders.start(starts, max_distance);
+  parallel_for(static_cast<std::size_t>(data.first.patch_count), threads, {}, "",
+               [&](std::size_t parent, int worker) { sweep(static_cast<Index>(parent), sweeps[worker]); });
+  node_source.assign(data.second.node_count(), no_index);
+  for (Index& of : source) {
+    if (of != no_index) of = source_of_node(of);
+  }
+  join_near_field();
+}
+
+/// After run() with windows kept.
+double SourceField::State::distance_at(const SurfacePoint& user) const {
+  if (user.is_vertex() && data.work.work_vertex[user.vertex] == no_index) {
+    double least = unreachable;
+    for (const auto& [place, one] : lonely) {
+      if (one.point.vertex == user.vertex) least = std::min(least, one.offset);
+    }
+    return least;
+  }
+  if (sources.empty()) return unreachable;
+  const SurfacePoint point = work_point(data, user);
+  if (point.is_vertex()) return distance[point.vertex];
+  double by_index = unreachable;
+  bool inside = false;
+  bool in_halo = false;
+  for_each_face_at(*data.work.mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    std::array<double, 3> corners{};
+    for (int i = 0; i < 3; ++i) corners[i] = distance[data.work.mesh->face_vertices(face)[i]];
+    by_index = std::min(by_index, distance_in_face(*data.work.mesh, face, weights, corners));
+    inside = inside || is_near[data.work.second_layer[face]] != 0;
+    in_halo = in_halo || halo.mask()[face] != 0;
+  });
+  if (!in_halo) return by_index;
+  const double exact = solver.distance(point);
+  return exact < unreachable && near_field_holds(exact, by_index, inside) ? exact : by_index;
 }
 
 LabelledField SourceField::field(std::span<const ExactSource> sources, double max_distance) {
   State& state = *state_;
   const IndexData& data = state.data;
-  if (sources.empty()) throw InvalidInput("There is no source; give at least one.");
-  if (!(max_distance >= 0.0)) {
-    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
-                       "; it must be at least 0.");
-  }
+  state.run(sources, max_distance, true);
   LabelledField field;
   field.distance.assign(data.mesh->vertex_count(), unreachable);
   field.source.assign(data.mesh->vertex_count(), no_index);
-  state.sources.clear();
-  state.number.clear();
-  state.near.clear();
-  std::vector<std::pair<Index, Index>> lonely;  // vertices without a face, and their place in the list
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const ExactSource& source = sources[i];
-    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
-      throw InvalidInput("Source " + std::to_string(i) + " has the offset " + std::to_string(source.offset) +
-                         "; it must be a finite number of at least 0.");
-    }
-    const SurfacePoint point = validated(*data.mesh, source.point);
-    if (point.is_vertex() && data.work.work_vertex[point.vertex] == no_index) {
-      lonely.emplace_back(point.vertex, static_cast<Index>(i));
-      continue;
-    }
-    if (source.offset > max_distance) continue;
-    state.sources.push_back({work_point(data, point), source.offset});
-    state.number.push_back(static_cast<Index>(i));
+  for (Index v = 0; v < data.mesh->vertex_count(); ++v) {
+    const Index work = data.work.work_vertex[v];
+    if (work == no_index || !(state.distance[work] <= max_distance)) continue;
+    field.distance[v] = state.distance[work];
+    field.source[v] = state.distance[work] < unreachable ? state.source[work] : no_index;
   }
-  for (const auto& [vertex, place] : lonely) {
-    const double offset = sources[place].offset;
-    if (offset > max_distance || offset >= field.distance[vertex]) continue;
-    field.distance[vertex] = offset;
-    field.source[vertex] = place;
-  }
-  if (state.sources.empty()) return field;
-
-  std::fill(state.is_near.begin(), state.is_near.end(), 0);
-  for (const ExactSource& source : state.sources) {
-    for_each_face_at(*data.work.mesh, source.point, [&](Index face, const std::array<double, 3>&) {
-      std::uint8_t& marked = state.is_near[data.work.second_layer[face]];
-      if (marked == 0) state.near.push_back(data.work.second_layer[face]);
-      marked = 1;
-    });
-  }
-  state.near_field(max_distance);
-  state.borders.start(state.starts, max_distance);
-  parallel_for(static_cast<std::size_t>(data.first.patch_count), state.threads, {}, "",
-               [&](std::size_t parent, int worker) {
-                 state.sweep(static_cast<Index>(parent), state.sweeps[worker], field);
-               });
-  state.node_source.assign(data.second.node_count(), no_index);
-  for (std::size_t v = 0; v < field.source.size(); ++v) {
-    if (field.source[v] != no_index && data.work.work_vertex[v] != no_index) {
-      field.source[v] = state.source_of_node(field.source[v]);
-    }
-  }
-  state.join_near_field(field);
-  for (std::size_t v = 0; v < field.distance.size(); ++v) {
-    if (field.distance[v] <= max_distance) continue;
-    field.distance[v] = unreachable;
-    field.source[v] = no_index;
+  for (const auto& [place, one] : state.lonely) {
+    if (one.offset >= field.distance[one.point.vertex]) continue;
+    field.distance[one.point.vertex] = one.offset;
+    field.source[one.point.vertex] = place;
   }
   return field;
+}
+
+std::vector<double> SourceField::distances(std::span<const ExactSource> sources, const PointList& targets,
+                                           double max_distance) {
+  State& state = *state_;
+  const PointList points = points_on(*state.data.mesh, targets, "Target");
+  state.run(sources, max_distance, points.only_vertices());
+  std::vector<double> result;
+  result.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    const double distance = state.distance_at(point);
+    result.push_back(distance <= max_distance ? distance : unreachable);
+  }
+  return result;
 }
 
 }  // namespace vorogeo

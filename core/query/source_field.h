@@ -8,6 +8,7 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
+#include "query/point_list.h"
 
 namespace vorogeo {
 
@@ -32,6 +33,12 @@ class SourceField {
   /// \throw InvalidInput for no source, a point that is not on the mesh, an offset that is negative or not
   /// finite, a max_distance that is negative or no number.
   LabelledField field(std::span<const ExactSource> sources, double max_distance = unreachable);
+
+  /// The same sums at any points of the surface instead of at the vertices. Exact in the patches of the
+  /// sources and around them; beyond, that of a point in a face is found from those of its corners
+  /// (distance_in_face). \throw InvalidInput also for a target that is not on the mesh.
+  std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
+                                double max_distance = unreachable);
 
  private:
   struct State;

@@ -38,10 +38,10 @@ std::size_t below(std::mt19937_64& random, std::size_t count) {
 
 }  // namespace
 
-FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, std::span<const Index> start,
+FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& given,
                                 std::uint64_t seed, const Progress& progress) {
   const Mesh& mesh = team.mesh();
-  require_vertices(mesh, start, "Start");
+  const PointList start = points_on(mesh, given, "Start");
   if (stop.count < 0 || !(stop.radius >= 0.0) || (stop.count == 0 && stop.radius == 0.0)) {
     throw InvalidInput("Give a number of samples above 0, or a covering radius above 0 at which to stop.");
   }
@@ -49,30 +49,37 @@ FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, std::
   FarthestSamples result;
   result.distance.assign(mesh.vertex_count(), unreachable);
   std::mt19937_64 random(seed);
-  std::size_t farthest = 0;
+  Index farthest = no_index;
   auto measure = [&] {
     result.covering_radius = allowed.empty() ? 0.0 : -1.0;
     for (Index v : allowed) {
       if (result.distance[v] <= result.covering_radius) continue;
       result.covering_radius = result.distance[v];
-      farthest = static_cast<std::size_t>(v);
+      farthest = v;
     }
   };
   measure();
   const std::size_t most = stop.count > 0 ? static_cast<std::size_t>(stop.count) : allowed.size();
-  while (result.vertices.size() < most) {
-    const std::size_t taken = result.vertices.size();
-    if (taken >= start.size()) {
-      if (result.covering_radius <= stop.radius) break;
-      if (taken == 0) farthest = static_cast<std::size_t>(allowed[below(random, allowed.size())]);
+  while (result.points.size() < most) {
+    const std::size_t taken = result.points.size();
+    SurfacePoint sample;
+    if (taken < start.size()) {
+      sample = start[taken];
+      double nearest = sample.is_vertex() ? result.distance[sample.vertex] : unreachable;
+      if (!sample.is_vertex() && taken > 0) {
+        nearest = std::ranges::min(team.distances(sample, result.points, unreachable, 0));
+      }
+      result.radius.push_back(nearest);
     } else {
-      farthest = static_cast<std::size_t>(start[taken]);
+      if (result.covering_radius <= stop.radius) break;
+      if (taken == 0) farthest = allowed[below(random, allowed.size())];
+      sample = SurfacePoint::at_vertex(farthest);
+      result.radius.push_back(result.distance[farthest]);
     }
-    const auto sample = static_cast<Index>(farthest);
-    result.vertices.push_back(sample);
-    result.radius.push_back(result.distance[sample]);
+    result.points.push_back(sample);
+    result.vertices.push_back(sample.vertex);
     lower(result.distance, team.field_on_all_threads(std::span(&sample, 1), result.covering_radius));
-    result.distance[sample] = 0.0;
+    if (sample.is_vertex()) result.distance[sample.vertex] = 0.0;
     measure();
     double done = static_cast<double>(taken + 1) / static_cast<double>(most);
     if (stop.radius > 0.0 && result.covering_radius < unreachable) {

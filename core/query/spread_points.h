@@ -17,7 +17,8 @@ struct FarthestStop {
 };
 
 struct FarthestSamples {
-  std::vector<Index> vertices;   ///< in the order in which they were taken
+  std::vector<SurfacePoint> points;  ///< in the order in which they were taken
+  std::vector<Index> vertices;       ///< the same; no_index for a start that is no vertex
   std::vector<double> radius;    ///< distance of each from the ones before it; infinity in a new component
   std::vector<double> distance;  ///< of every vertex from the nearest sample, shape (n)
   /// Greatest entry of `distance` (vertices without a face left out); infinity if a component has no sample.
@@ -26,11 +27,11 @@ struct FarthestSamples {
 
 /// Farthest point sampling (Gonzalez 1985; on surfaces Moenning, Dodgson 2003): each sample is the vertex
 /// farthest from those before it, of equally far ones the first; vertices without a face are never taken. So
-/// samples are at least the covering radius apart. Begins with `start`, or with one random vertex. There are
-/// fewer than `count` samples if all vertices are at distance 0 before.
-/// \throw InvalidInput for vertices out of range or a stop that is none (no count, radius not above 0),
-/// Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
-FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, std::span<const Index> start = {},
+/// samples are at least the covering radius apart. Begins with the points of `start`, which may lie anywhere,
+/// or with one random vertex. There are fewer than `count` samples if all vertices are at distance 0 before.
+/// \throw InvalidInput for a start that is not on the mesh or a stop that is none (no count, radius not above
+/// 0), Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
+FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& start = {},
                                 std::uint64_t seed = 0, const Progress& progress = {});
 
 /// Poisson-disk sampling by dart throwing (Cook 1986) over all vertices with a face in random order: samples

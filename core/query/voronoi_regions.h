@@ -1,4 +1,4 @@
-// Geodesic Voronoi regions of chosen vertices: labels, areas, and borders that cross the faces.
+// Geodesic Voronoi regions of chosen points: labels, areas, and borders that cross the faces.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ struct VoronoiRegions {
 /// flat parts of the surface that is what it is, and borders there are exact. Each region is then where its
 /// square is the least, so borders continue over edges, and three or more may meet in a face. A region is
 /// found in every face that it reaches into, also between the corners.
-/// \throw InvalidInput for no site or one out of range, Cancelled.
+/// \throw InvalidInput for no site or one that is not on the mesh, Cancelled.
 /// Complexity: a field for each site, bounded by the greatest distance of a vertex from its site.
-VoronoiRegions voronoi_regions(FieldTeam& team, std::span<const Index> sites, const Progress& progress = {});
+VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& sites, const Progress& progress = {});
 
 }  // namespace vorogeo

@@ -5,6 +5,7 @@
 #include "index_binding.h"
 #include "mesh_binding.h"
 #include "paths_binding.h"
+#include "point_arrays.h"
 #include "tasks_binding.h"
 
 NB_MODULE(_core, module) {
@@ -13,6 +14,7 @@ NB_MODULE(_core, module) {
   vorogeo::python::translate_errors();
   vorogeo::python::bind_mesh_functions(module);
   vorogeo::python::bind_index(module);
+  vorogeo::python::bind_points(module);
   vorogeo::python::bind_paths(module);
   vorogeo::python::bind_tasks(module);
   vorogeo::python::bind_surface_tasks(module);

@@ -1,5 +1,6 @@
 // The functions of _core for what is built on distance fields.
 #include "arrays.h"
+#include "point_arrays.h"
 #include "query/extent.h"
 #include "query/isolines.h"
 #include "query/lloyd.h"
@@ -34,9 +35,18 @@ IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_fac
   return to_numpy(std::move(values));
 }
 
-nb::tuple voronoi(nb::handle index, const IdArray& points, bool exact, nb::object progress) {
+/// Vertices, faces and weights of points.
+nb::tuple rows_of(nb::handle index, const std::vector<SurfacePoint>& points) {
+  const HeldIndex held = held_index(index);
+  PointRows rows;
+  for (const SurfacePoint& point : points) rows.add(*held.index->mesh(), point);
+  return nb::make_tuple(to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),
+                        to_numpy(std::move(rows.weights)));
+}
+
+nb::tuple voronoi(nb::handle index, const PointArrays& points, bool exact, nb::object progress) {
   VoronoiRegions found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
-    return voronoi_regions(team, ids_of(points), report);
+    return voronoi_regions(team, points_from(team.mesh(), points), report);
   });
   return nb::make_tuple(to_numpy(std::move(found.vertex_region)), to_numpy(std::move(found.distance)),
                         by_input_face(held_index(index), found.face_region), to_numpy(std::move(found.area)),
@@ -55,12 +65,12 @@ nb::tuple iso(nb::handle index, const FieldArray& field, const FieldArray& level
                         to_numpy(std::move(found.level_of_point)));
 }
 
-nb::tuple farthest(nb::handle index, Index count, double radius, const IdArray& start, std::uint64_t seed,
+nb::tuple farthest(nb::handle index, Index count, double radius, const PointArrays& start, std::uint64_t seed,
                    bool exact, nb::object progress) {
   FarthestSamples found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
-    return sample_farthest(team, {count, radius}, ids_of(start), seed, report);
+    return sample_farthest(team, {count, radius}, points_from(team.mesh(), start), seed, report);
   });
-  return nb::make_tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.radius)),
+  return nb::make_tuple(rows_of(index, found.points), to_numpy(std::move(found.radius)),
                         to_numpy(std::move(found.distance)), found.covering_radius);
 }
 
@@ -71,9 +81,9 @@ IndexArray poisson_disk(nb::handle index, double radius, std::uint64_t seed, boo
   }));
 }
 
-nb::tuple disk(nb::handle index, const IdArray& sources, double radius, bool exact) {
+nb::tuple disk(nb::handle index, const PointArrays& sources, double radius, bool exact) {
   GeodesicDisk found = with_team(index, exact, nb::none(), [&](FieldTeam& team, const Progress&) {
-    return geodesic_disk(team, ids_of(sources), radius);
+    return geodesic_disk(team, points_from(team.mesh(), sources), radius);
   });
   const Mesh& mesh = *held_index(index).index->mesh();
   for (Index& face : found.faces) face = mesh.input_face(face);
@@ -81,9 +91,9 @@ nb::tuple disk(nb::handle index, const IdArray& sources, double radius, bool exa
                         to_numpy(std::move(found.faces)));
 }
 
-nb::tuple eccentricity(nb::handle index, const IdArray& points, bool exact, nb::object progress) {
+nb::tuple eccentricity(nb::handle index, const PointArrays& points, bool exact, nb::object progress) {
   const auto found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
-    return eccentricities(team, ids_of(points), report);
+    return eccentricities(team, points_from(team.mesh(), points), report);
   });
   std::vector<double> distance;
   std::vector<Index> vertex;
@@ -105,11 +115,11 @@ nb::tuple extent(nb::handle index, Index start, Index most_fields, bool exact, n
                         nb::make_tuple(found.radius.lower, found.radius.upper), found.centre, found.fields);
 }
 
-nb::tuple relax(nb::handle index, const IdArray& points, Index rounds, bool exact, nb::object progress) {
+nb::tuple relax(nb::handle index, const PointArrays& points, Index rounds, bool exact, nb::object progress) {
   RelaxedPoints found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
-    return relax_points(team, ids_of(points), rounds, report);
+    return relax_points(team, points_from(team.mesh(), points), rounds, report);
   });
-  return nb::make_tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.energy)));
+  return nb::make_tuple(rows_of(index, found.points), to_numpy(std::move(found.energy)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "tasks_binding.h"
 
 #include "arrays.h"
+#include "point_arrays.h"
 #include "query/distance_matrix.h"
 #include "query/neighbors.h"
 #include "support/memory.h"
@@ -16,32 +17,35 @@ using OutArray = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>
 
 std::span<double> values_of(const OutArray& out) { return {out.data(), out.shape(0) * out.shape(1)}; }
 
-void fill_matrix(nb::handle index, const IdArray& rows, const IdArray& columns, int method,
+void fill_matrix(nb::handle index, const PointArrays& rows, const PointArrays& columns, int method,
                  const OutArray& out, nb::object progress) {
   with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    distance_matrix(team, ids_of(rows), ids_of(columns), static_cast<MatrixMethod>(method), values_of(out),
+    distance_matrix(team, points_from(team.mesh(), rows), points_from(team.mesh(), columns),
+                    static_cast<MatrixMethod>(method), values_of(out), report);
+  });
+}
+
+void fill_square_matrix(nb::handle index, const PointArrays& points, int method, const OutArray& out,
+                        nb::object progress) {
+  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+    distance_matrix(team, points_from(team.mesh(), points), static_cast<MatrixMethod>(method), values_of(out),
                     report);
   });
 }
 
-void fill_square_matrix(nb::handle index, const IdArray& points, int method, const OutArray& out,
-                        nb::object progress) {
-  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    distance_matrix(team, ids_of(points), static_cast<MatrixMethod>(method), values_of(out), report);
-  });
-}
-
-void fill_fields(nb::handle index, const IdArray& sources, double max_distance, const OutArray& out,
+void fill_fields(nb::handle index, const PointArrays& sources, double max_distance, const OutArray& out,
                  nb::object progress) {
   with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    distance_fields(team, ids_of(sources), max_distance, values_of(out), report);
+    distance_fields(team, points_from(team.mesh(), sources), max_distance, values_of(out), report);
   });
 }
 
-DoubleArray pairs(nb::handle index, const IdArray& sources, const IdArray& targets, nb::object progress) {
-  std::vector<double> values(sources.shape(0));
+DoubleArray pairs(nb::handle index, const PointArrays& sources, const PointArrays& targets,
+                  nb::object progress) {
+  std::vector<double> values(sources.vertex.shape(0));
   with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    pair_distances(team, ids_of(sources), ids_of(targets), values, report);
+    pair_distances(team, points_from(team.mesh(), sources), points_from(team.mesh(), targets), values,
+                   report);
   });
   return to_numpy(std::move(values));
 }
@@ -51,24 +55,26 @@ nb::tuple as_tuple(SparseDistances&& sparse) {
                         to_numpy(std::move(sparse.distance)));
 }
 
-nb::tuple within(nb::handle index, const IdArray& points, double radius, std::int64_t most_bytes,
+nb::tuple within(nb::handle index, const PointArrays& points, double radius, std::int64_t most_bytes,
                  nb::object progress) {
   return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    return pairs_within(team, ids_of(points), radius, most_bytes, report);
+    return pairs_within(team, points_from(team.mesh(), points), radius, most_bytes, report);
   }));
 }
 
-nb::tuple within_others(nb::handle index, const IdArray& points, const IdArray& others, double radius,
+nb::tuple within_others(nb::handle index, const PointArrays& points, const PointArrays& others, double radius,
                         std::int64_t most_bytes, nb::object progress) {
   return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    return pairs_within(team, ids_of(points), ids_of(others), radius, most_bytes, report);
+    return pairs_within(team, points_from(team.mesh(), points), points_from(team.mesh(), others), radius,
+                        most_bytes, report);
   }));
 }
 
-nb::tuple nearest(nb::handle index, const IdArray& set, const IdArray& queries, std::size_t count,
+nb::tuple nearest(nb::handle index, const PointArrays& set, const PointArrays& queries, std::size_t count,
                   nb::object progress) {
   NearestOfSet found = with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    return nearest_of_set(team, ids_of(set), ids_of(queries), count, report);
+    return nearest_of_set(team, points_from(team.mesh(), set), points_from(team.mesh(), queries), count,
+                          report);
   });
   return nb::make_tuple(to_numpy(std::move(found.position)), to_numpy(std::move(found.distance)));
 }

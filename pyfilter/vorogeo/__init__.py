@@ -13,15 +13,17 @@ from .exact import exact_distance_field
 from .index import GeodesicIndex, IndexStatistics
 from .matrices import SparseDistances
 from .mesh_check import MeshFinding, MeshReport, check_mesh
-from .paths import GeodesicPath, SurfacePoints
+from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
+from .points import EdgeCurve, SurfacePoints
 from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
 
 __version__ = _version("vorogeo")
 __all__ = [
     "Cancelled",
     "Disk",
+    "EdgeCurve",
     "Error",
     "Extent",
     "FarthestSamples",

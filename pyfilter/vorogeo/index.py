@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, overload
+from typing import Literal, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +13,8 @@ from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
 from .matrices import Matrices
-from .paths import Paths, SurfacePoints
+from .paths import Paths
+from .points import EdgeCurve, Points, Sources, SurfacePoints, holds
 from .progress import ProgressFunction, reporter
 from .surface_tasks import SurfaceTasks
 
@@ -182,19 +182,15 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     @overload
     def distance(self, source: int | np.integer, target: int | np.integer) -> float: ...
     @overload
-    def distance(
-        self, source: ArrayLike | SurfacePoints, target: ArrayLike | SurfacePoints
-    ) -> float | NDArray[np.float64]: ...
-    def distance(
-        self, source: ArrayLike | SurfacePoints, target: ArrayLike | SurfacePoints
-    ) -> float | NDArray[np.float64]:
+    def distance(self, source: Points, target: Points) -> float | NDArray[np.float64]: ...
+    def distance(self, source: Points, target: Points) -> float | NDArray[np.float64]:
         """Distance between two points, or between the points of each of k pairs.
 
         Parameters
         ----------
-        source, target : int, array_like of int of shape (k,), or SurfacePoints
-            Vertex ids, 0 to n - 1, or points from `snap`; both single or both of the same length. If one of them is
-            SurfacePoints, the answer is the length of the refined path (`path`).
+        source, target : a point, or k points
+            Vertex ids, 0 to n - 1, `SurfacePoints`, or lists of both; both single or both of the same length. With
+            SurfacePoints the answer is the length of the refined path (`path`).
 
         Returns
         -------
@@ -209,11 +205,11 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
         count = self._statistics.vertices
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
             return self._handle.distance(source, target)
-        if isinstance(source, SurfacePoints) or isinstance(target, SurfacePoints):
+        if holds(source, SurfacePoints) or holds(target, SurfacePoints):
             found = self.path(source, target)
             return np.array([path.length for path in found]) if isinstance(found, list) else found.length
-        sources = check.vertex_ids("source", source, count)
-        targets = check.vertex_ids("target", target, count)
+        sources = check.vertex_ids("source", cast(ArrayLike, source), count)
+        targets = check.vertex_ids("target", cast(ArrayLike, target), count)
         if sources.shape != targets.shape:
             raise InvalidInput(
                 f"source has shape {sources.shape} and target {targets.shape}; "
@@ -226,7 +222,7 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     @overload
     def distance_field(
         self,
-        sources: ArrayLike | SurfacePoints | Sequence[Any],
+        sources: Sources,
         max_distance: float | None = None,
         *,
         offsets: ArrayLike | None = None,
@@ -235,7 +231,7 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     @overload
     def distance_field(
         self,
-        sources: ArrayLike | SurfacePoints | Sequence[Any],
+        sources: Sources,
         max_distance: float | None = None,
         *,
         offsets: ArrayLike | None = None,
@@ -243,7 +239,7 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
     def distance_field(
         self,
-        sources: Any,
+        sources: Sources,
         max_distance: float | None = None,
         *,
         offsets: ArrayLike | None = None,
@@ -253,8 +249,9 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
 
         Parameters
         ----------
-        sources : int, array_like of int of shape (k,), SurfacePoints, or a list of any of these
-            Vertex ids, 0 to n - 1, or points from `snap`, at least one; repeated ones count once.
+        sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
+            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones count once. A curve
+            counts as one source.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional
@@ -277,11 +274,11 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
             finite, or the limit is negative.
         """
         limit = check.max_distance(max_distance)
-        plain = not isinstance(sources, SurfacePoints) and not (
-            isinstance(sources, (list, tuple)) and any(isinstance(part, SurfacePoints) for part in sources)
-        )
+        plain = not holds(sources, (SurfacePoints, EdgeCurve))
         if plain and offsets is None and not return_labels:
-            return self._handle.distance_field(check.source_ids(sources, self._statistics.vertices), limit)
+            return self._handle.distance_field(
+                check.source_ids(cast(ArrayLike, sources), self._statistics.vertices), limit
+            )
         distance, label = self._labelled_field(sources, offsets, limit)
         return (distance, label) if return_labels else distance
 

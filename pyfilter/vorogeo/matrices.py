@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _arguments as check
 from . import _core
+from . import points as point_lists
 from ._output import Output, matrix, require_memory
 from .errors import InvalidInput
+from .points import Points, Rows
 from .progress import ProgressFunction, reporter
 
 if TYPE_CHECKING:
@@ -43,25 +45,28 @@ class SparseDistances(NamedTuple):
 
 
 class Matrices:
-    """The methods of `GeodesicIndex` that answer many questions in one call."""
+    """The methods of `GeodesicIndex` that answer many questions in one call.
+
+    Points are vertex ids, `SurfacePoints` or lists of both, none of them as well; ``k`` is how many there are.
+    """
 
     __slots__ = ()
 
     _handle: _core.Index
     _statistics: IndexStatistics
 
-    def _ids(self, name: str, value: ArrayLike) -> NDArray[np.int32]:
-        return check.id_list(name, value, self._statistics.vertices)
+    def _rows(self, name: str, value: Points) -> Rows:
+        return point_lists.rows(name, value, self._statistics.vertices)
 
     def distances(
-        self, sources: ArrayLike, targets: ArrayLike, progress: ProgressFunction | bool | None = None
+        self, sources: Points, targets: Points, progress: ProgressFunction | bool | None = None
     ) -> NDArray[np.float64]:
-        """Distances of k pairs of vertices, on all threads; the values of `distance`.
+        """Distances of k pairs of points, on all threads; the values of `distance`.
 
         Parameters
         ----------
-        sources, targets : array_like of int, shape (k,)
-            Vertex ids; no pair at all is allowed.
+        sources, targets : k points each
+            No pair at all is allowed.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -77,16 +82,18 @@ class Matrices:
         Cancelled
             If `progress` returned False.
         """
-        first, second = self._ids("sources", sources), self._ids("targets", targets)
-        if first.shape != second.shape:
-            raise InvalidInput(f"There are {first.size} sources and {second.size} targets; pairs need as many of both.")
+        first, second = self._rows("sources", sources), self._rows("targets", targets)
+        if len(first[0]) != len(second[0]):
+            raise InvalidInput(
+                f"There are {len(first[0])} sources and {len(second[0])} targets; pairs need as many of both."
+            )
         with reporter(progress) as report:
-            return _core.pair_distances(self._handle, first, second, report)
+            return _core.pair_distances(self._handle, _core.Points(*first), _core.Points(*second), report)
 
     def distance_matrix(
         self,
-        points: ArrayLike,
-        others: ArrayLike | None = None,
+        points: Points,
+        others: Points | None = None,
         method: str = "auto",
         out: Output = None,
         max_bytes: int | None = None,
@@ -96,14 +103,14 @@ class Matrices:
 
         Parameters
         ----------
-        points : array_like of int, shape (k,)
-            Vertex ids of the rows, and of the columns if there are no `others`; may be empty or repeat.
-        others : array_like of int, shape (m,), optional
-            Vertex ids of the columns.
+        points : k points
+            Of the rows, and of the columns if there are no `others`; may repeat.
+        others : m points, optional
+            Of the columns.
         method : {"auto", "pairs", "fields"}
-            "pairs": the values of `distance`. "fields": read from a `distance_field` of each point; without `others`,
-            of the point with the smaller id, so that the matrix is symmetric. Both approximate one number. "auto":
-            what is faster for this size.
+            "pairs": the values of `distance`. "fields": read from a field of each point; without `others`, of one point
+            of each pair, so that the matrix is symmetric. Both approximate one number; for points in faces "pairs" is
+            the more accurate. "auto": what is faster for this size.
         out : str, path or ndarray, optional
             A file to write as .npy, which appears whole or not at all, or an array of float64 and the shape of the
             result. For a file the result is mapped, so that it may be larger than the memory.
@@ -131,20 +138,20 @@ class Matrices:
         Complexity: k (k - 1) / 2 distances (k m with `others`), or as many fields as the shorter list is long.
         """
         how = check.choice("method", method, _METHODS)
-        rows = self._ids("points", points)
-        columns = rows if others is None else self._ids("others", others)
-        with matrix(rows.size, columns.size, out, max_bytes) as result, reporter(progress) as report:
+        rows = self._rows("points", points)
+        columns = rows if others is None else self._rows("others", others)
+        with matrix(len(rows[0]), len(columns[0]), out, max_bytes) as result, reporter(progress) as report:
             if result.size == 0:
                 pass
             elif others is None:
-                _core.fill_square_matrix(self._handle, rows, how, result, report)
+                _core.fill_square_matrix(self._handle, _core.Points(*rows), how, result, report)
             else:
-                _core.fill_matrix(self._handle, rows, columns, how, result, report)
+                _core.fill_matrix(self._handle, _core.Points(*rows), _core.Points(*columns), how, result, report)
         return _reopened(result, out)
 
     def fields(
         self,
-        sources: ArrayLike,
+        sources: Points,
         max_distance: float | None = None,
         out: Output = None,
         max_bytes: int | None = None,
@@ -154,8 +161,7 @@ class Matrices:
 
         Parameters
         ----------
-        sources : array_like of int, shape (k,)
-            Vertex ids; may be empty.
+        sources : k points
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         out, max_bytes, progress
@@ -171,20 +177,20 @@ class Matrices:
         InvalidInput, NotEnoughMemory, Cancelled
             As for `distance_matrix`.
         """
-        ids, limit = self._ids("sources", sources), check.max_distance(max_distance)
+        rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
         with (
-            matrix(ids.size, self._statistics.vertices, out, max_bytes) as result,
+            matrix(len(rows[0]), self._statistics.vertices, out, max_bytes) as result,
             reporter(progress) as report,
         ):
             if result.size:
-                _core.fill_fields(self._handle, ids, limit, result, report)
+                _core.fill_fields(self._handle, _core.Points(*rows), limit, result, report)
         return _reopened(result, out)
 
     def pairs_within(
         self,
-        points: ArrayLike,
+        points: Points,
         radius: float,
-        others: ArrayLike | None = None,
+        others: Points | None = None,
         as_arrays: bool = False,
         max_bytes: int | None = None,
         progress: ProgressFunction | bool | None = None,
@@ -193,12 +199,12 @@ class Matrices:
 
         Parameters
         ----------
-        points : array_like of int, shape (k,)
-            Vertex ids of the rows, and of the columns if there are no `others`.
+        points : k points
+            Of the rows, and of the columns if there are no `others`.
         radius : float
             In the unit of the vertices, 0 or more.
-        others : array_like of int, shape (m,), optional
-            Vertex ids of the columns.
+        others : m points, optional
+            Of the columns.
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
         max_bytes : int, optional
@@ -224,16 +230,18 @@ class Matrices:
         Notes
         -----
         Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others` that
-        of the point with the smaller id.
+        of one point of each pair.
         """
-        rows, reach, limit = self._ids("points", points), check.length("radius", radius), check.byte_limit(max_bytes)
-        columns = rows if others is None else self._ids("others", others)
+        rows, reach, limit = self._rows("points", points), check.length("radius", radius), check.byte_limit(max_bytes)
+        columns = rows if others is None else self._rows("others", others)
         with reporter(progress) as report:
             if others is None:
-                found = _core.pairs_within(self._handle, rows, reach, limit, report)
+                found = _core.pairs_within(self._handle, _core.Points(*rows), reach, limit, report)
             else:
-                found = _core.pairs_within_others(self._handle, rows, columns, reach, limit, report)
-        sparse = SparseDistances(found[2], found[1], found[0], (rows.size, columns.size))
+                found = _core.pairs_within_others(
+                    self._handle, _core.Points(*rows), _core.Points(*columns), reach, limit, report
+                )
+        sparse = SparseDistances(found[2], found[1], found[0], (len(rows[0]), len(columns[0])))
         if as_arrays:
             return sparse
         try:
@@ -242,27 +250,33 @@ class Matrices:
             return sparse
         return csr_array(sparse[:3], shape=sparse.shape)
 
-    def pairs_within_bytes(self, points: ArrayLike, radius: float, others: ArrayLike | None = None) -> int:
+    def pairs_within_bytes(self, points: Points, radius: float, others: Points | None = None) -> int:
         """Memory that `pairs_within` will take, extrapolated from 16 of the points; in bytes."""
-        rows = self._ids("points", points)
-        columns = rows if others is None else self._ids("others", others)
-        if rows.size == 0 or columns.size == 0:
+        rows = self._rows("points", points)
+        columns = rows if others is None else self._rows("others", others)
+        count = len(rows[0])
+        if count == 0 or len(columns[0]) == 0:
             return 0
-        some = rows[np.unique(np.linspace(0, rows.size - 1, _SAMPLES).astype(int))]
-        found = self.pairs_within(some, radius, others=columns, as_arrays=True)
-        return int(_ENTRY_BYTES * found.data.size * rows.size / some.size)
+        chosen = np.unique(np.linspace(0, count - 1, _SAMPLES).astype(int))
+        some = (
+            rows[0][chosen],
+            rows[1][chosen] if rows[1].size else rows[1],
+            rows[2][chosen] if rows[1].size else rows[2],
+        )
+        reach = check.length("radius", radius)
+        found = _core.pairs_within_others(self._handle, _core.Points(*some), _core.Points(*columns), reach, 0, None)
+        return int(_ENTRY_BYTES * found[2].size * count / chosen.size)
 
     def nearest(
-        self, points: ArrayLike, queries: ArrayLike, k: int = 1, progress: ProgressFunction | bool | None = None
+        self, points: Points, queries: Points, k: int = 1, progress: ProgressFunction | bool | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """The k nearest of a set of points, for each query point.
 
         Parameters
         ----------
-        points : array_like of int, shape (m,)
-            Vertex ids of the set.
-        queries : array_like of int, shape (q,)
-            Vertex ids.
+        points : m points
+            The set.
+        queries : q points
         k : int, default 1
             How many of the set; may be more than it has.
         progress : callable or bool, optional
@@ -288,11 +302,13 @@ class Matrices:
         -----
         Complexity: as many fields as the shorter of `points` and `queries` is long.
         """
-        chosen, asked = self._ids("points", points), self._ids("queries", queries)
-        count = check.integer("k", k, 1, 2**31 - 1)
-        require_memory(f"The result of {asked.size} x {count} neighbours", 24.0 * asked.size * count, None, "lower k.")
+        chosen, asked = self._rows("points", points), self._rows("queries", queries)
+        count, size = check.integer("k", k, 1, 2**31 - 1), len(asked[0])
+        require_memory(f"The result of {size} x {count} neighbours", 24.0 * size * count, None, "lower k.")
         with reporter(progress) as report:
-            positions, distances = _core.nearest(self._handle, chosen, asked, count, report)
+            positions, distances = _core.nearest(
+                self._handle, _core.Points(*chosen), _core.Points(*asked), count, report
+            )
         return distances.reshape(-1, count), positions.reshape(-1, count)
 
 

@@ -2,47 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
 from . import _core
+from . import points as point_lists
 from .errors import InvalidInput
+from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
 
 if TYPE_CHECKING:
     from .index import IndexStatistics
-
-
-@dataclass(frozen=True)
-class SurfacePoints:
-    """Points on the faces of a mesh.
-
-    Attributes
-    ----------
-    faces : ndarray of int32, shape (k,)
-        The face of each point: a row of the faces the index was built for.
-    barycentric : ndarray of float64, shape (k, 3)
-        Weights of the three corners: not negative, sum 1. A zero weight puts a point on an edge, two at a vertex.
-    snap_distance : ndarray of float64, shape (k,), or None
-        How far the points were from the surface, for those that `GeodesicIndex.snap` found.
-    """
-
-    faces: NDArray[np.int32]
-    barycentric: NDArray[np.float64]
-    snap_distance: NDArray[np.float64] | None = None
-
-    def __len__(self) -> int:
-        return len(np.atleast_1d(self.faces))
-
-    def __getitem__(self, which: Any) -> SurfacePoints:
-        rows = np.atleast_1d(np.arange(len(self))[which])
-        snapped = None if self.snap_distance is None else self.snap_distance[rows]
-        return SurfacePoints(np.atleast_1d(self.faces)[rows], np.atleast_2d(self.barycentric)[rows], snapped)
 
 
 @dataclass(frozen=True)
@@ -82,9 +56,6 @@ class GeodesicPath:
         if not len(self.points):
             return pyvista.PolyData()
         return pyvista.PolyData(self.points, lines=np.r_[len(self.points), np.arange(len(self.points))])
-
-
-_Arrays = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]
 
 
 class Paths:
@@ -128,8 +99,8 @@ class Paths:
 
     def path(
         self,
-        source: ArrayLike | SurfacePoints,
-        target: ArrayLike | SurfacePoints,
+        source: Points,
+        target: Points,
         progress: ProgressFunction | bool | None = None,
     ) -> GeodesicPath | list[GeodesicPath]:
         """Refined shortest path between two points, or of each of k pairs.
@@ -139,8 +110,8 @@ class Paths:
 
         Parameters
         ----------
-        source, target : int, array_like of int of shape (k,), or SurfacePoints
-            Vertex ids or points from `snap`; both of the same length.
+        source, target : a point, or k points
+            Vertex ids, `SurfacePoints` or lists of both; both of the same length.
         progress : callable or bool, optional
             As for the class.
 
@@ -159,8 +130,8 @@ class Paths:
 
     def exact_path(
         self,
-        source: ArrayLike | SurfacePoints,
-        target: ArrayLike | SurfacePoints,
+        source: Points,
+        target: Points,
         certify: bool = False,
         progress: ProgressFunction | bool | None = None,
     ) -> GeodesicPath | list[GeodesicPath]:
@@ -189,14 +160,14 @@ class Paths:
     def _find_paths(
         self, source: Any, target: Any, exact: bool, certify: bool, progress: ProgressFunction | bool | None
     ) -> GeodesicPath | list[GeodesicPath]:
-        sources, one_source = self._points("source", source)
-        targets, one_target = self._points("target", target)
+        count = self._statistics.vertices
+        sources, targets = point_lists.rows("source", source, count), point_lists.rows("target", target, count)
         if len(sources[0]) != len(targets[0]):
             raise InvalidInput(
                 f"source has {len(sources[0])} points, target {len(targets[0])}; give as many of one as of the other."
             )
         with reporter(progress) as report:
-            found = self._paths.paths(*sources, *targets, exact, certify, report)
+            found = self._paths.paths(_core.Points(*sources), _core.Points(*targets), exact, certify, report)
         lengths, certified, begin, positions, vertices, faces, weights = found
         positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
         paths = [
@@ -205,32 +176,37 @@ class Paths:
             )
             for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
         ]
-        return paths[0] if one_source and one_target else paths
+        return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
 
-    def _points(self, name: str, value: Any) -> tuple[_Arrays, bool]:
-        """Vertex (or -1), face and weights of points, and whether it is a single one."""
-        if not isinstance(value, SurfacePoints):
-            ids = check.vertex_ids(name, value, self._statistics.vertices)
-            row = np.atleast_1d(ids)
-            return (row, np.full(len(row), -1, np.int32), np.zeros((len(row), 3))), ids.ndim == 0
-        faces = check.face_ids(f"{name}.faces", np.atleast_1d(value.faces))
-        weights = check.positions(f"{name}.barycentric", value.barycentric)
-        if len(faces) != len(weights):
-            raise InvalidInput(
-                f"{name}: has {len(faces)} faces but {len(weights)} rows of weights; give one row for each."
-            )
-        return (np.full(len(faces), -1, np.int32), faces, weights), len(faces) == 1
+    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
+        """Sources as points, and the place in the list of the source that each belongs to; a curve is one source."""
+        count = self._statistics.vertices
+        if not point_lists.holds(sources, EdgeCurve):
+            found = point_lists.rows("sources", sources, count)
+            number = np.arange(len(found[0]), dtype=np.int32)
+        else:
+            parts, numbers, places = [], [], 0
+            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
+                name = f"sources[{i}]"
+                if isinstance(part, EdgeCurve):
+                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
+                    parts.append(self._paths.along_edges(part.edges(count, name), spacing))
+                    numbers.append(np.full(len(parts[-1][0]), places))
+                    places += 1
+                else:
+                    parts.append(point_lists.rows(name, part, count))
+                    numbers.append(places + np.arange(len(parts[-1][0])))
+                    places += len(parts[-1][0])
+            found = point_lists.joined([(p[0], p[1], p[2].reshape(-1, 3)) for p in parts])
+            number = np.concatenate(numbers).astype(np.int32)
+        if not len(found[0]):
+            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
+        return found, number
 
     def _labelled_field(
-        self, sources: Any, offsets: ArrayLike | None, limit: float
+        self, sources: Sources, offsets: ArrayLike | None, limit: float
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        if isinstance(sources, Sequence) and any(isinstance(part, SurfacePoints) for part in sources):
-            parts = [self._points(f"sources[{i}]", part)[0] for i, part in enumerate(sources)]
-            arrays = tuple(np.concatenate([part[k] for part in parts]) for k in range(3))
-        else:
-            arrays, _ = self._points("sources", sources)
-        count = len(arrays[0])
-        if count == 0:
-            raise InvalidInput("sources: is empty; give at least one vertex id or surface point.")
-        start = check.offsets(offsets, count)
-        return self._paths.field(arrays[0], arrays[1], arrays[2], start, limit)
+        rows, number = self._source_rows(sources)
+        start = check.offsets(offsets, int(number[-1]) + 1)[number]
+        distance, label = self._paths.field(_core.Points(*rows), start, limit)
+        return distance, np.where(label < 0, np.int32(-1), number[label])

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .points import SurfacePoints
+
 
 @dataclass(frozen=True)
 class Polylines:
@@ -92,19 +94,22 @@ class FarthestSamples:
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        The samples, in the order in which they were taken.
+        The samples, in the order in which they were taken; -1 for a start that is no vertex.
     radius : ndarray of float64, shape (k,)
         Distance of each from the ones before it; infinity for the first of a component.
     distance : ndarray of float64, shape (n,)
         Of every vertex from the nearest sample.
     covering_radius : float
         The greatest of these, vertices without a face left out; infinity if a component has no sample.
+    points : SurfacePoints, k points
+        The samples as points on faces.
     """
 
     vertices: NDArray[np.int32]
     radius: NDArray[np.float64]
     distance: NDArray[np.float64]
     covering_radius: float
+    points: SurfacePoints
 
 
 @dataclass(frozen=True)
@@ -158,10 +163,13 @@ class RelaxedPoints:
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        Where each point ended, in the order given.
+        Where each point ended, in the order given; -1 for one that stayed where no vertex is.
     energy : ndarray of float64, shape (rounds + 1,)
         Integral over the surface of the squared distance from the nearest point, at first and after each round.
+    points : SurfacePoints, k points
+        Where each point ended.
     """
 
     vertices: NDArray[np.int32]
     energy: NDArray[np.float64]
+    points: SurfacePoints

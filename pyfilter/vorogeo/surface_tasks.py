@@ -9,7 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
 from . import _core
+from . import points as point_lists
 from .errors import InvalidInput
+from .points import Points, Rows, Sources, surface_points
 from .progress import ProgressFunction, reporter
 from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
 
@@ -22,9 +24,9 @@ _INTERPOLATIONS = ("linear", "distance")
 class SurfaceTasks:
     """The methods of `GeodesicIndex` that build on distance fields.
 
-    Points are vertex ids, `progress` is as for the constructor, and errors are `InvalidInput` for arguments and
-    `Cancelled` if `progress` returned False. With ``exact=True`` distances come from exact propagation instead of the
-    index: slower, and without its errors.
+    Points are vertex ids, `SurfacePoints` or lists of both, `progress` is as for the constructor, and errors are
+    `InvalidInput` for arguments and `Cancelled` if `progress` returned False. With ``exact=True`` distances come from
+    exact propagation instead of the index: slower, and without its errors.
     """
 
     __slots__ = ()
@@ -32,15 +34,18 @@ class SurfaceTasks:
     _handle: _core.Index
     _statistics: IndexStatistics
 
+    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:  # that of Paths
+        raise NotImplementedError
+
     def voronoi(
-        self, points: ArrayLike, exact: bool = False, progress: ProgressFunction | bool | None = None
+        self, points: Points, exact: bool = False, progress: ProgressFunction | bool | None = None
     ) -> VoronoiRegions:
         """Geodesic Voronoi regions of points: the nearest point of every vertex and face, and the borders.
 
         Parameters
         ----------
-        points : array_like of int, shape (k,), k >= 1
-            Vertex ids; one that repeats an earlier one owns nothing.
+        points : k points, k >= 1
+            One that repeats an earlier one owns nothing.
         exact, progress
             As for the class.
 
@@ -54,9 +59,9 @@ class SurfaceTasks:
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point.
         """
-        ids = check.source_ids(points, self._statistics.vertices, "points")
+        chosen = point_lists.some("points", points, self._statistics.vertices)
         with reporter(progress) as report:
-            found = _core.voronoi(self._handle, ids, exact, report)
+            found = _core.voronoi(self._handle, chosen, exact, report)
         borders = Polylines(found[4].reshape(-1, 3), found[5].reshape(-1, 2))
         return VoronoiRegions(*found[:4], borders, found[6].reshape(-1, 2))
 
@@ -98,7 +103,7 @@ class SurfaceTasks:
         self,
         count: int | None = None,
         radius: float = 0.0,
-        start: ArrayLike = (),
+        start: Points = (),
         seed: int = 0,
         exact: bool = False,
         progress: ProgressFunction | bool | None = None,
@@ -111,8 +116,8 @@ class SurfaceTasks:
             How many samples; fewer are found if there are no more vertices.
         radius : float, default 0
             Stop as soon as every vertex is at most this far from a sample. Give this, or `count`, or both.
-        start : array_like of int, optional
-            The first samples; without them the first one is random.
+        start : points, optional
+            The first samples, anywhere on the surface; without them the first one is random.
         seed : int, default 0
             Of the random first sample.
         exact, progress
@@ -131,10 +136,11 @@ class SurfaceTasks:
         reach = check.length("radius", radius)
         if count is None and reach == 0:
             raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
-        ids = check.id_list("start", start, self._statistics.vertices)
+        first = point_lists.given("start", start, self._statistics.vertices)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         with reporter(progress) as report:
-            return FarthestSamples(*_core.sample_farthest(self._handle, most, reach, ids, seed, exact, report))
+            rows, gaps, distance, covered = _core.sample_farthest(self._handle, most, reach, first, seed, exact, report)
+        return FarthestSamples(rows[0], gaps, distance, covered, surface_points(*rows))
 
     def sample_poisson_disk(
         self, radius: float, seed: int = 0, exact: bool = False, progress: ProgressFunction | bool | None = None
@@ -166,13 +172,13 @@ class SurfaceTasks:
         with reporter(progress) as report:
             return _core.sample_poisson_disk(self._handle, reach, seed, exact, report)
 
-    def disk(self, sources: ArrayLike, radius: float, exact: bool = False) -> Disk:
+    def disk(self, sources: Sources, radius: float, exact: bool = False) -> Disk:
         """Vertices and faces within a radius of the nearest source.
 
         Parameters
         ----------
-        sources : int or array_like of int, shape (k,), k >= 1
-            Vertex ids.
+        sources : k points, k >= 1
+            Also an `EdgeCurve`, or lists with some.
         radius : float
             0 or more.
         exact : bool
@@ -182,18 +188,17 @@ class SurfaceTasks:
         -------
         Disk
         """
-        ids = check.source_ids(sources, self._statistics.vertices)
-        return Disk(*_core.disk(self._handle, ids, check.length("radius", radius), exact))
+        rows, _ = self._source_rows(sources)
+        return Disk(*_core.disk(self._handle, _core.Points(*rows), check.length("radius", radius), exact))
 
     def eccentricity(
-        self, points: ArrayLike, exact: bool = False, progress: ProgressFunction | bool | None = None
+        self, points: Points, exact: bool = False, progress: ProgressFunction | bool | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """The greatest distance from each point within its component, and the vertex where it is found.
 
         Parameters
         ----------
-        points : array_like of int, shape (k,)
-            Vertex ids.
+        points : k points
         exact, progress
             As for the class.
 
@@ -202,9 +207,9 @@ class SurfaceTasks:
         distances : ndarray of float64, shape (k,)
         farthest : ndarray of int32, shape (k,)
         """
-        ids = check.id_list("points", points, self._statistics.vertices)
+        chosen = point_lists.given("points", points, self._statistics.vertices)
         with reporter(progress) as report:
-            return _core.eccentricity(self._handle, ids, exact, report)
+            return _core.eccentricity(self._handle, chosen, exact, report)
 
     def extent(
         self,
@@ -240,7 +245,7 @@ class SurfaceTasks:
 
     def relax(
         self,
-        points: ArrayLike,
+        points: Points,
         rounds: int = 10,
         exact: bool = False,
         progress: ProgressFunction | bool | None = None,
@@ -249,8 +254,8 @@ class SurfaceTasks:
 
         Parameters
         ----------
-        points : array_like of int, shape (k,), k >= 1
-            Vertex ids; repeated ones stay where they are.
+        points : k points, k >= 1
+            Anywhere on the surface; they move to vertices. Repeated ones stay where they are.
         rounds : int, default 10
             At most this many; it ends before if no point finds a better vertex.
         exact, progress
@@ -265,7 +270,8 @@ class SurfaceTasks:
         A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
         fields for each point and round, bounded by the size of the regions.
         """
-        ids = check.source_ids(points, self._statistics.vertices, "points")
+        chosen = point_lists.some("points", points, self._statistics.vertices)
         most = check.integer("rounds", rounds, 0, 2**31 - 1)
         with reporter(progress) as report:
-            return RelaxedPoints(*_core.relax(self._handle, ids, most, exact, report))
+            rows, energy = _core.relax(self._handle, chosen, most, exact, report)
+        return RelaxedPoints(rows[0], energy, surface_points(*rows))

@@ -1,0 +1,71 @@
+// Surface points as Python holds them, and as the core does.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "query/point_list.h"
+#include "support/error.h"
+
+namespace vorogeo::python {
+
+/// The class _core.Points: a vertex each, or -1 and a face (a row of the faces given) with three weights.
+/// Faces and weights are empty if all points are vertices.
+struct PointArrays {
+  IdArray vertex;
+  IdArray face;
+  VertexArray weights;
+};
+
+void bind_points(nb::module_& module);
+
+/// The face of the mesh that was given as this row of faces. \throw InvalidInput if it was left out.
+inline Index face_of_row(const Mesh& mesh, Index row) {
+  Index low = 0;
+  Index high = mesh.face_count();
+  while (low < high) {
+    const Index middle = low + (high - low) / 2;
+    (mesh.input_face(middle) < row ? low : high) = mesh.input_face(middle) < row ? middle + 1 : middle;
+  }
+  if (low < mesh.face_count() && mesh.input_face(low) == row) return low;
+  throw InvalidInput(
+      "Face " + std::to_string(row) +
+      " does not exist or is left out of the index (it names a vertex twice or repeats a face), so no point "
+      "lies in it.");
+}
+
+inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
+  if (arrays.face.shape(0) == 0) return ids_of(arrays.vertex);
+  std::vector<SurfacePoint> points(arrays.vertex.shape(0));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double* w = arrays.weights.data() + 3 * i;
+    const Index vertex = arrays.vertex.data()[i];
+    points[i] = vertex >= 0
+                    ? SurfacePoint::at_vertex(vertex)
+                    : SurfacePoint::in_face(face_of_row(mesh, arrays.face.data()[i]), {w[0], w[1], w[2]});
+  }
+  return points;
+}
+
+/// Surface points on their way to Python: the vertex or -1, a row of the faces given, and weights in it; a
+/// vertex is a corner of its first face, or of none (-1).
+struct PointRows {
+  std::vector<Index> vertex;
+  std::vector<Index> face;
+  std::vector<double> weights;
+
+  void add(const Mesh& mesh, const SurfacePoint& point) {
+    vertex.push_back(point.is_vertex() ? point.vertex : no_index);
+    face.push_back(no_index);
+    weights.resize(weights.size() + 3, 0.0);
+    for_each_face_at(mesh, point, [&](Index at, const std::array<double, 3>& there) {
+      if (face.back() != no_index) return;
+      face.back() = mesh.input_face(at);
+      std::ranges::copy(there, weights.end() - 3);
+    });
+  }
+};
+
+}  // namespace vorogeo::python

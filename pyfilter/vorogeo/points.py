@@ -1,0 +1,162 @@
+"""How points are given everywhere: vertex ids, points on faces, or lists of both; and curves along edges as sources."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from . import _core
+from .errors import InvalidInput
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePoints:
+    """Points on the faces of a mesh.
+
+    Attributes
+    ----------
+    faces : ndarray of int32, shape (k,)
+        The face of each point: a row of the faces the index was built for.
+    barycentric : ndarray of float64, shape (k, 3)
+        Weights of the three corners: not negative, sum 1. A zero weight puts a point on an edge, two at a vertex.
+    snap_distance : ndarray of float64, shape (k,), or None
+        How far the points were from the surface, for those that `GeodesicIndex.snap` found.
+    """
+
+    faces: NDArray[np.int32]
+    barycentric: NDArray[np.float64]
+    snap_distance: NDArray[np.float64] | None = None
+
+    def __len__(self) -> int:
+        return len(np.atleast_1d(self.faces))
+
+    def __getitem__(self, which: Any) -> SurfacePoints:
+        rows = np.atleast_1d(np.arange(len(self))[which])
+        snapped = None if self.snap_distance is None else self.snap_distance[rows]
+        return SurfacePoints(np.atleast_1d(self.faces)[rows], np.atleast_2d(self.barycentric)[rows], snapped)
+
+    def __repr__(self) -> str:
+        moved = ""
+        if self.snap_distance is not None and len(self):
+            moved = f", moved to the surface by at most {self.snap_distance.max():.3g}"
+        return f"SurfacePoints({len(self)} points{moved})"
+
+    def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
+        """Where the points lie in space.
+
+        Parameters
+        ----------
+        vertices : array_like, shape (n, 3)
+        faces : array_like of int, shape (m, 3)
+            Of the mesh that the index was built for.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, 3)
+        """
+        corners = np.asarray(vertices, dtype=np.float64)[np.asarray(faces)[np.atleast_1d(self.faces)]]
+        found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeCurve:
+    """A curve along edges of the mesh, as one source of a field: every point of it is a source.
+
+    Parameters
+    ----------
+    vertices : array_like of int, shape (k,) or (k, 2)
+        Vertex ids that the curve passes one after another, each joined to the next by an edge; or the two ends of each
+        edge, in any order.
+    spacing : float, optional
+        The curve is replaced by points on it at most this far apart, vertices included; None is a quarter of the mean
+        edge. Distances are never too short and at most half of it too long, far away much less.
+    """
+
+    vertices: ArrayLike
+    spacing: float | None = None
+
+    def edges(self, vertex_count: int, name: str) -> NDArray[np.int32]:
+        """The ends of the edges, as int32 of shape (q, 2)."""
+        wanted = "vertex ids of shape (k,) along edges, or the ends of edges of shape (k, 2)"
+        given = np.asarray(self.vertices)
+        ids = check.vertex_ids(f"{name}.vertices", given.ravel() if given.ndim == 2 else given, vertex_count)
+        if given.ndim == 1 and ids.size >= 2:
+            return np.ascontiguousarray(np.column_stack([ids[:-1], ids[1:]]))
+        if given.ndim == 2 and given.shape[1] == 2 and ids.size:
+            return ids.reshape(-1, 2)
+        raise InvalidInput(f"{name}: is a curve of shape {given.shape}; give {wanted}, one edge at least.")
+
+
+Points: TypeAlias = ArrayLike | SurfacePoints | Sequence["ArrayLike | SurfacePoints"]
+Sources: TypeAlias = ArrayLike | SurfacePoints | EdgeCurve | Sequence["ArrayLike | SurfacePoints | EdgeCurve"]
+
+Rows = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]
+"""Vertex (-1: none), face and weights of points; faces and weights are empty if all are vertices."""
+
+
+def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
+    """Whether a value is of a kind or a list with an element of it."""
+    return isinstance(value, kind) or (isinstance(value, (list, tuple)) and any(isinstance(v, kind) for v in value))
+
+
+def rows(name: str, value: Any, vertex_count: int) -> Rows:
+    """Points as arrays; a single one, and none, are allowed."""
+    if isinstance(value, SurfacePoints):
+        faces = check.face_ids(f"{name}.faces", np.atleast_1d(value.faces))
+        weights = check.positions(f"{name}.barycentric", value.barycentric)
+        if len(faces) != len(weights):
+            raise InvalidInput(
+                f"{name}: has {len(faces)} faces but {len(weights)} rows of weights; give one row for each."
+            )
+        return np.full(len(faces), -1, np.int32), faces, weights
+    if holds(value, SurfacePoints):
+        return joined([rows(f"{name}[{i}]", part, vertex_count) for i, part in enumerate(value)])
+    return check.id_list(name, value, vertex_count), np.empty(0, np.int32), np.empty((0, 3))
+
+
+def joined(parts: list[Rows]) -> Rows:
+    """One list after another."""
+    filled = [
+        part
+        if len(part[1]) == len(part[0])
+        else (part[0], np.full(len(part[0]), -1, np.int32), np.zeros((len(part[0]), 3)))
+        for part in parts
+    ]
+    vertex, face, weights = (np.concatenate([part[k] for part in filled]) for k in range(3))
+    return vertex, face, np.ascontiguousarray(weights)
+
+
+def is_single(value: Any) -> bool:
+    """Whether a value is one point rather than a list: a number, or SurfacePoints with one row."""
+    if isinstance(value, SurfacePoints):
+        return len(value) == 1
+    return not holds(value, SurfacePoints) and np.ndim(value) == 0
+
+
+def handed_over(found: Rows) -> _core.Points:
+    """Points as the core takes them."""
+    return _core.Points(*found)
+
+
+def given(name: str, value: Any, vertex_count: int) -> _core.Points:
+    """Checked points as the core takes them; at least none."""
+    return handed_over(rows(name, value, vertex_count))
+
+
+def some(name: str, value: Any, vertex_count: int) -> _core.Points:
+    """The same with at least one point."""
+    found = rows(name, value, vertex_count)
+    if not len(found[0]):
+        raise InvalidInput(f"{name}: is empty; give at least one vertex id or surface point.")
+    return handed_over(found)
+
+
+def surface_points(vertex: NDArray[np.int32], face: NDArray[np.int32], weights: NDArray[np.float64]) -> SurfacePoints:
+    """What the core returns for points: rows of the faces, vertices as corners."""
+    return SurfacePoints(face, weights.reshape(-1, 3))

@@ -1,0 +1,178 @@
+"""Points anywhere and curves as sources of every task: against formulas in the plane and against exact distances."""
+
+import numpy as np
+import pytest
+import vorogeo
+
+from sample_meshes import bent_grid, plane_grid, side_by_side
+
+PLANE = plane_grid(31, 21, 3.0, 2.0)
+RNG = np.random.default_rng(11)
+PLACES = np.column_stack([RNG.uniform(0, 3, 14), RNG.uniform(0, 2, 14), np.zeros(14)])
+
+
+@pytest.fixture(scope="module")
+def plane():
+    return vorogeo.GeodesicIndex(*PLANE, patches=(4, 4))
+
+
+@pytest.fixture(scope="module")
+def points(plane):
+    return plane.snap(PLACES)
+
+
+def straight(a, b):
+    return np.linalg.norm(a[:, None] - b[None], axis=2)
+
+
+@pytest.mark.parametrize("method", ["auto", "pairs", "fields"])
+def test_matrix_between_points_in_faces(plane, points, method):
+    matrix = plane.distance_matrix(points, method=method)
+    np.testing.assert_array_equal(matrix, matrix.T)
+    np.testing.assert_array_equal(np.diag(matrix), 0)
+    np.testing.assert_allclose(matrix, straight(PLACES, PLACES), rtol=2e-3 if method != "pairs" else 1e-9, atol=1e-12)
+
+
+def test_points_are_given_alike_everywhere(plane, points):
+    mixed = [points[:3], 17, [5, 40], points[3]]
+    places = np.vstack([PLACES[:3], PLANE[0][[17, 5, 40]], PLACES[3:4]])
+    expected = straight(places, PLACES)
+    np.testing.assert_allclose(plane.distance_matrix(mixed, points), expected, rtol=2e-3)
+    np.testing.assert_allclose(plane.distances(mixed, points[:7]), np.diag(expected[:, :7]), rtol=1e-9)
+    np.testing.assert_allclose(plane.distance(mixed, points[:7]), np.diag(expected[:, :7]), rtol=1e-9)
+    np.testing.assert_allclose([p.length for p in plane.path(mixed, points[:7])], np.diag(expected[:, :7]), rtol=1e-9)
+    np.testing.assert_allclose(plane.fields(mixed), straight(places, PLANE[0]), rtol=2e-2, atol=1e-12)
+    np.testing.assert_allclose(plane.distance_field(mixed), straight(places, PLANE[0]).min(axis=0), rtol=2e-2)
+    distances, farthest = plane.eccentricity(mixed)
+    np.testing.assert_allclose(distances, straight(places, PLANE[0]).max(axis=1), rtol=2e-3)
+    np.testing.assert_allclose(np.linalg.norm(PLANE[0][farthest] - places, axis=1), distances, rtol=2e-3)
+
+
+def test_corners_are_vertices_and_edges_have_two_faces(plane):
+    corner = vorogeo.SurfacePoints(np.array([0]), np.array([[0.0, 1.0, 0.0]]))
+    vertex = int(PLANE[1][0, 1])
+    np.testing.assert_array_equal(plane.fields(corner)[0], plane.distance_field(vertex))
+    lower, upper = PLANE[1][[0, 600]]  # the two triangles of the first cell share its diagonal
+    shared = set(lower) & set(upper)
+    assert len(shared) == 2
+    sides = [[0.5 if v in shared else 0.0 for v in face] for face in (lower, upper)]
+    middle = vorogeo.SurfacePoints(np.array([0, 600]), np.array(sides))
+    np.testing.assert_array_equal(plane.distance_matrix(middle, method="fields"), np.zeros((2, 2)))
+    assert plane.nearest(middle, 5)[1].tolist() == [[0]]
+
+
+def test_pairs_within_and_nearest(plane, points):
+    full = straight(PLACES, PLACES)
+    found = plane.pairs_within(points, 0.8, as_arrays=True)
+    rows = np.repeat(np.arange(14), np.diff(found.indptr))
+    expected = (full <= 0.8) & ~np.eye(14, dtype=bool)
+    assert set(zip(rows.tolist(), found.indices.tolist(), strict=True)) == set(map(tuple, np.argwhere(expected)))
+    np.testing.assert_allclose(found.data, full[rows, found.indices], rtol=2e-3)
+    assert plane.pairs_within_bytes(points, 0.8) == 28 * (full <= 0.8).sum()
+    distances, places = plane.nearest(points, [3, points[0]], k=4)
+    queries = np.vstack([PLANE[0][3:4], PLACES[:1]])
+    np.testing.assert_allclose(distances, np.sort(straight(queries, PLACES))[:, :4], rtol=2e-3, atol=1e-12)
+    np.testing.assert_array_equal(places, np.argsort(straight(queries, PLACES))[:, :4])
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_voronoi_regions_of_points_in_faces(plane, points, exact):
+    regions = plane.voronoi(points, exact=exact)
+    full = straight(PLANE[0], PLACES)
+    np.testing.assert_allclose(regions.distance, full.min(axis=1), rtol=1e-9 if exact else 2e-2)
+    clear = np.ptp(np.sort(full)[:, :2], axis=1) > 0.01
+    np.testing.assert_array_equal(regions.vertex_region[clear], full.argmin(axis=1)[clear])
+    assert regions.area.sum() == pytest.approx(6.0, rel=1e-9)
+    if exact:
+        pairs = PLACES[regions.border_regions]
+        middle = regions.borders.points[regions.borders.edges].mean(axis=1)
+        np.testing.assert_allclose(*np.linalg.norm(pairs - middle[:, None], axis=2).T, rtol=1e-9)
+
+
+def test_samplings_begin_anywhere(plane, points):
+    samples = plane.sample_farthest(count=8, start=[points[0], 5, points[1]])
+    assert samples.vertices[:3].tolist() == [-1, 5, -1]
+    places = samples.points.positions(*PLANE)
+    np.testing.assert_allclose(places[[0, 2]], PLACES[:2], atol=1e-12)
+    gaps = straight(places, places)
+    least = [gaps[i, :i].min() for i in range(1, 8)]
+    np.testing.assert_allclose(samples.radius[1:], least, rtol=2e-2)
+    np.testing.assert_allclose(samples.covering_radius, straight(PLANE[0], places).min(axis=1).max(), rtol=2e-2)
+
+
+def test_relaxation_begins_anywhere(plane, points):
+    relaxed = plane.relax(points[:5], rounds=4)
+    assert relaxed.energy[-1] < relaxed.energy[0]
+    moved = relaxed.vertices >= 0
+    assert moved.any()
+    np.testing.assert_allclose(relaxed.points.positions(*PLANE)[moved], PLANE[0][relaxed.vertices[moved]], atol=1e-12)
+    still = plane.relax(points[:5], rounds=0)
+    assert (still.vertices == -1).all()
+    np.testing.assert_allclose(still.points.positions(*PLANE), PLACES[:5], atol=1e-12)
+
+
+def test_disk_around_points_and_curves(plane, points):
+    disk = plane.disk([points[2], 7], 0.4, exact=True)
+    full = np.minimum(straight(PLANE[0], PLACES[2:3]), straight(PLANE[0], PLANE[0][7:8])).ravel()
+    np.testing.assert_array_equal(disk.vertices, np.flatnonzero(full <= 0.4))
+    around = plane.disk(vorogeo.EdgeCurve(np.arange(31)), 0.25)  # along the lower side
+    np.testing.assert_array_equal(around.vertices, np.flatnonzero(PLANE[0][:, 1] <= 0.25))
+
+
+def test_a_curve_is_one_source_with_one_offset(plane):
+    line = np.arange(31 * 10, 31 * 11)  # the row y = 1
+    curve = vorogeo.EdgeCurve(line, spacing=0.02)
+    distance, label = plane.distance_field([0, curve, 30], offsets=[0.1, 0.5, 0.0], return_labels=True)
+    sums = np.column_stack(
+        [
+            straight(PLANE[0], PLANE[0][:1]) + 0.1,
+            np.abs(PLANE[0][:, 1:2] - 1) + 0.5,
+            straight(PLANE[0], PLANE[0][30:31]),
+        ]
+    )
+    np.testing.assert_allclose(distance, sums.min(axis=1), rtol=2e-2, atol=1e-3)
+    clear = np.ptp(np.sort(sums)[:, :2], axis=1) > 0.02
+    np.testing.assert_array_equal(label[clear], sums.argmin(axis=1)[clear])
+    edges = np.column_stack([line[:-1], line[1:]])[::-1]  # the same curve as edges in another order
+    by_edges = plane.distance_field(vorogeo.EdgeCurve(edges, spacing=0.02))
+    np.testing.assert_allclose(by_edges, np.abs(PLANE[0][:, 1] - 1), rtol=2e-2, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("curve", "message"),
+    [
+        (vorogeo.EdgeCurve([0, 2]), "no edge between vertex 0 and vertex 2"),
+        (vorogeo.EdgeCurve([0]), "at least"),
+        (vorogeo.EdgeCurve([0, 10**6]), "no vertex 1000000"),
+        (vorogeo.EdgeCurve(np.zeros((2, 3), int)), r"shape \(2, 3\)"),
+        (vorogeo.EdgeCurve([0, 1], spacing=-1), "spacing"),
+    ],
+)
+def test_bad_curves_are_named(plane, curve, message):
+    with pytest.raises(vorogeo.InvalidInput, match=message):
+        plane.distance_field([3, curve])
+
+
+def test_bad_points_are_named(plane, points):
+    for call in (plane.distance_matrix, plane.voronoi, plane.fields, lambda p: plane.nearest(p, [1])):
+        with pytest.raises(vorogeo.InvalidInput, match="Face 1000000"):
+            call([3, vorogeo.SurfacePoints(np.array([10**6]), points.barycentric[:1])])
+        with pytest.raises(vorogeo.InvalidInput, match=r"1 is not on the mesh.*sum"):
+            call([3, vorogeo.SurfacePoints(np.array([3]), np.array([[0.5, 0.1, 0.1]]))])
+        with pytest.raises(vorogeo.InvalidInput, match="2 faces but 1 rows"):
+            call(vorogeo.SurfacePoints(np.array([3, 4]), points.barycentric[:1]))
+    assert plane.distance_matrix(points[:0]).shape == (0, 0)
+
+
+def test_far_points_in_faces_against_exact_distances():
+    mesh = side_by_side(bent_grid(50, 40), plane_grid(6, 6))
+    index = vorogeo.GeodesicIndex(*mesh, patches=(5, 4))
+    faces = np.array([10, 900, 1800, 2700, 3600, len(mesh[1]) - 1])
+    inner = vorogeo.SurfacePoints(faces, np.tile([0.2, 0.5, 0.3], (6, 1)))
+    exact = np.array([[path.length for path in index.exact_path(inner[[i] * 6], inner)] for i in range(6)])
+    for method in ("pairs", "fields"):
+        found = index.distance_matrix(inner, method=method)
+        np.testing.assert_array_equal(np.isinf(found), np.isinf(exact))
+        near = np.isfinite(exact)
+        np.testing.assert_allclose(found[near], exact[near], rtol=1e-2)
+        assert np.mean(np.abs(found[near] - exact[near])) < 1e-3 * exact[near].mean()
