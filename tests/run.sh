@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
-# Usage: tests/run.sh [--quick] [--window]
-#   --window: also the real window of MeshLab (tests/window/run.sh), which takes minutes and can fail on a busy machine.
-#   --quick: without the sanitizer build and the fuzzers.
+# Usage: tests/run.sh [--quick]
+#   --quick: without the sanitizer build, the fuzzers, and the real window of MeshLab (tests/window/run.sh).
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -12,12 +11,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 exec </dev/null
 
 quick=no
-window=no
 for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
-    --window) window=yes ;;
-    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick] [--window]" >&2; exit 2 ;;
+    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick]" >&2; exit 2 ;;
   esac
 done
 
@@ -102,6 +99,17 @@ if ! bash samples/setup.sh --tests; then
   finish
 fi
 
+# The Debian roots of the window tests, made beside the builds below: most of it is downloading and unpacking.
+# What fails here is said by the window tests, which try again.
+make_roots() {
+  local version
+  for version in 2022.02 2025.07; do tests/window/make_root.sh "$version"; done
+}
+if [ "$quick" = no ]; then
+  make_roots >"$results/window-roots.log" 2>&1 &
+  roots=$!
+fi
+
 check "format of C++" check_cpp_format
 check "format of Python" check_python_format
 check "rules for Python (ruff)" .venv/bin/ruff check .
@@ -135,8 +143,9 @@ python_suites() {
   suite "python-$1" run_pytest "python-$1" "$2" tests/python
 }
 python_suites 2025.7 .venv/bin/python &
+newer=$!
 python_suites 2022.2 build/venv-2022/bin/python
-wait
+wait "$newer"
 
 # The window of MeshLab itself, in a Debian root; skipped where none can be made.
 # Usage: window_suite VERSION
@@ -151,22 +160,22 @@ window_suite() {
     tail -n 25 "$log"
   fi
 }
-if [ "$window" = yes ]; then
+if [ "$quick" = no ]; then
+  wait "$roots"
   window_suite 2022.02
   window_suite 2025.07
-else
-  echo "skip MeshLab's window: not asked for with --window" >>"$checks"
 fi
 
 if [ "$quick" = no ]; then
   if check "build of the C++ tests with sanitizers" build sanitize; then
     suite cpp-sanitize run_ctest sanitize
     check "fuzz index files" timeout $((fuzz_seconds + 120)) build/sanitize/tests/index_file_fuzz "$fuzz_seconds" &
+    fuzzer=$!
     check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/sanitize/tests/mesh_fuzz "$((fuzz_seconds / 4))"
-    wait
+    wait "$fuzzer"
   fi
 else
-  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes"; do
+  for left_out in "MeshLab's window" "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes"; do
     echo "skip $left_out: --quick" >>"$checks"
   done
 fi

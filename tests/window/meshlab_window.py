@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,11 +10,20 @@ from screen import Atspi, Screen, wait_for
 FIELDS = (Atspi.Role.TEXT, Atspi.Role.COMBO_BOX, Atspi.Role.CHECK_BOX, Atspi.Role.SPIN_BUTTON)
 WINDOWS = (Atspi.Role.FRAME, Atspi.Role.DIALOG, Atspi.Role.ALERT)
 MOST_DOWN = 12  # a filter is among the first entries when its whole name was typed
+TRIES = 3  # of what a click or a key may miss on a busy machine
 
 
 def text_of(node: Atspi.Accessible) -> str:
     """Text in a field."""
     return Atspi.Text.get_text(node, 0, -1) if node.get_text_iface() else node.get_name()
+
+
+def same(shown: str, entered: str) -> bool:
+    """Whether a field shows what was entered; some fields write numbers their own way."""
+    try:
+        return float(shown) == float(entered)
+    except ValueError:
+        return shown == entered
 
 
 @dataclass
@@ -53,28 +61,42 @@ class MeshLabWindow(Screen):
 
     def search(self, text: str, down: int) -> None:
         """Type into the search box and choose the entry so many steps down."""
-        self.keys("Escape", "ctrl+f")
-        time.sleep(0.4)
+        before = self.windows()
+        self.keys("ctrl+f")
+        box = wait_for("the search box", lambda: self.windows() - before)
         self.write(text)
-        time.sleep(0.6)
-        self.keys(*["Down"] * down)
+        self.keys(*["Down"] * down, "Return")
+        wait_for("the search box to close", lambda: not self.windows() & box)
 
     def open_filter(self, name: str) -> Atspi.Accessible | None:
         """Find a filter by its name in the search box and open its dialog; without parameters it is applied at once."""
         already = len(self.log_lines())
-        for down in range(1, MOST_DOWN + 1):
+        for down in [1, *range(1, MOST_DOWN)]:
             self.search(name, down)
-            self.keys("Return")
             try:
-                wait_for(f"the dialog of {name}", lambda: self.dialog(name) or self.applied(name, already), 1.5)
-                return self.dialog(name)
+                wait_for(
+                    f"a dialog after searching {name}", lambda: self.filter_dialogs() or self.applied("", already), 15
+                )
             except TimeoutError:
-                pass  # another filter's dialog: it is replaced by the next one
+                continue
+            if self.dialog(name) or self.applied(name, already):
+                return self.dialog(name)
+            for other in self.filter_dialogs():
+                self.close(other)
         raise TimeoutError(f"the search box does not offer '{name}'")
+
+    def filter_dialogs(self) -> list[Atspi.Accessible]:
+        """Dialogs of filters: what has a button Apply and a title."""
+        found = []
+        for node in self.find(Atspi.Role.PUSH_BUTTON, "Apply"):
+            while node.get_role() not in WINDOWS:
+                node = node.get_parent()
+            found.append(node)
+        return found
 
     def applied(self, name: str, already: int) -> bool:
         """Whether the log says, after its first lines, that a filter was applied."""
-        starts = (f"Applied filter {name} in", f"Applied filter: {name} in")  # as 2022.02 and 2025.07 write it
+        starts = (f"Applied filter {name}", f"Applied filter: {name}")  # as 2022.02 and 2025.07 write it
         return any(line.startswith(starts) for line in self.log_lines()[already:])
 
     def parameters(self, dialog: Atspi.Accessible) -> list[Parameter]:
@@ -107,30 +129,45 @@ class MeshLabWindow(Screen):
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:
                 self.choose(widget, value)
+            elif widget.get_role() == Atspi.Role.CHECK_BOX:
+                self.click(widget)
             else:
-                self.click(widget, times=3)
-                self.keys("ctrl+a")
-                self.write(value)
-                self.keys("Tab")
+                self.enter(widget, value)
+
+    def enter(self, widget: Atspi.Accessible, value: str) -> None:
+        """Replace the text of a field."""
+        for _ in range(TRIES):
+            self.click(widget, times=3)
+            self.keys("ctrl+a")
+            self.write(value)
+            self.keys("Tab")
+            try:
+                wait_for(f"'{value}' in its field", lambda: same(text_of(widget), value), 10)
+                return
+            except TimeoutError:
+                pass
+        raise TimeoutError(f"the field holds '{text_of(widget)}' instead of '{value}'")
 
     def choose(self, box: Atspi.Accessible, entry: str) -> None:
         """Choose an entry of a combo box by keyboard."""
+        before = self.windows()
         self.click(box)
+        entries = wait_for("the list of the combo box", lambda: self.windows() - before)
+        self.keys("Escape")  # the list closes, the box keeps the focus
+        wait_for("the list to close", lambda: not self.windows() & entries)
         self.keys("Home")
-        for _ in range(20):
-            if box.get_name() == entry:
-                break
-            self.keys("Return")
-            if box.get_name() == entry:
-                return
-            self.click(box)
+        while box.get_name() != entry:
+            last = box.get_name()
             self.keys("Down")
-        self.keys("Return")
+            wait_for(f"the entry '{entry}' after '{last}'", lambda last=last: box.get_name() != last, 10)
 
     def press(self, window: Atspi.Accessible, *names: str) -> None:
         """Click the button of one of these names."""
-        buttons = [node for name in names for node in self.find(Atspi.Role.PUSH_BUTTON, name, window)]
-        self.click(buttons[0])
+
+        def buttons() -> list[Atspi.Accessible]:
+            return [node for name in names for node in self.find(Atspi.Role.PUSH_BUTTON, name, window)]
+
+        self.click(wait_for(f"a button {names}", buttons)[0])
 
     def message_box(self) -> Atspi.Accessible | None:
         """A box with a message and a button OK."""
@@ -140,7 +177,7 @@ class MeshLabWindow(Screen):
                 return top
         return None
 
-    def apply(self, dialog: Atspi.Accessible, seconds: float = 120) -> str:
+    def apply(self, dialog: Atspi.Accessible, seconds: float = 300) -> str:
         """Click Apply and wait for the end. Returns the text of the message box, empty if the filter succeeded."""
         already = len(self.log_lines())
         self.press(dialog, "Apply")
@@ -148,8 +185,7 @@ class MeshLabWindow(Screen):
         def ended() -> bool:
             return self.message_box() is not None or any("Applied filter" in x for x in self.log_lines()[already:])
 
-        wait_for(f"the end of {dialog.get_name()}", ended, seconds)
-        time.sleep(0.3)
+        wait_for(f"the end of {dialog.get_name()}", ended, seconds, self.is_alive)
         box = self.message_box()
         if box is None:
             return ""
@@ -163,9 +199,8 @@ class MeshLabWindow(Screen):
 
     def close(self, dialog: Atspi.Accessible) -> None:
         """Close a filter's dialog."""
-        title = dialog.get_name()
         self.press(dialog, "Close")
-        wait_for("the dialog to close", lambda: self.dialog(title) is None)
+        wait_for("the dialog to close", lambda: not self.filter_dialogs())
 
     def export(self) -> None:
         """Save the current layer to the file it came from, with everything it has."""

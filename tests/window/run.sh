@@ -31,7 +31,7 @@ for version in "${versions[@]}"; do
   rm -rf "$folder/seen"
   "$python" tests/window/make_meshes.py "$folder/seen/meshes"
   status=0
-  timeout 600 tests/window/in_root.sh "$root" dbus-run-session -- \
+  timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
     python3 /project/tests/window/scenario.py "/project/$folder/seen" >"$folder/seen/scenario.log" 2>&1 || status=$?
   [ "$status" = 0 ] || tail -n 15 "$folder/seen/scenario.log"
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import sys
-import time
 from pathlib import Path
 
 from meshlab_window import MeshLabWindow
@@ -140,7 +139,6 @@ class Scenario:
     def error(self, window: MeshLabWindow, dialog: object, name: str) -> None:
         """Apply, write down the message box, close it."""
         self.seen["errors"][name] = window.apply(dialog)
-        time.sleep(0.3)
         self.picture(window, f"error_{name.replace(' ', '_')}")
         window.dismiss()
 

@@ -20,6 +20,9 @@ from gi.repository import Atspi, GLib  # noqa: E402
 
 Result = TypeVar("Result")
 SIZE = (1280, 900)
+# Seconds for what takes one or two on an idle machine.
+PATIENCE = 60
+START_PATIENCE = 180
 # Asked in a process of its own: libatspi remembers an empty desktop for ever.
 COUNT = (
     "import gi; gi.require_version('Atspi', '2.0'); from gi.repository import Atspi;"
@@ -27,10 +30,16 @@ COUNT = (
 )
 
 
-def wait_for(what: str, condition: Callable[[], Result], seconds: float = 20) -> Result:
-    """Return the first result of the condition that is not empty. An error names what was waited for."""
+def wait_for(
+    what: str, condition: Callable[[], Result], seconds: float = PATIENCE, going: Callable[[], bool] | None = None
+) -> Result:
+    """Return the first result of the condition that is not empty. An error names what was waited for.
+
+    `going`: whether it still makes sense to wait.
+    """
     end = time.monotonic() + seconds
     while True:
+        goes_on = (going is None or going()) and time.monotonic() < end
         while GLib.MainContext.default().iteration(False):
             pass
         try:
@@ -39,8 +48,8 @@ def wait_for(what: str, condition: Callable[[], Result], seconds: float = 20) ->
             result = None
         if result:
             return result
-        if time.monotonic() > end:
-            raise TimeoutError(f"not seen in {seconds:.0f} s: {what}")
+        if not goes_on:
+            raise TimeoutError(f"not seen in {seconds:.0f} s, or the program has ended: {what}")
         time.sleep(0.1)
 
 
@@ -49,25 +58,38 @@ def run(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
+def succeeds(*command: str) -> bool:
+    """Whether a command ends without an error."""
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+def programs_on_the_bus() -> int:
+    """Number of programs on the accessibility bus; -1 if there is no bus."""
+    asked = subprocess.run((sys.executable, "-c", COUNT), capture_output=True, text=True, check=False)
+    return int(asked.stdout) if asked.returncode == 0 and asked.stdout.strip() else -1
+
+
 def start_display() -> None:
-    """A display, a window manager and the accessibility bus. They end with the namespace this runs in."""
+    """A display and a window manager. They end with the namespace this runs in."""
     runtime = Path("/tmp/runtime")
     runtime.mkdir(mode=0o700, exist_ok=True)
     os.environ.update(
-        DISPLAY=":77",
         XDG_RUNTIME_DIR=str(runtime),
         LIBGL_ALWAYS_SOFTWARE="1",
         QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
         QT_ASSUME_STDERR_HAS_CONSOLE="1",
     )
-    screen = f"{SIZE[0]}x{SIZE[1]}x24"
-    start("Xvfb", ":77", "-screen", "0", screen)
-    time.sleep(1)
+    # The server looks for a free number, as names of displays are shared even by roots of their own.
+    read_end, write_end = os.pipe()
+    screen = ("-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24")
+    subprocess.Popen(("Xvfb", "-displayfd", str(write_end), *screen), pass_fds=(write_end,), stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    with os.fdopen(read_end) as number:
+        os.environ["DISPLAY"] = ":" + number.readline().strip()
+    wait_for("the display", lambda: succeeds("xdotool", "getdisplaygeometry"))
     start("openbox")
-    start("/usr/libexec/at-spi-bus-launcher", "--launch-immediately")
-    time.sleep(1)
-    start("/usr/libexec/at-spi2-registryd")
-    time.sleep(1)
+    wait_for("the window manager", lambda: succeeds("xdotool", "get_num_desktops"))
+    Atspi.set_timeout(30_000, 60_000)  # a busy machine answers late
 
 
 def start(*command: str, errors: Path | None = None) -> subprocess.Popen:
@@ -80,19 +102,24 @@ class Screen:
     """The running MeshLab."""
 
     def __init__(self, arguments: list[str], log: Path, first_line: str) -> None:
-        """Start MeshLab and wait until its log holds the first line. Registering on the bus sometimes fails: retry."""
+        """Start MeshLab, wait until its log holds the first line, and find it on the accessibility bus."""
         self.log = log
-        for _ in range(12):
+        for last in (False, False, True):
             self.process = start("meshlab", *arguments, errors=log)
+            bus = None
             try:
-                wait_for(first_line, lambda: first_line in self.log_text())
-                wait_for("MeshLab on the accessibility bus", lambda: run(sys.executable, "-c", COUNT) == "1\n", 3)
+                wait_for(first_line, lambda: first_line in self.log_text(), START_PATIENCE, self.is_alive)
+                # The bus comes after MeshLab is up: Qt 5 then registers when it sees the bus. If the bus is there
+                # before, Qt looks for it in the midst of starting, and mostly misses its own signal.
+                bus = start("/usr/libexec/at-spi-bus-launcher", "--launch-immediately")
+                wait_for("MeshLab on the bus", lambda: programs_on_the_bus() == 1, going=self.is_alive)
                 break
-            except TimeoutError:
-                self.process.kill()
-                self.process.wait()
-        else:
-            raise TimeoutError(f"MeshLab did not come up; it wrote:\n{self.log_text()}")
+            except TimeoutError as error:
+                for process in filter(None, (self.process, bus)):
+                    process.kill()
+                    process.wait()
+                if last:
+                    raise TimeoutError(f"MeshLab did not come up: {error}; it wrote:\n{self.log_text()}") from None
         desktop = Atspi.get_desktop(0)
         self.application = wait_for("MeshLab in the list of programs", lambda: desktop.get_child_at_index(0))
         self.application.set_cache_mask(Atspi.Cache.NONE)
@@ -159,7 +186,11 @@ class Screen:
         box = node.get_extents(Atspi.CoordType.SCREEN)
         x, y = box.x + box.width // 2, box.y + box.height // 2
         run("xdotool", "mousemove", str(x), str(y), "click", "--repeat", str(times), "1")
-        time.sleep(0.2)
+
+    def windows(self) -> set[str]:
+        """X windows of the program that are on the screen: lists that pop up are seen only so."""
+        command = ("xdotool", "search", "--onlyvisible", "--pid", str(self.process.pid))
+        return set(subprocess.run(command, capture_output=True, text=True, check=False).stdout.split())
 
     def keys(self, *names: str) -> None:
         """Press keys, one after the other."""
