@@ -21,7 +21,7 @@ Index column_in_patch(const IndexData& data, Index patch, Index work_vertex) {
 
 namespace {
 
-/// Sums this much above the least are equal up to the precision of the tables: the longer hop is taken.
+/// Sums this much above the least are equal up to the precision of the tables: the hop to the goal is taken.
 constexpr double equal_sums = 1e-6;
 
 class ChainBuilder {
@@ -34,83 +34,94 @@ class ChainBuilder {
   void first_layer_hop(Index parent, Index a, Index b) {
     const bool backwards = first_row(parent, a) == no_index;
     const Index fixed = first_row(parent, backwards ? b : a);
-    const Index goal = backwards ? b : a;
     if (fixed == no_index) {
       second_layer_hop(no_index, vertex_of(b));
       return;
     }
-    // From the other end towards the goal, by the goal's distances.
-    std::vector<ChainStep> back;
-    Index here = backwards ? a : b;
-    while (here != goal) {
-      const double at_here = from_row(parent, fixed, here);
-      Index next = no_index;
-      Index through = no_index;
-      double best = unreachable;
-      for (const PatchRow& at : data_.second.patches_of(here)) {
-        const auto nodes = data_.second.nodes(at.patch);
-        line_.resize(nodes.size());
-        data_.second.read_border(at.patch, at.row, line_.data());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          if (nodes[i] == here) continue;
-          const double from_goal = nodes[i] == goal ? 0.0 : from_row(parent, fixed, nodes[i]);
-          if (!(from_goal < at_here)) continue;
-          const double sum = from_goal + line_[i];
-          if (sum < best) {
-            best = sum;
-            next = nodes[i];
-            through = at.patch;
-          }
-        }
+    auto from_goal = [&](Index node) { return from_row(parent, fixed, node); };
+    auto lines = [&](const PatchRow& at, std::vector<float>& hop, std::vector<double>& rest) {
+      const auto nodes = data_.second.nodes(at.patch);
+      hop.resize(nodes.size());
+      rest.resize(nodes.size());
+      data_.second.read_border(at.patch, at.row, hop.data());
+      const bool inside = data_.partition.parent[at.patch] == parent;
+      const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        rest[i] = inside ? data_.first.distance(parent, fixed, columns[i]) : from_goal(nodes[i]);
       }
-      if (next == no_index) next = goal;  // not through one patch: along edges
-      back.push_back({vertex_of(here), through});
-      here = next;
+    };
+    // From the other end towards the goal, by the goal's distances.
+    back_.clear();
+    walk(data_.second, backwards ? a : b, backwards ? b : a, 1.0, from_goal, lines);
+    for (std::size_t k = 0; k < back_.size(); ++k) {
+      if (backwards) {
+        second_layer_hop(back_[k].patch, vertex_of(back_[k].to));
+      } else {
+        const Hop& hop = back_[back_.size() - 1 - k];
+        second_layer_hop(hop.patch, vertex_of(hop.from));
+      }
     }
-    append(back, backwards, b);
   }
 
   /// From first-layer node to first-layer node, both given by their second-layer nodes, by the node table.
   void node_table_hop(Index a, Index b) {
     const Index goal = data_.first.vertex_node[vertex_of(a)];
-    Index here = data_.first.vertex_node[vertex_of(b)];
-    auto from_goal = [&](Index node) { return data_.node_table.distance(goal, node); };
-    struct Hop {
-      Index from, to, parent;
+    auto from_goal = [&](Index node) -> double { return data_.node_table.distance(goal, node); };
+    auto lines = [&](const PatchRow& at, std::vector<float>& hop, std::vector<double>& rest) {
+      const auto nodes = data_.first.nodes(at.patch);
+      hop.resize(nodes.size());
+      rest.resize(nodes.size());
+      data_.first.read_column(at.patch, column_of(at.patch, second_node(data_.first.nodes(at.patch)[at.row])),
+                              hop.data());
+      for (std::size_t i = 0; i < nodes.size(); ++i) rest[i] = from_goal(nodes[i]);
     };
-    std::vector<Hop> back;
-    while (here != goal) {
-      Index next = no_index;
-      Index through = no_index;
-      double best = unreachable;
-      for (const PatchRow& at : data_.first.patches_of(here)) {
-        const auto nodes = data_.first.nodes(at.patch);
-        line_.resize(nodes.size());
-        data_.first.read_column(at.patch, parent_column(at.patch, here), line_.data());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          if (nodes[i] == here || !(from_goal(nodes[i]) < from_goal(here))) continue;
-          const double sum = static_cast<double>(from_goal(nodes[i])) + line_[i];
-          if (sum < best * (nodes[i] == goal ? 1.0 + equal_sums : 1.0)) {
-            best = sum;
-            next = nodes[i];
-            through = at.patch;
-          }
-        }
-      }
-      if (next == no_index) next = goal;
-      back.push_back({next, here, through});
-      here = next;
-    }
-    for (auto hop = back.rbegin(); hop != back.rend(); ++hop) {
-      if (hop->parent == no_index) {
-        second_layer_hop(no_index, vertex_of(second_node(hop->to)));
+    back_.clear();
+    walk(data_.first, data_.first.vertex_node[vertex_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
+    const std::vector<Hop> hops(back_.rbegin(), back_.rend());
+    for (const Hop& hop : hops) {
+      if (hop.patch == no_index) {
+        second_layer_hop(no_index, vertex_of(second_node(hop.from)));
       } else {
-        first_layer_hop(hop->parent, second_node(hop->from), second_node(hop->to));
+        first_layer_hop(hop.patch, second_node(hop.to), second_node(hop.from));
       }
     }
   }
 
  private:
+  /// A step back: nodes of one layer and the patch of that layer between them; no_index: along edges.
+  struct Hop {
+    Index from, to, patch;
+  };
+
+  /// From node `here` of a layer back to `goal`, each time over the patch and to the node with the least sum
+  /// of the hop and that node's distance from the goal, which must be less than the one of the node before.
+  /// `lines(patch row, hops, rests)` reads both for all nodes of a patch. Adds to back_.
+  template <class FromGoal, class Lines>
+  void walk(const PatchLayer& layer, Index here, Index goal, double favour_goal, FromGoal&& from_goal,
+            Lines&& lines) {
+    while (here != goal) {
+      const double at_here = from_goal(here);
+      Hop next{here, goal, no_index};  // if no patch leads on: along edges
+      double best = unreachable;
+      for (const PatchRow& at : layer.patches_of(here)) {
+        lines(at, hop_, rest_);
+        const auto nodes = layer.nodes(at.patch);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          const bool is_goal = nodes[i] == goal;
+          const double rest = is_goal ? 0.0 : rest_[i];
+          const double sum = rest + static_cast<double>(hop_[i]);
+          if (!(sum < best * (is_goal ? favour_goal : 1.0)) || nodes[i] == here || !(rest < at_here))
+            continue;
+          best = sum;
+          next.to = nodes[i];
+          next.patch = at.patch;
+        }
+      }
+      back_.push_back(next);
+      here = next.to;
+    }
+  }
+
   Index vertex_of(Index second_node) const { return data_.second.node_vertex[second_node]; }
   Index second_node(Index first_node) const {
     return data_.second.vertex_node[data_.first.node_vertex[first_node]];
@@ -130,41 +141,30 @@ class ChainBuilder {
     }
     return no_index;
   }
-  Index parent_column(Index parent, Index first_node) const {
-    return column_of(parent, second_node(first_node));
-  }
   double from_row(Index parent, Index row, Index second_node) const {
     const Index column = column_of(parent, second_node);
     return column == no_index ? unreachable : data_.first.distance(parent, row, column);
   }
 
-  /// `back`: steps in the order of walking, each with the vertex it left and the patch it went through.
-  void append(const std::vector<ChainStep>& back, bool walked_forwards, Index end) {
-    if (!walked_forwards) {
-      for (auto step = back.rbegin(); step != back.rend(); ++step) chain_.steps.push_back(*step);
-      return;
-    }
-    for (std::size_t i = 0; i < back.size(); ++i) {
-      const Index to = i + 1 < back.size() ? back[i + 1].vertex : vertex_of(end);
-      chain_.steps.push_back({to, back[i].patch});
-    }
-  }
-
   const IndexData& data_;
   PathChain& chain_;
-  std::vector<float> line_;
+  std::vector<Hop> back_;
+  std::vector<float> hop_;
+  std::vector<double> rest_;
 };
 
 }  // namespace
 
-PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target) {
+PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target,
+                         Index source_patch, Index target_patch) {
   PathChain chain;
   chain.source = source;
   if (route.nodes.empty()) return chain;
   ChainBuilder builder(data, chain);
   auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
   if (vertex_of(route.nodes.front()) != source) {
-    builder.second_layer_hop(data.home_patch[source], vertex_of(route.nodes.front()));
+    builder.second_layer_hop(source_patch != no_index ? source_patch : data.home_patch[source],
+                             vertex_of(route.nodes.front()));
   }
   for (std::size_t i = 0; i < route.arc_patches.size(); ++i) {
     const Index a = route.nodes[i];
@@ -179,7 +179,7 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
     }
   }
   if (vertex_of(route.nodes.back()) != target) {
-    builder.second_layer_hop(data.home_patch[target], target);
+    builder.second_layer_hop(target_patch != no_index ? target_patch : data.home_patch[target], target);
   }
   return chain;
 }

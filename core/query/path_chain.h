@@ -30,6 +30,9 @@ Index row_in_patch(const IndexData& data, Index patch, Index work_vertex);
 /// between first-layer nodes of one first-layer patch, each of these into hops between second-layer nodes of
 /// one second-layer patch. At each level the next node back is one with the least sum. Complexity: O(b) for
 /// each step, with b border nodes of the patches at its end.
-PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target);
+/// `source_patch`, `target_patch`: second-layer patches that the route's first and last node share with the
+/// ends, for ends that may lie on a border; no_index for the patches of vertices inside one.
+PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target,
+                         Index source_patch = no_index, Index target_patch = no_index);
 
 }  // namespace vorogeo

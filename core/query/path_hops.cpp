@@ -24,7 +24,9 @@ struct Move {
   Index face = no_index;
   Index vertex = no_index;
   Index halfedge = no_index;
-  double x = 0.0;  ///< from the first vertex of the edge
+  double x = 0.0;                 ///< from the first vertex of the edge
+  double at_first = unreachable;  ///< distance of the edge's first vertex
+  double at_second = unreachable;
 };
 
 /// Walks from vertex to vertex of one patch.
@@ -69,7 +71,7 @@ class HopWalker {
       const Index exit = move.halfedge;
       const Index entry = mesh_.next_around_edge(exit);
       expected = std::min(expected, move.length * longer);
-      move = cross(entry, move.x);
+      move = cross(entry, move);
       if (move.face == no_index || move.length > expected || --left == 0) return no_index;
       passed.push_back({Mesh::face_of(entry), exit, entry, no_index});
     }
@@ -140,12 +142,14 @@ class HopWalker {
     const double crossing = px + (x - px) * (py / (y + py));
     if (!(crossing > 0.0 && crossing < length)) return;
     const double way = std::hypot(x - px, y + py);
-    if (way < best.length) best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing};
+    if (way < best.length) {
+      best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing, at_0, at_length};
+    }
   }
   /// Only to vertices nearer to the goal than the last one, so that rounding of the tables makes no circles.
   void to_vertex(double step, double from_there, Index face, Index vertex, Move& best) const {
     if (from_there < at_last_ && step + from_there < best.length) {
-      best = {step + from_there, face, vertex, no_index, 0.0};
+      best = {step + from_there, face, vertex};
     }
   }
 
@@ -169,8 +173,10 @@ class HopWalker {
     return best;
   }
 
-  /// From the point at `x` on the edge of a half-edge across its face.
-  Move cross(Index halfedge, double x) const {
+  /// From the point where the last move came to the edge of a half-edge across its face. The distances of the
+  /// edge's ends come with the move: each one that is read from the table is far away in memory.
+  Move cross(Index halfedge, const Move& last) const {
+    const double x = last.x;
     const FaceFrame& frame = geometry_.frame[halfedge];
     const Index edge = mesh_.edge_of(halfedge);
     const double length = mesh_.edge_length(edge);
@@ -179,8 +185,8 @@ class HopWalker {
     const Index face = Mesh::face_of(halfedge);
     Move best;
     to_vertex(std::hypot(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
-    to_vertex(x, distance(a), face, a, best);
-    to_vertex(length - x, distance(b), face, b, best);
+    to_vertex(x, last.at_first, face, a, best);
+    to_vertex(length - x, last.at_second, face, b, best);
     for (const bool first : {true, false}) {
       const Index side = first ? frame.first_side : frame.second_side;
       const Index side_edge = mesh_.edge_of(side);
@@ -190,12 +196,17 @@ class HopWalker {
       const double from_shared = first ? x : length - x;
       const double cosine = (first ? frame.apex_x : length - frame.apex_x) / side_length;
       const double sine = frame.apex_depth / side_length;
-      const double at_shared = distance(first ? a : b);
+      const double at_shared = first ? last.at_first : last.at_second;
       Move move;
       through_edge(from_shared * cosine, from_shared * sine, side_length, at_shared, at_apex, side, move);
       if (!(move.length < best.length)) continue;
       const Index shared = first ? a : b;
-      if (mesh_.edge_vertices(side_edge)[0] != shared) move.x = side_length - move.x;
+      move.at_first = at_shared;
+      move.at_second = at_apex;
+      if (mesh_.edge_vertices(side_edge)[0] != shared) {
+        move.x = side_length - move.x;
+        std::swap(move.at_first, move.at_second);
+      }
       best = move;
     }
     return best;

@@ -2,13 +2,16 @@
 #include "query/path_query.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "index/index_data.h"
 #include "index/local_tables.h"
+#include "mesh/face_distance.h"
 #include "query/exact_pair.h"
 #include "query/path_hops.h"
 #include "query/path_refine.h"
+#include "query/route_unfolding.h"
 #include "query/table_route.h"
 #include "query/work_points.h"
 
@@ -20,6 +23,10 @@ namespace {
 constexpr double estimate_slack = 1.0 + 1e-3;
 /// Rounding of lengths summed along different ways.
 constexpr double rounding = 1e-9;
+/// A refined path that is this much longer (relative) than the index's distance has probably taken a wrong
+/// way: exact propagation decides. Measured: of the paths that are not shortest, what such ones add to the
+/// mean error is most of it, while few paths are concerned (docs/paths.md).
+constexpr double suspicious = 2e-4;
 
 double distance_between(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -33,6 +40,13 @@ struct End {
   std::vector<Index> patches;
 };
 
+/// A path and how it was found.
+struct Found {
+  SurfacePath path;
+  bool certified = false;   ///< proven to be a shortest one
+  bool propagated = false;  ///< by exact propagation with the bounds of the index
+};
+
 }  // namespace
 
 struct PathQuery::State {
@@ -44,6 +58,7 @@ struct PathQuery::State {
         graph_router(data),
         table_router(data),
         refiner(*data.geometry),
+        unfolder(data),
         bounds(data) {
     const Mesh& mesh = *data.work.mesh;
     for (Index e = 0; e < mesh.edge_count(); ++e) branches = branches || mesh.edge_face_count(e) > 2;
@@ -63,11 +78,17 @@ struct PathQuery::State {
   /// The border nodes of the end's patch with their distances from it.
   RouteEnd starts_of(const End& end) const;
   bool near(const End& a, const End& b) const;
+  /// Of an end in a face.
+  Index patch_of(const End& end) const {
+    return end.point.is_vertex() ? no_index : data.work.second_layer[end.point.face];
+  }
   GraphRoute route(const End& from, const End& to);
   SurfacePath run(const End& from, const End& to, const ExactLimits& limits);
   SurfacePath path_nearby(const End& from, const End& to, double estimate);
-  SurfacePath path_by_chain(const End& from, const End& to);
-  SurfacePath path(const End& from, const End& to, bool& certified);
+  SurfacePath path_by_chain(const End& from, const End& to, const GraphRoute& way);
+  SurfacePath shorter_path(const End& from, const End& to, double length, bool by_index);
+  double expected_length(const End& from, const End& to, const GraphRoute& way);
+  Found path(const End& from, const End& to);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -77,6 +98,7 @@ struct PathQuery::State {
   TableRouter table_router;
   PathRefiner refiner;
   FaceStrip strip;
+  RouteUnfolder unfolder;
   RemainingBounds bounds;
   /// Whether an edge has more than two faces: crossings are unfolded as on a surface, so the margin of the
   /// bounds does not hold there.
@@ -135,27 +157,26 @@ RouteEnd PathQuery::State::starts_of(const End& end) const {
   }
   result.patch = data.work.second_layer[end.point.face];
   const auto nodes = data.second.nodes(result.patch);
+  result.parents.push_back(data.partition.parent[result.patch]);
+  const Mesh& mesh = *data.work.mesh;
+  std::array<Index, 3> column{};
+  for (int k = 0; k < 3; ++k) {
+    column[k] = column_in_patch(data, result.patch, mesh.face_vertices(end.point.face)[k]);
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    // Between the corners of a face a distance lies hardly below their mean.
-    double distance = 0.0;
+    std::array<double, 3> corners{};
     for (int k = 0; k < 3; ++k) {
-      const Index v = data.work.mesh->face_vertices(end.point.face)[k];
-      const Index column = column_in_patch(data, result.patch, v);
-      if (end.point.barycentric[k] > 0.0) {
-        distance +=
-            end.point.barycentric[k] * data.second.distance(result.patch, static_cast<Index>(i), column);
-      }
+      corners[k] = data.second.distance(result.patch, static_cast<Index>(i), column[k]);
     }
+    const double distance = distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
     if (distance < unreachable) result.starts.push_back({nodes[i], distance});
   }
   return result;
 }
 
 GraphRoute PathQuery::State::route(const End& from, const End& to) {
-  RouteEnd a;
-  RouteEnd b;
-  route_end(data, from.vertex, a);
-  route_end(data, to.vertex, b);
+  const RouteEnd a = starts_of(from);
+  const RouteEnd b = starts_of(to);
   GraphRoute best;
   if (data.node_table.count == 0) {
     graph_router.route(a, b, best);
@@ -199,32 +220,67 @@ SurfacePath PathQuery::State::path_nearby(const End& from, const End& to, double
 }
 
 /// The way of the index, refined; without points if the tables do not lead all the way.
-SurfacePath PathQuery::State::path_by_chain(const End& from, const End& to) {
+SurfacePath PathQuery::State::path_by_chain(const End& from, const End& to, const GraphRoute& way) {
   SurfacePath none;
   none.length = unreachable;
-  const GraphRoute way = route(from, to);
   if (way.length == unreachable) return none;
   strip.source = from.point;
   strip.target = to.point;
-  if (!strip_along_chain(data, chain_of_route(data, way, from.vertex, to.vertex), strip)) return none;
+  const PathChain chain = chain_of_route(data, way, from.vertex, to.vertex, patch_of(from), patch_of(to));
+  if (!strip_along_chain(data, chain, strip)) return none;
   refiner.refine(strip);
   return refiner.path();
 }
 
-SurfacePath PathQuery::State::path(const End& from, const End& to, bool& certified) {
-  certified = false;
+/// The index's distance along a route; of points in faces from those of their corners. Unreachable where the
+/// tables of the route do not hold the corners.
+double PathQuery::State::expected_length(const End& from, const End& to, const GraphRoute& way) {
+  const Mesh& mesh = *data.work.mesh;
+  auto between = [&](const End& end, auto&& of_vertex) {
+    if (end.point.is_vertex()) return of_vertex(end.point.vertex);
+    std::array<double, 3> corners{};
+    for (int i = 0; i < 3; ++i) corners[i] = of_vertex(mesh.face_vertices(end.point.face)[i]);
+    return distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
+  };
+  return between(from, [&](Index source) {
+    return between(
+        to, [&](Index target) { return unfolder.length(way, source, target, patch_of(from), patch_of(to)); });
+  });
+}
+
+/// A path shorter than `length` by exact propagation; without points if there is none. `by_index`: within the
+/// bounds that the index gives.
+SurfacePath PathQuery::State::shorter_path(const End& from, const End& to, double length, bool by_index) {
+  ExactLimits limits;
+  limits.max_distance = length * (1.0 + rounding);
+  if (by_index) limits.least_remaining = bounds.fill(starts_of(from), starts_of(to), to.patches, length);
+  return run(from, to, limits);
+}
+
+Found PathQuery::State::path(const End& from, const End& to) {
+  Found found;
+  const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
+  const double estimate = (from.beside + way.length + to.beside) * estimate_slack;
   if (near(from, to)) {
-    certified = true;
-    const double way = from.vertex == to.vertex ? 0.0 : route(from, to).length;
-    return path_nearby(from, to, (from.beside + way + to.beside) * estimate_slack);
+    found.certified = true;
+    found.path = path_nearby(from, to, estimate);
+  } else {
+    found.path = path_by_chain(from, to, way);
+    if (found.path.points.empty()) {
+      // The tables did not lead all the way: exact, within the length that the graph gives.
+      found.certified = true;
+      found.path = shorter_path(from, to, estimate, false);
+    } else if (found.path.length > expected_length(from, to, way) * (1.0 + suspicious)) {
+      found.certified = branches;
+      found.propagated = true;
+      SurfacePath better = shorter_path(from, to, found.path.length, !branches);
+      if (better.length < found.path.length) found.path = std::move(better);
+    }
   }
-  SurfacePath found = path_by_chain(from, to);
-  if (found.points.empty()) {
-    // The tables did not lead all the way: exact, within the length that the graph gives.
-    certified = true;
-    ExactLimits limits;
-    limits.max_distance = (from.beside + route(from, to).length + to.beside) * estimate_slack;
-    found = run(from, to, limits);
+  if (found.path.points.empty()) {
+    // On faces without width, lengths may be off by more than the slack.
+    found.certified = true;
+    found.path = run(from, to, {});
   }
   return found;
 }
@@ -237,8 +293,7 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   none.length = unreachable;
   if (!state.connected(s, t)) return none;
   if (position_of(*state.data.mesh, s) == position_of(*state.data.mesh, t)) return {{s, t}, 0.0};
-  bool certified = false;
-  return user_path(state.data, state.path(state.end_at(s), state.end_at(t), certified));
+  return user_path(state.data, state.path(state.end_at(s), state.end_at(t)).path);
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
@@ -251,20 +306,14 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (!state.connected(s, t)) return result;
   const End from = state.end_at(s);
   const End to = state.end_at(t);
-  SurfacePath best = state.path(from, to, result.certified);
-  if (!result.certified) {
-    ExactLimits limits;
-    limits.max_distance = best.length * (1.0 + rounding);
-    certify = certify || state.branches;
-    if (!certify) {
-      limits.least_remaining =
-          state.bounds.fill(state.starts_of(from), state.starts_of(to), to.patches, best.length);
-    }
-    SurfacePath found = state.run(from, to, limits);
-    if (found.length < best.length) best = std::move(found);
-    result.certified = certify;
+  Found found = state.path(from, to);
+  result.certified = found.certified;
+  if (!found.certified && (certify || !found.propagated)) {
+    result.certified = certify || state.branches;
+    SurfacePath better = state.shorter_path(from, to, found.path.length, !result.certified);
+    if (better.length < found.path.length) found.path = std::move(better);
   }
-  result.path = user_path(state.data, best);
+  result.path = user_path(state.data, found.path);
   return result;
 }
 

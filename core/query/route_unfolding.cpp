@@ -83,8 +83,8 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
   return best;
 }
 
-void find_legs(const IndexData& data, const GraphRoute& route, Index source, Index target,
-               std::vector<Leg>& legs) {
+void find_legs(const IndexData& data, const GraphRoute& route, Index source, Index target, Index source_patch,
+               Index target_patch, std::vector<Leg>& legs) {
   legs.clear();
   auto add = [&](Leg::Table table, Index patch, Index exit_vertex) {
     // Two arcs in a row through one patch are one way through it.
@@ -92,8 +92,10 @@ void find_legs(const IndexData& data, const GraphRoute& route, Index source, Ind
     legs.push_back({table, patch, exit_vertex});
   };
   auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
-  if (data.second.vertex_node[source] == no_index) {
-    add(Leg::Table::second, data.home_patch[source], vertex_of(route.nodes.front()));
+  if (data.second.vertex_node[source] == no_index) source_patch = data.home_patch[source];
+  if (data.second.vertex_node[target] == no_index) target_patch = data.home_patch[target];
+  if (source_patch != no_index && source != vertex_of(route.nodes.front())) {
+    add(Leg::Table::second, source_patch, vertex_of(route.nodes.front()));
   }
   for (std::size_t i = 0; i < route.arc_patches.size(); ++i) {
     const Index exit = vertex_of(route.nodes[i + 1]);
@@ -104,8 +106,8 @@ void find_legs(const IndexData& data, const GraphRoute& route, Index source, Ind
       add(arc.in_first_layer() ? Leg::Table::first : Leg::Table::second, arc.patch_index(), exit);
     }
   }
-  if (data.second.vertex_node[target] == no_index) {
-    add(Leg::Table::second, data.home_patch[target], target);
+  if (target_patch != no_index && target != vertex_of(route.nodes.back())) {
+    add(Leg::Table::second, target_patch, target);
   }
 }
 
@@ -127,8 +129,10 @@ void for_each_neighbour(const IndexData& data, const Leg& leg, const Leg& next, 
 
 }  // namespace
 
-double RouteUnfolder::length(const GraphRoute& route, Index source, Index target) {
-  find_legs(data_, route, source, target, legs_);
+double RouteUnfolder::length(const GraphRoute& route, Index source, Index target, Index source_patch,
+                             Index target_patch) {
+  find_legs(data_, route, source, target, source_patch, target_patch, legs_);
+  if (legs_.empty()) return source == target ? 0.0 : unreachable;
   near_.assign(1, {source, 0.0, 0.0});
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     const Leg& leg = legs_[i];

@@ -16,7 +16,10 @@ class RouteUnfolder {
   /// the border edges at the route's node instead of at the node. Near a node, distances are kept for the
   /// node and its border neighbours; they come from the same wave, so no guard is needed. Complexity: O(nodes
   /// of the route).
-  double length(const GraphRoute& route, Index source, Index target);
+  /// `source_patch`, `target_patch`: second-layer patches that the route's first and last node share with
+  /// these vertices, for ends that may lie on a border; no_index for the patches of vertices inside one.
+  double length(const GraphRoute& route, Index source, Index target, Index source_patch = no_index,
+                Index target_patch = no_index);
 
   /// A border node near the route: the route's own node first, then its border neighbours.
   struct Near {

@@ -1,0 +1,136 @@
+"""Refined and exact paths of random pairs beside exact fields, as a table.
+
+Usage: tests/bench/paths.sh [--pairs N] [--points] [--write] [MESH...]; MESH is a file or the name of a test mesh, by
+default all clean ones of the test meshes. Pairs are grouped by source, 100 targets each, so that one exact field serves
+them all. Indexes are kept in build/bench-work. --write puts the table into docs/paths.md.
+
+A mean error above its goal, a refined path shorter than the shortest or an exact one that is not shortest is named at
+the end, and the status is 1.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import meshes
+import pages
+
+CLEAN = ("spot", "casting", "homer", "fandisk", "gears", "rocker_arm", "mountain", "bunny", "nefertiti", "igea")
+GOAL = 1e-5
+GOALS = {"gears": 1e-4, "casting": 1e-4}
+ROUNDING = 1e-9
+TARGETS = 100
+HEADER = (
+    "| mesh | pairs | refined: mean error | median | 99 % below | largest | shortest found | time, median (mean) "
+    "| exact: largest error | certified | time, median (mean) | certified on request: time, median (mean) |\n"
+    "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+)
+
+
+@dataclass(frozen=True)
+class Result:
+    """What was measured on one mesh: errors are relative, times in milliseconds of one thread."""
+
+    name: str
+    errors: NDArray[np.float64]
+    exact_errors: NDArray[np.float64]
+    certified: float
+    refined_ms: NDArray[np.float64]
+    exact_ms: NDArray[np.float64]
+    request_ms: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, name: str, rows: NDArray[np.float64]) -> Result:
+        """From the lines that paths_bench prints."""
+        rows = rows[rows[:, 0] > 0]
+        exact, refined, found = rows[:, :3].T
+        asked = rows[rows[:, 6] >= 0, 6]
+        return cls(
+            name,
+            refined / exact - 1,
+            found / exact - 1,
+            rows[:, 3].mean(),
+            *(1e3 * v for v in (*rows[:, 4:6].T, asked)),
+        )
+
+    @property
+    def faults(self) -> list[str]:
+        """What misses its goal."""
+        goal, found = GOALS.get(self.name, GOAL), []
+        mean, least, exact = np.abs(self.errors).mean(), self.errors.min(), np.abs(self.exact_errors).max()
+        if not mean <= goal:
+            found.append(f"{self.name}: mean error of refined paths {mean:.1e}, goal {goal:.0e}")
+        if not least >= -ROUNDING:
+            found.append(f"{self.name}: a refined path is {-least:.1e} shorter than the shortest")
+        if not exact <= ROUNDING:
+            found.append(f"{self.name}: an exact path is off by {exact:.1e}")
+        return found
+
+    @property
+    def row(self) -> str:
+        """The line of the table."""
+
+        def time(ms: NDArray[np.float64]) -> str:
+            return f"{np.median(ms):.2g} ms ({ms.mean():.2g})" if len(ms) else "-"
+
+        share = np.mean(self.errors <= ROUNDING)
+        return (
+            f"| {self.name} | {len(self.errors):,} | {np.abs(self.errors).mean():.1e} | {np.median(self.errors):.0e} "
+            f"| {np.quantile(self.errors, 0.99):.1e} | {self.errors.max():.1e} | {100 * share:.1f} % "
+            f"| {time(self.refined_ms)} | {np.abs(self.exact_errors).max():.0e} | {100 * self.certified:.0f} % "
+            f"| {time(self.exact_ms)} | {time(self.request_ms)} |"
+        )
+
+
+def measured(name: str, pairs: int, threads: int, in_faces: bool) -> Result | None:
+    """Runs the program on one mesh; None if there is no such mesh."""
+    file = meshes.find(name)
+    if file is None:
+        return None
+    vertices, faces = meshes.load(file)
+    meshes.WORK.mkdir(parents=True, exist_ok=True)
+    raw, index = (meshes.WORK / f"{file.stem}.paths.{kind}" for kind in ("raw", "vgi"))
+    with raw.open("wb") as out:
+        np.array([len(vertices), len(faces)], np.int64).tofile(out)
+        vertices.tofile(out)
+        faces.tofile(out)
+    program = meshes.ROOT / "build" / "bench" / "tests" / "bench" / "paths_bench"
+    command = [program, raw, index, -(-pairs // TARGETS), min(pairs, TARGETS), threads, int(in_faces)]
+    lines = subprocess.run(list(map(str, command)), check=True, stdout=subprocess.PIPE, text=True).stdout
+    return Result.of(file.stem, np.array([json.loads(line.replace("inf", "Infinity")) for line in lines.splitlines()]))
+
+
+def main() -> int:
+    """Prints the table and what misses its goal."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("meshes", nargs="*", default=CLEAN, metavar="MESH")
+    parser.add_argument("--pairs", type=int, default=10_000, help="pairs of each mesh (10000)")
+    parser.add_argument("--threads", type=int, default=2, help="sources at a time (2)")
+    parser.add_argument("--points", action="store_true", help="between points in faces instead of vertices")
+    parser.add_argument("--write", action="store_true", help="put the table into docs/paths.md")
+    options = parser.parse_args()
+    print(HEADER, flush=True)
+    results = []
+    for name in options.meshes:
+        result = measured(name, options.pairs, options.threads, options.points)
+        if result is not None:
+            results.append(result)
+            print(result.row, flush=True)
+    if options.write:
+        mark = "paths between points in faces" if options.points else "paths between vertices"
+        table = "\n".join([HEADER, *(result.row for result in results)]) + "\n"
+        pages.replace(meshes.ROOT / "docs" / "paths.md", mark, table)
+    faults = [fault for result in results for fault in result.faults]
+    print(*faults, sep="\n")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,135 @@
+// Refined and exact paths of random pairs beside the exact field of each source, on one mesh.
+//
+// Usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS
+//   MESH: see mesh_file.h. INDEX: read if it is there and of this mesh, else built and written. POINTS: 0 for
+//   vertices, 1 for points in faces. Each source has TARGETS random targets in its component.
+// Prints one line of JSON for each pair: exact length, refined length, length of exact_path, whether it is
+// certified, processor seconds of both, and for every 16th pair those of a certified path (else -1).
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <random>
+
+#include "exact/exact_solver.h"
+#include "mesh_file.h"
+#include "query/path_query.h"
+#include "support/parallel.h"
+
+namespace {
+
+using vorogeo::Index;
+using vorogeo::SurfacePoint;
+
+/// Seconds of the calling thread alone.
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+template <class Call>
+double seconds_of(Call&& call) {
+  const double start = thread_seconds();
+  call();
+  return thread_seconds() - start;
+}
+
+std::shared_ptr<const vorogeo::GeodesicIndex> index_of(const std::shared_ptr<const vorogeo::Mesh>& mesh,
+                                                       const char* file) {
+  if (std::filesystem::exists(file)) {
+    try {
+      return vorogeo::GeodesicIndex::load(file, mesh);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "paths_bench: %s: building anew\n", error.what());
+    }
+  }
+  auto index = vorogeo::GeodesicIndex::build(mesh, {});
+  index->save(file);
+  return index;
+}
+
+/// Random points of one component.
+class Draw {
+ public:
+  Draw(const vorogeo::Mesh& mesh, bool in_faces, std::uint64_t seed)
+      : mesh_(mesh), in_faces_(in_faces), random_(seed) {}
+  SurfacePoint any() {
+    if (!in_faces_) return SurfacePoint::at_vertex(below(mesh_.vertex_count()));
+    double u = unit(), v = unit();
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    return SurfacePoint::in_face(below(mesh_.face_count()), {1.0 - u - v, u, v});
+  }
+  SurfacePoint beside(const SurfacePoint& other) {
+    for (;;) {
+      const SurfacePoint point = any();
+      if (component(point) == component(other)) return point;
+    }
+  }
+
+ private:
+  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+  Index below(Index count) { return static_cast<Index>(random_() % static_cast<std::uint64_t>(count)); }
+  Index component(const SurfacePoint& point) const {
+    return mesh_.component(point.is_vertex() ? point.vertex : mesh_.face_vertices(point.face).front());
+  }
+  const vorogeo::Mesh& mesh_;
+  bool in_faces_;
+  std::mt19937_64 random_;
+};
+
+int run(char** arguments) {
+  bench::RawMesh raw = bench::read_mesh(arguments[1]);
+  const auto mesh = std::make_shared<const vorogeo::Mesh>(std::move(raw.positions), raw.faces);
+  const auto index = index_of(mesh, arguments[2]);
+  const auto sources = static_cast<std::size_t>(std::atol(arguments[3]));
+  const long targets = std::atol(arguments[4]);
+  const int threads = vorogeo::resolve_thread_count(std::atoi(arguments[5]));
+  const bool in_faces = std::atoi(arguments[6]) != 0;
+  std::vector<std::unique_ptr<vorogeo::PathQuery>> queries(threads);
+  std::mutex output;
+  vorogeo::parallel_for(sources, threads, {}, "", [&](std::size_t item, int worker) {
+    if (!queries[worker]) queries[worker] = std::make_unique<vorogeo::PathQuery>(index);
+    vorogeo::PathQuery& query = *queries[worker];
+    Draw draw(*mesh, in_faces, item + 1);
+    const vorogeo::ExactSource source{draw.any()};
+    vorogeo::ExactSolver solver(mesh);
+    vorogeo::ExactLimits limits;
+    limits.distances_only = !in_faces;
+    solver.run(std::span(&source, 1), limits);
+    for (long i = 0; i < targets; ++i) {
+      const SurfacePoint target = draw.beside(source.point);
+      vorogeo::SurfacePath refined;
+      vorogeo::ExactPath exact;
+      const double refined_seconds = seconds_of([&] { refined = query.path(source.point, target); });
+      const double exact_seconds = seconds_of([&] { exact = query.exact_path(source.point, target); });
+      double certified_seconds = -1.0;
+      if (i % 16 == 0) {
+        certified_seconds = seconds_of([&] { query.exact_path(source.point, target, true); });
+      }
+      const double field = target.is_vertex() ? solver.distance(target.vertex) : solver.distance(target);
+      const std::lock_guard lock(output);
+      std::printf("[%.17g, %.17g, %.17g, %d, %.9g, %.9g, %.9g]\n", field, refined.length, exact.path.length,
+                  exact.certified ? 1 : 0, refined_seconds, exact_seconds, certified_seconds);
+    }
+  });
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 7) {
+    std::fprintf(stderr, "usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS\n");
+    return 2;
+  }
+  try {
+    return run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "paths_bench: %s\n", error.what());
+    return 1;
+  }
+}
