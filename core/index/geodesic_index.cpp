@@ -80,10 +80,10 @@ std::int64_t IndexData::bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return static_cast<std::int64_t>(
       first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
-      work.mesh->memory_bytes() + geometry->memory_bytes() + of(work.work_vertex) + of(work.user_vertex) +
-      of(work.second_layer) + of(work.user_face) + of(work.edge_points) + of(partition.first_layer) +
-      of(partition.second_layer) + of(partition.parent) + of(parent_column) + of(home_patch) +
-      of(home_column));
+      approach_bounds.memory_bytes() + work.mesh->memory_bytes() + geometry->memory_bytes() +
+      of(work.work_vertex) + of(work.user_vertex) + of(work.second_layer) + of(work.user_face) +
+      of(work.edge_points) + of(partition.first_layer) + of(partition.second_layer) + of(partition.parent) +
+      of(parent_column) + of(home_patch) + of(home_column));
 }
 
 void IndexData::count() {
@@ -147,6 +147,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
     data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.98));
+    data->approach_bounds = make_approach_bounds(data->first, data->node_table);
     data->graph = make_landmarks(data->second, data->first, progress.part(0.98, 1.0));
   } else {
     data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exact/exact_geometry.h"
+#include "index/approach_bounds.h"
 #include "index/geodesic_index.h"
 #include "index/node_table.h"
 #include "index/patch_layer.h"
@@ -24,6 +25,7 @@ struct IndexData {
   PatchLayer first;
   PatchLayer second;
   NodeTable node_table;  ///< of the first layer
+  ApproachBounds approach_bounds;
   SearchGraph graph;
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
   std::vector<Index> home_column;  ///< and its place among the members of that patch

@@ -11,9 +11,8 @@
 #include "index/patch_neighbours.h"
 #include "query/border_field.h"
 #include "query/field_sweep.h"
-#include "query/graph_route.h"
 #include "query/route_unfolding.h"
-#include "query/table_route.h"
+#include "query/router.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -43,8 +42,7 @@ struct GeodesicQuery::State {
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
         borders(data),
         patch_neighbours(data.second),
-        graph_router(data),
-        table_router(data),
+        router(data),
         sweeps(threads),
         is_near(data.second.patch_count, 0),
         unfolder(data) {}
@@ -91,8 +89,7 @@ struct GeodesicQuery::State {
   Halo halo;
   BorderField borders;
   PatchNeighbours patch_neighbours;
-  GraphRouter graph_router;
-  TableRouter table_router;
+  Router router;
   std::vector<FieldSweep> sweeps;
   std::vector<std::uint8_t> is_near;
   std::vector<BorderField::Start> starts;
@@ -154,15 +151,7 @@ double GeodesicQuery::State::near_bound(Index source, Index target) {
 double GeodesicQuery::State::route_length(Index source, Index target) {
   route_end(data, source, from);
   route_end(data, target, to);
-  if (data.node_table.count == 0) {
-    graph_router.route(from, to, far_route);
-  } else {
-    table_router.route(from, to, far_route);
-    const bool neighbours = std::find_first_of(from.parents.begin(), from.parents.end(), to.parents.begin(),
-                                               to.parents.end()) != from.parents.end();
-    // The way may stay inside a first-layer patch.
-    if (neighbours) graph_router.route(from, to, far_route, far_route.length);
-  }
+  router.route(from, to, far_route);
   if (far_route.length == unreachable) return unreachable;
   return std::min(far_route.length, unfolder.length(far_route, source, target));
 }

@@ -10,6 +10,7 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   end.starts.clear();
   end.parents.clear();
   end.patch = no_index;
+  end.vertex = work_vertex;
   const PatchLayer& second = data.second;
   const Index node = second.vertex_node[work_vertex];
   auto add_parent = [&](Index patch) {
@@ -44,8 +45,6 @@ GraphRouter::NodeState& GraphRouter::touch(Index node) {
     state.done[side] = false;
   }
   state.potential = 0.0;
-  // Landmark distances belong to the graph's arcs; those of tables may make shorter ways.
-  if (!data_.graph.has_arcs()) return state;
   const double* landmark = data_.graph.landmarks(node);
   double bound[2] = {0.0, 0.0};
   for (int side : {0, 1}) {
@@ -81,20 +80,6 @@ void GraphRouter::settle(int side) {
   state.done[side] = true;
   ++settled_;
   const double distance = state.distance[side];
-  if (!data_.graph.has_arcs()) {
-    for (const PatchRow& at : data_.second.patches_of(entry.node)) {
-      if (parent_open_[data_.partition.parent[at.patch]] != stamp_) continue;
-      const auto nodes = data_.second.nodes(at.patch);
-      reach_.resize(nodes.size());
-      data_.second.read_border(at.patch, at.row, reach_.data());
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (reach_[i] < std::numeric_limits<float>::infinity()) {
-          lower(side, nodes[i], distance + reach_[i], entry.node, at.patch);
-        }
-      }
-    }
-    return;
-  }
   for (const Arc& arc : data_.graph.arcs(entry.node)) {
     if (arc.in_first_layer() && !first_layer_) continue;
     if (!arc.in_first_layer() && parent_open_[data_.partition.parent[arc.patch]] != stamp_) continue;
@@ -102,13 +87,13 @@ void GraphRouter::settle(int side) {
   }
 }
 
-bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRoute& route, double below) {
+bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRoute& route) {
   if (++stamp_ == 0) {
     for (auto& state : state_) state.stamp = 0;
     std::fill(parent_open_.begin(), parent_open_.end(), 0);
     stamp_ = 1;
   }
-  best_ = below;
+  best_ = unreachable;
   meeting_ = no_index;
   settled_ = 0;
   const RouteEnd* ends[2] = {&source, &target};
@@ -132,7 +117,7 @@ bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRo
   }
 
   if (meeting_ == no_index) {
-    if (below == unreachable) route = {};
+    route = {};
     return false;
   }
   route.length = best_;
@@ -175,8 +160,8 @@ void GraphRouter::append_way(Index from, Index to, GraphRoute& route) {
   route.arc_patches.insert(route.arc_patches.end(), way.arc_patches.begin(), way.arc_patches.end());
 }
 
-bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
-  if (!search(source, target, result, below)) return false;
+bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
+  if (!search(source, target, result)) return false;
   const bool shortcuts = std::any_of(result.arc_patches.begin(), result.arc_patches.end(),
                                      [](Index patch) { return patch < 0; });
   if (!shortcuts) return true;

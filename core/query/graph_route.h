@@ -15,6 +15,7 @@ struct RouteEnd {
     Index node;
     double distance;
   };
+  Index vertex = no_index;  ///< of the work mesh; no_index: not known
   std::vector<Start> starts;
   Index patch = no_index;      ///< second-layer patch of the starts; no_index if the end is itself a node
   std::vector<Index> parents;  ///< first-layer patches whose second-layer arcs may be used
@@ -43,14 +44,11 @@ struct GraphRoute {
 class GraphRouter {
  public:
   explicit GraphRouter(const IndexData& data);
-  /// Writes the shortest route to `result` if it is shorter than `below`, else leaves that as it was (without
-  /// `below`: a route of length unreachable). Whether there is one. In the form of tables the second-layer
-  /// tables stand for the arcs, and first-layer tables are not used: it is the shortest among those near the
-  /// ends. In the form of a graph each first-layer arc, for whose patch there is no table, is replaced by a
-  /// way over second-layer arcs.
-  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// The shortest route; one of length unreachable if there is none. Whether there is one. Each first-layer
+  /// arc, for whose patch there is no table, is replaced by a way over second-layer arcs.
+  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
   /// The same with first-layer arcs as they stand.
-  bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
   /// Nodes settled in the last search, for measurements.
   std::size_t settled() const { return settled_; }
 
@@ -84,7 +82,6 @@ class GraphRouter {
   Index meeting_ = no_index;
   std::size_t settled_ = 0;
   bool first_layer_ = true;  ///< whether first-layer arcs are used
-  std::vector<float> reach_;
 };
 
 }  // namespace vorogeo

@@ -12,7 +12,7 @@
 #include "query/path_hops.h"
 #include "query/path_refine.h"
 #include "query/route_unfolding.h"
-#include "query/table_route.h"
+#include "query/router.h"
 #include "query/work_points.h"
 
 namespace vorogeo {
@@ -55,8 +55,7 @@ struct PathQuery::State {
         data(index->data()),
         solver(data.geometry),
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
-        graph_router(data),
-        table_router(data),
+        router(data),
         refiner(*data.geometry),
         unfolder(data),
         bounds(data) {
@@ -94,8 +93,7 @@ struct PathQuery::State {
   const IndexData& data;
   ExactSolver solver;
   Halo halo;
-  GraphRouter graph_router;
-  TableRouter table_router;
+  Router router;
   PathRefiner refiner;
   FaceStrip strip;
   RouteUnfolder unfolder;
@@ -178,14 +176,7 @@ GraphRoute PathQuery::State::route(const End& from, const End& to) {
   const RouteEnd a = starts_of(from);
   const RouteEnd b = starts_of(to);
   GraphRoute best;
-  if (data.node_table.count == 0) {
-    graph_router.route(a, b, best);
-    return best;
-  }
-  table_router.route(a, b, best);
-  if (std::ranges::find_first_of(a.parents, b.parents) != a.parents.end()) {
-    graph_router.route(a, b, best, best.length);
-  }
+  router.route(a, b, best);
   return best;
 }
 

@@ -1,10 +1,11 @@
-// Min-plus scans over the tables of two first-layer patches and the cells between their borders.
+// Bounds for all cells between the borders of two first-layer patches, then the cells that are left.
 #include "query/table_route.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "support/min_plus.h"
+#include "support/prefetch.h"
 
 namespace vorogeo {
 
@@ -12,60 +13,32 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
+/// Cells that are taken in the order of their bounds.
+constexpr std::size_t first_cells = 4;
+
+/// Bounds and distances are rounded in different ways, by far less than this.
+constexpr float rounding_slack = 1.000001f;
+
 }  // namespace
 
-TableRouter::TableRouter(const IndexData& data) : data_(data) {
-  const NodeTable& table = data.node_table;
-  if (table.count == 0) return;
-  groups_.resize(data.first.patch_count);
-  for (Index p = 0; p < data.first.patch_count; ++p) {
-    const auto nodes = data.first.nodes(p);
-    for (std::size_t row = 0; row < nodes.size(); ++row) {
-      const Index group = table.group_of[nodes[row]];
-      // The nodes of a group belong to the same patches, so they are rows one after the other.
-      if (groups_[p].empty() || groups_[p].back().group != group) {
-        groups_[p].push_back({group, static_cast<Index>(row)});
-      }
-    }
-  }
-}
-
-/// Column of a start in the table of a first-layer patch; no_index if it is not in the patch.
-Index TableRouter::column_of(const RouteEnd::Start& start, Index parent) const {
-  for (const PatchRow& at : data_.second.patches_of(start.node)) {
-    if (data_.partition.parent[at.patch] != parent) continue;
-    return data_.parent_column[data_.second.border_begin[at.patch] + at.row];
-  }
-  return no_index;
-}
-
-void TableRouter::approach(const RouteEnd& end, Index parent, Approach& result) const {
-  const Index rows = data_.first.border_size(parent);
-  result.parent = parent;
-  result.distance.assign(rows, infinite);
-  for (const RouteEnd::Start& start : end.starts) {
-    const Index column = column_of(start, parent);
-    if (column == no_index) continue;
-    lower_by_entries(data_.first.line(parent, column), data_.first.unit[parent],
-                     static_cast<float>(start.distance), rows, result.distance.data());
-  }
-  result.least.clear();
-  for (const GroupRows& at : groups_[parent]) {
-    const float* first = result.distance.data() + at.row;
-    result.least.push_back(*std::min_element(first, first + data_.node_table.size(at.group)));
-  }
-}
-
 /// The best pair of rows in one cell, if it is better than what is known.
-void TableRouter::look_into(std::size_t from, std::size_t to, Joint& best) const {
+void TableRouter::look_into(const Candidate& candidate, Joint& best) {
   const NodeTable& table = data_.node_table;
-  const GroupRows& source = groups_[from_.parent][from];
-  const GroupRows& target = groups_[to_.parent][to];
-  const float* source_distance = from_.distance.data() + source.row;
-  const float* target_distance = to_.distance.data() + target.row;
+  const auto i = static_cast<std::size_t>(candidate.source_group);
+  const auto j = static_cast<std::size_t>(candidate.target_group);
+  const GroupRows& source = from_.groups()[i];
+  const GroupRows& target = to_.groups()[j];
+  const float offset = table.least_from(source.group)[target.group];
+  const float limit = best.length * rounding_slack;
+  from_.refine(i, limit - rest_of_source_[i]);
+  if (!(from_.least()[i] + offset + to_.least()[j] < best.length)) return;
+  to_.refine(j, limit - rest_of_target_[j]);
+  if (!(from_.least()[i] + offset + to_.least()[j] < best.length)) return;
+  ++cells_;
+  const float* source_distance = from_.distances(i);
+  const float* target_distance = to_.distances(j);
   const Index rows = table.size(source.group);
   const Index columns = table.size(target.group);
-  const float offset = table.least_from(source.group)[target.group];
   const std::uint16_t* cell = table.cell(source.group, target.group);
   const float least = least_in_cell(cell, rows, columns, source_distance, target_distance, table.unit);
   if (!(least + offset < best.length)) return;
@@ -83,67 +56,81 @@ void TableRouter::look_into(std::size_t from, std::size_t to, Joint& best) const
       best.target_row = target.row + column;
     }
   }
+  best.source_group = i;
+  best.target_group = j;
   best.length = least + offset;
 }
 
 /// The best pair of rows for the two approaches; without rows if none is shorter than `length`.
 TableRouter::Joint TableRouter::join(float length) {
   const NodeTable& table = data_.node_table;
-  const auto& sources = groups_[from_.parent];
-  const auto& targets = groups_[to_.parent];
-  bounds_.resize(sources.size() * targets.size());
-  float lowest = infinite;
-  std::size_t lowest_at = 0;
+  const auto sources = from_.groups();
+  const auto targets = to_.groups();
+  const auto width = static_cast<Index>(targets.size());
+  sums_.resize(sources.size() * targets.size());
+  row_least_.resize(sources.size());
+  rest_of_source_.resize(sources.size());
+  rest_of_target_.assign(targets.size(), infinite);
+  std::size_t lowest = 0;
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const float* between = table.least_from(sources[i].group);
-    float* bounds = bounds_.data() + i * targets.size();
-    for (std::size_t j = 0; j < targets.size(); ++j) {
-      bounds[j] = from_.least[i] + between[targets[j].group] + to_.least[j];
+    const float* least = table.least_from(sources[i].group);
+    float* sums = sums_.data() + i * targets.size();
+    row_least_[i] = infinite;
+    for (const Approach::Run& run : to_.runs()) {
+      const Index j = run.begin;
+      row_least_[i] = std::min(row_least_[i],
+                               add_bounds(from_.least()[i], least + targets[j].group, to_.least().data() + j,
+                                          run.end - run.begin, sums + j, rest_of_target_.data() + j));
     }
-    const float* least = std::min_element(bounds, bounds + targets.size());
-    if (*least < lowest) {
-      lowest = *least;
-      lowest_at = static_cast<std::size_t>(least - bounds_.data());
-    }
+    if (row_least_[i] < row_least_[lowest]) lowest = i;
   }
   Joint best{length};
-  if (!(lowest < best.length)) return best;
-  look_into(lowest_at / targets.size(), lowest_at % targets.size(), best);
+  if (sources.empty() || !(row_least_[lowest] < best.length)) return best;
+  // What is left of a sum after the way to the group.
+  for (std::size_t i = 0; i < sources.size(); ++i) rest_of_source_[i] = row_least_[i] - from_.least()[i];
+  for (std::size_t j = 0; j < targets.size(); ++j) rest_of_target_[j] -= to_.least()[j];
+  const float* row = sums_.data() + lowest * targets.size();
+  look_into({row_least_[lowest], static_cast<Index>(lowest),
+             static_cast<Index>(std::min_element(row, row + width) - row)},
+            best);
+  candidates_.clear();
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const float* bounds = bounds_.data() + i * targets.size();
-    for (std::size_t j = 0; j < targets.size(); ++j) {
-      if (bounds[j] < best.length) look_into(i, j, best);
+    if (!(row_least_[i] < best.length)) continue;
+    const float* sums = sums_.data() + i * targets.size();
+    for (Index j = 0; j < width; ++j) {
+      if (!(sums[j] < best.length)) continue;
+      candidates_.push_back({sums[j], static_cast<Index>(i), j});
+      // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
+      const auto* cell = reinterpret_cast<const char*>(table.cell(sources[i].group, targets[j].group));
+      for (int line : {0, 64, 127}) prefetch_line(cell + line);
+      from_.prefetch(i);
+      to_.prefetch(j);
     }
+  }
+  // The most promising first: they save others.
+  const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
+  const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
+  std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.bound < best.length) look_into(candidate, best);
   }
   return best;
 }
 
-/// The start over which an end reaches a row.
-const RouteEnd::Start& TableRouter::start_of(const RouteEnd& end, Index parent, Index row) const {
-  const RouteEnd::Start* best = &end.starts.front();
-  double least = unreachable;
-  for (const RouteEnd::Start& start : end.starts) {
-    const Index column = column_of(start, parent);
-    if (column == no_index) continue;
-    const double sum = start.distance + static_cast<double>(data_.first.distance(parent, row, column));
-    if (!(sum < least)) continue;
-    least = sum;
-    best = &start;
-  }
-  return *best;
-}
-
-void TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
+bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
   const PatchLayer& first = data_.first;
-  result.length = unreachable;
-  result.nodes.clear();
-  result.arc_patches.clear();
+  cells_ = 0;
+  if (data_.node_table.count == 0) return false;
+  auto length = static_cast<float>(below);
+  bool found = false;
   for (Index source_parent : source.parents) {
-    approach(source, source_parent, from_);
+    from_.start(source, source_parent);
     for (Index target_parent : target.parents) {
-      approach(target, target_parent, to_);
-      const Joint best = join(static_cast<float>(result.length));
+      to_.start(target, target_parent);
+      const Joint best = join(length);
       if (best.source_row == no_index) continue;
+      found = true;
+      length = best.length;
       result.length = static_cast<double>(best.length);
       // The four nodes of the route; those that coincide appear once.
       result.nodes.clear();
@@ -156,12 +143,13 @@ void TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       auto second_node = [&](Index parent, Index row) {
         return data_.second.vertex_node[first.node_vertex[first.nodes(parent)[row]]];
       };
-      visit(start_of(source, source_parent, best.source_row).node, no_index);
+      visit(source.starts[from_.start_of(best.source_group, best.source_row)].node, no_index);
       visit(second_node(source_parent, best.source_row), -1 - source_parent);
       visit(second_node(target_parent, best.target_row), by_node_table);
-      visit(start_of(target, target_parent, best.target_row).node, -1 - target_parent);
+      visit(target.starts[to_.start_of(best.target_group, best.target_row)].node, -1 - target_parent);
     }
   }
+  return found;
 }
 
 }  // namespace vorogeo

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "query/approach.h"
 #include "query/graph_route.h"
 
 namespace vorogeo {
@@ -10,44 +11,45 @@ namespace vorogeo {
 /// Reads routes of an index that has a node table. One object belongs to one thread.
 class TableRouter {
  public:
-  explicit TableRouter(const IndexData& data);
+  explicit TableRouter(const IndexData& data) : data_(data), from_(data), to_(data) {}
 
-  /// The shortest route that leaves a first-layer patch of the source and enters one of the target: for ends
-  /// in different first-layer patches, the shortest of all. Of the cells of the node table between the two
-  /// borders only those are looked into whose least distance could make a shorter route. Complexity: O(k b +
-  /// (b / 8)^2) for k starts and b border nodes of such a patch, and 64 for each cell looked into.
-  void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
+  /// Writes the shortest route that leaves a first-layer patch of the source and enters one of the target to
+  /// `result` if it is shorter than `below`, else leaves that as it was. Whether there is one. For ends in
+  /// different first-layer patches it is the shortest of all. Lower bounds for each two groups of border
+  /// nodes come first; of the tables of the ends and of the cells of the node table only those are looked
+  /// into that could make a shorter route than the best so far. Complexity: O(k + (b / 8)^2) for k starts and
+  /// b border nodes of such a patch, and 64 for each cell looked into.
+  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// Cells looked into in the last call, for measurements.
+  std::size_t cells() const { return cells_; }
 
  private:
-  /// A group of the node table, as rows of a first-layer patch.
-  struct GroupRows {
-    Index group;
-    Index row;  ///< of its first node
-  };
-  /// Distances of an end from the border nodes of one of its first-layer patches.
-  struct Approach {
-    Index parent = no_index;
-    std::vector<float> distance;  ///< by row
-    std::vector<float> least;     ///< by group of the patch
-  };
   /// What joins two approaches best.
   struct Joint {
     float length;
+    std::size_t source_group = 0;
+    std::size_t target_group = 0;
     Index source_row = no_index;
     Index target_row = no_index;
   };
+  struct Candidate {
+    float bound;
+    Index source_group;
+    Index target_group;
+  };
 
-  void approach(const RouteEnd& end, Index parent, Approach& result) const;
   Joint join(float length);
-  void look_into(std::size_t from, std::size_t to, Joint& best) const;
-  const RouteEnd::Start& start_of(const RouteEnd& end, Index parent, Index row) const;
-  Index column_of(const RouteEnd::Start& start, Index parent) const;
+  void look_into(const Candidate& candidate, Joint& best);
 
   const IndexData& data_;
-  std::vector<std::vector<GroupRows>> groups_;  ///< by first-layer patch
   Approach from_;
   Approach to_;
-  std::vector<float> bounds_;
+  std::vector<float> sums_;
+  std::vector<float> row_least_;  ///< least of the sums, by group of the source
+  std::vector<float> rest_of_source_;
+  std::vector<float> rest_of_target_;
+  std::vector<Candidate> candidates_;
+  std::size_t cells_ = 0;
 };
 
 }  // namespace vorogeo

@@ -15,6 +15,10 @@ constexpr std::uint16_t no_way_entry = 32767;
 constexpr std::uint16_t no_way_node = 65535;
 constexpr std::int16_t greatest_sum = 32767;
 
+using Floats = float __attribute__((vector_size(32)));
+using Masks = std::int32_t __attribute__((vector_size(32)));
+using Entries = std::uint16_t __attribute__((vector_size(16)));
+
 }  // namespace
 
 VOROGEO_CLONES
@@ -46,6 +50,59 @@ void lower_by_entries(const std::uint16_t* entries, float unit, float base, Inde
 }
 
 VOROGEO_CLONES
+void least_bounds(const std::uint8_t* const* bounds, const std::uint8_t* base, Index lines, Index columns,
+                  std::uint8_t* least, std::int16_t* best) {
+  constexpr Index width = bounds_at_once;
+  constexpr std::int16_t greatest = 255;
+  for (Index begin = 0; begin < columns; begin += width) {
+    std::int16_t lowest[width];
+    std::int16_t at[width];
+    for (Index k = 0; k < width; ++k) {
+      lowest[k] = greatest;
+      at[k] = 0;
+    }
+    for (Index line = 0; line < lines; ++line) {
+      std::uint8_t of_line[width];
+      std::memcpy(of_line, bounds[line] + begin, sizeof(of_line));
+      for (Index k = 0; k < width; ++k) {
+        const auto sum = static_cast<std::int16_t>(base[line] + of_line[k]);
+        const bool lower = sum < lowest[k];
+        lowest[k] = lower ? sum : lowest[k];
+        at[k] = lower ? static_cast<std::int16_t>(line) : at[k];
+      }
+    }
+    for (Index k = 0; k < width; ++k) least[begin + k] = static_cast<std::uint8_t>(lowest[k]);
+    std::memcpy(best + begin, at, sizeof(at));
+  }
+}
+
+VOROGEO_CLONES
+void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Index lines, float unit,
+                     Index columns, float* least) {
+  constexpr Index width = 8;
+  if (columns != width) {
+    for (Index line = 0; line < lines; ++line) {
+      for (Index k = 0; k < columns; ++k) {
+        const float through = base[line] + unit * static_cast<float>(entries[line][k]);
+        if (entries[line][k] != no_way_entry && through < least[k]) least[k] = through;
+      }
+    }
+    return;
+  }
+  // As vectors: loops of eight are unrolled before they could be made such.
+  Floats lane;
+  std::memcpy(&lane, least, sizeof(lane));
+  for (Index line = 0; line < lines; ++line) {
+    Entries entry;
+    std::memcpy(&entry, entries[line], sizeof(entry));
+    const Floats through = base[line] + unit * __builtin_convertvector(entry, Floats);
+    const auto usable = __builtin_convertvector(entry != no_way_entry, Masks);
+    lane = usable & (through < lane) ? through : lane;
+  }
+  std::memcpy(least, &lane, sizeof(lane));
+}
+
+VOROGEO_CLONES
 float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
                     float unit, Index first_name, float* least, Index* best) {
   float worst = 0.0f;
@@ -61,6 +118,36 @@ float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const 
   }
   for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
   return worst;
+}
+
+VOROGEO_CLONES
+float add_bounds(float base, const float* between, const float* beyond, Index count, float* sums,
+                 float* least_of) {
+  constexpr Index width = 8;
+  Floats lane = Floats{} + std::numeric_limits<float>::infinity();
+  Index i = 0;
+  for (; i + width <= count; i += width) {
+    Floats sum;
+    Floats last;
+    Floats lowered;
+    std::memcpy(&sum, between + i, sizeof(sum));
+    std::memcpy(&last, beyond + i, sizeof(last));
+    std::memcpy(&lowered, least_of + i, sizeof(lowered));
+    sum = base + sum + last;
+    lowered = sum < lowered ? sum : lowered;
+    lane = sum < lane ? sum : lane;
+    std::memcpy(sums + i, &sum, sizeof(sum));
+    std::memcpy(least_of + i, &lowered, sizeof(lowered));
+  }
+  float least = std::numeric_limits<float>::infinity();
+  for (; i < count; ++i) {
+    const float sum = base + between[i] + beyond[i];
+    sums[i] = sum;
+    least_of[i] = sum < least_of[i] ? sum : least_of[i];
+    least = sum < least ? sum : least;
+  }
+  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
+  return least;
 }
 
 VOROGEO_CLONES
@@ -152,6 +239,29 @@ void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index 
       const bool lower = sum < lowest[k];
       lowest[k] = lower ? sum : lowest[k];
       at[k] = lower ? static_cast<std::int16_t>(row) : at[k];
+    }
+  }
+  std::memcpy(least, lowest, sizeof(lowest));
+  std::memcpy(best, at, sizeof(at));
+}
+
+VOROGEO_CLONES
+void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count, const std::uint16_t* tile,
+                        std::int16_t* least, std::int16_t* best) {
+  constexpr Index width = 32;
+  std::int16_t lowest[width];
+  std::int16_t at[width];
+  for (Index k = 0; k < width; ++k) {
+    lowest[k] = greatest_sum;
+    at[k] = 0;
+  }
+  for (Index i = 0; i < count; ++i) {
+    const std::uint16_t* entries = tile + static_cast<std::size_t>(rows[i]) * width;
+    for (Index k = 0; k < width; ++k) {
+      const auto sum = static_cast<std::int16_t>(base[i] + entries[k]);
+      const bool lower = sum < lowest[k];
+      lowest[k] = lower ? sum : lowest[k];
+      at[k] = lower ? static_cast<std::int16_t>(i) : at[k];
     }
   }
   std::memcpy(least, lowest, sizeof(lowest));

@@ -156,26 +156,6 @@ TEST(GraphRouter, WaysForFirstLayerArcsConnectAndAreHardlyLonger) {
   }
 }
 
-TEST(GraphRouter, InTablesTheShortestNearTheEnds) {
-  // All in one first-layer patch: the second-layer tables are all there is, so plain Dijkstra over the
-  // complete graph of their entries gives the same.
-  const auto tables = test::make_index(test::hills(36, 0.2), 1, 9);
-  const auto graph = test::make_graph_index(test::hills(36, 0.2), 1, 9);
-  ASSERT_EQ(tables->statistics().form, IndexForm::tables);
-  ASSERT_EQ(graph->statistics().form, IndexForm::graph);
-  GraphRouter router(tables->data());
-  test::ReferenceRouter reference(graph->data());
-  for (Index source : test::random_vertices(1369, 10, 1)) {
-    for (Index target : test::random_vertices(1369, 20, 2)) {
-      const double expected = reference.length(source, target);
-      const double found = test::graph_route(router, test::route_end(tables->data(), source),
-                                             test::route_end(tables->data(), target))
-                               .length;
-      EXPECT_NEAR(found, expected, 1e-6 * expected);
-    }
-  }
-}
-
 TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);
   const IndexData& data = index->data();

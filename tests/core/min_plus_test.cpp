@@ -110,6 +110,109 @@ TEST(MinPlus, LeastTileSums) {
   }
 }
 
+TEST(MinPlus, TileSumsOfSomeRows) {
+  for (Index rows = 0; rows < 70; ++rows) {
+    const Entries entries(rows, 32, 90 + rows);
+    std::vector<Index> some;
+    std::vector<std::int16_t> base;
+    for (Index row = rows - 1; row >= 0; row -= 1 + row % 3) {
+      some.push_back(row);
+      base.push_back(entries.base[row]);
+    }
+    std::int16_t least[32];
+    std::int16_t best[32];
+    least_tile_sums_of(base.data(), some.data(), static_cast<Index>(some.size()), entries.data(), least,
+                       best);
+    for (Index column = 0; column < 32; ++column) {
+      int expected = 32767;
+      int expected_place = 0;
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const int sum = base[i] + entries.data()[32 * some[i] + column];
+        if (sum >= expected) continue;
+        expected = sum;
+        expected_place = static_cast<int>(i);
+      }
+      EXPECT_EQ(least[column], expected);
+      EXPECT_EQ(best[column], expected_place);
+    }
+  }
+}
+
+TEST(MinPlus, BoundsOfEightBits) {
+  std::mt19937 random(3);
+  for (Index columns : {1, 7, 31, 32, 33, 64, 90}) {
+    for (Index lines : {0, 1, 2, 40, 300}) {
+      const Index padded = (columns + bounds_at_once - 1) / bounds_at_once * bounds_at_once;
+      std::vector<std::uint8_t> bounds(static_cast<std::size_t>(lines) * padded);
+      for (auto& bound : bounds) bound = static_cast<std::uint8_t>(random() % 256);
+      std::vector<std::uint8_t> base(lines);
+      std::vector<const std::uint8_t*> line(lines);
+      for (Index i = 0; i < lines; ++i) {
+        base[i] = static_cast<std::uint8_t>(random() % 256);
+        line[i] = bounds.data() + static_cast<std::size_t>(i) * padded;
+      }
+      std::vector<std::uint8_t> least(padded);
+      std::vector<std::int16_t> best(padded);
+      least_bounds(line.data(), base.data(), lines, columns, least.data(), best.data());
+      for (Index column = 0; column < columns; ++column) {
+        int expected = 255;
+        int expected_line = 0;
+        for (Index i = 0; i < lines; ++i) {
+          if (base[i] + line[i][column] >= expected) continue;
+          expected = base[i] + line[i][column];
+          expected_line = i;
+        }
+        EXPECT_EQ(least[column], expected);
+        EXPECT_EQ(best[column], expected_line);
+      }
+    }
+  }
+}
+
+TEST(MinPlus, PiecesOfLines) {
+  for (Index columns = 1; columns <= 8; ++columns) {
+    for (Index lines : {0, 1, 2, 9}) {
+      const Entries entries(lines, 8, 20 * columns + lines);
+      std::vector<const std::uint16_t*> line(lines);
+      std::vector<float> base(lines);
+      for (Index i = 0; i < lines; ++i) {
+        line[i] = entries.data() + static_cast<std::size_t>(8) * i;
+        base[i] = 100.0F * static_cast<float>(i);
+      }
+      std::vector<float> least(columns, 4000.0F);
+      lower_by_pieces(line.data(), base.data(), lines, 0.25F, columns, least.data());
+      for (Index column = 0; column < columns; ++column) {
+        float expected = 4000.0F;
+        for (Index i = 0; i < lines; ++i) {
+          const std::uint16_t entry = line[i][column];
+          if (entry == 32767) continue;
+          expected = std::min(expected, base[i] + 0.25F * static_cast<float>(entry));
+        }
+        EXPECT_EQ(least[column], expected);
+      }
+    }
+  }
+}
+
+TEST(MinPlus, SumsOfBounds) {
+  for (Index count = 0; count < 70; ++count) {
+    Numbers between(count, 1 + count);
+    Numbers beyond(count, 100 + count);
+    Numbers lowered(count, 200 + count);
+    std::vector<float> before(lowered.data(), lowered.data() + count);
+    std::vector<float> sums(count);
+    const float least = add_bounds(0.5F, between.data(), beyond.data(), count, sums.data(), lowered.data());
+    float expected = infinite;
+    for (Index i = 0; i < count; ++i) {
+      const float sum = 0.5F + between[i] + beyond[i];
+      EXPECT_EQ(sums[i], sum);
+      EXPECT_EQ(lowered[i], std::min(before[i], sum));
+      expected = std::min(expected, sum);
+    }
+    EXPECT_EQ(least, expected);
+  }
+}
+
 TEST(MinPlus, CellsOfTheNodeTable) {
   std::mt19937 random(7);
   for (Index rows : {1, 3, 8}) {

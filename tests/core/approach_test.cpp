@@ -1,0 +1,111 @@
+// Distances from an end to the border of its first-layer patch: bounds, and the values themselves.
+#include "query/approach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Least sum over all starts, read entry by entry.
+float plain_distance(const IndexData& data, const RouteEnd& end, Index parent, Index row) {
+  float least = infinite;
+  for (const auto& start : end.starts) {
+    const auto members = data.first.members(parent);
+    const auto at = std::ranges::find(members, data.second.node_vertex[start.node]);
+    if (at == members.end()) continue;
+    const auto column = static_cast<Index>(at - members.begin());
+    least = std::min(least, static_cast<float>(start.distance) + data.first.distance(parent, row, column));
+  }
+  return least;
+}
+
+TEST(ApproachBounds, AreBelowTheEntriesByLessThanAStep) {
+  const auto index = test::make_index(test::hills(32, 0.2), 5, 4);
+  const IndexData& data = index->data();
+  for (Index p = 0; p < data.first.patch_count; ++p) {
+    const auto& groups = data.approach_bounds.groups[p];
+    Index rows = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      EXPECT_EQ(groups[g].row, rows) << "the groups are all rows, in their order";
+      const Index size = data.node_table.size(groups[g].group);
+      rows += size;
+      for (Index column = 0; column < data.first.member_count(p); ++column) {
+        int least = PatchLayer::no_way;
+        for (Index i = 0; i < size; ++i) {
+          least = std::min<int>(least, data.first.entry(p, groups[g].row + i, column));
+        }
+        const int bound = data.approach_bounds.of_member(p, column)[g] * ApproachBounds::step;
+        EXPECT_LE(bound, least);
+        EXPECT_GT(bound + ApproachBounds::step, least);
+      }
+    }
+    EXPECT_EQ(rows, data.first.border_size(p));
+  }
+}
+
+TEST(Approach, TheLeastSumsUpToTheLimit) {
+  const test::Soup two = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
+  for (const test::Soup& soup : {test::icosphere(3), test::hills(28, 0.2), two}) {
+    const auto index = test::make_index(soup, 6, 3);
+    const IndexData& data = index->data();
+    Approach approach(data);
+    for (Index v : test::random_vertices(data.work.mesh->vertex_count(), 40, 1)) {
+      const RouteEnd end = test::route_end(data, v);
+      for (Index parent : end.parents) {
+        std::vector<float> expected;
+        float greatest = 0.0f;
+        for (Index row = 0; row < data.first.border_size(parent); ++row) {
+          expected.push_back(plain_distance(data, end, parent, row));
+          if (expected.back() < infinite) greatest = std::max(greatest, expected.back());
+        }
+        for (float limit : {infinite, 0.6f * greatest}) {
+          approach.start(end, parent);
+          for (std::size_t g = 0; g < approach.groups().size(); ++g) {
+            const GroupRows& at = approach.groups()[g];
+            const Index size = data.node_table.size(at.group);
+            const auto first = expected.begin() + at.row;
+            const float least = *std::min_element(first, first + size);
+            EXPECT_LE(approach.least()[g], least * 1.00001f);
+            approach.refine(g, limit);
+            if (least < limit) {
+              EXPECT_NEAR(approach.least()[g], least, 1e-5f * least);
+            }
+            EXPECT_LE(approach.least()[g], least * 1.00001f);
+            for (Index i = 0; i < size; ++i) {
+              const float found = approach.distances(g)[i];
+              EXPECT_GE(found, first[i] * 0.99999f);
+              if (!(first[i] < limit)) continue;
+              ASSERT_NEAR(found, first[i], 1e-5f * first[i]) << v << ", " << parent << ", " << at.row + i;
+              const auto& start = end.starts[approach.start_of(g, at.row + i)];
+              RouteEnd one;
+              one.starts.push_back(start);
+              EXPECT_NEAR(plain_distance(data, one, parent, at.row + i), first[i], 1e-5f * first[i]);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Approach, AnEndWithoutStartsIsInfinitelyFar) {
+  const auto index = test::make_index(test::icosphere(2), 4, 2);
+  Approach approach(index->data());
+  approach.start({}, 0);
+  for (std::size_t g = 0; g < approach.groups().size(); ++g) {
+    EXPECT_EQ(approach.least()[g], infinite);
+    approach.refine(g, infinite);
+    EXPECT_EQ(approach.distances(g)[0], infinite);
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo
