@@ -12,16 +12,22 @@ namespace vorogeo {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float greatest_bound = 255.0f;
 
 }  // namespace
+
+/// A distance in units of the bounds, rounded down.
+int Approach::in_bounds(float distance) const {
+  return bound_unit_ > 0.0f ? static_cast<int>(std::min(distance / bound_unit_, greatest_bound))
+                            : static_cast<int>(greatest_bound);
+}
 
 void Approach::add_start(Index column, double distance, std::size_t place) {
   line_.push_back(data_.first.line(parent_, column));
   bounds_.push_back(data_.approach_bounds.of_member(parent_, column));
   const auto rounded = static_cast<float>(distance);
   start_distance_.push_back(rounded);
-  const float units = bound_unit_ > 0.0f ? rounded / bound_unit_ : 0.0f;
-  start_bound_.push_back(static_cast<std::uint8_t>(std::min(units, 255.0f)));
+  start_bound_.push_back(static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded) : 0));
   place_.push_back(static_cast<Index>(place));
 }
 
@@ -76,7 +82,7 @@ void Approach::start(const RouteEnd& end, Index parent) {
 
 void Approach::prefetch(std::size_t group) const {
   if (refined_[group] != 0 || line_.empty()) return;
-  prefetch_line(line_[best_start_[group]] + groups()[group].row);
+  prefetch_line(line_[best_start(group)] + groups()[group].row);
 }
 
 void Approach::refine(std::size_t group, float limit) {
@@ -87,11 +93,11 @@ void Approach::refine(std::size_t group, float limit) {
   const Index size = data_.node_table.size(at.group);
   float* found = distance_.data() + at.row;
   // From the best start first: most of the others are then known to be of no use.
-  const std::size_t best = best_start_[group];
+  const std::size_t best = best_start(group);
   const std::uint16_t* first_piece = line_[best] + at.row;
   lower_by_pieces(&first_piece, &start_distance_[best], 1, unit_, size, found);
   limit = std::min(limit, *std::max_element(found, found + size));
-  const auto limit_bound = static_cast<int>(std::min(limit / bound_unit_, 255.0f));
+  const int limit_bound = in_bounds(limit);
   piece_.clear();
   base_.clear();
   for (std::size_t i = 0; i < line_.size(); ++i) {
@@ -107,7 +113,7 @@ void Approach::refine(std::size_t group, float limit) {
 Index Approach::start_of(std::size_t group, Index row) const {
   Index best = 0;
   float least = infinite;
-  int least_bound = 255;
+  int least_bound = static_cast<int>(2 * greatest_bound);
   for (std::size_t i = 0; i < line_.size(); ++i) {
     if (start_bound_[i] + bounds_[i][group] > least_bound) continue;
     const std::uint16_t entry = line_[i][row];
@@ -115,7 +121,7 @@ Index Approach::start_of(std::size_t group, Index row) const {
     const float sum = start_distance_[i] + unit_ * static_cast<float>(entry);
     if (!(sum < least)) continue;
     least = sum;
-    least_bound = static_cast<int>(std::min(sum / bound_unit_, 255.0f));
+    least_bound = in_bounds(sum);
     best = place_[i];
   }
   return best;

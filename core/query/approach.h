@@ -1,6 +1,7 @@
 // Distances of one point from the border of its first-layer patch, as far as they are asked for.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,6 +39,11 @@ class Approach {
   Index start_of(std::size_t group, Index row) const;
 
  private:
+  int in_bounds(float distance) const;
+  /// A start to begin with: the best by the bounds, unless there are more than their numbers can tell apart.
+  std::size_t best_start(std::size_t group) const {
+    return static_cast<std::size_t>(std::max<std::int16_t>(0, best_start_[group]));
+  }
   void add_start(Index column, double distance, std::size_t place);
 
   const IndexData& data_;

@@ -16,6 +16,9 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float lowest_base = -32768.0f;
 constexpr std::int16_t greatest_least = -2;
 
+/// Rows in one turn, as many as the scan can number.
+constexpr std::size_t most_rows = 32767;
+
 /// Entries are rounded, so that they may be shorter than the straight line by a little.
 constexpr double line_slack = 0.9999;
 
@@ -119,9 +122,11 @@ void PatchRouter::take_turn(Index patch) {
   for (Index row : rows_) {
     const NodeState& at = node_[nodes[row]];
     const float units = (at.distance - lowest) * per_unit;
-    if (units > PatchLayer::greatest_entry) {
-      // In a complete table the lowest row leads everywhere on a shorter way.
-      if (second.complete[patch] == 0) wait(patch, row, at.distance + at.ahead);
+    const bool beyond_entries = units > PatchLayer::greatest_entry;
+    // In a complete table the lowest row leads everywhere on a shorter way.
+    if (beyond_entries && second.complete[patch] != 0) continue;
+    if (beyond_entries || kept == most_rows) {
+      wait(patch, row, at.distance + at.ahead);
       continue;
     }
     rows_[kept++] = row;
