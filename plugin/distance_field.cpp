@@ -165,7 +165,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, cons
 
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
                              const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
-                             const std::vector<Index>& numbers, Method method) {
+                             const std::vector<Index>* numbers, Method method) {
   const double limit = max_distance_of(call);
   Field field;
   field.mesh = mesh;
@@ -200,11 +200,13 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
     has_source[mesh->component(p.is_vertex() ? p.vertex : mesh->face_vertices(p.face)[0])] = true;
   }
   Results results = write_field(call, layer_mesh, field, has_source, sources.size(), "source points");
-  auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    const Index source = found.source[v];
-    const Index number = source == no_index || numbers.empty() ? source : numbers[source];
-    label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] = static_cast<Scalarm>(number);
+  if (numbers != nullptr) {
+    auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Index source = found.source[v];
+      label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] =
+          static_cast<Scalarm>(source == no_index ? no_index : (*numbers)[source]);
+    }
   }
   results["source_points"] = results["source_vertices"];
   results.erase("source_vertices");

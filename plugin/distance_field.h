@@ -34,11 +34,11 @@ RichParameterList only_max_distance(const MeshModel& layer);
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
                              Method method);
 
-/// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset. The
-/// vertices also get the number of their nearest source as the custom attribute nearest_source, -1 where
-/// there is none; numbers are those in `sources` or, if not empty, in `numbers`.
+/// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset; returns
+/// source_points instead of source_vertices. If there are `numbers`, one for each source, the vertices also
+/// get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
                              const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
-                             const std::vector<Index>& numbers, Method method);
+                             const std::vector<Index>* numbers, Method method);
 
 }  // namespace vorogeo::plugin

@@ -1,10 +1,12 @@
 // Reads start_point and vertex_index.
 #include "start_vertex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
 
+#include "mesh/surface_locator.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -27,9 +29,13 @@ StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
   return nearest;
 }
 
-StartVertex read_start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
+/// The vertex that is named by number; no_index if the start point counts.
+Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
   const int number = call.parameters.getInt("vertex_index");
-  if (number != -1) return {layer_mesh.core_vertex(number, "vertex_index"), 0.0};
+  return number == -1 ? no_index : layer_mesh.core_vertex(number, "vertex_index");
+}
+
+Point given_point(const FilterCall& call) {
   const Point3m given = call.parameters.getPoint3m("start_point");
   const Point point{double(given[0]), double(given[1]), double(given[2])};
   for (double coordinate : point) {
@@ -39,28 +45,64 @@ StartVertex read_start_vertex(const FilterCall& call, const LayerMesh& layer_mes
           "number of a vertex as vertex_index.");
     }
   }
-  return nearest_vertex(layer_mesh.arrays(), point);
+  return point;
+}
+
+double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+
+/// The corner of the point's face that it is but for the precision in which the host hands points on.
+SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
+  if (point.is_vertex()) return point;
+  constexpr double precision = 1e-6;
+  const Point at = position_of(mesh, point);
+  double scale = 0.0;
+  for (double coordinate : at) scale = std::max(scale, std::abs(coordinate));
+  for (Index v : mesh.face_vertices(point.face)) {
+    if (straight(at, mesh.position(v)) <= precision * scale) return SurfacePoint::at_vertex(v);
+  }
+  return point;
 }
 
 }  // namespace
 
-void add_start_vertex_parameters(RichParameterList& list, const MeshModel& layer) {
-  list.addParam(RichPosition(
-      "start_point", layer.cm.bbox.min, "Start point",
-      "Where distances start: at the vertex nearest to this point that has a face. Choose "
-      "'Surf. Pos.' and press Get, then double-click on the surface. Used if the start vertex is -1."));
+void add_start_vertex_parameters(RichParameterList& list, const MeshModel& layer, const QString& where) {
+  list.addParam(RichPosition("start_point", layer.cm.bbox.min, "Start point",
+                             "Where distances start: at " + where +
+                                 ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. "
+                                 "Used if the start vertex is -1."));
   list.addParam(
       RichInt("vertex_index", -1, "Start vertex",
-              "Number of the vertex where distances start, counted from 0; -1: the vertex nearest to "
-              "the start point."));
+              "Number of the vertex where distances start, counted from 0; -1: the start point counts."));
+}
+
+StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
+                       const std::shared_ptr<const Mesh>& mesh) {
+  std::ostringstream text;
+  StartPoint start;
+  const Index named = named_vertex(call, layer_mesh);
+  if (named != no_index) {
+    start.point = SurfacePoint::at_vertex(named);
+  } else {
+    const SnappedPoint found = SurfaceLocator(mesh).nearest(given_point(call));
+    start = {at_corner(*mesh, found.point), found.distance};
+  }
+  if (start.point.is_vertex()) {
+    text << "Start: vertex " << layer_mesh.host_vertex(start.point.vertex);
+  } else {
+    text << "Start: a point in face " << layer_mesh.host_face(*mesh, start.point.face);
+  }
+  if (named == no_index) text << ", " << start.distance << " away from the given point";
+  call.log(text.str());
+  return start;
 }
 
 StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
-  const StartVertex start = read_start_vertex(call, layer_mesh);
+  const Index named = named_vertex(call, layer_mesh);
+  const StartVertex start =
+      named != no_index ? StartVertex{named, 0.0} : nearest_vertex(layer_mesh.arrays(), given_point(call));
   std::ostringstream text;
   text << "Start: vertex " << layer_mesh.host_vertex(start.vertex);
-  if (call.parameters.getInt("vertex_index") == -1)
-    text << ", " << start.distance << " away from the given point";
+  if (named == no_index) text << ", " << start.distance << " away from the given point";
   call.log(text.str());
   return start;
 }

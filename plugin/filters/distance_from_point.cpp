@@ -11,16 +11,26 @@ namespace {
 
 RichParameterList from_point_parameters(const MeshModel& layer) {
   RichParameterList list;
-  add_start_vertex_parameters(list, layer);
+  add_start_vertex_parameters(list, layer, "the nearest point of the surface");
   list.addParam(max_distance_parameter(layer));
   return list;
 }
 
 Results distances_from_point(FilterCall& call, Method method) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const StartVertex start = start_vertex(call, layer_mesh);
-  Results results = write_distance_field(call, layer_mesh, {start.vertex}, method);
-  results["start_vertex"] = layer_mesh.host_vertex(start.vertex);
+  const auto mesh = layer_mesh.make_mesh();
+  const StartPoint start = start_point(call, layer_mesh, mesh);
+  Results results;
+  if (start.point.is_vertex()) {
+    results = write_distance_field(call, layer_mesh, {start.point.vertex}, method);
+    results["start_vertex"] = layer_mesh.host_vertex(start.point.vertex);
+  } else {
+    results = write_distance_field(call, layer_mesh, mesh, {{start.point}}, nullptr, method);
+    results.erase("source_points");
+    results["source_vertices"] = 0;
+    results["start_vertex"] = -1;
+  }
+  results["start_face"] = start.point.is_vertex() ? -1 : layer_mesh.host_face(*mesh, start.point.face);
   results["snap_distance"] = start.distance;
   return results;
 }
@@ -29,9 +39,11 @@ Results index_distances_from_point(FilterCall& call) { return distances_from_poi
 Results exact_distances_from_point(FilterCall& call) { return distances_from_point(call, Method::exact); }
 
 QString help_on_start() {
-  return "<p>It starts at the vertex nearest to the <b>Start point</b>, or at the <b>Start vertex</b> if one "
-         "is "
-         "named by its number, which is exact; the log says which and how far it is from the point.</p>";
+  return "<p>It starts at the point of the surface nearest to the <b>Start point</b>, which need not be a "
+         "vertex, "
+         "or at the <b>Start vertex</b> if one is named by its number, which is exact; the log says where "
+         "and how "
+         "far that is from the point.</p>";
 }
 
 FilterPlugin::FilterClass field_class() {

@@ -1,14 +1,15 @@
 // Filters: distance from the points or lines of another layer, from selected edges, from the border as a
 // curve.
-#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <numeric>
+#include <string>
+#include <vector>
 
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "mesh/surface_locator.h"
 #include "query/curve_sources.h"
+#include "source_layer.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -26,10 +27,8 @@ RichBool exact_parameter() {
 
 RichParameterList from_layer_parameters(const MeshModel& layer) {
   RichParameterList list;
-  list.addParam(RichInt("source_layer", 0, "Source layer", "Number of the layer with the points or lines."));
+  add_source_layer_parameters(list, "points or lines");
   list.addParam(spacing_parameter());
-  list.addParam(RichFloat("max_snap_distance", 0, "Max snap distance",
-                          "How far a point may be from the surface; 0: any distance."));
   list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
                          "Add the quality of a point of the source layer to the distances from it."));
   list.addParam(exact_parameter());
@@ -63,46 +62,25 @@ Method method_of(const FilterCall& call) {
 Results distances_from_layer(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const auto mesh = layer_mesh.make_mesh();
-  const int id = call.parameters.getInt("source_layer");
-  const MeshModel* other = call.document.getMesh(id);
-  if (other == nullptr || other == &call.layer) {
-    throw InvalidInput("source_layer is " + std::to_string(id) +
-                       (other == nullptr ? ", but there is no such layer." : ", the current layer itself.") +
-                       " Give the number of the layer with the points or lines.");
-  }
-  const SurfaceLocator locator(mesh);
-  const double most = call.parameters.getFloat("max_snap_distance");
+  const CMeshO& points = source_layer(call, "points or lines").cm;
+  PointSnapper snapper(call, mesh);
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
   const double spacing = spacing_of(call, *mesh);
   std::vector<ExactSource> sources;
   std::vector<Index> numbers;
-  double farthest = 0.0;
   auto add = [&](const Point& at, double offset, std::size_t number) {
-    const SnappedPoint found = locator.nearest(at);
-    if (most > 0.0 && found.distance > most) {
-      std::ostringstream text;
-      text << "Vertex " << number << " of layer " << id << " is " << found.distance
-           << " away from the surface, more than max_snap_distance " << most
-           << ". Move it or raise the limit.";
-      throw InvalidInput(text.str());
-    }
-    farthest = std::max(farthest, found.distance);
-    sources.push_back({found.point, offset});
+    sources.push_back({snapper.snap(at, number), offset});
     numbers.push_back(static_cast<Index>(number));
   };
-  auto position = [](const CVertexO& v) {
-    return Point{double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])};
-  };
   auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
-  const CMeshO& points = other->cm;
   for (std::size_t v = 0; v < points.vert.size(); ++v) {
-    if (!points.vert[v].IsD()) add(position(points.vert[v]), offset(points.vert[v]), v);
+    if (!points.vert[v].IsD()) add(position_of(points.vert[v]), offset(points.vert[v]), v);
   }
   for (const auto& edge : points.edge) {
     if (edge.IsD()) continue;
     const CVertexO& a = *edge.cV(0);
     const CVertexO& b = *edge.cV(1);
-    const auto between = points_between(position(a), position(b), spacing);
+    const auto between = points_between(position_of(a), position_of(b), spacing);
     for (std::size_t i = 0; i < between.size(); ++i) {
       const double t = static_cast<double>(i + 1) / static_cast<double>(between.size() + 1);
       const CVertexO& nearer = t < 0.5 ? a : b;
@@ -111,11 +89,11 @@ Results distances_from_layer(FilterCall& call) {
     }
   }
   if (sources.empty()) {
-    throw InvalidInput("Layer " + std::to_string(id) +
+    throw InvalidInput("Layer " + std::to_string(call.parameters.getInt("source_layer")) +
                        " has no vertex. Choose a layer with points or lines.");
   }
-  Results results = write_distance_field(call, layer_mesh, mesh, sources, numbers, method_of(call));
-  results["snap_distance"] = farthest;
+  Results results = write_distance_field(call, layer_mesh, mesh, sources, &numbers, method_of(call));
+  results["snap_distance"] = snapper.farthest();
   return results;
 }
 
@@ -141,7 +119,9 @@ Results distances_from_edges(FilterCall& call) {
                       "from_border.");
   }
   const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
-  Results results = write_distance_field(call, layer_mesh, mesh, sources, {}, method_of(call));
+  std::vector<Index> numbers(sources.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  Results results = write_distance_field(call, layer_mesh, mesh, sources, &numbers, method_of(call));
   results["source_edges"] = static_cast<int>(edges.size());
   return results;
 }

@@ -1,13 +1,12 @@
 // Filters: distances between all selected vertices, and those of pairs within a radius.
 #include "query/distance_matrix.h"
 
-#include <QFile>
-#include <filesystem>
 #include <string>
 
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "new_layer.h"
+#include "output_file.h"
 #include "query/neighbors.h"
 #include "selected_vertices.h"
 #include "support/error.h"
@@ -19,24 +18,6 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichFileToWrite file_parameter() {
-  return RichFileToWrite("matrix_file", "", "*.npy", "File",
-                         "File to write to, in the format of numpy. Empty: nothing is written.");
-}
-
-/// Where to write, empty for nowhere; refused before a long computation if there is no such folder.
-std::filesystem::path matrix_file(const FilterCall& call) {
-  const std::filesystem::path file =
-      QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
-  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  std::error_code error;
-  if (!file.empty() && !std::filesystem::is_directory(folder, error)) {
-    throw InvalidInput("The file " + file.string() + " cannot be written: there is no folder " +
-                       folder.string() + ". Create it or name another file.");
-  }
-  return file;
-}
-
 std::vector<int> host_numbers(const LayerMesh& layer_mesh, const std::vector<Index>& vertices) {
   std::vector<int> numbers;
   for (Index v : vertices) numbers.push_back(layer_mesh.host_vertex(v));
@@ -45,7 +26,7 @@ std::vector<int> host_numbers(const LayerMesh& layer_mesh, const std::vector<Ind
 
 RichParameterList matrix_parameters(const MeshModel&) {
   RichParameterList list;
-  list.addParam(file_parameter());
+  list.addParam(output_file_parameter());
   list.addParam(exact_parameter());
   return list;
 }
@@ -58,7 +39,7 @@ Results distance_matrix_of_selection(FilterCall& call) {
   require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
                  "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
                  "Select fewer vertices, or use the numpy interface, which can write it to a file directly.");
-  const auto file = matrix_file(call);
+  const auto file = output_file(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   std::vector<double> matrix(k * k);
   distance_matrix(found.team, points, MatrixMethod::automatic, matrix, found.progress);
@@ -79,7 +60,7 @@ RichParameterList pairs_parameters(const MeshModel& layer) {
   RichParameterList list;
   list.addParam(RichFloat("radius", 0.1F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
                           "Greatest geodesic distance of a pair, in the unit of the mesh."));
-  list.addParam(file_parameter());
+  list.addParam(output_file_parameter());
   list.addParam(exact_parameter());
   return list;
 }
@@ -88,7 +69,7 @@ Results pairs_of_selection(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const double radius = length_parameter(call, "radius", true);
   const auto points = selected_vertices(call.layer.cm, layer_mesh, "among which pairs are wanted");
-  const auto file = matrix_file(call);
+  const auto file = output_file(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const SparseDistances pairs = pairs_within(found.team, points, radius, 0, found.progress);
   std::vector<int> first;

@@ -32,7 +32,7 @@ QStringList method_names() {
 
 RichParameterList comparison_parameters(const MeshModel& layer) {
   RichParameterList list;
-  add_start_vertex_parameters(list, layer);
+  add_start_vertex_parameters(list, layer, "the nearest vertex that has a face");
   list.addParam(RichEnum("method", int(Compared::index), method_names(), "Method",
                          "The method that is judged. MeshLab 2022.02 has no heat method."));
   list.addParam(RichEnum("reference", int(Compared::exact), method_names(), "Reference",

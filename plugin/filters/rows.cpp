@@ -17,6 +17,7 @@ std::vector<FilterRow> all_rows() {
           distance_between_vertices_row(),
           distance_matrix_row(),
           pairs_within_row(),
+          nearest_points_row(),
           voronoi_regions_row(),
           farthest_sampling_row(),
           poisson_disk_sampling_row(),

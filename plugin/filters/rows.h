@@ -17,6 +17,7 @@ FilterRow patch_colors_row();
 FilterRow distance_between_vertices_row();
 FilterRow distance_matrix_row();
 FilterRow pairs_within_row();
+FilterRow nearest_points_row();
 FilterRow voronoi_regions_row();
 FilterRow farthest_sampling_row();
 FilterRow poisson_disk_sampling_row();

@@ -26,6 +26,7 @@ COMPARISON = "compute_scalar_by_geodesic_method_comparison_per_vertex"
 TWO_VERTICES = "get_vorogeo_distance_between_vertices"
 MATRIX = "get_vorogeo_distance_matrix_of_selection"
 PAIRS_WITHIN = "get_vorogeo_pairs_within_radius_of_selection"
+NEAREST = "get_vorogeo_nearest_points_of_layer"
 VORONOI = "compute_color_by_vorogeo_voronoi_regions_per_face"
 FARTHEST = "generate_sampling_vorogeo_farthest_point"
 POISSON = "generate_sampling_vorogeo_poisson_disk"
@@ -49,6 +50,7 @@ ALL_FILTERS = [
     COMPARISON,
     MATRIX,
     PAIRS_WITHIN,
+    NEAREST,
     VORONOI,
     FARTHEST,
     POISSON,

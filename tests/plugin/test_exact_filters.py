@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from support import (
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
+    FROM_POINT,
     arrays,
     exact_distances,
     field,
@@ -63,16 +64,30 @@ def test_selection_gives_distance_from_the_nearest_selected_vertex():
     assert result["source_vertices"] == len(sources)
 
 
-def test_point_is_snapped_to_the_nearest_vertex_with_a_face():
-    vertices, faces = grid(4, 4)
-    vertices = np.concatenate([vertices, [[1.1, 2.2, 0.0]]])
+@pytest.mark.parametrize("name", [EXACT_FROM_POINT, FROM_POINT])
+def test_distances_start_at_the_nearest_point_of_the_surface(name):
+    vertices, faces = grid(12, 12)
+    vertices = np.concatenate([vertices, [[4.1, 6.2, 0.0]]])  # in no face
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(EXACT_FROM_POINT, start_point=np.array([1.125, 2.25, 0.5]))
-    nearest = 2 * 5 + 1
-    assert result["start_vertex"] == nearest
-    assert result["snap_distance"] == pytest.approx((0.125**2 + 0.25**2 + 0.5**2) ** 0.5, rel=1e-12)
-    expected = np.linalg.norm(vertices[:-1] - vertices[nearest], axis=1)
-    np.testing.assert_allclose(field(ms)[:-1], expected, rtol=1e-12, atol=1e-13)
+    result = ms.apply_filter(name, start_point=np.array([4.125, 6.25, 0.5]))
+    assert result["start_vertex"] == -1
+    corners = vertices[faces[result["start_face"]]]
+    assert (corners.min(axis=0)[:2] <= [4.125, 6.25]).all()
+    assert (corners.max(axis=0)[:2] >= [4.125, 6.25]).all()
+    assert result["snap_distance"] == pytest.approx(0.5, rel=1e-12)
+    expected = np.linalg.norm(vertices[:-1, :2] - [4.125, 6.25], axis=1)
+    np.testing.assert_allclose(field(ms)[:-1], expected, rtol=1e-12 if name == EXACT_FROM_POINT else 1e-2)
+    assert field(ms)[-1] == -1
+
+
+@pytest.mark.parametrize("name", [EXACT_FROM_POINT, FROM_POINT])
+def test_a_start_point_at_a_vertex_is_that_vertex(name):
+    vertices, faces = grid(12, 12, spacing=0.1)  # in single precision, as points are handed on, 0.7 is another number
+    ms = mesh_set(vertices, faces)
+    result = ms.apply_filter(name, start_point=vertices[7 * 13 + 3])
+    assert result["start_vertex"] == 7 * 13 + 3
+    assert result["start_face"] == -1
+    assert field(ms)[7 * 13 + 3] == 0
 
 
 def test_default_start_point_is_the_corner_of_the_bounding_box():

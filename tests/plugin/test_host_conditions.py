@@ -15,6 +15,7 @@ from support import (
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
+    NEAREST,
     PATCHES,
     TWO_VERTICES,
     arrays,
@@ -28,7 +29,7 @@ from support import (
 )
 
 # What these filters need beyond a surface with a selection.
-NEEDED = {FROM_LAYER: "source_layer=1", FROM_EDGES: "from_border=true"}
+NEEDED = {FROM_LAYER: "source_layer=1", NEAREST: "source_layer=1", FROM_EDGES: "from_border=true"}
 
 
 def rectangle(size: float):

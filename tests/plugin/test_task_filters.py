@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pymeshlab
 import pytest
 from support import (
     DISK,
@@ -12,6 +13,7 @@ from support import (
     ISOLINES,
     LLOYD,
     MATRIX,
+    NEAREST,
     PAIRS_WITHIN,
     POISSON,
     VORONOI,
@@ -189,7 +191,45 @@ def test_diameter_and_centre_bounds_hold(ms):
         assert result["fields"] <= fields
 
 
-@pytest.mark.parametrize("name", [MATRIX, PAIRS_WITHIN, VORONOI, LLOYD, DISK])
+@pytest.mark.parametrize("exact", [False, True])
+def test_nearest_points_of_a_layer(ms, exact, tmp_path):
+    vertices = GRID[0]
+    points = np.array([[0.31, 0.42, 0.0], [3.3, 2.55, 0.25], [2.0, 0.4, 0.0], [0.9, 2.7, 0.0]])
+    ms.add_mesh(pymeshlab.Mesh(points), set_as_current=False)
+    file = tmp_path / "nearest.npy"
+    found = ms.apply_filter(NEAREST, source_layer=1, neighbour_number=3, matrix_file=str(file), exact=exact)
+    full = np.linalg.norm((vertices[POINTS][:, None] - points)[..., :2], axis=2)
+    assert (found["rows"], found["columns"]) == (4, 3)
+    assert found["snap_distance"] == pytest.approx(0.25)
+    np.testing.assert_array_equal(found["vertices"], POINTS)
+    np.testing.assert_array_equal(found["nearest"].reshape(4, 3), np.argsort(full)[:, :3])
+    distances = np.sort(full)[:, :3]
+    np.testing.assert_allclose(found["distances"].reshape(4, 3), distances, rtol=1e-9 if exact else 1e-2)
+    table = np.load(file)
+    np.testing.assert_array_equal(table[:, 0], np.repeat(POINTS, 3))
+    np.testing.assert_array_equal(table[:, 1:], np.column_stack([found["nearest"], found["distances"]]))
+    more = ms.apply_filter(NEAREST, source_layer=1, neighbour_number=5, exact=exact)
+    np.testing.assert_array_equal(more["nearest"].reshape(4, 5)[:, 4], -1)
+    assert np.isinf(more["distances"].reshape(4, 5)[:, 4]).all()
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        ({"source_layer": 7}, "source_layer is 7, but there is no such layer"),
+        ({"source_layer": 0}, "the current layer itself"),
+        ({"source_layer": 1, "neighbour_number": 0}, "neighbour_number is 0"),
+        ({"source_layer": 1, "max_snap_distance": 0.1}, "Vertex 0 of layer 1 is 0.5"),
+        ({"source_layer": 1, "matrix_file": "/nowhere/x.npy"}, "no folder"),
+    ],
+)
+def test_bad_input_of_nearest_points(ms, parameters, message):
+    ms.add_mesh(pymeshlab.Mesh(np.array([[1.0, 1.0, 0.5]])), set_as_current=False)
+    with fails_and_changes_nothing(ms, message):
+        ms.apply_filter(NEAREST, **parameters)
+
+
+@pytest.mark.parametrize("name", [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK])
 def test_an_empty_selection_is_an_error(name):
     ms = mesh_set(*GRID)
     with fails_and_changes_nothing(ms, "No vertex is selected"):

@@ -1,0 +1,35 @@
+// The layer that a filter takes points from: its parameter, and its points moved to the surface.
+#pragma once
+
+#include <memory>
+
+#include "filter_row.h"
+#include "mesh/surface_locator.h"
+
+namespace vorogeo::plugin {
+
+/// The parameters source_layer and max_snap_distance. `what`: "points", or "points or lines".
+void add_source_layer_parameters(RichParameterList& list, const char* what);
+
+/// The layer named by source_layer. \throw InvalidInput if there is none, or if it is the current one.
+const MeshModel& source_layer(const FilterCall& call, const char* what);
+
+Point position_of(const CVertexO& vertex);
+
+/// Moves points to the surface, within max_snap_distance.
+class PointSnapper {
+ public:
+  PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh);
+  /// `number`: of the vertex of the source layer, for the error. \throw InvalidInput if it is too far away.
+  SurfacePoint snap(const Point& at, std::size_t number);
+  /// The farthest move so far.
+  double farthest() const { return farthest_; }
+
+ private:
+  SurfaceLocator locator_;
+  int layer_;
+  double most_;
+  double farthest_ = 0.0;
+};
+
+}  // namespace vorogeo::plugin
