@@ -38,7 +38,9 @@ def main() -> None:
     built = mesh_set.compute_geodesic_index_by_vorogeo(index_file=str(index_file))
 
     field = mesh_set.compute_scalar_by_vorogeo_distance_from_given_point_per_vertex(start_point=front_point(mesh))
-    start = f"vertex {field['start_vertex']}" if field["start_vertex"] >= 0 else f"a point in face {field['start_face']}"
+    start = (
+        f"vertex {field['start_vertex']}" if field["start_vertex"] >= 0 else f"a point in face {field['start_face']}"
+    )
     print(f"distances from {start}: up to {field['max_distance']:g}, in the unit of the mesh")
     if field["unreachable_vertices"]:
         print(f"no path leads to {field['unreachable_vertices']} vertices (quality -1, grey): see docs/mesh-policy.md")
