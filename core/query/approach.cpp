@@ -32,7 +32,9 @@ void Approach::add_start(Index column, double distance, std::size_t place) {
 }
 
 void Approach::start(const RouteEnd& end, Index parent) {
+  if (end.vertex != no_index && end.vertex == vertex_ && parent == parent_) return;
   const PatchLayer& second = data_.second;
+  vertex_ = no_index;
   parent_ = parent;
   unit_ = data_.first.unit[parent];
   bound_unit_ = unit_ * ApproachBounds::step;
@@ -71,24 +73,23 @@ void Approach::start(const RouteEnd& end, Index parent) {
   least_bound_.resize(padded);
   best_start_.resize(padded);
   least_.resize(count);
-  refined_.assign(count, 0);
+  refined_.assign(count, 0.0f);
   distance_.assign(data_.first.border_size(parent), infinite);
   least_bounds(bounds_.data(), start_bound_.data(), static_cast<Index>(line_.size()),
                static_cast<Index>(count), least_bound_.data(), best_start_.data());
   for (std::size_t g = 0; g < count; ++g) {
     least_[g] = line_.empty() ? infinite : bound_unit_ * static_cast<float>(least_bound_[g]);
   }
+  vertex_ = end.vertex;
 }
 
 void Approach::prefetch(std::size_t group) const {
-  if (refined_[group] != 0 || line_.empty()) return;
+  if (refined_[group] > 0.0f || line_.empty()) return;
   prefetch_line(line_[best_start(group)] + groups()[group].row);
 }
 
 void Approach::refine(std::size_t group, float limit) {
-  if (refined_[group] != 0) return;
-  refined_[group] = 1;
-  if (line_.empty() || !(least_[group] < limit)) return;
+  if (line_.empty() || !(least_[group] < limit) || limit <= refined_[group]) return;
   const GroupRows& at = groups()[group];
   const Index size = data_.node_table.size(at.group);
   float* found = distance_.data() + at.row;
@@ -96,7 +97,9 @@ void Approach::refine(std::size_t group, float limit) {
   const std::size_t best = best_start(group);
   const std::uint16_t* first_piece = line_[best] + at.row;
   lower_by_pieces(&first_piece, &start_distance_[best], 1, unit_, size, found);
-  limit = std::min(limit, *std::max_element(found, found + size));
+  const float farthest = *std::max_element(found, found + size);
+  refined_[group] = limit < farthest ? limit : infinite;
+  limit = std::min(limit, farthest);
   const int limit_bound = in_bounds(limit);
   piece_.clear();
   base_.clear();
@@ -107,7 +110,7 @@ void Approach::refine(std::size_t group, float limit) {
     base_.push_back(start_distance_[i]);
   }
   lower_by_pieces(piece_.data(), base_.data(), static_cast<Index>(piece_.size()), unit_, size, found);
-  least_[group] = std::max(least_[group], *std::min_element(found, found + size));
+  least_[group] = std::max(least_[group], std::min(*std::min_element(found, found + size), refined_[group]));
 }
 
 Index Approach::start_of(std::size_t group, Index row) const {

@@ -16,7 +16,8 @@ class Approach {
  public:
   explicit Approach(const IndexData& data) : data_(data) {}
 
-  /// Bounds for all groups. Complexity: O(starts x groups).
+  /// Bounds for all groups; nothing to do if the end is that of the last call. Complexity: O(starts x
+  /// groups).
   void start(const RouteEnd& end, Index parent);
 
   Index parent() const { return parent_; }
@@ -27,11 +28,13 @@ class Approach {
     Index end;
   };
   std::span<const Run> runs() const { return runs_; }
-  /// By group: a lower bound of its least distance; after refine() that distance, if it is below the limit.
+  /// By group: a lower bound of its least distance; after refine() that distance, or the limit if that is
+  /// less.
   std::span<const float> least() const { return least_; }
   /// Fetches what refine() of a group will need first.
   void prefetch(std::size_t group) const;
-  /// Finds the distances of the rows of a group, as far as they are below `limit`, if that has not been done.
+  /// Finds the distances of the rows of a group, as far as they are below `limit`, unless that was done
+  /// before.
   void refine(std::size_t group, float limit);
   /// After refine(): distances of the rows of a group.
   const float* distances(std::size_t group) const { return distance_.data() + groups()[group].row; }
@@ -47,6 +50,7 @@ class Approach {
   void add_start(Index column, double distance, std::size_t place);
 
   const IndexData& data_;
+  Index vertex_ = no_index;  ///< of the end
   Index parent_ = no_index;
   float unit_ = 0.0f;
   float bound_unit_ = 0.0f;
@@ -62,7 +66,7 @@ class Approach {
   std::vector<std::uint8_t> least_bound_;
   std::vector<std::int16_t> best_start_;
   std::vector<float> least_;
-  std::vector<std::uint8_t> refined_;
+  std::vector<float> refined_;   ///< up to where the distances are known
   std::vector<float> distance_;  ///< by row
   std::vector<const std::uint16_t*> piece_;
   std::vector<float> base_;

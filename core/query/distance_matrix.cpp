@@ -53,8 +53,12 @@ void pair_distances(FieldTeam& team, const PointList& sources, const PointList& 
   require_size(distance.size(), sources.size());
   const PointList from = points_on(team.mesh(), sources, "Source");
   const PointList to = points_on(team.mesh(), targets, "Target");
+  const auto order = team.order_of_pairs(from, to);
   in_blocks(team, from.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
-    for (std::size_t i = first; i < last; ++i) distance[i] = team.distance(from[i], to[i], worker);
+    for (std::size_t k = first; k < last; ++k) {
+      const std::size_t i = order.empty() ? k : order[k];
+      distance[i] = team.distance(from[i], to[i], worker);
+    }
   });
 }
 
@@ -67,9 +71,13 @@ void distance_matrix(FieldTeam& team, const PointList& row_points, const PointLi
   const auto fewer = static_cast<double>(std::min(rows.size(), width));
   const bool only_vertices = rows.only_vertices() && columns.only_vertices();
   if (!use_fields(team, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
+    const auto row_order = team.order_of_points(rows);
+    const auto column_order = team.order_of_points(columns);
     in_blocks(team, matrix.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
-      for (std::size_t i = first; i < last; ++i) {
-        matrix[i] = team.distance(rows[i / width], columns[i % width], worker);
+      for (std::size_t k = first; k < last; ++k) {
+        const std::size_t i = row_order[k / width];
+        const std::size_t j = column_order[k % width];
+        matrix[i * width + j] = team.distance(rows[i], columns[j], worker);
       }
     });
     return;
@@ -93,11 +101,14 @@ void distance_matrix(FieldTeam& team, const PointList& given, MatrixMethod metho
   const PointList points = points_on(team.mesh(), given, "Point");
   const auto fields = static_cast<double>(count);
   if (!use_fields(team, method, points.only_vertices(), fields, 0.5 * fields * (fields - 1.0))) {
+    const auto order = team.order_of_points(points);
     // Row i ends at the diagonal: the rows from both ends together make blocks of equal work.
     parallel_for((count + 1) / 2, team.threads(), progress, "Distances of pairs",
                  [&](std::size_t item, int worker) {
-                   for (std::size_t i : {item, count - 1 - item}) {
-                     for (std::size_t j = 0; j < i; ++j) {
+                   for (std::size_t k : {item, count - 1 - item}) {
+                     const std::size_t i = order[k];
+                     for (std::size_t l = 0; l < k; ++l) {
+                       const std::size_t j = order[l];
                        const double distance = team.distance(points[i], points[j], worker);
                        matrix[i * count + j] = matrix[j * count + i] = distance;
                      }

@@ -1,11 +1,15 @@
 // Lends query objects or exact solvers to workers; each is made when its worker first asks.
 #include "query/field_team.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <optional>
 #include <span>
 
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
+#include "index/index_data.h"
 #include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "query/source_field.h"
@@ -130,6 +134,41 @@ std::vector<double> FieldTeam::field_on_all_threads(const PointList& sources, do
   }
   if (!state_->wide_query) state_->wide_query.emplace(state_->index, state_->threads);
   return state_->wide_query->distance_field(sources.vertices(), max_distance);
+}
+
+std::vector<std::size_t> FieldTeam::order_of_points(const PointList& points) const {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (is_exact() || !points.only_vertices()) return order;
+  const IndexData& data = state_->index->data();
+  std::vector<std::pair<Index, Index>> places;
+  for (const SurfacePoint& point : points) {
+    const Index vertex = data.work.work_vertex[point.vertex];
+    places.emplace_back(vertex == no_index ? no_index : data.home_patch[vertex], vertex);
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(places[i], i); });
+  return order;
+}
+
+std::vector<std::size_t> FieldTeam::order_of_pairs(const PointList& sources, const PointList& targets) const {
+  std::vector<std::size_t> order;
+  if (is_exact() || !sources.only_vertices() || !targets.only_vertices()) return order;
+  // Patches of a first-layer patch, and the vertices of a patch, are numbered one after the other.
+  const IndexData& data = state_->index->data();
+  // By both first-layer patches, then patch and vertex at either end.
+  std::vector<std::array<Index, 6>> places(sources.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::pair<Index, Index> ends =
+        std::minmax(data.work.work_vertex[sources[i].vertex], data.work.work_vertex[targets[i].vertex]);
+    auto patch = [&](Index v) { return v == no_index ? no_index : data.home_patch[v]; };
+    auto parent = [&](Index v) { return v == no_index ? no_index : data.partition.parent[patch(v)]; };
+    places[i] = {parent(ends.first), parent(ends.second), patch(ends.first),
+                 ends.first,         patch(ends.second),  ends.second};
+  }
+  order.resize(sources.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+  return order;
 }
 
 double FieldTeam::distance(const SurfacePoint& source, const SurfacePoint& target, int worker) {

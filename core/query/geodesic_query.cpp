@@ -149,8 +149,9 @@ double GeodesicQuery::State::near_bound(Index source, Index target) {
 
 /// Length of the shortest route of the tables or the graph, unfolded.
 double GeodesicQuery::State::route_length(Index source, Index target) {
-  route_end(data, source, from);
-  route_end(data, target, to);
+  // One end is often that of the last pair.
+  if (from.vertex != source) route_end(data, source, from);
+  if (to.vertex != target) route_end(data, target, to);
   router.route(from, to, far_route);
   if (far_route.length == unreachable) return unreachable;
   return std::min(far_route.length, unfolder.length(far_route, source, target));

@@ -10,7 +10,7 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   end.starts.clear();
   end.parents.clear();
   end.patch = no_index;
-  end.vertex = work_vertex;
+  end.vertex = no_index;
   const PatchLayer& second = data.second;
   const Index node = second.vertex_node[work_vertex];
   auto add_parent = [&](Index patch) {
@@ -21,6 +21,7 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   if (node != no_index) {
     end.starts.push_back({node, 0.0});
     for (const PatchRow& at : second.patches_of(node)) add_parent(at.patch);
+    end.vertex = work_vertex;
     return;
   }
   end.patch = data.home_patch[work_vertex];
@@ -30,6 +31,7 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
     const double distance = second.distance(end.patch, static_cast<Index>(i), data.home_column[work_vertex]);
     if (distance < unreachable) end.starts.push_back({nodes[i], distance});
   }
+  end.vertex = work_vertex;
 }
 
 GraphRouter::GraphRouter(const IndexData& data)

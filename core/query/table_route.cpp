@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "support/min_plus.h"
 #include "support/prefetch.h"
@@ -31,9 +32,9 @@ void TableRouter::look_into(const Candidate& candidate, Joint& best) {
   const float offset = table.least_from(source.group)[target.group];
   const float limit = best.length * rounding_slack;
   from_.refine(i, limit - rest_of_source_[i]);
-  if (!(from_.least()[i] + offset + to_.least()[j] < best.length)) return;
+  if (!(from_.least()[i] + offset + to_.least()[j] < limit)) return;
   to_.refine(j, limit - rest_of_target_[j]);
-  if (!(from_.least()[i] + offset + to_.least()[j] < best.length)) return;
+  if (!(from_.least()[i] + offset + to_.least()[j] < limit)) return;
   ++cells_;
   const float* source_distance = from_.distances(i);
   const float* target_distance = to_.distances(j);
@@ -41,7 +42,9 @@ void TableRouter::look_into(const Candidate& candidate, Joint& best) {
   const Index columns = table.size(target.group);
   const std::uint16_t* cell = table.cell(source.group, target.group);
   const float least = least_in_cell(cell, rows, columns, source_distance, target_distance, table.unit);
-  if (!(least + offset < best.length)) return;
+  // Of equal sums the first, so that what was known before has no influence on the route.
+  const bool is_first = std::pair(i, j) < std::pair(best.source_group, best.target_group);
+  if (!(least + offset < best.length || (least + offset == best.length && is_first))) return;
   // The sums again, to find where the least one is; they may be rounded in another way here.
   float found = infinite;
   for (Index row = 0; row < rows; ++row) {
@@ -85,7 +88,7 @@ TableRouter::Joint TableRouter::join(float length) {
     if (row_least_[i] < row_least_[lowest]) lowest = i;
   }
   Joint best{length};
-  if (sources.empty() || !(row_least_[lowest] < best.length)) return best;
+  if (sources.empty() || !(row_least_[lowest] < best.length * rounding_slack)) return best;
   // What is left of a sum after the way to the group.
   for (std::size_t i = 0; i < sources.size(); ++i) rest_of_source_[i] = row_least_[i] - from_.least()[i];
   for (std::size_t j = 0; j < targets.size(); ++j) rest_of_target_[j] -= to_.least()[j];
@@ -94,11 +97,12 @@ TableRouter::Joint TableRouter::join(float length) {
              static_cast<Index>(std::min_element(row, row + width) - row)},
             best);
   candidates_.clear();
+  const float most = best.length * rounding_slack;
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (!(row_least_[i] < best.length)) continue;
+    if (!(row_least_[i] < most)) continue;
     const float* sums = sums_.data() + i * targets.size();
     for (Index j = 0; j < width; ++j) {
-      if (!(sums[j] < best.length)) continue;
+      if (!(sums[j] < most)) continue;
       candidates_.push_back({sums[j], static_cast<Index>(i), j});
       // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
       const auto* cell = reinterpret_cast<const char*>(table.cell(sources[i].group, targets[j].group));
@@ -112,7 +116,7 @@ TableRouter::Joint TableRouter::join(float length) {
   const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
   std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
   for (const Candidate& candidate : candidates_) {
-    if (candidate.bound < best.length) look_into(candidate, best);
+    if (candidate.bound < best.length * rounding_slack) look_into(candidate, best);
   }
   return best;
 }

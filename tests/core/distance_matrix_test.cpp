@@ -146,5 +146,33 @@ TEST(DistanceMatrix, CanBeCancelled) {
   EXPECT_THROW(distance_matrix(team, c.points, MatrixMethod::fields, matrix, stop), Cancelled);
 }
 
+TEST(PairDistances, InAnyOrderAsOneByOne) {
+  const test::Soup two = test::two_components(test::hills(24, 0.2), test::icosphere(2));
+  const auto index = test::make_index(test::with_isolated_vertex(two, {7, 7, 7}), 5, 3);
+  const Index n = index->mesh()->vertex_count();
+  FieldTeam team(index, 2);
+  std::vector<Index> sources;
+  std::vector<Index> targets;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    // Repeated ends, equal ends, and the vertex without a face.
+    for (Index v : test::random_vertices(n, 60, seed)) {
+      sources.push_back(seed % 2 == 0 ? sources[seed] : v);
+      targets.push_back(v % 7 == 0 ? n - 1 : (v * 31) % n);
+    }
+  }
+  const PointList from(sources);
+  const PointList to(targets);
+  const auto order = team.order_of_pairs(from, to);
+  ASSERT_EQ(order.size(), sources.size());
+  std::vector<std::size_t> sorted = order;
+  std::ranges::sort(sorted);
+  for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
+  std::vector<double> found(sources.size());
+  pair_distances(team, from, to, found);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i], GeodesicQuery(index, 1).distance(sources[i], targets[i])) << i;
+  }
+}
+
 }  // namespace
 }  // namespace vorogeo

@@ -44,6 +44,21 @@ TEST(GeodesicQuery, SymmetricToTheLastBitAndZeroForEqualPoints) {
   }
 }
 
+TEST(GeodesicQuery, WhatWasAskedBeforeHasNoInfluence) {
+  for (const Soup& soup : surfaces()) {
+    const auto index = test::make_index(soup, 5, 3);
+    const auto n = static_cast<Index>(soup.positions.size());
+    GeodesicQuery used(index, 1);
+    for (Index a : test::random_vertices(n, 6, 16)) {
+      // With one end in common, the side of that end is not made anew.
+      for (Index b : test::random_vertices(n, 25, 17)) {
+        const double again = used.distance(a, b);
+        EXPECT_EQ(GeodesicQuery(index, 1).distance(a, b), again) << a << ", " << b;
+      }
+    }
+  }
+}
+
 TEST(GeodesicQuery, PositiveAndAtLeastTheStraightLineInSpaceUpToItsError) {
   for (const Soup& soup : surfaces()) {
     GeodesicQuery query(test::make_index(soup, 3, 4));
