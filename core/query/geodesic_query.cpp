@@ -5,12 +5,11 @@
 #include <atomic>
 #include <string>
 
-#include "exact/exact_solver.h"
 #include "index/index_data.h"
-#include "index/local_tables.h"
 #include "index/patch_neighbours.h"
 #include "query/border_field.h"
 #include "query/field_sweep.h"
+#include "query/near_field.h"
 #include "query/route_unfolding.h"
 #include "query/router.h"
 #include "support/error.h"
@@ -20,16 +19,8 @@ namespace vorogeo {
 
 namespace {
 
-/// In the patches of the sources the solver's distance holds, unless a way outside their halo is shorter by
-/// more than the unfolding can err: then the distance over the border is below this part of it.
-constexpr double shorter_outside = 0.99;
-
 /// A sum of two table entries can be too short by their rounding; this much longer it is an upper bound.
 constexpr double bound_slack = 1.001;
-
-/// Growth of the halo for the near field: over a border close to the source, the largest errors would lie in
-/// the next patch.
-constexpr double near_field_growth = 3.0;
 
 }  // namespace
 
@@ -38,13 +29,11 @@ struct GeodesicQuery::State {
       : index(std::move(shared_index)),
         data(index->data()),
         threads(resolve_thread_count(requested_threads)),
-        solver(data.geometry),
-        halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
+        near(data),
         borders(data),
         patch_neighbours(data.second),
         router(data),
         sweeps(threads),
-        is_near(data.second.patch_count, 0),
         unfolder(data) {}
 
   Index work_vertex(Index vertex, const char* role) const {
@@ -67,33 +56,21 @@ struct GeodesicQuery::State {
   }
   double near_bound(Index source, Index target);
   double route_length(Index source, Index target);
-  bool in_near_patch(Index work) const {
-    if (is_near[data.home_patch[work]] != 0) return true;
-    const Index node = data.second.vertex_node[work];
-    if (node == no_index) return false;
-    const auto patches = data.second.patches_of(node);
-    return std::any_of(patches.begin(), patches.end(),
-                       [&](const PatchRow& at) { return is_near[at.patch] != 0; });
-  }
   void add_starts(Index work, Index wave);
-  double near_field(std::span<const Index> sources, std::span<const Index> patches, double max_distance);
   void sweep_patches(Index first_layer_patch, FieldSweep& sweep, double max_distance,
                      std::vector<double>& field);
-  void join_near_field(double certain, double max_distance, std::vector<double>& field);
+  void join_near_field(double max_distance, std::vector<double>& field);
   double distance_nearby(Index source, Index target, double bound);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
   int threads;
-  ExactSolver solver;
-  Halo halo;
+  NearField near;
   BorderField borders;
   PatchNeighbours patch_neighbours;
   Router router;
   std::vector<FieldSweep> sweeps;
-  std::vector<std::uint8_t> is_near;
   std::vector<BorderField::Start> starts;
-  std::vector<Index> targets;
   RouteEnd from;
   RouteEnd to;
   GraphRoute far_route;
@@ -160,6 +137,8 @@ double GeodesicQuery::State::route_length(Index source, Index target) {
 /// Exact distance of two vertices by propagation around `patches`. If a path could have left the faces
 /// allowed to it, a second run over all faces decides; the first one's result keeps it in a thin corridor.
 double GeodesicQuery::State::distance_nearby(Index source, Index target, double bound) {
+  Halo& halo = near.halo();
+  ExactSolver& solver = near.solver();
   halo.surround(pair_patches);
   ExactLimits limits;
   limits.targets = std::span(&target, 1);
@@ -207,24 +186,6 @@ void GeodesicQuery::State::add_starts(Index work, Index wave) {
   }
 }
 
-/// Exact distances in the patches of the sources and around them; left in the solver. Returns up to where
-/// they are certain: no path up to there has left the halo.
-double GeodesicQuery::State::near_field(std::span<const Index> sources, std::span<const Index> patches,
-                                        double max_distance) {
-  halo.surround(patches, near_field_growth);
-  targets.clear();
-  for (Index p : patches) {
-    targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
-  }
-  ExactLimits limits;
-  limits.face_allowed = halo.mask();
-  limits.targets = targets;
-  limits.distances_only = true;
-  limits.max_distance = max_distance;
-  solver.run_from_vertices(sources, limits);
-  return std::min(solver.settled_distance(), solver.barrier_distance());
-}
-
 /// Distances through the borders, in all second-layer patches of a first-layer patch.
 void GeodesicQuery::State::sweep_patches(Index first_layer_patch, FieldSweep& sweep, double max_distance,
                                          std::vector<double>& field) {
@@ -242,23 +203,14 @@ void GeodesicQuery::State::sweep_patches(Index first_layer_patch, FieldSweep& sw
   }
 }
 
-void GeodesicQuery::State::join_near_field(double certain, double max_distance, std::vector<double>& field) {
-  for (Index face : halo.faces()) {
-    for (Index v : data.work.mesh->face_vertices(face)) {
-      const Index user = data.work.user_vertex[v];
-      if (user == no_index) continue;
-      const double exact = solver.distance(v);
-      double& distance = field[user];
-      if (exact <= certain) {
-        distance = exact;
-      } else if (!in_near_patch(v) || distance < shorter_outside * exact) {
-        distance = std::min(exact, distance);
-      } else {
-        distance = exact;
-      }
-      if (distance > max_distance) distance = unreachable;
-    }
-  }
+void GeodesicQuery::State::join_near_field(double max_distance, std::vector<double>& field) {
+  // Vertices that the user does not have keep nothing.
+  double nowhere = unreachable;
+  auto at = [&](Index v) -> double& {
+    const Index user = data.work.user_vertex[v];
+    return user == no_index ? nowhere : field[user];
+  };
+  near.for_each_held(at, [&](Index v, double exact) { at(v) = exact <= max_distance ? exact : unreachable; });
 }
 
 std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources, double max_distance) {
@@ -272,40 +224,27 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
   // All checked before anything is marked: a refused call leaves the query as it was.
   for (Index source : sources) state.work_vertex(source, "Source");
   std::vector<double> field(data.mesh->vertex_count(), unreachable);
-  std::vector<Index> works;
-  std::vector<Index> near;
+  std::vector<ExactSource> works;
   state.starts.clear();
-  // Cleared on every way out, as errors leave a query usable.
-  const struct Unmark {
-    ~Unmark() {
-      for (Index p : patches) is_near[p] = 0;
-    }
-    std::vector<std::uint8_t>& is_near;
-    const std::vector<Index>& patches;
-  } unmark{state.is_near, near};
+  state.near.clear();
   for (Index source : sources) {
     const Index work = state.work_vertex(source, "Source");
     field[source] = 0.0;
     if (work == no_index) continue;
     state.add_starts(work, static_cast<Index>(works.size()));
-    works.push_back(work);
-    state.for_each_patch(work, [&](Index p, Index) {
-      if (state.is_near[p]) return;
-      near.push_back(p);
-      state.is_near[p] = 1;
-    });
+    works.push_back({SurfacePoint::at_vertex(work)});
+    state.for_each_patch(work, [&](Index p, Index) { state.near.add(p); });
   }
   if (works.empty()) return field;
 
   // The near field and the way to the first-layer borders need nothing of each other; all patches need the
   // latter.
-  double certain = 0.0;
   enum BorderState { waiting, ready, failed };
   std::atomic<int> borders = waiting;
   parallel_for(2 + static_cast<std::size_t>(data.first.patch_count), state.threads, {}, "",
                [&](std::size_t item, int worker) {
                  if (item == 0) {
-                   certain = state.near_field(works, near, max_distance);
+                   state.near.run(works, max_distance, true);
                    return;
                  }
                  if (item == 1) {
@@ -324,7 +263,7 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
                  if (borders == failed) return;
                  state.sweep_patches(static_cast<Index>(item - 2), state.sweeps[worker], max_distance, field);
                });
-  state.join_near_field(certain, max_distance, field);
+  state.join_near_field(max_distance, field);
   return field;
 }
 

@@ -6,59 +6,43 @@
 #include <string>
 
 #include "index/index_data.h"
-#include "index/local_tables.h"
 #include "mesh/face_distance.h"
 #include "query/border_field.h"
+#include "query/near_field.h"
 #include "query/work_points.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
 
-namespace {
-
-/// As in GeodesicQuery: growth of the halo of the near field, and where a way outside it is believed.
-constexpr double near_field_growth = 3.0;
-constexpr double shorter_outside = 0.99;
-
-}  // namespace
-
 struct SourceField::State {
   State(std::shared_ptr<const GeodesicIndex> shared_index, int requested_threads)
       : index(std::move(shared_index)),
         data(index->data()),
         threads(resolve_thread_count(requested_threads)),
-        solver(data.geometry),
-        halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
+        near(data),
         borders(data),
-        sweeps(threads),
-        is_near(data.second.patch_count, 0) {}
+        sweeps(threads) {}
 
   void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
   void take_sources(std::span<const ExactSource> given, double max_distance);
-  void near_field(double max_distance, bool distances_only);
+  void add_starts();
   void sweep(Index first_layer_patch, FieldSweep& sweep);
-  void join_near_field();
-  bool near_field_holds(double exact, double by_index, bool inside) const;
   double distance_at(const SurfacePoint& user) const;
   Index source_of_node(Index node);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
   int threads;
-  ExactSolver solver;
-  Halo halo;
+  NearField near;
   BorderField borders;
   std::vector<FieldSweep> sweeps;
-  std::vector<std::uint8_t> is_near;
   std::vector<ExactSource> sources;  ///< in the work mesh
   std::vector<Index> number;         ///< of each in the caller's list
   /// Sources at vertices without a face, which the work mesh does not have, by their place in the list.
   std::vector<std::pair<Index, ExactSource>> lonely;
-  std::vector<Index> near;
   std::vector<BorderField::Start> starts;
   std::vector<Index> node_source;
-  double certain = 0.0;
   std::vector<double> distance;  ///< by work vertex
   std::vector<Index> source;     ///< by work vertex; during the sweeps the border node on its way
 };
@@ -69,26 +53,15 @@ SourceField::~SourceField() = default;
 SourceField::SourceField(SourceField&&) noexcept = default;
 SourceField& SourceField::operator=(SourceField&&) noexcept = default;
 
-void SourceField::State::near_field(double max_distance, bool distances_only) {
-  halo.surround(near, near_field_growth);
-  std::vector<Index> targets;
-  for (Index p : near) {
-    targets.insert(targets.end(), data.second.members(p).begin(), data.second.members(p).end());
-  }
-  ExactLimits limits;
-  limits.face_allowed = halo.mask();
-  limits.targets = targets;
-  limits.distances_only = distances_only;
-  limits.max_distance = max_distance;
-  solver.run(sources, limits);
-  certain = std::min(solver.settled_distance(), solver.barrier_distance());
+/// The near field reaches border nodes, from which the way goes on.
+void SourceField::State::add_starts() {
   starts.clear();
-  for (Index face : halo.faces()) {
+  for (Index face : near.halo().faces()) {
     for (Index v : data.work.mesh->face_vertices(face)) {
       const Index node = data.second.vertex_node[v];
-      const double found = solver.distance(v);
+      const double found = near.solver().distance(v);
       if (node != no_index && found < unreachable) {
-        starts.push_back({node, found, number[solver.nearest_source(v)]});
+        starts.push_back({node, found, number[near.solver().nearest_source(v)]});
       }
     }
   }
@@ -134,23 +107,6 @@ Index SourceField::State::source_of_node(Index node) {
   return found;
 }
 
-/// Inside the patches of the sources the solver's distance holds unless a way outside is clearly shorter.
-bool SourceField::State::near_field_holds(double exact, double by_index, bool inside) const {
-  return exact <= certain || exact <= by_index || (inside && by_index >= shorter_outside * exact);
-}
-
-void SourceField::State::join_near_field() {
-  for (Index face : halo.faces()) {
-    const bool inside = is_near[data.work.second_layer[face]] != 0;
-    for (Index v : data.work.mesh->face_vertices(face)) {
-      const double exact = solver.distance(v);
-      if (exact == unreachable || !near_field_holds(exact, distance[v], inside)) continue;
-      distance[v] = exact;
-      source[v] = number[solver.nearest_source(v)];
-    }
-  }
-}
-
 /// Sorts the sources into those of the work mesh and lonely ones.
 void SourceField::State::take_sources(std::span<const ExactSource> given, double max_distance) {
   if (given.empty()) throw InvalidInput("There is no source; give at least one.");
@@ -183,17 +139,15 @@ void SourceField::State::run(std::span<const ExactSource> given, double max_dist
   take_sources(given, max_distance);
   distance.assign(data.work.mesh->vertex_count(), unreachable);
   source.assign(data.work.mesh->vertex_count(), no_index);
-  for (Index p : near) is_near[p] = 0;
   near.clear();
   if (sources.empty()) return;
   for (const ExactSource& one : sources) {
     for_each_face_at(*data.work.mesh, one.point, [&](Index face, const std::array<double, 3>&) {
-      std::uint8_t& marked = is_near[data.work.second_layer[face]];
-      if (marked == 0) near.push_back(data.work.second_layer[face]);
-      marked = 1;
+      near.add(data.work.second_layer[face]);
     });
   }
-  near_field(max_distance, distances_only);
+  near.run(sources, max_distance, distances_only);
+  add_starts();
   borders.start(starts, max_distance);
   parallel_for(static_cast<std::size_t>(data.first.patch_count), threads, {}, "",
                [&](std::size_t parent, int worker) { sweep(static_cast<Index>(parent), sweeps[worker]); });
@@ -201,7 +155,11 @@ void SourceField::State::run(std::span<const ExactSource> given, double max_dist
   for (Index& of : source) {
     if (of != no_index) of = source_of_node(of);
   }
-  join_near_field();
+  near.for_each_held([&](Index v) { return distance[v]; },
+                     [&](Index v, double exact) {
+                       distance[v] = exact;
+                       source[v] = number[near.solver().nearest_source(v)];
+                     });
 }
 
 /// After run() with windows kept.
@@ -223,12 +181,12 @@ double SourceField::State::distance_at(const SurfacePoint& user) const {
     std::array<double, 3> corners{};
     for (int i = 0; i < 3; ++i) corners[i] = distance[data.work.mesh->face_vertices(face)[i]];
     by_index = std::min(by_index, distance_in_face(*data.work.mesh, face, weights, corners));
-    inside = inside || is_near[data.work.second_layer[face]] != 0;
-    in_halo = in_halo || halo.mask()[face] != 0;
+    inside = inside || near.inside(face);
+    in_halo = in_halo || near.halo().mask()[face] != 0;
   });
   if (!in_halo) return by_index;
-  const double exact = solver.distance(point);
-  return exact < unreachable && near_field_holds(exact, by_index, inside) ? exact : by_index;
+  const double exact = near.solver().distance(point);
+  return near.holds(exact, by_index, inside) ? exact : by_index;
 }
 
 LabelledField SourceField::field(std::span<const ExactSource> sources, double max_distance) {
