@@ -12,8 +12,14 @@ namespace vorogeo {
 
 BorderSearch::BorderSearch(const PatchLayer& layer)
     : layer_(layer), distance_(layer.node_count(), unreachable), state_(layer.node_count()) {
-  ranges_.reserve(layer.patch_count);
-  for (Index p = 0; p < layer.patch_count; ++p) ranges_.push_back(node_ranges(layer, p));
+  border_.resize(layer.patch_count);
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    Index row = 0;
+    for (const NodeRange& range : node_ranges(layer, p)) {
+      border_[p].push_back({p, row, range.begin, range.end});
+      row += range.end - range.begin;
+    }
+  }
   double total = 0.0;
   for (const BorderNeighbour& next : layer.neighbour) total += next.length;
   bucket_width_ = layer.neighbour.empty() ? 0.0 : 0.5 * total / static_cast<double>(layer.neighbour.size());
@@ -74,6 +80,18 @@ double BorderSearch::across(Index patch, Index row, Index column, double sum) co
   return best;
 }
 
+double BorderSearch::sum(Index node) const {
+  const NodeState& state = state_[node];
+  if (state.patch == no_index) return distance_[node];
+  return distance_[before(node)] + layer_.distance(state.patch, state.row, row_in(node, state.patch));
+}
+
+double BorderSearch::corrected(Index node) const {
+  const NodeState& state = state_[node];
+  if (state.patch == no_index) return distance_[node];
+  return across(state.patch, state.row, row_in(node, state.patch), distance_[node]);
+}
+
 void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_distance) {
   constexpr int nodes_per_checkpoint = 256;
   int taken = 0;
@@ -82,27 +100,29 @@ void BorderSearch::run(std::span<const std::uint8_t> patch_allowed, double max_d
     const NodeState state = state_[node];
     double& distance = distance_[node];
     if (distance > max_distance) continue;
-    if (state.patch != no_index) {
-      for (const PatchRow& at : layer_.patches_of(node)) {
-        if (at.patch == state.patch) distance = across(state.patch, state.row, at.row, distance);
-      }
-    }
+    distance = corrected(node);
     for (const PatchRow& at : layer_.patches_of(node)) {
       if (at.patch == state.patch || (!patch_allowed.empty() && !patch_allowed[at.patch])) continue;
       line_.resize(layer_.border_size(at.patch));
       layer_.read_border(at.patch, at.row, line_.data());
-      const float* line = line_.data();
-      for (const NodeRange& range : ranges_[at.patch]) {
+      for (const BorderStretch& range : border_[at.patch]) {
+        const float* line = line_.data() + range.row;
         const Index count = range.end - range.begin;
         const double* reached = distance_.data() + range.begin;
         for (Index i = first_lower(line, distance, reached, 0, count); i < count;
              i = first_lower(line, distance, reached, i + 1, count)) {
           lower(range.begin + i, distance + line[i], at.patch, at.row);
         }
-        line += count;
       }
     }
   }
+}
+
+void BorderSearch::settle(Index node, PatchRow from, double sum) {
+  if (distance_[node] == unreachable) touched_.push_back(node);
+  state_[node] = {from.patch, from.row};
+  distance_[node] = sum;
+  distance_[node] = corrected(node);
 }
 
 }  // namespace vorogeo

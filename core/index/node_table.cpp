@@ -2,10 +2,12 @@
 #include "index/node_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
-#include "index/border_search.h"
+#include "index/search_corridor.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
 
@@ -40,43 +42,82 @@ NodeTable group_nodes(const PatchLayer& first) {
 
 namespace {
 
-/// Rounds distances, shape (count, count), to what the table keeps.
-void set_distances(NodeTable& table, const std::vector<float>& distance) {
-  const Index groups = table.group_count();
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  auto for_each_cell = [&](auto&& visit) {
-    for (Index a = 0; a < groups; ++a) {
-      for (Index b = 0; b < groups; ++b) visit(a, b, table.least[static_cast<std::size_t>(a) * groups + b]);
-    }
-  };
-  auto for_each_pair = [&](Index a, Index b, auto&& visit) {
+/// Sources that share a corridor; a multiple of NodeTable::group_size, as both kinds of groups start anew
+/// where other patches meet.
+constexpr Index nodes_per_leader = 16;
+constexpr const char* phase = "Tabulating distances between first-layer borders";
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+std::uint16_t to_entry(double above, double unit) {
+  if (above == infinite) return NodeTable::no_way;
+  return unit > 0.0 ? static_cast<std::uint16_t>(
+                          std::min<double>(NodeTable::greatest_entry, std::nearbyint(above / unit)))
+                    : std::uint16_t{0};
+}
+
+/// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. Returns their unit.
+float set_rows(NodeTable& table, Index a, const float* rows) {
+  const Index height = table.size(a);
+  auto for_each_entry = [&](Index b, auto&& visit) {
     std::size_t at = table.cell_begin(a, b);
-    for (Index i = table.group_begin[a]; i < table.group_begin[a + 1]; ++i) {
-      for (Index j = table.group_begin[b]; j < table.group_begin[b + 1]; ++j, ++at) {
-        visit(distance[static_cast<std::size_t>(i) * table.count + j], at);
-      }
+    for (Index i = 0; i < height; ++i) {
+      const float* row = rows + static_cast<std::size_t>(i) * table.count;
+      for (Index j = table.group_begin[b]; j < table.group_begin[b + 1]; ++j, ++at) visit(row[j], at);
     }
   };
-  table.least.assign(static_cast<std::size_t>(groups) * groups, infinite);
+  float* least = table.least.data() + static_cast<std::size_t>(a) * table.group_count();
   float widest = 0.0f;
-  for_each_cell([&](Index a, Index b, float& least) {
+  for (Index b = 0; b < table.group_count(); ++b) {
     float greatest = 0.0f;
-    for_each_pair(a, b, [&](float value, std::size_t) {
-      least = std::min(least, value);
+    least[b] = infinite;
+    for_each_entry(b, [&](float value, std::size_t) {
+      least[b] = std::min(least[b], value);
       if (value < infinite) greatest = std::max(greatest, value);
     });
-    if (least < infinite) widest = std::max(widest, greatest - least);
-  });
-  table.unit = widest / NodeTable::greatest_entry;
-  const double scale = widest > 0.0f ? 1.0 / table.unit : 0.0;
-  table.entry.assign(distance.size(), NodeTable::no_way);
-  for_each_cell([&](Index a, Index b, float& least) {
-    for_each_pair(a, b, [&](float value, std::size_t at) {
-      if (value == infinite) return;
-      table.entry[at] = static_cast<std::uint16_t>(
-          std::min<double>(NodeTable::greatest_entry, std::nearbyint((value - least) * scale)));
+    if (least[b] < infinite) widest = std::max(widest, greatest - least[b]);
+  }
+  const float unit = widest / NodeTable::greatest_entry;
+  for (Index b = 0; b < table.group_count(); ++b) {
+    for_each_entry(b, [&](float value, std::size_t at) {
+      table.entry[at] = value < infinite ? to_entry(value - least[b], unit) : NodeTable::no_way;
     });
-  });
+  }
+  return unit;
+}
+
+/// Makes the distances between two groups equal in both directions, the mean, as unfolding may err to either
+/// side; in the unit of the whole table.
+void make_symmetric(NodeTable& table, Index a, Index b, std::span<const float> unit_of_rows) {
+  const Index groups = table.group_count();
+  const Index height = table.size(a);
+  const Index width = table.size(b);
+  std::uint16_t* forth = table.entry.data() + table.cell_begin(a, b);
+  std::uint16_t* back = table.entry.data() + table.cell_begin(b, a);
+  float& least_forth = table.least[static_cast<std::size_t>(a) * groups + b];
+  float& least_back = table.least[static_cast<std::size_t>(b) * groups + a];
+  std::array<double, static_cast<std::size_t>(NodeTable::group_size) * NodeTable::group_size> mean;
+  double least = infinite;
+  for (Index i = 0; i < height; ++i) {
+    for (Index j = 0; j < width; ++j) {
+      const std::uint16_t one = forth[i * width + j];
+      const std::uint16_t other = back[j * height + i];
+      double& value = mean[i * width + j];
+      value = one == NodeTable::no_way || other == NodeTable::no_way
+                  ? infinite
+                  : 0.5 * (least_forth + static_cast<double>(unit_of_rows[a]) * one + least_back +
+                           static_cast<double>(unit_of_rows[b]) * other);
+      least = std::min(least, value);
+    }
+  }
+  least_forth = least_back = static_cast<float>(least);
+  for (Index i = 0; i < height; ++i) {
+    for (Index j = 0; j < width; ++j) {
+      const double value = mean[i * width + j];
+      const std::uint16_t entry =
+          value < infinite ? to_entry(std::max(0.0, value - least), table.unit) : NodeTable::no_way;
+      forth[i * width + j] = back[j * height + i] = entry;
+    }
+  }
 }
 
 }  // namespace
@@ -84,32 +125,44 @@ void set_distances(NodeTable& table, const std::vector<float>& distance) {
 NodeTable make_node_table(const PatchLayer& first, int threads, const Progress& progress) {
   if (first.node_count() == 0) return {};
   NodeTable table = group_nodes(first);
-  std::vector<float> distance(static_cast<std::size_t>(table.count) * table.count);
-  const int workers = std::min<int>(resolve_thread_count(threads), std::max<Index>(table.count, 1));
-  std::vector<std::unique_ptr<BorderSearch>> searches(workers);
-  parallel_for(table.count, workers, progress, "Tabulating distances between first-layer borders",
-               [&](std::size_t node, int worker) {
-                 auto& search = searches[worker];
-                 if (!search) search = std::make_unique<BorderSearch>(first);
-                 search->start();
-                 search->add(static_cast<Index>(node), 0.0);
-                 search->run();
-                 float* row = distance.data() + node * table.count;
-                 for (Index other = 0; other < table.count; ++other) {
-                   row[other] = static_cast<float>(search->distance(other));
-                 }
-               });
-  const Watch watch(progress.part(1.0, 1.0), "Tabulating distances between first-layer borders");
-  // Equal in both directions: the mean, as unfolding may err to either side.
-  for (std::size_t i = 0; i < static_cast<std::size_t>(table.count); ++i) {
-    if (i % 16 == 0) checkpoint();
-    for (std::size_t j = 0; j < i; ++j) {
-      float& forth = distance[i * table.count + j];
-      float& back = distance[j * table.count + i];
-      forth = back = 0.5f * (forth + back);
+  const auto count = static_cast<std::size_t>(table.count);
+  const auto groups = static_cast<std::size_t>(table.group_count());
+  table.entry.assign(count * count, NodeTable::no_way);
+  table.least.assign(groups * groups, infinite);
+  std::vector<float> unit_of_rows(groups);
+  const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
+  struct Scratch {
+    explicit Scratch(const PatchLayer& layer) : corridor(layer) {}
+    SearchCorridor corridor;
+    std::vector<Index> sources;
+    std::vector<float> rows;
+  };
+  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), led.size() - 1));
+  std::vector<std::unique_ptr<Scratch>> scratch(workers);
+  parallel_for(led.size() - 1, workers, progress.part(0.0, 0.95), phase, [&](std::size_t leader, int worker) {
+    auto& own = scratch[worker];
+    if (!own) own = std::make_unique<Scratch>(first);
+    const Index begin = led[leader];
+    const Index end = led[leader + 1];
+    own->rows.resize((end - begin) * count);
+    own->sources.resize(end - begin);
+    std::iota(own->sources.begin(), own->sources.end(), begin);
+    own->corridor.search_from_each(own->sources, {}, [&](std::size_t i) {
+      float* row = own->rows.data() + i * count;
+      for (Index other = 0; other < table.count; ++other) {
+        row[other] = static_cast<float>(own->corridor.search().distance(other));
+      }
+    });
+    for (Index a = table.group_of[begin]; a <= table.group_of[end - 1]; ++a) {
+      unit_of_rows[a] = set_rows(table, a, own->rows.data() + (table.group_begin[a] - begin) * count);
     }
-  }
-  set_distances(table, distance);
+  });
+  table.unit = *std::max_element(unit_of_rows.begin(), unit_of_rows.end());
+  parallel_for(groups, threads, progress.part(0.95, 1.0), phase, [&](std::size_t a, int) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      make_symmetric(table, static_cast<Index>(a), static_cast<Index>(b), unit_of_rows);
+    }
+  });
   return table;
 }
 

@@ -60,8 +60,9 @@ std::int64_t node_table_bytes(const PatchLayer& first);
 /// A table without distances: the groups of the nodes, which follow from the layer alone.
 NodeTable group_nodes(const PatchLayer& first);
 
-/// Fills the table by a search over the first layer from each of its nodes. Complexity: O(nodes arcs log
-/// nodes).
+/// Fills the table by a search over the first layer from each of its nodes, most of them over a corridor
+/// only. Takes no memory beside the table but for a few rows. Complexity: O(nodes^2 (w + b / 16)), where b
+/// nodes are on the border of a patch and w of these in the corridor.
 NodeTable make_node_table(const PatchLayer& first, int threads, const Progress& progress);
 
 }  // namespace vorogeo

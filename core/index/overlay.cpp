@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <memory>
 
-#include "index/border_search.h"
+#include "index/search_corridor.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
+
+namespace {
+
+/// First-layer nodes whose searches share a corridor.
+constexpr Index nodes_per_leader = 16;
+
+}  // namespace
 
 ParentSurroundings::ParentSurroundings(const PatchLayer& second, std::span<const Index> parent,
                                        Index parent_count)
@@ -36,30 +43,35 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
   TableDraft tables(first);
   const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
-    explicit Scratch(const PatchLayer& layer) : search(layer) {}
-    BorderSearch search;
+    explicit Scratch(const PatchLayer& layer) : corridor(layer) {}
+    SearchCorridor corridor;
+    std::vector<Index> sources;
     std::vector<std::uint8_t> allowed;
   };
-  const int workers = std::min<int>(resolve_thread_count(threads), std::max<int>(first.node_count(), 1));
+  const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
+  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), led.size() - 1));
   std::vector<std::unique_ptr<Scratch>> scratch(workers);
-  parallel_for(first.node_count(), workers, progress, "Composing first-layer tables",
-               [&](std::size_t node, int worker) {
-                 auto& own = scratch[worker];
-                 if (!own) own = std::make_unique<Scratch>(second);
-                 const auto patches = first.patches_of(static_cast<Index>(node));
-                 own->allowed.assign(second.patch_count, 0);
-                 for (const PatchRow& at : patches) surroundings.mark(at.patch, own->allowed);
-                 own->search.start();
-                 own->search.add(second.vertex_node[first.node_vertex[node]], 0.0);
-                 own->search.run(own->allowed);
-                 for (const PatchRow& at : patches) {
-                   const auto members = first.members(at.patch);
-                   for (std::size_t i = 0; i < members.size(); ++i) {
-                     tables.line(at.patch, static_cast<Index>(i))[at.row] =
-                         static_cast<float>(own->search.distance(second.vertex_node[members[i]]));
-                   }
-                 }
-               });
+  parallel_for(
+      led.size() - 1, workers, progress, "Composing first-layer tables", [&](std::size_t leader, int worker) {
+        auto& own = scratch[worker];
+        if (!own) own = std::make_unique<Scratch>(second);
+        const auto patches = first.patches_of(led[leader]);
+        own->allowed.assign(second.patch_count, 0);
+        for (const PatchRow& at : patches) surroundings.mark(at.patch, own->allowed);
+        own->sources.clear();
+        for (Index node = led[leader]; node < led[leader + 1]; ++node) {
+          own->sources.push_back(second.vertex_node[first.node_vertex[node]]);
+        }
+        own->corridor.search_from_each(own->sources, own->allowed, [&](std::size_t i) {
+          for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
+            const auto members = first.members(at.patch);
+            for (std::size_t m = 0; m < members.size(); ++m) {
+              tables.line(at.patch, static_cast<Index>(m))[at.row] =
+                  static_cast<float>(own->corridor.search().distance(second.vertex_node[members[m]]));
+            }
+          }
+        });
+      });
   const Watch watch(progress.part(1.0, 1.0), "Composing first-layer tables");
   tables.make_symmetric();
   tables.finish(first);

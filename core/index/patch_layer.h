@@ -2,6 +2,7 @@
 // members.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -98,8 +99,29 @@ struct PatchLayer {
   void read_column(Index patch, Index column, float* distances) const;
   /// The same for a border node, by its row: the table is symmetric there.
   void read_border(Index patch, Index row, float* distances) const;
+  /// Cuts a stretch of border nodes where their distances from the one in row `from` stop to follow one
+  /// another in memory: calls visit(part, entries).
+  template <class Stretch, class Visit>
+  void for_each_run(const Stretch& stretch, Index from, Visit&& visit) const;
   std::size_t memory_bytes() const;
 };
+
+template <class Stretch, class Visit>
+void PatchLayer::for_each_run(const Stretch& stretch, Index from, Visit&& visit) const {
+  if (order == TableOrder::lines) {
+    visit(stretch, line(stretch.patch, from) + stretch.row);
+    return;
+  }
+  Stretch part = stretch;
+  while (part.begin < stretch.end) {
+    const Index in_tile = part.row % tile_width;
+    part.end = std::min(stretch.end, part.begin + tile_width - in_tile);
+    visit(part,
+          tile(part.patch, part.row / tile_width) + static_cast<std::size_t>(from) * tile_width + in_tile);
+    part.row += part.end - part.begin;
+    part.begin = part.end;
+  }
+}
 
 /// Lays out a layer: nodes, members, borders and the places of the tables. `label`: patch of each face.
 /// `candidate`: which vertices may be members (empty: all with a face in the patch).
@@ -112,6 +134,14 @@ struct NodeRange {
   Index end;
 };
 std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch);
+
+/// Consecutive nodes of a patch, which stand in consecutive rows.
+struct BorderStretch {
+  Index patch;
+  Index row;    ///< of the first node
+  Index begin;  ///< first node
+  Index end;
+};
 
 /// Tables while they are computed: single precision, in lines.
 class TableDraft {

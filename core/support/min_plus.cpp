@@ -41,6 +41,39 @@ Index first_lower(const float* line, double base, const double* distance, Index 
 }
 
 VOROGEO_CLONES
+IndexRange range_within(const float* base, const std::uint16_t* entries, float unit, float bound,
+                        Index count) {
+  constexpr Index block = 16;
+  auto within = [&](Index i) { return base[i] + unit * static_cast<float>(entries[i]) <= bound; };
+  Index begin = 0;
+  for (; begin + block <= count; begin += block) {
+    int found = 0;
+    for (Index k = 0; k < block; ++k) found |= within(begin + k) ? 1 : 0;
+    if (found != 0) break;
+  }
+  while (begin < count && !within(begin)) ++begin;
+  Index end = count;
+  for (; end - block >= begin; end -= block) {
+    int found = 0;
+    for (Index k = 1; k <= block; ++k) found |= within(end - k) ? 1 : 0;
+    if (found != 0) break;
+  }
+  while (end > begin && !within(end - 1)) --end;
+  return {begin, end};
+}
+
+VOROGEO_CLONES
+void lower_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
+                   float* least, Index* best) {
+  for (Index i = 0; i < count; ++i) {
+    const float through = base + unit * static_cast<float>(entries[i]);
+    const bool lower = (entries[i] != no_way_entry) & (through < least[i]);
+    least[i] = lower ? through : least[i];
+    best[i] = lower ? name : best[i];
+  }
+}
+
+VOROGEO_CLONES
 void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least) {
   for (Index i = 0; i < count; ++i) {
     const float through = base + unit * static_cast<float>(entries[i]);

@@ -13,11 +13,25 @@ Index first_lower(const float* line, double base, const double* distance, Index 
 // Tables of 15 bits: an entry of 32767 stands for an infinite distance. A *base* is at most 0, so that sums
 // are int16_t; -32768 is the least distance, and a sum of -1 or more stands for none.
 
+struct IndexRange {
+  Index begin;
+  Index end;
+};
+
+/// The smallest range that has all i in [0, count) with base[i] + unit * entries[i] <= bound; here an entry
+/// for infinity counts as its number.
+IndexRange range_within(const float* base, const std::uint16_t* entries, float unit, float bound,
+                        Index count);
+
 /// distances[i] = unit * entries[i], or infinity.
 void scale_entries(const std::uint16_t* entries, Index count, float unit, float* distances);
 
 /// least[i] = min(least[i], base + unit * entries[i]).
 void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least);
+
+/// The same, with best[i] = name where that is lower.
+void lower_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
+                   float* least, Index* best);
 
 /// For sums of 8 bits that end at 255: the least base[k] + bounds[k][column] over the lines k, and the first
 /// line that has it; 255 and line 0 where none is less. Columns are taken bounds_at_once at a time: so many,

@@ -14,6 +14,7 @@ struct Crossings;
 Index first_lower(const float*, double, const double*, Index, Index);
 void scale_entries(const std::uint16_t*, Index, float, float*);
 void lower_by_entries(const std::uint16_t*, float, float, Index, float*);
+void lower_by_line(const std::uint16_t*, float, float, Index, Index, float*, Index*);
 std::int16_t least_entry_sum(const std::int16_t*, const std::uint16_t*, Index);
 Index first_entry_sum(const std::int16_t*, const std::uint16_t*, Index, std::int16_t);
 void least_tile_sums(const std::int16_t*, const std::uint16_t*, Index, std::int16_t*, std::int16_t*);
@@ -84,6 +85,16 @@ TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
     lower_by_entries(entries.data(), unit, 0.3F, count, one.data());
     vorogeo_scalar::lower_by_entries(entries.data(), unit, 0.3F, count, two.data());
     for (Index i = 0; i < count; ++i) ASSERT_NEAR(one[i], two[i], rounding);
+    std::vector<Index> vector_best(count, no_index), scalar_best(count, no_index);
+    lower_by_line(entries.data(), unit, 0.2F, 5, count, one.data(), vector_best.data());
+    vorogeo_scalar::lower_by_line(entries.data(), unit, 0.2F, 5, count, two.data(), scalar_best.data());
+    for (Index i = 0; i < count; ++i) {
+      ASSERT_NEAR(one[i], two[i], rounding);
+      // Where the two choose another one, it is a tie.
+      if (vector_best[i] != scalar_best[i]) {
+        ASSERT_NEAR(one[i], 0.2F + unit * static_cast<float>(entries[i]), rounding);
+      }
+    }
     scale_entries(entries.data(), count, unit, one.data());
     vorogeo_scalar::scale_entries(entries.data(), count, unit, two.data());
     ASSERT_EQ(one, two);

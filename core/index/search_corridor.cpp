@@ -1,0 +1,126 @@
+// One scan of all arcs with the leader's distances.
+#include "index/search_corridor.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "support/checkpoint.h"
+#include "support/min_plus.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr float unreachable_float = std::numeric_limits<float>::infinity();
+/// least_sum takes so many sums at a time.
+constexpr Index scan_width = 16;
+
+}  // namespace
+
+void SearchCorridor::search_from_each(std::span<const Index> sources,
+                                      std::span<const std::uint8_t> patch_allowed,
+                                      const std::function<void(std::size_t i)>& done) {
+  // Twice the radius would do if unfolding kept the triangle inequality to the last bit.
+  constexpr double slack_per_radius = 2.1;
+  // Nearer than the radius, the order of nodes from a source may differ from that from the leader.
+  constexpr double near_per_radius = 3.0;
+  const std::size_t leader = sources.size() / 2;
+  search_all(sources[leader], patch_allowed);
+  done(leader);
+  double radius = 0.0;
+  for (Index source : sources) {
+    if (search_.distance(source) < unreachable) radius = std::max(radius, search_.distance(source));
+  }
+  if (sources.size() == 1) return;
+  fit(patch_allowed, slack_per_radius * radius);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (i == leader) continue;
+    checkpoint();
+    if (std::find(order_.begin(), order_.end(), sources[i]) == order_.end()) {
+      search_all(sources[i], patch_allowed);
+    } else {
+      follow(sources[i], patch_allowed, near_per_radius * radius);
+    }
+    done(i);
+  }
+}
+
+void SearchCorridor::search_all(Index source, std::span<const std::uint8_t> patch_allowed) {
+  search_.start();
+  search_.add(source, 0.0);
+  search_.run(patch_allowed);
+}
+
+void SearchCorridor::fit(std::span<const std::uint8_t> patch_allowed, double slack) {
+  const PatchLayer& layer = search_.layer();
+  order_.assign(search_.reached().begin(), search_.reached().end());
+  std::sort(order_.begin(), order_.end(), [&](Index a, Index b) {
+    return std::pair(search_.distance(a), a) < std::pair(search_.distance(b), b);
+  });
+  // The sums before they were corrected, with the sign that range_within takes.
+  std::vector<float>& below = least_;
+  std::fill(below.begin(), below.end(), unreachable_float);
+  for (Index node : order_) below[node] = -static_cast<float>(search_.sum(node));
+  begin_.assign(1, 0);
+  stretch_.clear();
+  for (Index node : order_) {
+    const auto bound = static_cast<float>(slack - search_.distance(node));
+    for (Index place = layer.incidence_begin[node]; place < layer.incidence_begin[node + 1]; ++place) {
+      const PatchRow at = layer.incidence[place];
+      if (!patch_allowed.empty() && !patch_allowed[at.patch]) continue;
+      for (const BorderStretch& piece : search_.border(at.patch)) {
+        layer.for_each_run(piece, at.row, [&](const BorderStretch& run, const std::uint16_t* entries) {
+          const Index count = run.end - run.begin;
+          const IndexRange range =
+              range_within(below.data() + run.begin, entries, layer.unit[at.patch], bound, count);
+          if (range.begin == range.end) return;
+          // Whole blocks are scanned faster than odd ends.
+          const Index end = std::min(
+              count, range.begin + (range.end - range.begin + scan_width - 1) / scan_width * scan_width);
+          stretch_.push_back({entries + range.begin, place, run.begin + range.begin, end - range.begin});
+        });
+      }
+    }
+    begin_.push_back(stretch_.size());
+  }
+}
+
+void SearchCorridor::follow(Index source, std::span<const std::uint8_t> patch_allowed, double near) {
+  const PatchLayer& layer = search_.layer();
+  search_.start();
+  search_.add(source, 0.0);
+  search_.run(patch_allowed, near);
+  std::fill(least_.begin(), least_.end(), unreachable_float);
+  std::fill(best_.begin(), best_.end(), no_index);
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const Index node = order_[k];
+    if (search_.distance(node) > near) {
+      if (best_[node] == no_index) continue;
+      const PatchRow from = layer.incidence[best_[node]];
+      search_.settle(node, from, least_[node]);
+    }
+    const auto distance = static_cast<float>(search_.distance(node));
+    const Index from_patch = search_.patch_before(node);
+    for (std::size_t s = begin_[k]; s < begin_[k + 1]; ++s) {
+      const Stretch& to = stretch_[s];
+      const Index patch = layer.incidence[to.place].patch;
+      if (patch == from_patch) continue;
+      lower_by_line(to.entries, layer.unit[patch], distance, to.place, to.count, least_.data() + to.begin,
+                    best_.data() + to.begin);
+    }
+  }
+}
+
+std::vector<Index> group_by_patches(const PatchLayer& layer, Index most) {
+  std::vector<Index> begin;
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    const bool joins = !begin.empty() && node - begin.back() < most &&
+                       std::ranges::equal(layer.patches_of(node), layer.patches_of(begin.back()), {},
+                                          &PatchRow::patch, &PatchRow::patch);
+    if (!joins) begin.push_back(node);
+  }
+  begin.push_back(layer.node_count());
+  return begin;
+}
+
+}  // namespace vorogeo
