@@ -14,6 +14,9 @@ namespace {
 constexpr float unreachable_float = std::numeric_limits<float>::infinity();
 /// least_sum takes so many sums at a time.
 constexpr Index scan_width = 16;
+/// A node that was taken is taken again for a sum that is truly less: not for another way round a corner that
+/// unfolding makes a little shorter.
+constexpr float least_gain = 1.0f - 1e-4f;
 
 }  // namespace
 
@@ -91,14 +94,12 @@ void SearchCorridor::follow(Index source, std::span<const std::uint8_t> patch_al
   search_.add(source, 0.0);
   search_.run(patch_allowed, near);
   std::fill(least_.begin(), least_.end(), unreachable_float);
+  std::fill(taken_.begin(), taken_.end(), unreachable_float);
   std::fill(best_.begin(), best_.end(), no_index);
-  for (std::size_t k = 0; k < order_.size(); ++k) {
+  auto take = [&](std::size_t k) {
     const Index node = order_[k];
-    if (search_.distance(node) > near) {
-      if (best_[node] == no_index) continue;
-      const PatchRow from = layer.incidence[best_[node]];
-      search_.settle(node, from, least_[node]);
-    }
+    taken_[node] = least_[node];
+    if (best_[node] != no_index) search_.settle(node, layer.incidence[best_[node]], least_[node]);
     const auto distance = static_cast<float>(search_.distance(node));
     const Index from_patch = search_.patch_before(node);
     for (std::size_t s = begin_[k]; s < begin_[k + 1]; ++s) {
@@ -107,6 +108,25 @@ void SearchCorridor::follow(Index source, std::span<const std::uint8_t> patch_al
       if (patch == from_patch) continue;
       lower_by_line(to.entries, layer.unit[patch], distance, to.place, to.count, least_.data() + to.begin,
                     best_.data() + to.begin);
+    }
+  };
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const Index node = order_[k];
+    if (search_.distance(node) <= near) {
+      least_[node] = 0.0f;
+      best_[node] = no_index;
+    } else if (best_[node] == no_index) {
+      continue;
+    }
+    take(k);
+  }
+  // Where waves from two sides meet, the order of a few nodes may be another one as well.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      if (!(least_[order_[k]] < least_gain * taken_[order_[k]])) continue;
+      take(k);
+      changed = true;
     }
   }
 }

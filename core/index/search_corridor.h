@@ -18,15 +18,15 @@ namespace vorogeo {
 /// E(u) + r + |ut| - (E(t) - r) = 2 r. One scan of the arcs with the leader's distances finds all that can
 /// matter to any of the sources, as one stretch of each piece of border. A source then needs no queue: it
 /// takes the nodes in the leader's order and goes on from each over its stretches. Only up to a few r, where
-/// the order may be another one, the source's nodes are searched for as ever. The distances are those of a
-/// full search but for about 1e-6 of them, as unfolding keeps the triangle inequality nearly, not to the last
-/// bit.
+/// the order may be another one, the source's nodes are searched for as ever; and the few nodes that are
+/// lowered after they were taken are taken again. The distances are those of a full search but for about 1e-6
+/// of them, as unfolding keeps the triangle inequality nearly, not to the last bit.
 ///
 /// The layer must outlive it. One object belongs to one thread.
 class SearchCorridor {
  public:
   explicit SearchCorridor(const PatchLayer& layer)
-      : search_(layer), least_(layer.node_count()), best_(layer.node_count()) {}
+      : search_(layer), least_(layer.node_count()), taken_(layer.node_count()), best_(layer.node_count()) {}
 
   /// Finds the distances from each of a few sources close to each other, over the patches allowed (empty:
   /// all): from the one in the middle by a full search, from the others along the corridor that it leads.
@@ -50,6 +50,7 @@ class SearchCorridor {
 
   BorderSearch search_;
   std::vector<float> least_;        ///< by node: least sum so far
+  std::vector<float> taken_;        ///< by node: the sum that it was taken with
   std::vector<Index> best_;         ///< by node: where that comes from, a place in PatchLayer::incidence
   std::vector<Index> order_;        ///< nodes by distance from the leader
   std::vector<std::size_t> begin_;  ///< by place in order_, into stretch_
