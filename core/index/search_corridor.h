@@ -17,10 +17,10 @@ namespace vorogeo {
 /// the shortest way to t comes by u and then along the arc (u, t), then D(u) + |ut| - D(t) is at most
 /// E(u) + r + |ut| - (E(t) - r) = 2 r. One scan of the arcs with the leader's distances finds all that can
 /// matter to any of the sources, as one stretch of each piece of border. A source then needs no queue: it
-/// takes the nodes in the leader's order and goes on from each over its stretches. Only up to a few r, where
-/// the order may be another one, the source's nodes are searched for as ever; and the few nodes that are
-/// lowered after they were taken are taken again. The distances are those of a full search but for about 1e-6
-/// of them, as unfolding keeps the triangle inequality nearly, not to the last bit.
+/// takes the nodes in the leader's order and goes on from each over its stretches. The order differs up to
+/// about r from the source, where the nodes are searched for as ever, and for a few where waves from two
+/// sides meet, which are taken again. The distances are those of a full search but for about 1e-6 of them, as
+/// unfolding keeps the triangle inequality nearly, not to the last bit.
 ///
 /// The layer must outlive it. One object belongs to one thread.
 class SearchCorridor {
