@@ -25,6 +25,7 @@ int Approach::in_bounds(float distance) const {
 void Approach::add_start(Index column, double distance, std::size_t place) {
   line_.push_back(data_.first.line(parent_, column));
   bounds_.push_back(data_.approach_bounds.of_member(parent_, column));
+  prefetch_line(bounds_.back());
   const auto rounded = static_cast<float>(distance);
   start_distance_.push_back(rounded);
   start_bound_.push_back(static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded) : 0));
