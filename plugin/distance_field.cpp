@@ -9,9 +9,11 @@
 
 #include "exact/exact_solver.h"
 #include "index_of_layer.h"
+#include "parameters.h"
 #include "query/geodesic_query.h"
 #include "query/source_field.h"
 #include "support/error.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -21,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Light grey: no colour of the ramp.
 vcg::Color4b color_without_distance() { return {160, 160, 160, 255}; }
+
+constexpr const char* distances_activity = "Geodesic distances";
 
 struct Field {
   std::shared_ptr<const Mesh> mesh;
@@ -37,10 +41,8 @@ double seconds_since(Clock::time_point start) {
 double max_distance_of(const FilterCall& call) {
   const double value = call.parameters.getAbsPerc("max_distance");
   if (!std::isfinite(value) || value < 0.0) {
-    std::ostringstream text;
-    text << "max_distance is " << value
-         << ". Give a positive length in the unit of the mesh, or 0 for no limit.";
-    throw InvalidInput(text.str());
+    refuse(call, "max_distance", value,
+           ". Give a positive length in the unit of the mesh, or 0 for no limit.");
   }
   return value == 0.0 ? unreachable : value;
 }
@@ -48,11 +50,12 @@ double max_distance_of(const FilterCall& call) {
 Field field_by_index(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
                      double max_distance) {
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
-  call.progress.report(0.9, "Geodesic distances");
-  const auto start = Clock::now();
   Field field;
   field.mesh = found.index->mesh();
-  field.distances = GeodesicQuery(found.index).distance_field(sources, max_distance);
+  const auto start = Clock::now();
+  field.distances = run_ticking(call.progress.part(0.9, 1.0), distances_activity, [&](const Progress&) {
+    return GeodesicQuery(found.index).distance_field(sources, max_distance);
+  });
   field.seconds = seconds_since(start);
   field.about_index = {{"index_reused", found.reused},
                        {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
@@ -61,37 +64,38 @@ Field field_by_index(FilterCall& call, const LayerMesh& layer_mesh, const std::v
 
 Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
                             double max_distance) {
-  for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
-  call.progress.report(0.0, "Exact geodesic distances");
+  log_warnings(call, layer_mesh);
   const auto start = Clock::now();
   Field field;
-  field.mesh = layer_mesh.make_mesh();
-  ExactSolver solver(field.mesh);
-  ExactLimits limits;
-  limits.max_distance = max_distance;
-  limits.progress = &call.progress;
-  limits.distances_only = true;
-  solver.run_from_vertices(sources, limits);
-  field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
-  for (Index v = 0; v < field.mesh->vertex_count(); ++v) {
-    field.distances[v] = solver.distance(v) <= max_distance ? solver.distance(v) : unreachable;
-  }
+  run_ticking(call.progress, "Exact geodesic distances", [&](const Progress& inner) {
+    field.mesh = layer_mesh.make_mesh();
+    ExactSolver solver(field.mesh);
+    ExactLimits limits;
+    limits.max_distance = max_distance;
+    limits.progress = &inner;
+    limits.distances_only = true;
+    solver.run_from_vertices(sources, limits);
+    field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
+    for (Index v = 0; v < field.mesh->vertex_count(); ++v) {
+      field.distances[v] = solver.distance(v) <= max_distance ? solver.distance(v) : unreachable;
+    }
+  });
   field.seconds = seconds_since(start);
   return field;
 }
 
 }  // namespace
 
-RichLength max_distance_parameter(const MeshModel& layer) {
-  return RichLength(
-      "max_distance", 0, 0, layer.cm.bbox.Diag(), "Max distance",
+RichLength max_distance_parameter(const MeshDocument& document) {
+  return length_parameter(
+      document, "max_distance", 0.0, "Max distance",
       "Distances above this length are not computed: those vertices get quality -1. In the unit of "
       "the mesh, or in percent of the diagonal of its bounding box. 0 means no limit.");
 }
 
-RichParameterList only_max_distance(const MeshModel& layer) {
+RichParameterList only_max_distance(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(max_distance_parameter(layer));
+  list.addParam(max_distance_parameter(document));
   return list;
 }
 
@@ -139,7 +143,7 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
   }
   if (beyond > 0) {
     call.log(std::to_string(beyond) +
-             " vertices lie beyond max_distance; their quality is -1 and their colour grey");
+             " vertices lie beyond the max distance; their quality is -1 and their colour grey");
   }
   Results results = std::move(field.about_index);
   results["source_vertices"] = static_cast<int>(source_count);
@@ -172,25 +176,27 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
   LabelledField found;
   if (method == Method::index) {
     const IndexOfLayer index = index_of_layer(call, layer_mesh);
-    call.progress.report(0.9, "Geodesic distances");
     const auto start = Clock::now();
-    found = SourceField(index.index).field(sources, limit);
+    found = run_ticking(call.progress.part(0.9, 1.0), distances_activity,
+                        [&](const Progress&) { return SourceField(index.index).field(sources, limit); });
     field.seconds = seconds_since(start);
     field.about_index = {{"index_reused", index.reused},
                          {"index_seconds", index.reused ? 0.0 : index.index->statistics().seconds}};
   } else {
-    for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
+    log_warnings(call, layer_mesh);
     const auto start = Clock::now();
-    ExactSolver solver(mesh);
-    ExactLimits limits;
-    limits.max_distance = limit;
-    limits.progress = &call.progress;
-    limits.distances_only = true;
-    solver.run(sources, limits);
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      found.distance.push_back(solver.distance(v));
-      found.source.push_back(solver.nearest_source(v));
-    }
+    run_ticking(call.progress, "Exact geodesic distances", [&](const Progress& inner) {
+      ExactSolver solver(mesh);
+      ExactLimits limits;
+      limits.max_distance = limit;
+      limits.progress = &inner;
+      limits.distances_only = true;
+      solver.run(sources, limits);
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        found.distance.push_back(solver.distance(v));
+        found.source.push_back(solver.nearest_source(v));
+      }
+    });
     field.seconds = seconds_since(start);
   }
   field.distances = std::move(found.distance);

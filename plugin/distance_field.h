@@ -21,9 +21,9 @@ enum class Method {
 inline constexpr double quality_without_distance = -1.0;
 
 /// The parameter max_distance, as all distance filters have it.
-RichLength max_distance_parameter(const MeshModel& layer);
+RichLength max_distance_parameter(const MeshDocument& document);
 /// The parameters of filters that have no other.
-RichParameterList only_max_distance(const MeshModel& layer);
+RichParameterList only_max_distance(const MeshDocument& document);
 
 /// Distances from the nearest of the source vertices into the quality of all vertices, colours along a ramp.
 /// Reads max_distance. Nothing is changed before all is computed.

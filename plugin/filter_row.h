@@ -36,7 +36,8 @@ struct FilterRow {
   FilterPlugin::FilterClass filter_class;
   /// What the filter changes: a sum of MeshModel::MeshElement.
   int changes;
-  RichParameterList (*parameters)(const MeshModel& layer);
+  /// What the dialog asks for; the document has a current layer.
+  RichParameterList (*parameters)(const MeshDocument& document);
   Results (*apply)(FilterCall& call);
 };
 

@@ -66,12 +66,8 @@ int FilterVorogeo::postCondition(const QAction* action) const { return row(actio
 
 FilterPlugin::FilterArity FilterVorogeo::filterArity(const QAction*) const { return SINGLE_MESH; }
 
-RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshModel& layer) {
-  return row(action).parameters(layer);
-}
-
 RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshDocument& document) {
-  return document.mm() == nullptr ? RichParameterList() : row(action).parameters(*document.mm());
+  return document.mm() == nullptr ? RichParameterList() : row(action).parameters(document);
 }
 
 std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action,

@@ -27,7 +27,6 @@ class FilterVorogeo : public QObject, public FilterPlugin {
   FilterClass getClass(const QAction* action) const override;
   int postCondition(const QAction* action) const override;
   FilterArity filterArity(const QAction* action) const override;
-  RichParameterList initParameterList(const QAction* action, const MeshModel& layer) override;
   RichParameterList initParameterList(const QAction* action, const MeshDocument& document) override;
 
   /// Runs a filter on the current layer. Every error becomes an MLException with the same sentence; the layer

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "index_cache.h"
-#include "support/checkpoint.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -35,15 +35,18 @@ Results statistics_results(const IndexStatistics& s) {
           {"seconds", s.seconds}};
 }
 
+void log_warnings(FilterCall& call, const LayerMesh& layer_mesh) {
+  const auto warnings =
+      run_ticking(call.progress, "Checking the mesh", [&](const Progress&) { return layer_mesh.warnings(); });
+  for (const std::string& warning : warnings) call.log("Mesh: " + warning);
+}
+
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
                                                  const IndexOptions& options, const Progress& progress) {
-  for (const std::string& warning : layer_mesh.warnings()) call.log("Mesh: " + warning);
-  std::shared_ptr<const Mesh> mesh;
-  {
-    const Watch watch(progress, "Reading the mesh");
-    mesh = layer_mesh.make_mesh();
-  }
-  const auto index = GeodesicIndex::build(std::move(mesh), options, progress);
+  log_warnings(call, layer_mesh);
+  const auto index = run_ticking(progress, "Reading the mesh", [&](const Progress& inner) {
+    return GeodesicIndex::build(layer_mesh.make_mesh(), options, inner);
+  });
   log_statistics(call, index->statistics());
   return index;
 }

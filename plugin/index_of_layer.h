@@ -19,6 +19,9 @@ struct IndexOfLayer {
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
 Results statistics_results(const IndexStatistics& statistics);
 
+/// Logs what a user should know about the mesh before trusting distances on it.
+void log_warnings(FilterCall& call, const LayerMesh& layer_mesh);
+
 /// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
                                                  const IndexOptions& options, const Progress& progress);

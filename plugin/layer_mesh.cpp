@@ -30,15 +30,15 @@ LayerMesh::LayerMesh(const CMeshO& layer) {
   }
 }
 
-Index LayerMesh::core_vertex(int host_vertex, const char* parameter) const {
+Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) const {
   const auto& map = arrays_.vertex_of_input;
   if (host_vertex < 0 || static_cast<std::size_t>(host_vertex) >= map.size()) {
-    throw InvalidInput(std::string(parameter) + " is " + std::to_string(host_vertex) +
+    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
                        ", but the vertices of the current layer are numbered from 0 to " +
                        std::to_string(map.size() - 1) + ". Give a number in this range.");
   }
   if (map[static_cast<std::size_t>(host_vertex)] == no_index) {
-    throw InvalidInput(std::string(parameter) + " is " + std::to_string(host_vertex) +
+    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
                        ", but this vertex was deleted. Give the number of another vertex.");
   }
   return map[static_cast<std::size_t>(host_vertex)];

@@ -21,8 +21,8 @@ class LayerMesh {
   const VcgMeshArrays& arrays() const { return arrays_; }
 
   /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message calls it
-  /// by the name of the parameter that held the number.
-  Index core_vertex(int host_vertex, const char* parameter) const;
+  /// by `parameter`, which held the number.
+  Index core_vertex(int host_vertex, const std::string& parameter) const;
   int host_vertex(Index vertex) const { return arrays_.input_of_vertex[vertex]; }
   /// The host's number of a face of a Mesh that was made from arrays().
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }

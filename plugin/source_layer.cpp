@@ -5,24 +5,35 @@
 #include <sstream>
 #include <string>
 
-#include "support/error.h"
+#include "parameters.h"
 
 namespace vorogeo::plugin {
 
-void add_source_layer_parameters(RichParameterList& list, const char* what) {
-  list.addParam(
-      RichInt("source_layer", 0, "Source layer", QString("Number of the layer with the %1.").arg(what)));
-  list.addParam(RichFloat("max_snap_distance", 0, "Max snap distance",
-                          "How far a point may be from the surface; 0: any distance."));
+namespace {
+
+/// A layer besides the current one, if there is one.
+unsigned int some_other_layer(const MeshDocument& document) {
+  for (const MeshModel& layer : document.meshIterator()) {
+    if (&layer != document.mm()) return static_cast<unsigned int>(layer.id());
+  }
+  return static_cast<unsigned int>(document.mm()->id());
+}
+
+}  // namespace
+
+void add_source_layer_parameters(RichParameterList& list, const MeshDocument& document, const char* what) {
+  list.addParam(RichMesh("source_layer", some_other_layer(document), &document, "Source layer",
+                         QString("The layer with the %1.").arg(what)));
+  list.addParam(max_snap_distance_parameter(document));
 }
 
 const MeshModel& source_layer(const FilterCall& call, const char* what) {
-  const int id = call.parameters.getInt("source_layer");
+  const auto id = static_cast<int>(call.parameters.getMeshId("source_layer"));
   const MeshModel* other = call.document.getMesh(id);
   if (other == nullptr || other == &call.layer) {
-    throw InvalidInput("source_layer is " + std::to_string(id) +
-                       (other == nullptr ? ", but there is no such layer." : ", the current layer itself.") +
-                       " Give the number of the layer with the " + what + ".");
+    refuse(call, "source_layer", id,
+           std::string(other == nullptr ? ", but there is no such layer." : ", the current layer itself.") +
+               " Choose the layer with the " + what + ".");
   }
   return *other;
 }
@@ -32,17 +43,15 @@ Point position_of(const CVertexO& vertex) {
 }
 
 PointSnapper::PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh)
-    : locator_(std::move(mesh)),
-      layer_(call.parameters.getInt("source_layer")),
-      most_(call.parameters.getFloat("max_snap_distance")) {}
+    : locator_(std::move(mesh)), call_(call), most_(length_of(call, "max_snap_distance", true)) {}
 
 SurfacePoint PointSnapper::snap(const Point& at, std::size_t number) {
   const SnappedPoint found = locator_.nearest(at);
   if (most_ > 0.0 && found.distance > most_) {
     std::ostringstream text;
-    text << "Vertex " << number << " of layer " << layer_ << " is " << found.distance
-         << " away from the surface, more than max_snap_distance " << most_
-         << ". Move it or raise the limit.";
+    text << "Vertex " << number << " of layer " << call_.parameters.getMeshId("source_layer") << " is "
+         << found.distance << " away from the surface, more than " << named(call_, "max_snap_distance")
+         << ", " << most_ << ". Move it or raise the limit.";
     throw InvalidInput(text.str());
   }
   farthest_ = std::max(farthest_, found.distance);

@@ -9,7 +9,7 @@
 namespace vorogeo::plugin {
 
 /// The parameters source_layer and max_snap_distance. `what`: "points", or "points or lines".
-void add_source_layer_parameters(RichParameterList& list, const char* what);
+void add_source_layer_parameters(RichParameterList& list, const MeshDocument& document, const char* what);
 
 /// The layer named by source_layer. \throw InvalidInput if there is none, or if it is the current one.
 const MeshModel& source_layer(const FilterCall& call, const char* what);
@@ -27,7 +27,7 @@ class PointSnapper {
 
  private:
   SurfaceLocator locator_;
-  int layer_;
+  const FilterCall& call_;
   double most_;
   double farthest_ = 0.0;
 };

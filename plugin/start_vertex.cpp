@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/surface_locator.h"
-#include "support/error.h"
+#include "parameters.h"
 
 namespace vorogeo::plugin {
 
@@ -32,20 +32,7 @@ StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
 /// The vertex that is named by number; no_index if the start point counts.
 Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
   const int number = call.parameters.getInt("vertex_index");
-  return number == -1 ? no_index : layer_mesh.core_vertex(number, "vertex_index");
-}
-
-Point given_point(const FilterCall& call) {
-  const Point3m given = call.parameters.getPoint3m("start_point");
-  const Point point{double(given[0]), double(given[1]), double(given[2])};
-  for (double coordinate : point) {
-    if (!std::isfinite(coordinate)) {
-      throw InvalidInput(
-          "start_point has a coordinate that is NaN or infinite. Give three finite coordinates, or the "
-          "number of a vertex as vertex_index.");
-    }
-  }
-  return point;
+  return number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
 }
 
 double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
@@ -65,8 +52,9 @@ SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
 
 }  // namespace
 
-void add_start_vertex_parameters(RichParameterList& list, const MeshModel& layer, const QString& where) {
-  list.addParam(RichPosition("start_point", layer.cm.bbox.min, "Start point",
+void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document,
+                                 const QString& where) {
+  list.addParam(RichPosition("start_point", document.mm()->cm.bbox.min, "Start point",
                              "Where distances start: at " + where +
                                  ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. "
                                  "Used if the start vertex is -1."));
@@ -79,11 +67,11 @@ StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
                        const std::shared_ptr<const Mesh>& mesh) {
   std::ostringstream text;
   StartPoint start;
-  const Index named = named_vertex(call, layer_mesh);
-  if (named != no_index) {
-    start.point = SurfacePoint::at_vertex(named);
+  const Index vertex = named_vertex(call, layer_mesh);
+  if (vertex != no_index) {
+    start.point = SurfacePoint::at_vertex(vertex);
   } else {
-    const SnappedPoint found = SurfaceLocator(mesh).nearest(given_point(call));
+    const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, "start_point"));
     start = {at_corner(*mesh, found.point), found.distance};
   }
   if (start.point.is_vertex()) {
@@ -91,18 +79,19 @@ StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
   } else {
     text << "Start: a point in face " << layer_mesh.host_face(*mesh, start.point.face);
   }
-  if (named == no_index) text << ", " << start.distance << " away from the given point";
+  if (vertex == no_index) text << ", " << start.distance << " away from the given point";
   call.log(text.str());
   return start;
 }
 
 StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
-  const Index named = named_vertex(call, layer_mesh);
-  const StartVertex start =
-      named != no_index ? StartVertex{named, 0.0} : nearest_vertex(layer_mesh.arrays(), given_point(call));
+  const Index vertex = named_vertex(call, layer_mesh);
+  const StartVertex start = vertex != no_index
+                                ? StartVertex{vertex, 0.0}
+                                : nearest_vertex(layer_mesh.arrays(), point_of(call, "start_point"));
   std::ostringstream text;
   text << "Start: vertex " << layer_mesh.host_vertex(start.vertex);
-  if (named == no_index) text << ", " << start.distance << " away from the given point";
+  if (vertex == no_index) text << ", " << start.distance << " away from the given point";
   call.log(text.str());
   return start;
 }

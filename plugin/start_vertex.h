@@ -26,7 +26,7 @@ struct StartPoint {
 
 /// The parameters start_point (a point picker in the window) and vertex_index. `where`: ends the sentence
 /// "Where distances start: ..." about the point.
-void add_start_vertex_parameters(RichParameterList& list, const MeshModel& layer, const QString& where);
+void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document, const QString& where);
 
 /// The start vertex named by number, else the point of the surface nearest to the start point: a vertex if it
 /// is one up to single precision. Says in the log which. \throw as start_vertex.

@@ -7,9 +7,6 @@
 
 namespace vorogeo::plugin {
 
-/// The parameter exact, as all these filters have it.
-RichBool exact_parameter();
-
 struct TeamOfLayer {
   FieldTeam team;
   Progress progress;  ///< what is left of the call's progress after building an index
@@ -18,9 +15,5 @@ struct TeamOfLayer {
 
 /// Reads the parameter exact.
 TeamOfLayer team_of_layer(FilterCall& call, const LayerMesh& layer_mesh);
-
-/// A length from the parameters. \throw InvalidInput if it is negative or no number, or zero where it must
-/// not be.
-double length_parameter(const FilterCall& call, const char* name, bool may_be_zero);
 
 }  // namespace vorogeo::plugin

@@ -1,8 +1,6 @@
 // Filter: build the geodesic index of the current layer, and write it to a file if one is named.
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 #include "filters/help.h"
@@ -11,7 +9,8 @@
 #include "index_cache.h"
 #include "index_of_layer.h"
 #include "layer_mesh.h"
-#include "support/error.h"
+#include "parameters.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -19,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RichParameterList build_index_parameters(const MeshModel&) {
+RichParameterList build_index_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(
       RichInt("n1", 0, "First-layer patches",
@@ -39,55 +38,48 @@ RichParameterList build_index_parameters(const MeshModel&) {
                                 "File to write the index to. Empty: the index is kept in memory only."));
   list.addParam(
       RichInt("threads", 0, "Threads", "Threads that build. 0: one per core. The index is the same."));
-  list.addParam(RichInt("seed", 0, "Seed", "Start of the random numbers that place the patches."));
+  list.addParam(seed_parameter());
   return list;
 }
 
 /// More than any machine has cores; the core uses no more than it can feed.
 constexpr int most_threads = 1024;
 
-template <class Number>
-[[noreturn]] void refuse(const std::string& name, Number value, const std::string& advice) {
-  std::ostringstream text;
-  text << name << " is " << value << ". " << advice;
-  throw InvalidInput(text.str());
-}
-
-IndexOptions options_of(const RichParameterList& parameters) {
+IndexOptions options_of(const FilterCall& call) {
+  const RichParameterList& parameters = call.parameters;
   const int n1 = parameters.getInt("n1");
   const int n2 = parameters.getInt("n2");
   const double delta = parameters.getFloat("delta");
   const int memory_budget = parameters.getInt("memory_budget");
   const int threads = parameters.getInt("threads");
-  const int seed = parameters.getInt("seed");
-  if (n1 < 0) refuse("n1", n1, "Give a positive number of patches, or 0 to have it chosen.");
-  if (n2 < 0) refuse("n2", n2, "Give a positive number of patches, or 0 to have it chosen.");
-  if (!(delta >= 0.0 && delta < 1.0)) refuse("delta", delta, "Give a number from 0 to below 1.");
+  if (n1 < 0) refuse(call, "n1", n1, ". Give a positive number of patches, or 0 to have it chosen.");
+  if (n2 < 0) refuse(call, "n2", n2, ". Give a positive number of patches, or 0 to have it chosen.");
+  if (!(delta >= 0.0 && delta < 1.0)) refuse(call, "delta", delta, ". Give a number from 0 to below 1.");
   if (memory_budget < 0) {
-    refuse("memory_budget", memory_budget, "Give a positive number of MiB, or 0 for 4096.");
+    refuse(call, "memory_budget", memory_budget, ". Give a positive number of MiB, or 0 for 4096.");
   }
   if (threads < 0 || threads > most_threads) {
-    refuse("threads", threads, "Give a number from 1 to 1024, or 0 for one per core.");
+    refuse(call, "threads", threads, ". Give a number from 1 to 1024, or 0 for one per core.");
   }
-  if (seed < 0) refuse("seed", seed, "Give 0 or a positive number.");
   IndexOptions options;
   options.first_layer_patches = n1;
   options.second_layer_patches = n2;
   options.delta = delta;
   options.threads = threads;
-  options.seed = static_cast<std::uint64_t>(seed);
+  options.seed = seed_of(call);
   options.memory_budget = memory_budget;
   return options;
 }
 
 Results build_index_of_layer(FilterCall& call) {
-  const IndexOptions options = options_of(call.parameters);
+  const IndexOptions options = options_of(call);
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   if (!file.empty()) check_index_file_can_be_written(file);
   const LayerMesh layer_mesh(call.layer.cm);
   const auto index = build_index(call, layer_mesh, options, call.progress);
   if (!file.empty()) {
-    index->save(file);
+    run_ticking(call.progress.part(1.0, 1.0), "Writing the geodesic index",
+                [&](const Progress&) { index->save(file); });
     call.log("Geodesic index: written to " + file.string());
   }
   call.indexes.put(layer_mesh.arrays(), index, &call.document);

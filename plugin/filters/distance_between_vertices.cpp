@@ -7,13 +7,14 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "index_of_layer.h"
+#include "parameters.h"
 #include "query/geodesic_query.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList two_vertices_parameters(const MeshModel&) {
+RichParameterList two_vertices_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("source", 0, "Source vertex", "Number of the first vertex, counted from 0."));
   list.addParam(RichInt("target", 0, "Target vertex", "Number of the second vertex, counted from 0."));
@@ -22,8 +23,8 @@ RichParameterList two_vertices_parameters(const MeshModel&) {
 
 Results distance_between_vertices(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const Index source = layer_mesh.core_vertex(call.parameters.getInt("source"), "source");
-  const Index target = layer_mesh.core_vertex(call.parameters.getInt("target"), "target");
+  const Index source = vertex_of(call, layer_mesh, "source");
+  const Index target = vertex_of(call, layer_mesh, "target");
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   GeodesicQuery query(found.index, 1);
   const auto start = std::chrono::steady_clock::now();

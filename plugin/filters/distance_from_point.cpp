@@ -4,21 +4,23 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "start_vertex.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList from_point_parameters(const MeshModel& layer) {
+RichParameterList from_point_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_start_vertex_parameters(list, layer, "the nearest point of the surface");
-  list.addParam(max_distance_parameter(layer));
+  add_start_vertex_parameters(list, document, "the nearest point of the surface");
+  list.addParam(max_distance_parameter(document));
   return list;
 }
 
 Results distances_from_point(FilterCall& call, Method method) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                                [&](const Progress&) { return layer_mesh.make_mesh(); });
   const StartPoint start = start_point(call, layer_mesh, mesh);
   Results results;
   if (start.point.is_vertex()) {

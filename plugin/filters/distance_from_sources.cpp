@@ -8,50 +8,45 @@
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "parameters.h"
 #include "query/curve_sources.h"
 #include "source_layer.h"
 #include "support/error.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichFloat spacing_parameter() {
-  return RichFloat(
-      "spacing", 0, "Spacing",
-      "Distances start at points along lines at most this far apart; 0: a quarter of the mean edge.");
-}
-RichBool exact_parameter() {
-  return RichBool("exact", false, "Exact", "By exact propagation, without an index.");
+RichLength spacing_parameter(const MeshDocument& document) {
+  return length_parameter(document, "spacing", 0.0, "Spacing",
+                          "Distances start at points along lines at most this far apart; 0: a quarter of the "
+                          "mean edge.");
 }
 
-RichParameterList from_layer_parameters(const MeshModel& layer) {
+RichParameterList from_layer_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_source_layer_parameters(list, "points or lines");
-  list.addParam(spacing_parameter());
+  add_source_layer_parameters(list, document, "points or lines");
+  list.addParam(spacing_parameter(document));
   list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
                          "Add the quality of a point of the source layer to the distances from it."));
   list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter(layer));
+  list.addParam(max_distance_parameter(document));
   return list;
 }
 
-RichParameterList from_edges_parameters(const MeshModel& layer) {
+RichParameterList from_edges_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
-  list.addParam(spacing_parameter());
+  list.addParam(spacing_parameter(document));
   list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter(layer));
+  list.addParam(max_distance_parameter(document));
   return list;
 }
 
 double spacing_of(const FilterCall& call, const Mesh& mesh) {
-  const double spacing = call.parameters.getFloat("spacing");
-  if (!std::isfinite(spacing) || spacing < 0.0) {
-    throw InvalidInput("spacing is " + std::to_string(spacing) +
-                       ". Give a positive length, or 0 for a quarter of the mean edge.");
-  }
+  const double spacing = length_of(call, "spacing", true);
   return spacing > 0.0 ? spacing : 0.25 * mesh.mean_edge_length();
 }
 
@@ -61,7 +56,8 @@ Method method_of(const FilterCall& call) {
 
 Results distances_from_layer(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                                [&](const Progress&) { return layer_mesh.make_mesh(); });
   const CMeshO& points = source_layer(call, "points or lines").cm;
   PointSnapper snapper(call, mesh);
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
@@ -89,7 +85,7 @@ Results distances_from_layer(FilterCall& call) {
     }
   }
   if (sources.empty()) {
-    throw InvalidInput("Layer " + std::to_string(call.parameters.getInt("source_layer")) +
+    throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId("source_layer")) +
                        " has no vertex. Choose a layer with points or lines.");
   }
   Results results = write_distance_field(call, layer_mesh, mesh, sources, &numbers, method_of(call));
@@ -99,7 +95,8 @@ Results distances_from_layer(FilterCall& call) {
 
 Results distances_from_edges(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                                [&](const Progress&) { return layer_mesh.make_mesh(); });
   const bool from_border = call.parameters.getBool("from_border");
   std::vector<Index> edges;
   for (Index e = 0; e < mesh->edge_count(); ++e) {
@@ -115,8 +112,8 @@ Results distances_from_edges(FilterCall& call) {
   if (edges.empty()) {
     throw InvalidInput(
         from_border ? "The surface has no border: every edge has two faces. Select edges instead."
-                    : "No edge is selected. Select edges, for example with 'Select Crease Edges', or set "
-                      "from_border.");
+                    : "No edge is selected. Select edges, for example with 'Select Crease Edges', or set " +
+                          named(call, "from_border") + ".");
   }
   const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
   std::vector<Index> numbers(sources.size());

@@ -7,6 +7,7 @@
 #include "filters/rows.h"
 #include "new_layer.h"
 #include "output_file.h"
+#include "parameters.h"
 #include "query/neighbors.h"
 #include "selected_vertices.h"
 #include "support/error.h"
@@ -24,7 +25,7 @@ std::vector<int> host_numbers(const LayerMesh& layer_mesh, const std::vector<Ind
   return numbers;
 }
 
-RichParameterList matrix_parameters(const MeshModel&) {
+RichParameterList matrix_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(output_file_parameter());
   list.addParam(exact_parameter());
@@ -56,10 +57,9 @@ Results distance_matrix_of_selection(FilterCall& call) {
   return results;
 }
 
-RichParameterList pairs_parameters(const MeshModel& layer) {
+RichParameterList pairs_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(RichFloat("radius", 0.1F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
-                          "Greatest geodesic distance of a pair, in the unit of the mesh."));
+  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance of a pair."));
   list.addParam(output_file_parameter());
   list.addParam(exact_parameter());
   return list;
@@ -67,7 +67,7 @@ RichParameterList pairs_parameters(const MeshModel& layer) {
 
 Results pairs_of_selection(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const double radius = length_parameter(call, "radius", true);
+  const double radius = length_of(call, "radius", true);
   const auto points = selected_vertices(call.layer.cm, layer_mesh, "among which pairs are wanted");
   const auto file = output_file(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);

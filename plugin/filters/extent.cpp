@@ -5,18 +5,17 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "parameters.h"
 #include "selected_vertices.h"
-#include "support/error.h"
 #include "team_of_layer.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList disk_parameters(const MeshModel& layer) {
+RichParameterList disk_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(RichFloat("radius", 0.1F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
-                          "Greatest geodesic distance, in the unit of the mesh."));
+  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."));
   list.addParam(RichInt("vertex_index", -1, "Vertex",
                         "Number of the vertex in the middle, counted from 0; -1: all selected vertices."));
   list.addParam(exact_parameter());
@@ -25,10 +24,10 @@ RichParameterList disk_parameters(const MeshModel& layer) {
 
 Results select_disk(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const double radius = length_parameter(call, "radius", true);
+  const double radius = length_of(call, "radius", true);
   const int number = call.parameters.getInt("vertex_index");
   const std::vector<Index> sources =
-      number != -1 ? std::vector<Index>{layer_mesh.core_vertex(number, "vertex_index")}
+      number != -1 ? std::vector<Index>{vertex_of(call, layer_mesh, "vertex_index")}
                    : selected_vertices(call.layer.cm, layer_mesh, "around which the disk shall lie");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const GeodesicDisk disk = geodesic_disk(found.team, sources, radius);
@@ -49,7 +48,7 @@ Results select_disk(FilterCall& call) {
   return results;
 }
 
-RichParameterList extent_parameters(const MeshModel&) {
+RichParameterList extent_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("fields", 20, "Fields", "Distance fields that may be computed, at least 2."));
   list.addParam(RichInt("vertex_index", -1, "Vertex",
@@ -60,10 +59,10 @@ RichParameterList extent_parameters(const MeshModel&) {
 
 Results measure_extent(FilterCall& call) {
   const int fields = call.parameters.getInt("fields");
-  if (fields < 2) throw InvalidInput("fields is " + std::to_string(fields) + ". Give 2 or more.");
+  if (fields < 2) refuse(call, "fields", fields, ". Give 2 or more.");
   const LayerMesh layer_mesh(call.layer.cm);
   const int number = call.parameters.getInt("vertex_index");
-  Index start = number == -1 ? no_index : layer_mesh.core_vertex(number, "vertex_index");
+  Index start = number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   if (start == no_index) start = first_vertex_of_largest_component(found.team.mesh());
   const Extent extent = extent_of_component(found.team, start, fields, found.progress);

@@ -8,25 +8,28 @@
 #include "index_of_layer.h"
 #include "mesh/surface_locator.h"
 #include "new_layer.h"
+#include "parameters.h"
 #include "query/path_query.h"
 #include "support/error.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList path_parameters(const MeshModel& layer) {
+RichParameterList path_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(
       RichInt("source", -1, "Source vertex", "Number of the vertex where the path begins; -1: a point."));
   list.addParam(
       RichInt("target", -1, "Target vertex", "Number of the vertex where the path ends; -1: a point."));
-  list.addParam(RichPosition("source_point", layer.cm.bbox.min, "Source point",
-                             "Used if the source vertex is -1: the nearest point of the surface is taken."));
-  list.addParam(RichPosition("target_point", layer.cm.bbox.max, "Target point",
-                             "Used if the target vertex is -1: the nearest point of the surface is taken."));
-  list.addParam(RichFloat("max_snap_distance", 0, "Max snap distance",
-                          "How far a point may be from the surface; 0: any distance."));
+  list.addParam(RichPosition(
+      "source_point", document.mm()->cm.bbox.min, "Source point",
+      "Used if the source vertex is -1: the nearest point of the surface. Choose 'Surf. Pos.' and "
+      "press Get, then double-click on the surface."));
+  list.addParam(RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
+                             "Used if the target vertex is -1: the nearest point of the surface."));
+  list.addParam(max_snap_distance_parameter(document));
   list.addParam(
       RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
   list.addParam(RichBool("certify", false, "Certify",
@@ -38,14 +41,13 @@ RichParameterList path_parameters(const MeshModel& layer) {
 SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
                     const std::shared_ptr<const Mesh>& mesh, const char* vertex, const char* point) {
   const int number = call.parameters.getInt(vertex);
-  if (number != -1) return {SurfacePoint::at_vertex(layer_mesh.core_vertex(number, vertex)), 0.0};
-  const Point3m at = call.parameters.getPoint3m(point);
-  const SnappedPoint found = SurfaceLocator(mesh).nearest({double(at[0]), double(at[1]), double(at[2])});
-  const double most = call.parameters.getFloat("max_snap_distance");
+  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer_mesh, vertex)), 0.0};
+  const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, point));
+  const double most = length_of(call, "max_snap_distance", true);
   if (most > 0.0 && found.distance > most) {
     std::ostringstream text;
-    text << point << " is " << found.distance << " away from the surface, more than max_snap_distance "
-         << most << ". Move the point or raise the limit.";
+    text << named(call, point) << " is " << found.distance << " away from the surface, more than "
+         << named(call, "max_snap_distance") << ", " << most << ". Move the point or raise the limit.";
     throw InvalidInput(text.str());
   }
   return found;
@@ -53,7 +55,8 @@ SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
 
 Results draw_path(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                                [&](const Progress&) { return layer_mesh.make_mesh(); });
   const SnappedPoint source = end_of(call, layer_mesh, mesh, "source", "source_point");
   const SnappedPoint target = end_of(call, layer_mesh, mesh, "target", "target_point");
   const IndexOfLayer found = index_of_layer(call, layer_mesh);

@@ -10,6 +10,7 @@
 #include "index_cache.h"
 #include "index_of_layer.h"
 #include "support/error.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -17,16 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RichParameterList no_parameters(const MeshModel&) { return {}; }
+RichParameterList no_parameters(const MeshDocument&) { return {}; }
 
-RichParameterList file_to_write(const MeshModel&) {
+RichParameterList file_to_write(const MeshDocument&) {
   RichParameterList list;
   list.addParam(
       RichFileToWrite("index_file", "", "*.vgi", "Index file", "File to write the index to, *.vgi."));
   return list;
 }
 
-RichParameterList file_to_read(const MeshModel&) {
+RichParameterList file_to_read(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichFileToRead("index_file", "", {"*.vgi"}, "Index file",
                                "File that holds the index of exactly this mesh, *.vgi."));
@@ -62,8 +63,7 @@ Results save_index(FilterCall& call) {
         "VoroGeo "
         "filter that uses it.");
   }
-  call.progress.report(0.0, "Writing the geodesic index");
-  index->save(file);
+  run_ticking(call.progress, "Writing the geodesic index", [&](const Progress&) { index->save(file); });
   const auto bytes = static_cast<double>(fs::file_size(file));
   std::ostringstream text;
   text.precision(3);
@@ -76,8 +76,9 @@ Results load_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getOpenFileName("index_file"));
   if (file.empty()) throw IndexFileError("No index file is named. Name one that ends in .vgi.");
   const LayerMesh layer_mesh(call.layer.cm);
-  call.progress.report(0.0, "Reading the geodesic index");
-  const auto index = GeodesicIndex::load(file, layer_mesh.make_mesh());
+  const auto index = run_ticking(call.progress, "Reading the geodesic index", [&](const Progress&) {
+    return GeodesicIndex::load(file, layer_mesh.make_mesh());
+  });
   call.indexes.put(layer_mesh.arrays(), index, &call.document);
   call.log("Geodesic index: read from " + file.string());
   log_statistics(call, index->statistics());

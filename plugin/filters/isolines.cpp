@@ -9,13 +9,14 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "new_layer.h"
+#include "parameters.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList isolines_parameters(const MeshModel&) {
+RichParameterList isolines_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("line_number", 10, "Lines",
                         "So many values, evenly spaced between the least and the greatest quality."));
@@ -34,14 +35,13 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
     bool is_number = false;
     values.push_back(word.toDouble(&is_number));
     if (is_number && std::isfinite(values.back())) continue;
-    throw InvalidInput("values holds '" + word.toStdString() +
+    throw InvalidInput(named(call, "values") + " holds '" + word.toStdString() +
                        "', which is no finite number. Separate numbers by spaces or semicolons.");
   }
   if (!values.empty()) return values;
   const int count = call.parameters.getInt("line_number");
   if (count < 1) {
-    throw InvalidInput("line_number is " + std::to_string(count) +
-                       ". Give 1 or more, or the values themselves.");
+    refuse(call, "line_number", count, ". Give 1 or more, or the values themselves.");
   }
   for (int i = 1; i <= count; ++i) values.push_back(low + (high - low) * i / (count + 1));
   return values;

@@ -12,9 +12,11 @@
 #include "filters/rows.h"
 #include "host_methods.h"
 #include "index_of_layer.h"
+#include "parameters.h"
 #include "query/geodesic_query.h"
 #include "start_vertex.h"
 #include "support/error.h"
+#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -30,9 +32,9 @@ QStringList method_names() {
           "Shortest edge path (Dijkstra)"};
 }
 
-RichParameterList comparison_parameters(const MeshModel& layer) {
+RichParameterList comparison_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_start_vertex_parameters(list, layer, "the nearest vertex that has a face");
+  add_start_vertex_parameters(list, document, "the nearest vertex that has a face");
   list.addParam(RichEnum("method", int(Compared::index), method_names(), "Method",
                          "The method that is judged. MeshLab 2022.02 has no heat method."));
   list.addParam(RichEnum("reference", int(Compared::exact), method_names(), "Reference",
@@ -43,8 +45,7 @@ RichParameterList comparison_parameters(const MeshModel& layer) {
 Compared method_of(const FilterCall& call, const char* parameter) {
   const int number = call.parameters.getEnum(parameter);
   if (number < 0 || number >= method_names().size()) {
-    throw InvalidInput(std::string(parameter) + " is " + std::to_string(number) +
-                       ". Give the number of a method, 0 to 4.");
+    refuse(call, parameter, number, ". Give the number of a method, 0 to 4.");
   }
   const auto method = static_cast<Compared>(number);
   if (method == Compared::heat && !host_has_heat_method()) {
@@ -63,10 +64,12 @@ MethodField index_field(FilterCall call, const LayerMesh& layer_mesh, Index sour
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   MethodField field;
   field.build_seconds = found.reused ? 0.0 : found.index->statistics().seconds;
-  GeodesicQuery query(found.index);
-  const auto start = Clock::now();
-  field.distances = query.distance_field(std::array{source});
-  field.seconds = seconds_since(start);
+  run_ticking(progress.part(0.9, 1.0), "Geodesic distances", [&](const Progress&) {
+    GeodesicQuery query(found.index);
+    const auto start = Clock::now();
+    field.distances = query.distance_field(std::array{source});
+    field.seconds = seconds_since(start);
+  });
   return field;
 }
 
@@ -87,18 +90,22 @@ MethodField exact_field(const std::shared_ptr<const Mesh>& mesh, Index source, c
 
 MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::shared_ptr<const Mesh>& mesh,
                      Index source, Compared method, const Progress& progress) {
-  progress.report(0.0, "Geodesic distances: " + method_names()[int(method)].toStdString());
+  const std::string activity = "Geodesic distances: " + method_names()[int(method)].toStdString();
+  progress.report(0.0, activity);
   switch (method) {
     case Compared::index:
       return index_field(call, layer_mesh, source, progress);
     case Compared::exact:
-      return exact_field(mesh, source, progress);
+      return run_ticking(progress, activity,
+                         [&](const Progress& inner) { return exact_field(mesh, source, inner); });
     case Compared::fast_marching:
-      return fast_marching_field(*mesh, source);
+      return run_ticking(progress, activity,
+                         [&](const Progress&) { return fast_marching_field(*mesh, source); });
     case Compared::heat:
-      return heat_field(*mesh, source);
+      return run_ticking(progress, activity, [&](const Progress&) { return heat_field(*mesh, source); });
     case Compared::edge_graph:
-      return edge_graph_field(*mesh, source);
+      return run_ticking(progress, activity,
+                         [&](const Progress&) { return edge_graph_field(*mesh, source); });
   }
   throw InvalidInput("This method is not known.");
 }
@@ -195,7 +202,8 @@ Results compare_methods(FilterCall& call) {
   const Compared reference = method_of(call, "reference");
   const LayerMesh layer_mesh(call.layer.cm);
   const StartVertex start = start_vertex(call, layer_mesh);
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                                [&](const Progress&) { return layer_mesh.make_mesh(); });
   const MethodField b =
       field_of(call, layer_mesh, mesh, start.vertex, reference, call.progress.part(0.0, 0.5));
   const MethodField a = field_of(call, layer_mesh, mesh, start.vertex, method, call.progress.part(0.5, 1.0));

@@ -5,6 +5,7 @@
 #include "filters/rows.h"
 #include "new_layer.h"
 #include "output_file.h"
+#include "parameters.h"
 #include "query/neighbors.h"
 #include "selected_vertices.h"
 #include "source_layer.h"
@@ -17,9 +18,9 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList nearest_parameters(const MeshModel&) {
+RichParameterList nearest_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_source_layer_parameters(list, "points");
+  add_source_layer_parameters(list, document, "points");
   list.addParam(
       RichInt("neighbour_number", 1, "Neighbours", "How many of the nearest points of each vertex."));
   list.addParam(output_file_parameter());
@@ -31,7 +32,7 @@ Results nearest_points(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const int neighbours = call.parameters.getInt("neighbour_number");
   if (neighbours < 1) {
-    throw InvalidInput("neighbour_number is " + std::to_string(neighbours) + ". Give 1 or more.");
+    refuse(call, "neighbour_number", neighbours, ". Give 1 or more.");
   }
   const auto queries = selected_vertices(call.layer.cm, layer_mesh, "whose nearest points are wanted");
   const auto file = output_file(call);
@@ -50,7 +51,7 @@ Results nearest_points(FilterCall& call) {
     numbers.push_back(v);
   }
   if (set.empty()) {
-    throw InvalidInput("Layer " + std::to_string(call.parameters.getInt("source_layer")) +
+    throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId("source_layer")) +
                        " has no vertex. Choose a layer with points.");
   }
   TeamOfLayer found = team_of_layer(call, layer_mesh);

@@ -4,14 +4,14 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "index_of_layer.h"
+#include "parameters.h"
 #include "patch_coloring.h"
-#include "support/error.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList patch_colors_parameters(const MeshModel&) {
+RichParameterList patch_colors_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("layer", 1, "Layer", "Layer of patches: 1 (large patches) or 2 (small patches)."));
   return list;
@@ -24,8 +24,7 @@ vcg::Color4b color_without_patch() { return {160, 160, 160, 255}; }
 Results color_patches(FilterCall& call) {
   const int layer = call.parameters.getInt("layer");
   if (layer != 1 && layer != 2) {
-    throw InvalidInput("layer is " + std::to_string(layer) +
-                       ". The index has two layers: give 1 (large patches) or 2 (small patches).");
+    refuse(call, "layer", layer, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
   }
   const LayerMesh layer_mesh(call.layer.cm);
   const IndexOfLayer found = index_of_layer(call, layer_mesh);

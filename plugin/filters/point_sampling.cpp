@@ -4,30 +4,22 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "new_layer.h"
+#include "parameters.h"
 #include "query/lloyd.h"
 #include "query/spread_points.h"
 #include "selected_vertices.h"
-#include "support/error.h"
 #include "team_of_layer.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Start of the random numbers."); }
-
-std::uint64_t seed_of(const FilterCall& call) {
-  const int seed = call.parameters.getInt("seed");
-  if (seed < 0) throw InvalidInput("seed is " + std::to_string(seed) + ". Give 0 or a positive number.");
-  return static_cast<std::uint64_t>(seed);
-}
-
-RichParameterList farthest_parameters(const MeshModel&) {
+RichParameterList farthest_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(RichInt("sample_number", 100, "Samples", "How many samples; 0: as the radius wants."));
   list.addParam(
-      RichFloat("radius", 0, "Covering radius",
-                "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
+      length_parameter(document, "radius", 0.0, "Covering radius",
+                       "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
   list.addParam(RichBool("from_selection", false, "Begin with the selection",
                          "Take the selected vertices first; else a random one."));
   list.addParam(seed_parameter());
@@ -36,13 +28,13 @@ RichParameterList farthest_parameters(const MeshModel&) {
 }
 
 Results farthest_sampling(FilterCall& call) {
-  const FarthestStop stop{call.parameters.getInt("sample_number"), length_parameter(call, "radius", true)};
+  const LayerMesh layer_mesh(call.layer.cm);
+  const FarthestStop stop{call.parameters.getInt("sample_number"), length_of(call, "radius", true)};
   if (stop.count < 0 || (stop.count == 0 && stop.radius == 0.0)) {
-    throw InvalidInput("sample_number is " + std::to_string(stop.count) +
-                       ". Give a number of samples above 0, or 0 and a covering radius above 0.");
+    refuse(call, "sample_number", stop.count,
+           ". Give a number of samples above 0, or 0 and a covering radius above 0.");
   }
   const std::uint64_t seed = seed_of(call);
-  const LayerMesh layer_mesh(call.layer.cm);
   std::vector<Index> start;
   if (call.parameters.getBool("from_selection")) {
     start = selected_vertices(call.layer.cm, layer_mesh, "that the sampling shall begin with");
@@ -58,10 +50,10 @@ Results farthest_sampling(FilterCall& call) {
   return results;
 }
 
-RichParameterList poisson_parameters(const MeshModel& layer) {
+RichParameterList poisson_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(RichFloat("radius", 0.05F * static_cast<float>(layer.cm.bbox.Diag()), "Radius",
-                          "Least geodesic distance of two samples, in the unit of the mesh."));
+  list.addParam(
+      length_parameter(document, "radius", 0.05, "Radius", "Least geodesic distance of two samples."));
   list.addParam(seed_parameter());
   list.addParam(exact_parameter());
   return list;
@@ -69,7 +61,7 @@ RichParameterList poisson_parameters(const MeshModel& layer) {
 
 Results poisson_disk_sampling(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const double radius = length_parameter(call, "radius", false);
+  const double radius = length_of(call, "radius", false);
   const std::uint64_t seed = seed_of(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const auto samples = sample_poisson_disk(found.team, radius, seed, found.progress);
@@ -80,7 +72,7 @@ Results poisson_disk_sampling(FilterCall& call) {
   return results;
 }
 
-RichParameterList lloyd_parameters(const MeshModel&) {
+RichParameterList lloyd_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; it ends before if nothing improves."));
   list.addParam(exact_parameter());
@@ -89,7 +81,7 @@ RichParameterList lloyd_parameters(const MeshModel&) {
 
 Results lloyd_relaxation(FilterCall& call) {
   const int rounds = call.parameters.getInt("rounds");
-  if (rounds < 0) throw InvalidInput("rounds is " + std::to_string(rounds) + ". Give 0 or more.");
+  if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
   const LayerMesh layer_mesh(call.layer.cm);
   const auto points = selected_vertices(call.layer.cm, layer_mesh, "that shall be relaxed");
   TeamOfLayer found = team_of_layer(call, layer_mesh);

@@ -6,6 +6,7 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "new_layer.h"
+#include "parameters.h"
 #include "patch_coloring.h"
 #include "selected_vertices.h"
 #include "team_of_layer.h"
@@ -14,7 +15,7 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList voronoi_parameters(const MeshModel&) {
+RichParameterList voronoi_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."));
   list.addParam(exact_parameter());

@@ -75,9 +75,11 @@ def test_surface_without_border():
 @pytest.mark.parametrize("number", [-2, 16, 2**31 - 1])
 @pytest.mark.parametrize("name", FROM_A_POINT)
 def test_start_vertex_out_of_range(name, number):
+    """The parameter is named as the window shows it and as scripts call it."""
     ms = mesh_set(*grid(3, 3))
     with fails_and_changes_nothing(
-        ms, f"vertex_index is {number}, but the vertices of the current layer are numbered from 0 to 15"
+        ms,
+        f'"Start vertex" (vertex_index) is {number}, but the vertices of the current layer are numbered from 0 to 15',
     ):
         ms.apply_filter(name, vertex_index=number)
 
@@ -86,14 +88,14 @@ def test_start_vertex_out_of_range(name, number):
 @pytest.mark.parametrize("name", ["source", "target"])
 def test_vertex_of_a_pair_out_of_range(name, number):
     ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, f"{name} is {number}, but the vertices"):
+    with fails_and_changes_nothing(ms, f"({name}) is {number}, but the vertices"):
         ms.apply_filter(TWO_VERTICES, **{name: number})
 
 
 @pytest.mark.parametrize("name", FROM_A_POINT)
 def test_start_point_that_is_not_finite(name):
     ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "start_point has a coordinate that is NaN or infinite"):
+    with fails_and_changes_nothing(ms, "(start_point) has a coordinate that is NaN or infinite"):
         ms.apply_filter(name, start_point=np.array([0, np.nan, 0]))
 
 
@@ -102,24 +104,24 @@ def test_start_point_that_is_not_finite(name):
 def test_bad_max_distance(name, value):
     ms = mesh_set(*grid(3, 3))
     ms.apply_filter("set_selection_all")
-    with fails_and_changes_nothing(ms, f"max_distance is {value}"):
+    with fails_and_changes_nothing(ms, f"(max_distance) is {value}"):
         ms.apply_filter(name, max_distance=length(value))
 
 
 @pytest.mark.parametrize(
     ("parameter", "value", "message"),
     [
-        ("n1", -1, "n1 is -1. Give a positive number of patches"),
+        ("n1", -1, "(n1) is -1. Give a positive number of patches"),
         ("n1", 1000, "first-layer patches, n1, is 1000; give one from 0"),
         ("n2", 1000, "second-layer patches, n2, is 1000; give one from 0"),
-        ("n2", -7, "n2 is -7. Give a positive number of patches"),
-        ("delta", -0.5, "delta is -0.5. Give a number from 0 to below 1"),
-        ("delta", 1.0, "delta is 1. Give a number from 0 to below 1"),
-        ("delta", np.nan, "delta is nan. Give a number from 0 to below 1"),
-        ("threads", -1, "threads is -1. Give a number from 1 to 1024, or 0 for one per core"),
-        ("threads", 1025, "threads is 1025. Give a number from 1 to 1024"),
-        ("threads", 2**31 - 1, "threads is 2147483647. Give a number from 1 to 1024"),
-        ("seed", -1, "seed is -1. Give 0 or a positive number"),
+        ("n2", -7, "(n2) is -7. Give a positive number of patches"),
+        ("delta", -0.5, "(delta) is -0.5. Give a number from 0 to below 1"),
+        ("delta", 1.0, "(delta) is 1. Give a number from 0 to below 1"),
+        ("delta", np.nan, "(delta) is nan. Give a number from 0 to below 1"),
+        ("threads", -1, "(threads) is -1. Give a number from 1 to 1024, or 0 for one per core"),
+        ("threads", 1025, "(threads) is 1025. Give a number from 1 to 1024"),
+        ("threads", 2**31 - 1, "(threads) is 2147483647. Give a number from 1 to 1024"),
+        ("seed", -1, "(seed) is -1. Give 0 or a positive number"),
     ],
 )
 def test_bad_index_parameter(parameter, value, message):
@@ -131,7 +133,7 @@ def test_bad_index_parameter(parameter, value, message):
 @pytest.mark.parametrize("layer", [0, 3, -1])
 def test_bad_layer_of_patches(layer):
     ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, f"layer is {layer}. The index has two layers"):
+    with fails_and_changes_nothing(ms, f"(layer) is {layer}. The index has two layers"):
         ms.apply_filter(PATCHES, layer=layer)
 
 
@@ -156,5 +158,5 @@ def test_index_file_on_a_full_or_forbidden_device():
 def test_a_filter_that_failed_leaves_earlier_results_alone():
     ms = mesh_set(*grid(3, 3))
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=3)
-    with fails_and_changes_nothing(ms, "vertex_index is 99"):
+    with fails_and_changes_nothing(ms, "(vertex_index) is 99"):
         ms.apply_filter(EXACT_FROM_POINT, vertex_index=99)

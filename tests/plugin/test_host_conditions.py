@@ -7,6 +7,7 @@ import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
+    COMPARISON,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     FROM_BORDER,
@@ -15,6 +16,7 @@ from support import (
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
+    LOAD_INDEX,
     NEAREST,
     PATCHES,
     TWO_VERTICES,
@@ -26,6 +28,7 @@ from support import (
     grid,
     mesh_set,
     select_vertices,
+    sphere,
 )
 
 # What these filters need beyond a surface with a selection.
@@ -108,7 +111,7 @@ def test_deleted_faces_have_no_patch(name):
 )
 def test_deleted_vertex_is_refused_as_start(name, parameter):
     ms = rectangle(7.0)
-    with pytest.raises(Exception, match=f"{parameter} is 30, but this vertex was deleted"):
+    with pytest.raises(Exception, match=rf"\({parameter}\) is 30, but this vertex was deleted"):
         ms.apply_filter("probe_apply", filter=name, numbers=f"{parameter}=30", deleted_vertices="30")
 
 
@@ -124,3 +127,20 @@ def test_not_finite_vertex_is_named_by_its_number_in_the_host():
     vertices[9] = np.nan
     with pytest.raises(Exception, match="Vertex 9 has a coordinate"):
         mesh_set(vertices, faces).apply_filter("probe_apply", filter=FROM_POINT, deleted_vertices="1;2")
+
+
+@pytest.mark.parametrize("name", [INDEX, FROM_POINT, EXACT_FROM_POINT, COMPARISON])
+def test_window_is_never_without_progress_for_long(name):
+    """What reports nothing itself, as MeshLab's own methods, runs beside the thread that tells the host."""
+    vertices, faces = sphere(6)
+    ms = mesh_set(vertices * (1 + ALL_FILTERS.index(name) / 64), faces)
+    numbers = "method=4;reference=2" if name == COMPARISON else "vertex_index=3" if name != INDEX else ""
+    result = ms.apply_filter("probe_apply", filter=name, numbers=numbers)
+    assert result["probe_longest_silence"] < 1.0
+
+
+def test_error_beside_the_window_arrives_there(tmp_path):
+    file = tmp_path / "no.vgi"
+    file.write_bytes(b"VGI" * 100)
+    with fails_and_changes_nothing(ms := mesh_set(*grid(9, 8)), "no.vgi"):
+        ms.apply_filter(LOAD_INDEX, index_file=str(file))

@@ -123,7 +123,7 @@ def test_memory_budget_chooses_the_form():
     assert graph["bytes"] < tables["bytes"]
     with pytest.raises(pymeshlab.PyMeshLabException, match="memory budget is 1 MiB, but the index of this mesh takes"):
         mesh_set(*sphere(5)).apply_filter(INDEX, memory_budget=1)
-    with pytest.raises(pymeshlab.PyMeshLabException, match="memory_budget is -1"):
+    with pytest.raises(pymeshlab.PyMeshLabException, match=r"\(memory_budget\) is -1"):
         mesh_set(*sphere(5)).apply_filter(INDEX, memory_budget=-1)
 
 

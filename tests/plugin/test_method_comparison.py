@@ -127,5 +127,5 @@ def test_other_components_are_not_compared(method):
 
 def test_bad_start_vertex_changes_nothing():
     ms = mesh_set(*sphere(1))
-    with fails_and_changes_nothing(ms, "vertex_index is 42, but the vertices"):
+    with fails_and_changes_nothing(ms, "(vertex_index) is 42, but the vertices"):
         compare(ms, EXACT, source=42)

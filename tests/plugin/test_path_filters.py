@@ -13,6 +13,7 @@ from support import (
     field,
     grid,
     layer_count,
+    length,
     mesh_set,
     side_by_side,
     sphere,
@@ -59,7 +60,7 @@ def test_no_path_is_no_layer():
 def test_a_point_beyond_the_limit_is_refused():
     ms = mesh_set(*grid(4, 4))
     with pytest.raises(pymeshlab.PyMeshLabException, match=r"source_point.*max_snap_distance"):
-        ms.apply_filter(PATH, source_point=np.array([1.0, 1.0, 3.0]), target=7, max_snap_distance=0.5)
+        ms.apply_filter(PATH, source_point=np.array([1.0, 1.0, 3.0]), target=7, max_snap_distance=length(0.5))
 
 
 @pytest.mark.parametrize("exact", [False, True])
@@ -78,7 +79,7 @@ def test_distance_from_a_layer_of_points(exact):
     clear = np.abs(distances[:, 0] - distances[:, 1]) > 0.1
     np.testing.assert_array_equal(label[clear], distances.argmin(axis=1)[clear])
     with pytest.raises(pymeshlab.PyMeshLabException, match="max_snap_distance"):
-        ms.apply_filter(FROM_LAYER, source_layer=1, max_snap_distance=0.1)
+        ms.apply_filter(FROM_LAYER, source_layer=1, max_snap_distance=length(0.1))
     with pytest.raises(pymeshlab.PyMeshLabException, match="source_layer"):
         ms.apply_filter(FROM_LAYER, source_layer=0)
     with pytest.raises(pymeshlab.PyMeshLabException, match="source_layer"):
@@ -92,7 +93,7 @@ def test_distance_from_a_line():
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=np.array([a, b]), edge_matrix=np.array([[0, 1]])))
     ms.set_current_mesh(0)
     spacing = 0.05
-    ms.apply_filter(FROM_LAYER, source_layer=1, exact=True, spacing=spacing)
+    ms.apply_filter(FROM_LAYER, source_layer=1, exact=True, spacing=length(spacing))
     t = np.clip((vertices - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     distances = np.linalg.norm(vertices - (a + t[:, None] * (b - a)), axis=1)
     assert (field(ms) >= distances - 1e-6).all()
@@ -115,4 +116,4 @@ def test_edges_that_are_not_there():
     with pytest.raises(pymeshlab.PyMeshLabException, match="no border"):
         mesh_set(*sphere(1)).apply_filter(FROM_EDGES, from_border=True)
     with pytest.raises(pymeshlab.PyMeshLabException, match="spacing"):
-        mesh_set(*grid(3, 3)).apply_filter(FROM_EDGES, from_border=True, spacing=-1)
+        mesh_set(*grid(3, 3)).apply_filter(FROM_EDGES, from_border=True, spacing=length(-1))

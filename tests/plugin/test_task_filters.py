@@ -22,6 +22,7 @@ from support import (
     fails_and_changes_nothing,
     grid,
     layer_count,
+    length,
     mesh_set,
     select_vertices,
     side_by_side,
@@ -65,7 +66,7 @@ def test_pairs_within_radius(ms, tmp_path):
     file = tmp_path / "pairs.npy"
     distances = straight(POINTS, POINTS)
     radius = np.median(distances[distances > 0])
-    result = ms.apply_filter(PAIRS_WITHIN, radius=radius + 1e-3, matrix_file=str(file), exact=True)
+    result = ms.apply_filter(PAIRS_WITHIN, radius=length(radius + 1e-3), matrix_file=str(file), exact=True)
     expected = [(a, b) for i, a in enumerate(POINTS) for b in POINTS[i + 1 :] if straight([a], [b]) <= radius + 1e-3]
     assert list(zip(result["first"], result["second"], strict=True)) == expected
     assert result["pairs"] == len(expected)
@@ -118,7 +119,7 @@ def test_farthest_point_sampling_is_a_layer_of_points(ms):
 
 
 def test_poisson_disk_sampling_is_spaced_and_maximal(ms):
-    result = ms.apply_filter(POISSON, radius=0.7, exact=True, seed=4)
+    result = ms.apply_filter(POISSON, radius=length(0.7), exact=True, seed=4)
     numbers = result["vertices"].astype(int)
     apart = straight(numbers, numbers)[np.triu_indices(len(numbers), 1)]
     assert apart.min() >= 0.7 - 1e-6
@@ -129,7 +130,7 @@ def test_poisson_disk_sampling_is_spaced_and_maximal(ms):
 def test_layers_lie_where_the_sampled_layer_lies(ms):
     matrix = np.array([[2, 0, 0, 5], [0, 2, 0, 6], [0, 0, 2, 7], [0, 0, 0, 1.0]])
     ms.apply_filter("set_matrix", transformmatrix=matrix, freeze=False)
-    ms.apply_filter(POISSON, radius=1.0)
+    ms.apply_filter(POISSON, radius=length(1.0))
     local = ms.current_mesh().vertex_matrix().copy()
     ms.apply_filter("apply_matrix_freeze")
     np.testing.assert_allclose(ms.current_mesh().vertex_matrix(), 2 * local + [5, 6, 7])
@@ -165,7 +166,7 @@ def test_isolines_end_where_no_distance_is():
 
 
 def test_disk_selects_vertices_and_faces(ms):
-    result = ms.apply_filter(DISK, vertex_index=170, radius=0.9, exact=True)
+    result = ms.apply_filter(DISK, vertex_index=170, radius=length(0.9), exact=True)
     inside = np.linalg.norm(GRID[0] - GRID[0][170], axis=1) <= 0.9
     mesh = ms.current_mesh()
     np.testing.assert_array_equal(mesh.vertex_selection_array(), inside)
@@ -174,7 +175,7 @@ def test_disk_selects_vertices_and_faces(ms):
 
 
 def test_disk_grows_the_selection(ms):
-    ms.apply_filter(DISK, radius=0.5, exact=True)
+    ms.apply_filter(DISK, radius=length(0.5), exact=True)
     inside = straight(np.arange(len(GRID[0])), POINTS).min(axis=1) <= 0.5
     np.testing.assert_array_equal(ms.current_mesh().vertex_selection_array(), inside)
 
@@ -216,10 +217,10 @@ def test_nearest_points_of_a_layer(ms, exact, tmp_path):
 @pytest.mark.parametrize(
     ("parameters", "message"),
     [
-        ({"source_layer": 7}, "source_layer is 7, but there is no such layer"),
+        ({"source_layer": 7}, "(source_layer) is 7, but there is no such layer"),
         ({"source_layer": 0}, "the current layer itself"),
-        ({"source_layer": 1, "neighbour_number": 0}, "neighbour_number is 0"),
-        ({"source_layer": 1, "max_snap_distance": 0.1}, "Vertex 0 of layer 1 is 0.5"),
+        ({"source_layer": 1, "neighbour_number": 0}, "(neighbour_number) is 0"),
+        ({"source_layer": 1, "max_snap_distance": length(0.1)}, "Vertex 0 of layer 1 is 0.5"),
         ({"source_layer": 1, "matrix_file": "/nowhere/x.npy"}, "no folder"),
     ],
 )
@@ -240,17 +241,17 @@ def test_an_empty_selection_is_an_error(name):
 @pytest.mark.parametrize(
     ("name", "parameters", "message"),
     [
-        (PAIRS_WITHIN, {"radius": -1}, "radius is -1"),
-        (POISSON, {"radius": 0}, "radius is 0"),
-        (POISSON, {"seed": -1}, "seed is -1"),
-        (FARTHEST, {"sample_number": 0}, "sample_number is 0"),
-        (FARTHEST, {"radius": -2}, "radius is -2"),
-        (LLOYD, {"rounds": -1}, "rounds is -1"),
-        (DISK, {"vertex_index": 9999}, "vertex_index is 9999"),
-        (DISK, {"radius": -1}, "radius is -1"),
-        (EXTENT, {"fields": 1}, "fields is 1"),
-        (ISOLINES, {"values": "1 two"}, "values holds 'two'"),
-        (ISOLINES, {"line_number": 0}, "line_number is 0"),
+        (PAIRS_WITHIN, {"radius": length(-1)}, "(radius) is -1"),
+        (POISSON, {"radius": length(0)}, "(radius) is 0"),
+        (POISSON, {"seed": -1}, "(seed) is -1"),
+        (FARTHEST, {"sample_number": 0}, "(sample_number) is 0"),
+        (FARTHEST, {"radius": length(-2)}, "(radius) is -2"),
+        (LLOYD, {"rounds": -1}, "(rounds) is -1"),
+        (DISK, {"vertex_index": 9999}, "(vertex_index) is 9999"),
+        (DISK, {"radius": length(-1)}, "(radius) is -1"),
+        (EXTENT, {"fields": 1}, "(fields) is 1"),
+        (ISOLINES, {"values": "1 two"}, "(values) holds 'two'"),
+        (ISOLINES, {"line_number": 0}, "(line_number) is 0"),
         (MATRIX, {"matrix_file": "/nowhere/x.npy"}, "cannot be written"),
     ],
 )

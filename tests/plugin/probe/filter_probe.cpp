@@ -5,6 +5,8 @@
 #include <vcg/complex/allocate.h>
 
 #include <QStringList>
+#include <algorithm>
+#include <chrono>
 #include <exception>
 
 namespace {
@@ -14,9 +16,19 @@ int calls = 0;
 int calls_allowed = -1;
 int last_percentage = 0;
 bool percentage_fell = false;
+std::chrono::steady_clock::time_point last_call;
+double longest_silence = 0.0;
+
+/// Since the last call, or the beginning.
+void note_silence() {
+  const auto now = std::chrono::steady_clock::now();
+  longest_silence = std::max(longest_silence, std::chrono::duration<double>(now - last_call).count());
+  last_call = now;
+}
 
 bool count_and_maybe_cancel(const int percentage, const char*) {
   ++calls;
+  note_silence();
   percentage_fell = percentage_fell || percentage < last_percentage;
   last_percentage = percentage;
   return calls_allowed < 0 || calls <= calls_allowed;
@@ -117,6 +129,8 @@ std::map<std::string, QVariant> FilterProbe::applyFilter(const QAction* action,
   calls_allowed = parameters.getInt("calls_allowed");
   last_percentage = 0;
   percentage_fell = false;
+  longest_silence = 0.0;
+  last_call = std::chrono::steady_clock::now();
   unsigned int changes = MeshModel::MM_UNKNOWN;
   auto* const callback = parameters.getBool("without_callback") ? nullptr : count_and_maybe_cancel;
   std::map<std::string, QVariant> results;
@@ -127,6 +141,8 @@ std::map<std::string, QVariant> FilterProbe::applyFilter(const QAction* action,
   } catch (const std::exception& error) {
     throw MLException(QString("NOT AN MLException: ") + error.what());
   }
+  note_silence();
+  results["probe_longest_silence"] = longest_silence;
   results["probe_calls"] = calls;
   results["probe_last_percentage"] = last_percentage;
   results["probe_percentage_fell"] = percentage_fell;
