@@ -19,7 +19,7 @@ class Halo {
 
   /// Faces of patches and rim together, relative to those of the patches alone: enough for paths between
   /// points of the patches.
-  static constexpr double default_growth = 1.5;
+  static constexpr double default_growth = 1.15;
 
   /// Marks the patches and a rim around them; earlier marks are taken back. Complexity: O(faces marked).
   void surround(std::span<const Index> patches, double growth = default_growth);
