@@ -85,7 +85,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                  own->patches.clear();
                  for (const PatchRow& at : layer.patches_of(groups[group].begin))
                    own->patches.push_back(at.patch);
-                 own->halo.surround(own->patches);
+                 own->halo.surround(own->patches, table_growth);
                  own->targets.clear();
                  for (Index p : own->patches) {
                    const auto members = layer.members(p);
