@@ -4,15 +4,11 @@ Usage: python samples/paths.py [MESH]      (needs samples/setup.sh once; writes 
 """
 
 import time
-from pathlib import Path
 
-import matplotlib
 import mesh_input
 import numpy as np
+import picture
 import vorogeo
-
-matplotlib.use("agg")
-from matplotlib import pyplot
 
 mesh_set = mesh_input.load_from_command_line()
 mesh = mesh_set.current_mesh()
@@ -30,10 +26,8 @@ print(f"4 refined paths in {1e3 * (time.perf_counter() - start):.2f} ms: {[round
 exact = index.exact_path(ends[:4], ends[4:])
 print(f"longer than the exact ones by {max(p.length / q.length - 1 for p, q in zip(paths, exact, strict=True)):.1e}")
 
-axes = pyplot.figure(figsize=(8, 8)).add_subplot(projection="3d")
-axes.plot_trisurf(*vertices.T, triangles=faces, color="lightgrey", alpha=0.4)
-for path in exact:
-    axes.plot(*path.points.T, linewidth=2.5)
-axes.set_box_aspect(high - low)
-Path("samples/out").mkdir(parents=True, exist_ok=True)
-pyplot.savefig("samples/out/paths.png", dpi=120)
+ends_of = np.cumsum([len(p.points) for p in exact])
+joints = np.setdiff1d(np.arange(ends_of[-1] - 1), ends_of - 1)  # each point is joined to the next of its path
+lines = vorogeo.Polylines(np.vstack([p.points for p in exact]), np.column_stack([joints, joints + 1]))
+places = ends.positions(vertices, faces)
+picture.draw("samples/out/paths.png", vertices, faces, index.distance_field(ends), lines=lines, points=places)

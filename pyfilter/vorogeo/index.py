@@ -311,5 +311,5 @@ class GeodesicIndex(Matrices, Paths, SurfaceTasks):
         s = self._statistics
         return (
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
-            f"{s.second_layer_patches}), delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
+            f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )

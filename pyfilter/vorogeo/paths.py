@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .index import IndexStatistics
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class GeodesicPath:
     """A shortest path over the surface.
 
@@ -42,6 +42,9 @@ class GeodesicPath:
     vertices: NDArray[np.int32]
     surface_points: SurfacePoints
     certified: bool
+
+    def __repr__(self) -> str:
+        return f"GeodesicPath(length {self.length:g}, {len(self.points)} points, certified: {self.certified})"
 
     def to_pyvista(self) -> Any:
         """The path as a ``pyvista.PolyData`` with one line.
