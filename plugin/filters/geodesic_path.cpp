@@ -32,9 +32,12 @@ RichParameterList path_parameters(const MeshDocument& document) {
   list.addParam(max_snap_distance_parameter(document));
   list.addParam(
       RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
-  list.addParam(RichBool("certify", false, "Certify",
-                         "With exact: prove that no path is shorter; slower again on curved surfaces."));
-  return list;
+  list.addParam(
+      RichBool("certify", true, "Certify",
+               "With exact: prove that no path is shorter. Otherwise the index, less a margin that is not "
+               "proven, keeps the search narrower."));
+  slower again on curved surfaces."));
+      return list;
 }
 
 /// An end of the path: a vertex by its number, else the surface point nearest to a position.
