@@ -36,8 +36,7 @@ RichParameterList path_parameters(const MeshDocument& document) {
       RichBool("certify", true, "Certify",
                "With exact: prove that no path is shorter. Otherwise the index, less a margin that is not "
                "proven, keeps the search narrower."));
-  slower again on curved surfaces."));
-      return list;
+  return list;
 }
 
 /// An end of the path: a vertex by its number, else the surface point nearest to a position.

@@ -77,8 +77,9 @@ def test_results_fit_pyvista(index):
     assert cloud.n_points == 3
 
 
-def test_results_fit_polyscope(index):
+def test_results_fit_polyscope(index, monkeypatch, tmp_path):
     polyscope = pytest.importorskip("polyscope")
+    monkeypatch.chdir(tmp_path)  # it writes its settings where it runs
     polyscope.init("openGL_mock")  # draws nothing and needs no screen
     vertices, faces = MESH
     surface = polyscope.register_surface_mesh("surface", vertices, faces)
@@ -96,3 +97,4 @@ def test_results_fit_polyscope(index):
     points = index.sample_farthest(6).points.positions(vertices, faces)
     assert polyscope.register_point_cloud("samples", points).n_points() == 6
     polyscope.remove_all_structures()
+    polyscope.shutdown()
