@@ -13,13 +13,14 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float greatest_bound = 255.0f;
+/// Of two bounds: a way to a far start and on through the patch may be longer than any entry of its table.
+constexpr float greatest_sum = 2 * greatest_bound;
 
 }  // namespace
 
-/// A distance in units of the bounds, rounded down.
-int Approach::in_bounds(float distance) const {
-  return bound_unit_ > 0.0f ? static_cast<int>(std::min(distance / bound_unit_, greatest_bound))
-                            : static_cast<int>(greatest_bound);
+/// A distance in units of the bounds, rounded down; at most `greatest`, which it is without a unit.
+int Approach::in_bounds(float distance, float greatest) const {
+  return static_cast<int>(bound_unit_ > 0.0f ? std::min(distance / bound_unit_, greatest) : greatest);
 }
 
 void Approach::add_start(Index column, double distance, std::size_t place) {
@@ -28,7 +29,7 @@ void Approach::add_start(Index column, double distance, std::size_t place) {
   prefetch_line(bounds_.back());
   const auto rounded = static_cast<float>(distance);
   start_distance_.push_back(rounded);
-  start_bound_.push_back(static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded) : 0));
+  start_bound_.push_back(static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded, greatest_bound) : 0));
   place_.push_back(static_cast<Index>(place));
 }
 
@@ -101,7 +102,7 @@ void Approach::refine(std::size_t group, float limit) {
   const float farthest = *std::max_element(found, found + size);
   refined_[group] = limit < farthest ? limit : infinite;
   limit = std::min(limit, farthest);
-  const int limit_bound = in_bounds(limit);
+  const int limit_bound = in_bounds(limit, greatest_sum);
   piece_.clear();
   base_.clear();
   for (std::size_t i = 0; i < line_.size(); ++i) {
@@ -117,7 +118,7 @@ void Approach::refine(std::size_t group, float limit) {
 Index Approach::start_of(std::size_t group, Index row) const {
   Index best = 0;
   float least = infinite;
-  int least_bound = static_cast<int>(2 * greatest_bound);
+  int least_bound = static_cast<int>(greatest_sum);
   for (std::size_t i = 0; i < line_.size(); ++i) {
     if (start_bound_[i] + bounds_[i][group] > least_bound) continue;
     const std::uint16_t entry = line_[i][row];
@@ -125,7 +126,7 @@ Index Approach::start_of(std::size_t group, Index row) const {
     const float sum = start_distance_[i] + unit_ * static_cast<float>(entry);
     if (!(sum < least)) continue;
     least = sum;
-    least_bound = in_bounds(sum);
+    least_bound = in_bounds(sum, greatest_sum);
     best = place_[i];
   }
   return best;

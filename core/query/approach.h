@@ -42,7 +42,7 @@ class Approach {
   Index start_of(std::size_t group, Index row) const;
 
  private:
-  int in_bounds(float distance) const;
+  int in_bounds(float distance, float greatest) const;
   /// A start to begin with: the best by the bounds, unless there are more than their numbers can tell apart.
   std::size_t best_start(std::size_t group) const {
     return static_cast<std::size_t>(std::max<std::int16_t>(0, best_start_[group]));

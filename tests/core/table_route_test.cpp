@@ -72,6 +72,24 @@ TEST(TableRouter, TheLeastOfAllSums) {
   }
 }
 
+TEST(TableRouter, FromTheTipOfALimb) {
+  // Farther from the other end of its first-layer patch than any two members of that patch are.
+  const auto index = test::make_index(test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup, 3, 3);
+  const IndexData& data = index->data();
+  TableRouter router(data);
+  const Index n = data.work.mesh->vertex_count();
+  for (Index source : test::random_vertices(n, 40, 1)) {
+    for (Index target : test::random_vertices(n, 20, 2)) {
+      const RouteEnd from = test::route_end(data, source);
+      const RouteEnd to = test::route_end(data, target);
+      const double expected = least_sum(data, from, to);
+      GraphRoute route;
+      router.route(from, to, route);
+      EXPECT_NEAR(route.length, expected, 1e-6 * expected) << source << " to " << target;
+    }
+  }
+}
+
 TEST(TableRouter, RoutesAreAsLongAsTheirParts) {
   const auto index = test::make_index(test::torus(40, 20, 2.0, 0.7), 5, 4);
   const IndexData& data = index->data();
