@@ -25,6 +25,16 @@ def terrain(columns: int, rows: int) -> tuple[np.ndarray, np.ndarray]:
     return np.column_stack([x.ravel(), y.ravel(), z.ravel()]), faces
 
 
+def torus(around: int, across: int) -> tuple[np.ndarray, np.ndarray]:
+    """A closed surface."""
+    u, v = (a.ravel() for a in np.mgrid[0:around, 0:across])
+    corner = [((u + i) % around) * across + (v + j) % across for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    faces = np.concatenate([np.column_stack([corner[i] for i in t]) for t in ((0, 1, 2), (0, 2, 3))])
+    a, b = 2 * np.pi * u / around, 2 * np.pi * v / across
+    radius = 1 + 0.4 * np.cos(b)
+    return np.column_stack([radius * np.cos(a), radius * np.sin(a), 0.4 * np.sin(b)]), faces
+
+
 def write_ply(file: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
     """A binary PLY file with float coordinates."""
     header = (
@@ -43,7 +53,8 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     vertices, faces = terrain(70, 50)
     write_ply(folder / "terrain.ply", vertices, faces)
-    write_ply(folder / "points.ply", vertices, faces[:0])
+    write_ply(folder / "points.ply", vertices[[200, 3000]] + [0.01, 0.01, 0.02], faces[:0])
+    write_ply(folder / "torus.ply", *torus(120, 90))
 
 
 if __name__ == "__main__":

@@ -202,6 +202,15 @@ class MeshLabWindow(Screen):
         self.press(dialog, "Close")
         wait_for("the dialog to close", lambda: not self.filter_dialogs())
 
+    def choose_layer(self, name: str) -> None:
+        """Make the layer of this name the current one."""
+
+        def cell() -> Atspi.Accessible | None:
+            return next(iter(self.find(Atspi.Role.TABLE_CELL, name)), None)
+
+        self.click(wait_for(f"the layer {name}", cell))
+        wait_for(f"the layer {name} to be current", lambda: cell().get_state_set().contains(Atspi.StateType.SELECTED))
+
     def export(self) -> None:
         """Save the current layer to the file it came from, with everything it has."""
         already = len(self.log_lines())

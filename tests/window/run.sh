@@ -30,10 +30,11 @@ for version in "${versions[@]}"; do
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
   "$python" tests/window/make_meshes.py "$folder/seen/meshes"
-  status=0
-  timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
-    python3 /project/tests/window/scenario.py "/project/$folder/seen" >"$folder/seen/scenario.log" 2>&1 || status=$?
-  [ "$status" = 0 ] || tail -n 15 "$folder/seen/scenario.log"
+  for script in scenario refusals; do
+    log="$folder/seen/$script-run.log"
+    timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
+      python3 "/project/tests/window/$script.py" "/project/$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
+  done
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \
     -o "junit_suite_name=window-$version" "$@"
 done

@@ -21,7 +21,7 @@ def seen() -> dict:
     """Everything that was written down."""
     file = FOLDER / "seen.json"
     if not file.is_file():
-        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'scenario.log'})")
+        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'scenario-run.log'})")
     return json.loads(file.read_text())
 
 

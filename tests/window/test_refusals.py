@@ -1,0 +1,52 @@
+"""What was seen in MeshLab's window (by refusals.py) against what it has to be."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+from bad_input import BAD_INPUT
+from make_meshes import terrain
+from test_window import FOLDER
+
+
+@pytest.fixture(scope="module")
+def seen() -> dict:
+    """Everything that was written down."""
+    file = FOLDER / "refusals.json"
+    if not file.is_file():
+        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'refusals-run.log'})")
+    return json.loads(file.read_text())
+
+
+@pytest.mark.parametrize("case", BAD_INPUT, ids=lambda case: case.name)
+def test_refusal_is_a_message_box_with_our_sentence(seen, case):
+    assert "Failure of filter" in seen["boxes"][case.name]
+    assert case.sentence in seen["boxes"][case.name]
+
+
+def test_meshlab_goes_on_working(seen):
+    assert seen["alive"] is True
+    assert seen["start_point"] == seen["source_layer"] == seen["path"] == ""
+
+
+def test_start_point_is_taken_from_the_point_picker(seen):
+    vertices = terrain(70, 50)[0]
+    to_vertex = np.linalg.norm(vertices - np.array(seen["picked"]), axis=1).min()
+    lines = [re.match(r"Start: .* \d+, ([0-9.e-]+) away from the given point", line) for line in seen["log"]]
+    distance = float(list(filter(None, lines))[-1][1])  # earlier ones are of filters that were refused
+    assert 0 < distance <= to_vertex  # the nearest point of the surface is no farther than its nearest vertex
+    assert to_vertex - distance < 0.05  # the length of an edge
+
+
+def test_layer_of_points_is_chosen_by_its_name(seen):
+    assert any(line.startswith("Distances from 2 source points to 3500 vertices") for line in seen["log"])
+
+
+def test_path_is_drawn(seen):
+    lengths = [re.match(r"Path of length ([0-9.]+) over", line) for line in seen["log"]]
+    vertices = terrain(70, 50)[0]
+    straight = np.linalg.norm(vertices[35] - vertices[3460])
+    assert straight < float(next(filter(None, lengths))[1]) < 1.5 * straight
