@@ -29,8 +29,8 @@ for version in "${versions[@]}"; do
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
-  "$python" tests/window/make_meshes.py "$folder/seen/meshes"
   for script in scenario refusals; do
+    "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
     timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
       python3 "/project/tests/window/$script.py" "/project/$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
