@@ -211,6 +211,22 @@ class MeshLabWindow(Screen):
         self.click(wait_for(f"the layer {name}", cell))
         wait_for(f"the layer {name} to be current", lambda: cell().get_state_set().contains(Atspi.StateType.SELECTED))
 
+    def choose_in_menu(self, menu: str, entry: str) -> None:
+        """Click an entry of a menu of the menu bar."""
+        before = self.windows()
+        bar = next(node for node in self.nodes() if node.get_role() == Atspi.Role.MENU_BAR)
+        top = next(node for node in self.nodes(bar) if node.get_name() == menu)
+        self.click(top)
+        wait_for(f"the menu {menu}", lambda: self.windows() - before)
+        self.click(next(node for node in self.nodes(top) if node.get_name() == entry))
+
+    def give_file(self, title: str, file: Path) -> None:
+        """Type the name of a file into the dialog of this title that asks for one."""
+        wait_for(f"the dialog {title}", lambda: self.dialog(title))
+        self.write(str(file))
+        self.keys("Return")
+        wait_for(f"the dialog {title} to close", lambda: self.dialog(title) is None)
+
     def export(self) -> None:
         """Save the current layer to the file it came from, with everything it has."""
         already = len(self.log_lines())

@@ -29,7 +29,7 @@ for version in "${versions[@]}"; do
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
-  for script in scenario refusals; do
+  for script in scenario refusals filter_script loading; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
     timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \

@@ -1,0 +1,66 @@
+"""What was seen when the plugin was loaded by MeshLab's dialog and filter scripts were saved and applied there."""
+
+from __future__ import annotations
+
+import json
+import xml.etree.ElementTree
+
+import numpy as np
+import pytest
+import vorogeo
+from test_window import FOLDER, all_filters, saved_mesh
+
+FILTER = "Exact geodesic distance from a given point (VoroGeo)"
+
+
+def written_down(name: str) -> dict:
+    """Everything that a script of this name wrote down."""
+    file = FOLDER / f"{name}.json"
+    if not file.is_file():
+        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / f'{name}-run.log'})")
+    return json.loads(file.read_text())
+
+
+@pytest.fixture(scope="module")
+def loading() -> dict:
+    """What loading.py saw."""
+    return written_down("loading")
+
+
+@pytest.fixture(scope="module")
+def scripting() -> dict:
+    """What filter_script.py saw."""
+    return written_down("filter_script")
+
+
+def start_vertices(name: str) -> list[tuple[str, str]]:
+    """Filters of a script, each with its start vertex."""
+    root = xml.etree.ElementTree.parse(FOLDER / name).getroot()
+    return [
+        (entry.get("name"), value.get("value"))
+        for entry in root.iter("filter")
+        for value in entry.iter("Param")
+        if value.get("name") == "vertex_index"
+    ]
+
+
+def test_load_plugins_adds_every_filter_to_the_menu(loading):
+    assert loading["before"] == []
+    assert set(loading["after"]) == all_filters()
+
+
+def test_a_filter_of_a_loaded_plugin_is_applied(loading):
+    assert loading["applied"] == ""
+    assert f"Start: vertex {loading['source']}" in loading["log"]
+    assert loading["alive"] is True
+
+
+def test_script_saved_by_the_window_holds_the_filter(scripting):
+    assert start_vertices("saved.mlx") == [(FILTER, str(scripting["first"]))]
+
+
+def test_script_applied_by_the_window_gives_the_exact_distance(scripting):
+    assert scripting["alive"] is True
+    vertices, faces, quality = saved_mesh("field_script.ply")
+    exact = vorogeo.exact_distance_field(vertices, faces, [scripting["second"]])
+    np.testing.assert_allclose(quality, exact, rtol=1e-6)  # the window holds quality in single precision
