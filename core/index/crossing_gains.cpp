@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "index/unfolding.h"
 #include "support/clones.h"
 
 namespace vorogeo {
@@ -51,6 +52,7 @@ inline __attribute__((always_inline)) float offset(float source_difference, floa
 VOROGEO_CLONES
 void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
   constexpr float least_edges = 3.0f;
+  constexpr auto narrowest = static_cast<float>(least_offset);
   const float* sources = crossings.source;
   const float* targets = crossings.target;
   const float* sources_before = crossings.side[0].source;
@@ -82,7 +84,8 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float parabola = -0.5f * slope * lowest_point;
     const float nearer = lowest + source < target ? lowest + source : target;
     const bool valid = (nearer >= least_edges * before) & (nearer >= least_edges * after) & (left < 0.0f) &
-                       (right > 0.0f) & (curvature > 0.0f) & (lowest_point > left) & (lowest_point < right) &
+                       (right > 0.0f) & (-left >= narrowest * before) & (right >= narrowest * after) &
+                       (curvature > 0.0f) & (lowest_point > left) & (lowest_point < right) &
                        (parabola > unfolded);
     best[k] = valid ? parabola : unfolded;
   }

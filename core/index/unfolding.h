@@ -16,12 +16,16 @@ struct BorderSample {
   double length;
 };
 
+/// Least offset of an outer vertex across the path, in lengths of its edge, for a parabola.
+inline constexpr double least_offset = 0.1;
+
 /// Distance across a border from three consecutive border vertices, of which the middle one (`source`,
 /// `target`) has the least sum. Measured across the path, the sum grows with the square of the offset from
 /// the true crossing, by the curvature of both waves; the three sums give that parabola and so its lowest
 /// value. Unlike unfolding it does not take the waves for circles around source and target, which bends at
 /// saddle vertices make too flat. `unreachable` if the lowest point is not between the outer vertices or the
-/// sums do not bend upwards.
+/// sums do not bend upwards, or where the path runs along the border so closely that the offsets are mostly
+/// rounding.
 inline double parabola_distance(double source, double target, const BorderSample& before,
                                 const BorderSample& after) {
   constexpr double least_edges = 3.0;
@@ -34,7 +38,7 @@ inline double parabola_distance(double source, double target, const BorderSample
   };
   const double left = -offset(before);
   const double right = offset(after);
-  if (!(left < 0.0 && right > 0.0)) return unreachable;
+  if (!(-left >= least_offset * before.length && right >= least_offset * after.length)) return unreachable;
   const double to_left = (before.source + before.target - sum) / left;
   const double to_right = (after.source + after.target - sum) / right;
   const double curvature = (to_right - to_left) / (right - left);
