@@ -78,7 +78,7 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
   const int workers = static_cast<int>(
       std::min<std::size_t>(resolve_thread_count(threads), std::max<std::size_t>(groups.size(), 1)));
   std::vector<std::unique_ptr<Scratch>> scratch(workers);
-  parallel_for(groups.size(), workers, progress, "Computing exact distances inside patches",
+  parallel_for(groups.size(), workers, progress.part(0.0, 0.98), "Computing exact distances inside patches",
                [&](std::size_t group, int worker) {
                  auto& own = scratch[worker];
                  if (!own) own = std::make_unique<Scratch>(geometry, label, layer.patch_count);
@@ -110,6 +110,9 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                });
   const Watch watch(progress.part(1.0, 1.0), "Computing exact distances inside patches");
   tables.make_symmetric();
+  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0),
+               "Computing exact distances inside patches",
+               [&](std::size_t patch, int) { tables.close(static_cast<Index>(patch)); });
   tables.finish(layer);
 }
 

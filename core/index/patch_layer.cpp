@@ -256,6 +256,21 @@ void TableDraft::make_symmetric() {
   }
 }
 
+void TableDraft::close(Index patch) {
+  const auto rows = static_cast<std::size_t>(rows_[patch]);
+  if (rows == 0) return;
+  const auto columns = (begin_[patch + 1] - begin_[patch]) / rows;
+  // Floyd and Warshall; the border nodes are the first columns.
+  for (std::size_t by = 0; by < rows; ++by) {
+    const float* onward = line(patch, static_cast<Index>(by));
+    for (std::size_t column = 0; column < columns; ++column) {
+      if (column != by)
+        lower_by_sums(onward, line(patch, static_cast<Index>(column))[by], rows_[patch],
+                      line(patch, static_cast<Index>(column)));
+    }
+  }
+}
+
 void TableDraft::finish(PatchLayer& layer) {
   layer.table.assign(layer.table_begin.back(), PatchLayer::no_way);
   layer.unit.assign(layer.patch_count, 0.0f);

@@ -155,6 +155,9 @@ class TableDraft {
   /// Makes the distances between two nodes of a patch equal in both directions: the smaller one. The two can
   /// differ since each row is solved in the surroundings of its own node.
   void make_symmetric();
+  /// Shortens the distances of a patch by the sums of two over one of its border nodes, until none is left
+  /// that is shorter: rows were solved in different surroundings. Complexity: O(border size^2 members).
+  void close(Index patch);
   /// Writes the tables into the layer it was made for.
   void finish(PatchLayer& layer);
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "support/min_plus.h"
-#include "support/prefetch.h"
 
 namespace vorogeo {
 
@@ -117,20 +116,23 @@ void PatchRouter::take_turn(Index patch) {
   if (rows_.empty()) return;
   const float unit = second.unit[patch];
   const float per_unit = unit > 0.0f ? 1.0f / unit : 0.0f;
+  // In a complete table the lowest row leads everywhere on a shorter way than rows beyond all entries. In
+  // another one a sum may be the only way, so it has to fit: each distance takes a turn of its own.
+  const bool complete = second.complete[patch] != 0;
+  const float most = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
   base_.clear();
   std::size_t kept = 0;
   for (Index row : rows_) {
     const NodeState& at = node_[nodes[row]];
-    const float units = (at.distance - lowest) * per_unit;
-    const bool beyond_entries = units > PatchLayer::greatest_entry;
-    // In a complete table the lowest row leads everywhere on a shorter way.
-    if (beyond_entries && second.complete[patch] != 0) continue;
-    if (beyond_entries || kept == most_rows) {
+    const float above = at.distance - lowest;
+    if (above > most && complete) continue;
+    if (above > most || kept == most_rows) {
       wait(patch, row, at.distance + at.ahead);
       continue;
     }
     rows_[kept++] = row;
-    base_.push_back(static_cast<std::int16_t>(lowest_base + std::ceil(units)));
+    base_.push_back(static_cast<std::int16_t>(
+        lowest_base + std::min(std::ceil(above * per_unit), static_cast<float>(PatchLayer::greatest_entry))));
   }
   rows_.resize(kept);
   const Index columns = second.border_size(patch);

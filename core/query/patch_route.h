@@ -33,7 +33,6 @@ class PatchRouter {
     Index patch = 0;        ///< through which it was reached
   };
   struct PatchState {
-    std::uint32_t stamp = 0;
     bool waits = false;
     float key = 0.0f;         ///< least distance and bound of the rows that wait
     std::vector<Index> rows;  ///< that wait for the next turn

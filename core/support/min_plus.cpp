@@ -74,6 +74,14 @@ void lower_by_line(const std::uint16_t* entries, float unit, float base, Index n
 }
 
 VOROGEO_CLONES
+void lower_by_sums(const float* line, float base, Index count, float* least) {
+  for (Index i = 0; i < count; ++i) {
+    const float through = base + line[i];
+    least[i] = through < least[i] ? through : least[i];
+  }
+}
+
+VOROGEO_CLONES
 void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least) {
   for (Index i = 0; i < count; ++i) {
     const float through = base + unit * static_cast<float>(entries[i]);

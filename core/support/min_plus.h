@@ -26,6 +26,9 @@ IndexRange range_within(const float* base, const std::uint16_t* entries, float u
 /// distances[i] = unit * entries[i], or infinity.
 void scale_entries(const std::uint16_t* entries, Index count, float unit, float* distances);
 
+/// least[i] = min(least[i], base + line[i]).
+void lower_by_sums(const float* line, float base, Index count, float* least);
+
 /// least[i] = min(least[i], base + unit * entries[i]).
 void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least);
 

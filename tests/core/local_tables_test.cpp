@@ -107,6 +107,24 @@ TEST(LocalTables, OnCurvedSurfacesNeverBelowTheExactDistanceAndSeldomAbove) {
   }
 }
 
+TEST(LocalTables, NoDistanceIsLongerThanTwoOverABorderNode) {
+  for (const Soup& soup : {test::torus(50, 24, 2.0, 0.8), test::hills(36, 0.2)}) {
+    const auto index = index_of(soup);
+    const PatchLayer& second = index->data().second;
+    for (Index p = 0; p < second.patch_count; ++p) {
+      const double rounding = 2.0 * second.unit[p];
+      for (Index a = 0; a < second.border_size(p); ++a) {
+        for (Index b = 0; b < second.border_size(p); ++b) {
+          for (Index column = 0; column < second.member_count(p); column += 3) {
+            ASSERT_LE(second.distance(p, a, column),
+                      second.distance(p, a, b) + second.distance(p, b, column) + rounding);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(LocalTables, TheSameWhateverTheThreads) {
   const auto one = index_of(test::hills(30, 0.2), 1);
   for (int threads : {2, 5})

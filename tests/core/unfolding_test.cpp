@@ -83,5 +83,25 @@ TEST(Unfolding, DistancesWithoutACommonWaveGiveNothing) {
   EXPECT_EQ(unfolded_distance(1.0, 0.25, 0.75, 0.25, 0.75), unreachable) << "both ends lie on the edge";
 }
 
+TEST(Unfolding, AParabolaAlongTheBorderIsNotMadeOfRounding) {
+  // Source and target on the line of the border, distances rounded as in tables: no estimate may be shorter
+  // than the straight line by more than that rounding.
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> rounded(-5e-7, 5e-7);
+  for (int i = 0; i < 20000; ++i) {
+    const double edge = 6e-5;
+    const double source = 4e-4 + 1e-3 * std::abs(rounded(random)) * 1e6;
+    const double target = 0.03;
+    const double off = 1e-3 * edge * (i % 50);
+    auto sample = [&](double along) {
+      return BorderSample{std::hypot(source + along, off) + rounded(random),
+                          std::hypot(target - along, off) + rounded(random), edge};
+    };
+    const BorderSample middle = sample(0.0);
+    const double found = parabola_distance(middle.source, middle.target, sample(-edge), sample(edge));
+    EXPECT_GT(found, source + target - 1e-4 * target);
+  }
+}
+
 }  // namespace
 }  // namespace vorogeo
