@@ -29,7 +29,8 @@ void Approach::add_start(Index column, double distance, std::size_t place) {
   prefetch_line(bounds_.back());
   const auto rounded = static_cast<float>(distance);
   start_distance_.push_back(rounded);
-  start_bound_.push_back(static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded, greatest_bound) : 0));
+  start_bound_.push_back(
+      static_cast<std::uint8_t>(bound_unit_ > 0.0f ? in_bounds(rounded, greatest_bound) : 0));
   place_.push_back(static_cast<Index>(place));
 }
 
