@@ -101,9 +101,10 @@ RichParameterList only_max_distance(const MeshDocument& document) {
 
 namespace {
 
-/// Writes a field that was computed; `has_source`: by component of its mesh.
+/// Writes a field that was computed; `has_source`: by component of its mesh; `at_vertices`: all sources are
+/// vertices.
 Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
-                    const std::vector<bool>& has_source, std::size_t source_count, const char* source_name) {
+                    const std::vector<bool>& has_source, std::size_t source_count, bool at_vertices) {
   const Mesh& mesh = *field.mesh;
   double largest = 0.0;
   int reached = 0;
@@ -132,10 +133,13 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
     }
   }
 
+  const bool one = source_count == 1;
+  const char* sources = at_vertices ? (one ? " source vertex" : " source vertices")
+                                    : (one ? " source point" : " source points");
   std::ostringstream text;
-  text << "Distances from " << source_count << " " << source_name << " to " << reached
-       << " vertices, the largest " << std::setprecision(17) << largest << " in the unit of the mesh, in "
-       << std::setprecision(3) << field.seconds << " s";
+  text << "Distances from " << source_count << sources << " to " << reached << " vertices, the largest "
+       << std::setprecision(7) << largest << " in the unit of the mesh, in " << std::setprecision(3)
+       << field.seconds << " s";
   call.log(text.str());
   if (no_path > 0) {
     call.log("No path leads to " + std::to_string(no_path) +
@@ -164,7 +168,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, cons
                                         : field_by_exact_solver(call, layer_mesh, sources, limit);
   std::vector<bool> has_source(static_cast<std::size_t>(field.mesh->component_count()), false);
   for (Index source : sources) has_source[field.mesh->component(source)] = true;
-  return write_field(call, layer_mesh, field, has_source, sources.size(), "source vertices");
+  return write_field(call, layer_mesh, field, has_source, sources.size(), true);
 }
 
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
@@ -205,7 +209,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
     const SurfacePoint& p = source.point;
     has_source[mesh->component(p.is_vertex() ? p.vertex : mesh->face_vertices(p.face)[0])] = true;
   }
-  Results results = write_field(call, layer_mesh, field, has_source, sources.size(), "source points");
+  Results results = write_field(call, layer_mesh, field, has_source, sources.size(), false);
   if (numbers != nullptr) {
     auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
     for (Index v = 0; v < mesh->vertex_count(); ++v) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
-# Usage: tests/run.sh [--quick] [--window]
+# Usage: tests/run.sh [--quick] [--no-window]
 #   --quick: without the sanitizer build and the fuzzers.
-#   --window: with the real window of MeshLab in both versions (tests/window/run.sh), which needs a machine without
-#     other load.
+#   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
+#     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -13,12 +13,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 exec </dev/null
 
 quick=no
-window=no
+window=yes
 for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
-    --window) window=yes ;;
-    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick] [--window]" >&2; exit 2 ;;
+    --no-window) window=no ;;
+    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick] [--no-window]" >&2; exit 2 ;;
   esac
 done
 
@@ -103,15 +103,26 @@ if ! bash samples/setup.sh --tests; then
   finish
 fi
 
-# The Debian roots of the window tests, made beside the builds below: most of it is downloading and unpacking.
-# What fails here is said by the window tests, which try again.
-make_roots() {
-  local version
-  for version in 2022.02 2025.07; do tests/window/make_root.sh "$version"; done
+# The window of MeshLab itself, in a Debian root; skipped where none can be made.
+# Usage: window_suite VERSION
+window_suite() {
+  local name="window-$1" status=0 log="$results/window-$1.log"
+  say "$name"
+  VOROGEO_JOBS=1 tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
+  if [ "$status" = 77 ]; then
+    echo "skip MeshLab's window $1: $(tail -n 1 "$log")" >>"$checks"
+  elif [ ! -s "$results/$name.xml" ]; then
+    echo "fail $name wrote no results (exit $status, log: $log)" >>"$checks"
+    tail -n 25 "$log"
+  fi
 }
+
+# All of this runs beside the checks below: it downloads, waits for windows, and seldom needs more than one core.
 if [ "$window" = yes ]; then
-  make_roots >"$results/window-roots.log" 2>&1 &
-  roots=$!
+  { window_suite 2022.02; window_suite 2025.07; } &
+  window_suites=$!
+else
+  echo "skip MeshLab's window: --no-window" >>"$checks"
 fi
 
 check "format of C++" check_cpp_format
@@ -151,27 +162,6 @@ newer=$!
 python_suites 2022.2 build/venv-2022/bin/python
 wait "$newer"
 
-# The window of MeshLab itself, in a Debian root; skipped where none can be made.
-# Usage: window_suite VERSION
-window_suite() {
-  local name="window-$1" status=0 log="$results/window-$1.log"
-  say "$name"
-  tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
-  if [ "$status" = 77 ]; then
-    echo "skip MeshLab's window $1: $(tail -n 1 "$log")" >>"$checks"
-  elif [ ! -s "$results/$name.xml" ]; then
-    echo "fail $name wrote no results (exit $status, log: $log)" >>"$checks"
-    tail -n 25 "$log"
-  fi
-}
-if [ "$window" = yes ]; then
-  wait "$roots"
-  window_suite 2022.02
-  window_suite 2025.07
-else
-  echo "skip MeshLab's window: not asked for with --window" >>"$checks"
-fi
-
 if [ "$quick" = no ]; then
   if check "build of the C++ tests with sanitizers" build sanitize; then
     suite cpp-sanitize run_ctest sanitize
@@ -185,4 +175,5 @@ else
     echo "skip $left_out: --quick" >>"$checks"
   done
 fi
+[ "$window" = no ] || wait "$window_suites"
 finish

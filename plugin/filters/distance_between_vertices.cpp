@@ -53,9 +53,11 @@ FilterRow distance_between_vertices_row() {
       "Geodesic distance between two vertices (VoroGeo)",
       "get_vorogeo_distance_between_vertices",
       "<p>Geodesic distance of two vertices, given by their numbers: the length of the shortest path over "
-      "the "
-      "surface, in the unit of the mesh. It is logged and returned as <i>distance</i>; infinity if no path "
-      "leads from one to the other. The mesh is not changed.</p>" +
+      "the surface, in the unit of the mesh. It is logged and returned as <i>distance</i>; infinity if no "
+      "path "
+      "leads from one to the other. The mesh is not changed.</p>"
+      "<p>How to choose: vertices are numbered from 0, as MeshLab numbers them; for points that are not "
+      "vertices, or for the path itself, take <i>Shortest path between two points (VoroGeo)</i>.</p>" +
           help_on_index() + references_of_index(),
       FilterPlugin::Measure,
       MeshModel::MM_NONE,

@@ -124,7 +124,7 @@ Results distances_from_edges(FilterCall& call) {
 }
 
 QString help_on_curves() {
-  return "<p>Lines are replaced by points at most <b>spacing</b> apart, ends included. The distance is then "
+  return "<p>Lines are replaced by points at most <b>Spacing</b> apart, ends included. The distance is then "
          "never too "
          "short and at most half the spacing too long, at a distance d much larger than the spacing at most "
          "about "
@@ -149,7 +149,7 @@ FilterRow distance_from_layer_row() {
               "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex of "
               "the source "
               "layer, -1 where there is none.</p>" +
-              help_on_field() + help_on_index() + references_of_index(),
+              help_on_exact_parameter() + help_on_field() + help_on_index() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_layer_parameters,
@@ -161,8 +161,9 @@ FilterRow distance_from_edges_row() {
           "compute_scalar_by_vorogeo_distance_from_edges_per_vertex",
           "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest border "
           "edge if "
-          "<b>from_border</b> is set.</p>" +
-              help_on_curves() + "</p>" + help_on_field() + help_on_index() + references_of_index(),
+          "<b>From the border</b> is ticked.</p>" +
+              help_on_curves() + "</p>" + help_on_exact_parameter() + help_on_field() + help_on_index() +
+              references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_edges_parameters,

@@ -88,8 +88,9 @@ FilterRow disk_selection_row() {
   return {
       "Select a geodesic disk (VoroGeo)",
       "compute_selection_by_vorogeo_geodesic_disk",
-      "<p>Selects all vertices whose geodesic distance is at most <b>radius</b>, and the faces whose three "
-      "vertices are, from the vertex <b>vertex_index</b> or, if this is -1, from the nearest of the vertices "
+      "<p>Selects all vertices whose geodesic distance is at most <b>Radius</b>, and the faces whose three "
+      "vertices are, from the vertex of the number <b>Vertex</b> or, if this is -1, from the nearest of the "
+      "vertices "
       "selected now: their selection grows by the radius, over the surface and not through space. The "
       "selection before is replaced.</p><p>Returns the numbers of <i>selected_vertices</i> and "
       "<i>selected_faces</i>.</p>" +
@@ -107,8 +108,8 @@ FilterRow extent_row() {
       "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
       "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
       "further fields start where the ends or the centre may still be, and the triangle inequality bounds "
-      "what no field started from. With enough <b>fields</b> the bounds meet. They hold for the distances "
-      "as computed: with <b>exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
+      "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances "
+      "as computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
       "<i>diameter_upper</i>, the vertices <i>diameter_start</i> and <i>diameter_end</i> whose distance is "
       "the lower bound, <i>radius_lower</i>, <i>radius_upper</i>, the <i>centre</i> whose eccentricity is "
       "the upper bound, and the number of <i>fields</i> computed. The mesh is not changed.</p>" +

@@ -42,9 +42,8 @@ QString help_on_selected_points() {
 }
 
 QString help_on_exact_parameter() {
-  return "<p><b>exact</b>: distances by exact propagation instead of the index: without its errors and "
-         "without "
-         "building one, but slower for each point.</p>";
+  return "<p>How to choose: <b>Exact</b> propagates for each point instead of asking the index: without its "
+         "errors and without building one, but slower for each point.</p>";
 }
 
 QString references_of_index() {

@@ -41,8 +41,7 @@ Results describe_index(FilterCall& call) {
   if (!index) {
     call.log(
         "Geodesic index: none for this mesh as it is. The next VoroGeo filter builds one; 'Geodesic index: "
-        "build "
-        "(VoroGeo)' builds it with chosen parameters.");
+        "build (VoroGeo)' builds it with chosen parameters.");
     return {{"has_index", false}};
   }
   const IndexStatistics& s = index->statistics();
@@ -113,7 +112,8 @@ FilterRow save_index_row() {
           "<p>Writes the index of the current mesh to a file, from which <i>Geodesic index: load from file "
           "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh "
           "itself "
-          "is not in the file. There must be an index: build one first.</p>" +
+          "is not in the file. There must be an index: build one first.</p>"
+          "<p>How to choose: let <b>Index file</b> end in <i>.vgi</i>: loading offers such files.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,
@@ -130,7 +130,10 @@ FilterRow load_index_row() {
           "is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates in single "
           "precision "
           "and PyMeshLab in double precision: an index made by one fits the other if the mesh came from the "
-          "same file with single-precision coordinates.</p>" +
+          "same file with single-precision coordinates.</p>"
+          "<p>How to choose: <b>Index file</b> is what <i>Geodesic index: save to file (VoroGeo)</i>, the "
+          "build or "
+          "the Python package wrote for this mesh.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,

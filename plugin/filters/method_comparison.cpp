@@ -233,8 +233,8 @@ FilterRow method_comparison_row() {
   return {
       "Compare geodesic methods (VoroGeo)",
       "compute_scalar_by_geodesic_method_comparison_per_vertex",
-      "<p>Runs two geodesic methods from one vertex and writes (<b>method</b> - <b>reference</b>) / "
-      "<b>reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
+      "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
+      "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
       "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing "
       "to "
       "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "

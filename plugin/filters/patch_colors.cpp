@@ -51,18 +51,20 @@ Results color_patches(FilterCall& call) {
 }  // namespace
 
 FilterRow patch_colors_row() {
-  return {
-      "Geodesic Voronoi patches: colour faces (VoroGeo)",
-      "compute_color_by_vorogeo_patches_per_face",
-      "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
-      "vertex have clearly different colours. <b>layer</b> chooses the large patches of the first layer or "
-      "the small ones of the second. Faces that are in no patch (repeated faces, faces that name a vertex "
-      "twice) become grey.</p><p>Returns the number of <i>patches</i> and of <i>colors</i>.</p>" +
-          help_on_index() + references_of_index(),
-      FilterPlugin::FaceColoring,
-      MeshModel::MM_FACECOLOR,
-      patch_colors_parameters,
-      color_patches};
+  return {"Geodesic Voronoi patches: colour faces (VoroGeo)",
+          "compute_color_by_vorogeo_patches_per_face",
+          "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
+          "vertex have clearly different colours. Faces that are in no patch (repeated faces, faces that "
+          "name a vertex "
+          "twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, which decide how "
+          "long the "
+          "index takes to build; layer 2 has the small ones, inside which distances are exact.</p><p>Returns "
+          "the number of <i>patches</i> and of <i>colors</i>.</p>" +
+              help_on_index() + references_of_index(),
+          FilterPlugin::FaceColoring,
+          MeshModel::MM_FACECOLOR,
+          patch_colors_parameters,
+          color_patches};
 }
 
 }  // namespace vorogeo::plugin

@@ -121,9 +121,10 @@ FilterRow farthest_sampling_row() {
       "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a new "
       "layer of points, which becomes the current one. They are spread evenly: at least the covering "
       "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
-      "before any gets two.</p><p>It stops at <b>sample_number</b> samples or at the covering "
-      "<b>radius</b>, whichever comes first. <b>from_selection</b> begins with the selected vertices, "
-      "otherwise with a random one that <b>seed</b> chooses. Returns the number of <i>samples</i>, the "
+      "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the "
+      "<b>Covering radius</b>, whichever comes first. It begins with the selected vertices if <b>Begin with "
+      "the selection</b> is ticked, "
+      "otherwise with a random one that <b>Seed</b> chooses. Returns the number of <i>samples</i>, the "
       "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer.</p>" +
           help_on_exact_parameter() + help_on_index() + references_of_farthest(),
       FilterPlugin::Sampling,
@@ -136,11 +137,11 @@ FilterRow poisson_disk_sampling_row() {
   return {
       "Geodesic Poisson-disk sampling (VoroGeo)",
       "generate_sampling_vorogeo_poisson_disk",
-      "<p>Random vertices with a geodesic distance of at least <b>radius</b> from each other, as a new layer "
+      "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new layer "
       "of points, which becomes the current one. No vertex could be added: each is less than the radius "
       "from a sample. Distances run over the surface, so that samples on two sides of a thin wall do not "
       "push each other away.</p><p>Returns the number of <i>samples</i> and the numbers of the "
-      "<i>vertices</i> in the sampled layer. The same <b>seed</b> gives the same samples.</p>" +
+      "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
           help_on_exact_parameter() + help_on_index() + references_of_poisson(),
       FilterPlugin::Sampling,
       MeshModel::MM_NONE,

@@ -81,7 +81,7 @@ FilterRow voronoi_regions_row() {
       "<p>Geodesic Voronoi regions: the parts of the surface that are nearer to one of the points than to "
       "the others. Faces are coloured by the region of their centre, neighbouring regions differently; the "
       "quality of each vertex is the number of its region, counted from 0, or -1 where no path leads.</p>"
-      "<p><b>borders</b> adds the borders of the regions as a polyline layer. They cross the faces where the "
+      "<p><b>Borders</b> adds the borders of the regions as a polyline layer. They cross the faces where the "
       "distances from two points are equal, and meet where those from three are; on flat parts of the "
       "surface they are exact for the given distances. The current layer stays current.</p>"
       "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their <i>vertices</i>, "

@@ -75,5 +75,5 @@ class FilterScript:
 
 
 if __name__ == "__main__":
-    start_display()
+    start_display(Path(sys.argv[1]))
     FilterScript(Path(sys.argv[1])).run()

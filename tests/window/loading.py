@@ -88,5 +88,5 @@ if __name__ == "__main__":
     home = folder / "home"  # where MeshLab keeps plugins that were loaded so
     home.mkdir(exist_ok=True)
     os.environ["HOME"] = str(home)
-    start_display()
+    start_display(folder)
     Loading(folder).run()

@@ -1,6 +1,7 @@
 """Writes the meshes that the window opens, in single precision as the window holds them.
 
-Usage: python make_meshes.py FOLDER
+Usage: python make_meshes.py FOLDER [million]
+  million: instead of the others, a mesh of a million vertices.
 """
 
 from __future__ import annotations
@@ -48,9 +49,12 @@ def write_ply(file: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
 
 
 def main() -> None:
-    """Write all meshes."""
+    """Write the meshes."""
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
+    if "million" in sys.argv[2:]:
+        write_ply(folder / "million.ply", *terrain(1250, 800))
+        return
     vertices, faces = terrain(70, 50)
     write_ply(folder / "terrain.ply", vertices, faces)
     write_ply(folder / "points.ply", vertices[[200, 3000]] + [0.01, 0.01, 0.02], faces[:0])

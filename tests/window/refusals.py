@@ -74,5 +74,5 @@ class Refusals:
 
 
 if __name__ == "__main__":
-    start_display()
+    start_display(Path(sys.argv[1]))
     Refusals(Path(sys.argv[1])).run()

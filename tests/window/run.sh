@@ -20,6 +20,9 @@ say() { printf 'window %s: %s\n' "$version" "$*"; }
 
 for version in "${versions[@]}"; do
   root="$(tests/window/make_root.sh "$version")"
+  # One run at a time in a root: the plugin is installed there, and taken away for a while.
+  exec {turn}>"$root/etc/vorogeo-window.lock"
+  flock "$turn"
   say "building and installing the plugin"
   folder="build/window/$version"
   mkdir -p "$folder"
@@ -29,7 +32,7 @@ for version in "${versions[@]}"; do
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
-  for script in scenario refusals filter_script loading; do
+  for script in scenario refusals filter_script edits loading; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
     timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
@@ -37,4 +40,5 @@ for version in "${versions[@]}"; do
   done
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \
     -o "junit_suite_name=window-$version" "$@"
+  exec {turn}>&-
 done

@@ -1,8 +1,8 @@
 """Uses the plugin in MeshLab's window as a person does, and writes down what was seen.
 
 Usage (inside a root, within dbus-run-session): python3 scenario.py FOLDER
-  FOLDER holds meshes/; pictures go to shots/, saved meshes stay in meshes/, all else that was seen goes to seen.json,
-  which test_window.py judges.
+  FOLDER holds meshes/; pictures go to shots/, saved meshes stay in meshes/, all else that was seen goes to
+  scenario.json, which test_window.py judges.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Scenario:
             self.picture(window, "last")
             self.seen["log"] = window.log_lines()
             self.seen["messages"] = window.log_text()
-            (self.folder / "seen.json").write_text(json.dumps(self.seen, indent=1))
+            (self.folder / "scenario.json").write_text(json.dumps(self.seen, indent=1))
 
     def look_at_dialogs(self, window: MeshLabWindow) -> None:
         """Open the dialog of every filter and write down its parameters."""
@@ -144,5 +144,5 @@ class Scenario:
 
 
 if __name__ == "__main__":
-    start_display()
+    start_display(Path(sys.argv[1]))
     Scenario(Path(sys.argv[1])).run()

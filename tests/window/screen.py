@@ -59,8 +59,11 @@ def run(*command: str) -> str:
 
 
 def succeeds(*command: str) -> bool:
-    """Whether a command ends without an error."""
-    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+    """Whether a command ends soon and without an error."""
+    try:
+        return subprocess.run(command, capture_output=True, check=False, timeout=PATIENCE).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
 
 
 def programs_on_the_bus() -> int:
@@ -69,8 +72,11 @@ def programs_on_the_bus() -> int:
     return int(asked.stdout) if asked.returncode == 0 and asked.stdout.strip() else -1
 
 
-def start_display() -> None:
-    """A display and a window manager. They end with the namespace this runs in."""
+def start_display(folder: Path) -> None:
+    """A display and a window manager; their messages go to files in the folder.
+
+    They end with the namespace this runs in.
+    """
     runtime = Path("/tmp/runtime")
     runtime.mkdir(mode=0o700, exist_ok=True)
     os.environ.update(
@@ -79,17 +85,44 @@ def start_display() -> None:
         QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
         QT_ASSUME_STDERR_HAS_CONSOLE="1",
     )
-    # The server looks for a free number, as names of displays are shared even by roots of their own.
+    start_server(folder / "display.log")
+    start_window_manager(folder / "window_manager.log")
+    Atspi.set_timeout(30_000, 60_000)  # a busy machine answers late
+
+
+def start_server(log: Path) -> None:
+    """The display. It looks for a free number, as names of displays are shared even by roots of their own."""
     read_end, write_end = os.pipe()
     screen = ("-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24")
-    subprocess.Popen(("Xvfb", "-displayfd", str(write_end), *screen), pass_fds=(write_end,), stderr=subprocess.DEVNULL)
+    # Unless told not to, the server starts over whenever its last client leaves, and drops those who just come.
+    command = ("Xvfb", "-noreset", "-displayfd", str(write_end), *screen)
+    with open(log, "w") as file:
+        server = subprocess.Popen(command, pass_fds=(write_end,), stdout=file, stderr=file, stdin=subprocess.DEVNULL)
     os.close(write_end)
     with os.fdopen(read_end) as number:
         os.environ["DISPLAY"] = ":" + number.readline().strip()
-    wait_for("the display", lambda: succeeds("xdotool", "getdisplaygeometry"))
-    start("openbox")
-    wait_for("the window manager", lambda: succeeds("xdotool", "get_num_desktops"))
-    Atspi.set_timeout(30_000, 60_000)  # a busy machine answers late
+    try:
+        wait_for("the display", lambda: succeeds("xdotool", "getdisplaygeometry"), going=lambda: server.poll() is None)
+    except TimeoutError as error:
+        raise TimeoutError(f"Xvfb did not come up: {error}; it wrote:\n{log.read_text()}") from None
+
+
+def start_window_manager(log: Path) -> None:
+    """The window manager; once it answers, windows get a place and the keys."""
+    for last in (False, False, True):
+        manager = start("openbox", errors=log)
+        try:
+            wait_for(
+                "the window manager",
+                lambda: succeeds("xdotool", "get_num_desktops"),
+                going=lambda manager=manager: manager.poll() is None,
+            )
+            return
+        except TimeoutError as error:
+            manager.kill()
+            manager.wait()
+            if last:
+                raise TimeoutError(f"openbox did not come up: {error}; it wrote:\n{log.read_text()}") from None
 
 
 def start(*command: str, errors: Path | None = None) -> subprocess.Popen:

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import xml.etree.ElementTree
 
 import numpy as np
 import pytest
 import vorogeo
-from test_window import FOLDER, all_filters, saved_mesh
+from test_window import FOLDER, all_filters, saved_mesh, written_down
 
 FILTER = "Exact geodesic distance from a given point (VoroGeo)"
-
-
-def written_down(name: str) -> dict:
-    """Everything that a script of this name wrote down."""
-    file = FOLDER / f"{name}.json"
-    if not file.is_file():
-        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / f'{name}-run.log'})")
-    return json.loads(file.read_text())
 
 
 @pytest.fixture(scope="module")

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import re
 
 import numpy as np
 import pytest
 from bad_input import BAD_INPUT
 from make_meshes import terrain
-from test_window import FOLDER
+from test_window import written_down
 
 
 @pytest.fixture(scope="module")
 def seen() -> dict:
-    """Everything that was written down."""
-    file = FOLDER / "refusals.json"
-    if not file.is_file():
-        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'refusals-run.log'})")
-    return json.loads(file.read_text())
+    """What refusals.py saw."""
+    return written_down("refusals")
 
 
 @pytest.mark.parametrize("case", BAD_INPUT, ids=lambda case: case.name)

@@ -16,13 +16,18 @@ PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = Path(os.environ.get("VOROGEO_WINDOW_RESULTS", PROJECT / "build" / "window" / "2025.07" / "seen"))
 
 
+def written_down(name: str) -> dict:
+    """Everything that a script of this name wrote down."""
+    file = FOLDER / f"{name}.json"
+    if not file.is_file():
+        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / f'{name}-run.log'})")
+    return json.loads(file.read_text())
+
+
 @pytest.fixture(scope="module")
 def seen() -> dict:
-    """Everything that was written down."""
-    file = FOLDER / "seen.json"
-    if not file.is_file():
-        pytest.fail(f"there is no {file}: the window was not driven (see {FOLDER / 'scenario-run.log'})")
-    return json.loads(file.read_text())
+    """What scenario.py saw."""
+    return written_down("scenario")
 
 
 def all_filters() -> set[str]:
