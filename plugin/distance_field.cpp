@@ -9,6 +9,7 @@
 
 #include "exact/exact_solver.h"
 #include "index_of_layer.h"
+#include "logged_length.h"
 #include "parameters.h"
 #include "query/geodesic_query.h"
 #include "query/source_field.h"
@@ -138,8 +139,7 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
                                     : (one ? " source point" : " source points");
   std::ostringstream text;
   text << "Distances from " << source_count << sources << " to " << reached << " vertices, the largest "
-       << std::setprecision(7) << largest << " in the unit of the mesh, in " << std::setprecision(3)
-       << field.seconds << " s";
+       << logged_length(largest) << ", in " << std::setprecision(3) << field.seconds << " s";
   call.log(text.str());
   if (no_path > 0) {
     call.log("No path leads to " + std::to_string(no_path) +

@@ -1,6 +1,7 @@
 // The plugin's answers to the host, and the one place where errors and progress cross to it.
 #include "filter_vorogeo.h"
 
+#include <QCoreApplication>
 #include <chrono>
 #include <exception>
 #include <new>
@@ -19,14 +20,27 @@ using Clock = std::chrono::steady_clock;
 /// The host's progress bar redraws at every call, so calls are at least this far apart.
 constexpr std::chrono::milliseconds callback_interval{20};
 
+/// MeshLab's window handles its events only at calls with another percentage than the call before: as long as
+/// one lasts, it would not answer. Its progress bar takes no notice of what is not from 0 to 100.
+constexpr int still_the_same = -1;
+
+/// Whether the host has windows; PyMeshLab has none.
+bool host_has_windows() {
+  const QCoreApplication* application = QCoreApplication::instance();
+  return application != nullptr && application->inherits("QApplication");
+}
+
 vorogeo::Progress progress_to(vcg::CallBackPos* callback) {
   if (callback == nullptr) return {};
   return vorogeo::Progress(
-      [callback, last = Clock::time_point{}](double fraction, const std::string& activity) mutable {
+      [callback, has_windows = host_has_windows(), told = still_the_same, last = Clock::time_point{}](
+          double fraction, const std::string& activity) mutable {
         const auto now = Clock::now();
         if (now - last < callback_interval) return true;
         last = now;
-        return callback(static_cast<int>(100.0 * fraction), activity.c_str());
+        const int percentage = static_cast<int>(100.0 * fraction);
+        told = has_windows && percentage == told ? still_the_same : percentage;
+        return callback(told, activity.c_str());
       });
 }
 

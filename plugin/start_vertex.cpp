@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "logged_length.h"
 #include "mesh/surface_locator.h"
 #include "parameters.h"
 
@@ -79,7 +80,7 @@ StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
   } else {
     text << "Start: a point in face " << layer_mesh.host_face(*mesh, start.point.face);
   }
-  if (vertex == no_index) text << ", " << start.distance << " away from the given point";
+  if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
   call.log(text.str());
   return start;
 }
@@ -91,7 +92,7 @@ StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
                                 : nearest_vertex(layer_mesh.arrays(), point_of(call, "start_point"));
   std::ostringstream text;
   text << "Start: vertex " << layer_mesh.host_vertex(start.vertex);
-  if (vertex == no_index) text << ", " << start.distance << " away from the given point";
+  if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
   call.log(text.str());
   return start;
 }

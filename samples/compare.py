@@ -67,15 +67,22 @@ def draw(picture: Path, mesh_set: pymeshlab.MeshSet, name: str, source: int, sca
     results = [result for method in METHODS if (result := compare(mesh_set, method, source))]
     surface = pyvista.PolyData.from_regular_faces(mesh.vertex_matrix(), mesh.face_matrix())
     columns = len(results)
-    figure = plt.figure(figsize=(4 * columns, 11), dpi=100, layout="constrained")
-    grid = figure.add_gridspec(3, columns, height_ratios=(3.6, 3.6, 2.6))
-    for column, result in enumerate(results):
+    pictures = []
+    for result in results:
         field = np.where(exact < 0, -1.0, exact * (1 + result.error))
-        fields = figure.add_subplot(grid[0, column])
-        show(fields, picture_of(surface, field, "turbo_r", (0.0, float(exact.max())), isolines=True))
-        fields.set_title(METHODS[result.name], fontsize=15)
-        errors = figure.add_subplot(grid[1, column])
-        show(errors, picture_of(surface, 100 * result.error, "coolwarm", (-scale, scale), isolines=False))
+        pictures.append(picture_of(surface, field, "turbo_r", (0.0, float(exact.max())), isolines=True))
+        pictures.append(picture_of(surface, 100 * result.error, "coolwarm", (-scale, scale), isolines=False))
+    pictures = without_margins(pictures)
+    height = 4 * pictures[0].shape[0] / pictures[0].shape[1]
+    figure = plt.figure(figsize=(4 * columns, 2 * height + 3.4), dpi=100, layout="constrained")
+    grid = figure.add_gridspec(3, columns, height_ratios=(height, height, 2.6))
+    for column, result in enumerate(results):
+        for row in range(2):
+            axes = figure.add_subplot(grid[row, column])
+            axes.imshow(pictures[2 * column + row])
+            axes.set_axis_off()
+            if row == 0:
+                axes.set_title(METHODS[result.name], fontsize=15)
     ramp = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(-scale, scale), "coolwarm")
     figure.colorbar(ramp, ax=figure.axes[1::2], label="error in %: too short, too long", shrink=0.8)
     halves = grid[2, :].subgridspec(1, 2)
@@ -121,10 +128,11 @@ def picture_of(
     return pixels
 
 
-def show(axes: plt.Axes, pixels: np.ndarray) -> None:
-    """A picture without a frame."""
-    axes.imshow(pixels)
-    axes.set_axis_off()
+def without_margins(pictures: list[np.ndarray]) -> list[np.ndarray]:
+    """All pictures cut to where any of them is not white."""
+    drawn = np.any([picture.min(axis=2) < 255 for picture in pictures], axis=0)
+    rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
+    return [picture[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1] for picture in pictures]
 
 
 def draw_histogram(axes: plt.Axes, results: list[Result]) -> None:

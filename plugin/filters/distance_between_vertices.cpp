@@ -7,6 +7,7 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "index_of_layer.h"
+#include "logged_length.h"
 #include "parameters.h"
 #include "query/geodesic_query.h"
 
@@ -34,8 +35,7 @@ Results distance_between_vertices(FilterCall& call) {
   text << "Vertex " << layer_mesh.host_vertex(source) << " to vertex " << layer_mesh.host_vertex(target)
        << ": ";
   if (std::isfinite(distance)) {
-    text << "distance " << std::setprecision(17) << distance << std::setprecision(3) << ", in " << seconds
-         << " s";
+    text << "distance " << logged_length(distance) << ", in " << std::setprecision(3) << seconds << " s";
   } else {
     text << "no path, they lie in different components";
   }

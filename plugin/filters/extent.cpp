@@ -5,6 +5,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "logged_length.h"
 #include "parameters.h"
 #include "selected_vertices.h"
 #include "team_of_layer.h"
@@ -75,9 +76,9 @@ Results measure_extent(FilterCall& call) {
   results["radius_upper"] = extent.radius.upper;
   results["centre"] = layer_mesh.host_vertex(extent.centre);
   results["fields"] = extent.fields;
-  call.log("Geodesic diameter between " + std::to_string(extent.diameter.lower) + " and " +
-           std::to_string(extent.diameter.upper) + ", radius between " + std::to_string(extent.radius.lower) +
-           " and " + std::to_string(extent.radius.upper) + " around vertex " +
+  call.log("Geodesic diameter between " + logged_length(extent.diameter.lower) + " and " +
+           logged_length(extent.diameter.upper) + ", radius between " + logged_length(extent.radius.lower) +
+           " and " + logged_length(extent.radius.upper) + " around vertex " +
            std::to_string(layer_mesh.host_vertex(extent.centre)));
   return results;
 }

@@ -6,6 +6,7 @@
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "index_of_layer.h"
+#include "logged_length.h"
 #include "mesh/surface_locator.h"
 #include "new_layer.h"
 #include "parameters.h"
@@ -87,12 +88,12 @@ Results draw_path(FilterCall& call) {
     along.push_back(along.empty() ? 0.0 : along.back() + step);
   }
   std::ostringstream text;
-  text.precision(17);
   if (lines.points.empty()) {
     text << "No path: the points lie in different components";
   } else {
     add_polyline_layer(call, "Geodesic path", lines, along, true);
-    text << "Path of length " << result.path.length << " over " << lines.points.size() << " points";
+    text << "Path of length " << logged_length(result.path.length) << " over " << lines.points.size()
+         << " points";
   }
   call.log(text.str());
   return {{"length", result.path.length},

@@ -8,6 +8,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "logged_length.h"
 #include "new_layer.h"
 #include "parameters.h"
 #include "support/error.h"
@@ -76,7 +77,7 @@ Results draw_isolines(FilterCall& call) {
   call.progress.report(1.0, "Isolines");
   add_polyline_layer(call, "Isolines", found.lines, quality, true);
   call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
-           std::to_string(found.lines.length()) + " long in all");
+           logged_length(found.lines.length()) + " long in all");
   return {{"segments", static_cast<int>(found.lines.segments.size())},
           {"length", found.lines.length()},
           {"values", as_vector(values)}};

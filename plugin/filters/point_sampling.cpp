@@ -3,6 +3,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "logged_length.h"
 #include "new_layer.h"
 #include "parameters.h"
 #include "query/lloyd.h"
@@ -46,7 +47,7 @@ Results farthest_sampling(FilterCall& call) {
   results["covering_radius"] = samples.covering_radius;
   results["vertices"] = add_vertex_layer(call, "Farthest point samples", layer_mesh, samples.vertices, {});
   call.log(std::to_string(samples.vertices.size()) + " samples; every vertex is within " +
-           std::to_string(samples.covering_radius) + " of one");
+           logged_length(samples.covering_radius) + " of one");
   return results;
 }
 
@@ -68,7 +69,7 @@ Results poisson_disk_sampling(FilterCall& call) {
   Results results = std::move(found.about_index);
   results["samples"] = static_cast<int>(samples.size());
   results["vertices"] = add_vertex_layer(call, "Poisson-disk samples", layer_mesh, samples, {});
-  call.log(std::to_string(samples.size()) + " samples, at least " + std::to_string(radius) + " apart");
+  call.log(std::to_string(samples.size()) + " samples, at least " + logged_length(radius) + " apart");
   return results;
 }
 

@@ -5,6 +5,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "logged_length.h"
 #include "new_layer.h"
 #include "parameters.h"
 #include "patch_coloring.h"
@@ -56,7 +57,7 @@ Results color_voronoi_regions(FilterCall& call) {
     call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
   }
   call.log("Voronoi regions of " + std::to_string(points.size()) + " vertices; their borders are " +
-           std::to_string(regions.borders.length()) + " long");
+           logged_length(regions.borders.length()) + " long");
   if (unreached > 0) {
     call.log("No path leads to " + std::to_string(unreached) +
              " vertices, in other components than the points; their quality is -1");

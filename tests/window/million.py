@@ -59,15 +59,19 @@ class Million:
         already = len(window.log_lines())
         start = time.monotonic()
         window.press(dialog, "Apply")
-        steps, longest, buttons = set(), 0.0, None
+        steps, longest, buttons, answers, unknown = set(), 0.0, None, 0, 0
 
         def has(begin: str) -> bool:
             return any(entry.startswith(begin) for entry in window.log_lines()[already:])
 
         while not has(line) and window.is_alive() and time.monotonic() - start < PATIENCE:
             asked = time.monotonic()
-            with suppress(GLib.Error):
+            try:
                 steps.add(round(bar.get_current_value()))
+                answers += 1
+            except GLib.Error as error:
+                unknown += 1
+                self.seen["error"] = str(error)
             if not has(line):  # what lasts beyond the filter's end is MeshLab's own drawing
                 longest = max(longest, time.monotonic() - asked)
             if buttons is None and time.monotonic() - start > 5:
@@ -75,7 +79,7 @@ class Million:
                 window.picture(self.folder / "shots" / "million_in_work.png")
         seconds = time.monotonic() - start
         wait_for("the end of the filter", lambda: has("Applied filter"), PATIENCE, window.is_alive)
-        figures = {"seconds": seconds, "longest without an answer": longest, "steps": len(steps), "buttons": buttons}
+        figures = {"seconds": seconds, "longest without an answer": longest, "steps": sorted(steps), "answers": answers, "unknown": unknown, "error": self.seen.get("error"), "buttons": buttons}
         return figures | {"seconds of drawing": time.monotonic() - start - seconds}
 
 

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from meshlab_window import MeshLabWindow
-from screen import start_display
+from screen import Atspi, start_display
 
 FROM_POINT = "Geodesic distance from a given point (VoroGeo)"
 EXACT_FROM_POINT = "Exact geodesic distance from a given point (VoroGeo)"
@@ -31,7 +31,7 @@ class Scenario:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.seen: dict[str, object] = {"source": SOURCE, "dialogs": {}, "fields": {}, "errors": {}}
+        self.seen: dict[str, object] = {"source": SOURCE, "dialogs": {}, "help": {}, "fields": {}, "errors": {}}
         (folder / "shots").mkdir(parents=True, exist_ok=True)
 
     def picture(self, window: MeshLabWindow, name: str) -> None:
@@ -72,6 +72,8 @@ class Scenario:
             )
             file = "".join(letter if letter.isalnum() else "_" for letter in name.removesuffix(" (VoroGeo)").lower())
             if dialog is not None:
+                texts = [node.get_name() for node in window.find(Atspi.Role.LABEL, top=dialog)]
+                self.seen["help"][name] = max(texts, key=len)
                 self.picture(window, f"dialog_{file}")
                 window.close(dialog)
 

@@ -21,7 +21,9 @@ def test_point_picked_by_a_double_click_lies_on_the_mesh_and_distances_start_the
     assert seen["apply picked"] == ""
     vertices = terrain(70, 50)[0]
     assert np.linalg.norm(vertices - seen["picked"], axis=1).min() < 0.05  # the length of an edge
-    starts = [re.match(r"Start: .* \d+, ([0-9.e-]+) away from the given point", line) for line in seen["log"]]
+    starts = [
+        re.match(r"Start: .* \d+, ([0-9.e-]+) mesh units away from the given point", line) for line in seen["log"]
+    ]
     assert float(next(filter(None, starts))[1]) < 0.01  # what is picked is a pixel of the picture
 
 

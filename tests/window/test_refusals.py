@@ -31,7 +31,7 @@ def test_meshlab_goes_on_working(seen):
 def test_start_point_is_taken_from_the_point_picker(seen):
     vertices = terrain(70, 50)[0]
     to_vertex = np.linalg.norm(vertices - np.array(seen["picked"]), axis=1).min()
-    lines = [re.match(r"Start: .* \d+, ([0-9.e-]+) away from the given point", line) for line in seen["log"]]
+    lines = [re.match(r"Start: .* \d+, ([0-9.e-]+) mesh units away from the given point", line) for line in seen["log"]]
     distance = float(list(filter(None, lines))[-1][1])  # earlier ones are of filters that were refused
     assert 0 < distance <= to_vertex  # the nearest point of the surface is no farther than its nearest vertex
     assert to_vertex - distance < 0.05  # the length of an edge
@@ -42,7 +42,7 @@ def test_layer_of_points_is_chosen_by_its_name(seen):
 
 
 def test_path_is_drawn(seen):
-    lengths = [re.match(r"Path of length ([0-9.]+) over", line) for line in seen["log"]]
+    lengths = [re.match(r"Path of length ([0-9.]+) mesh units over", line) for line in seen["log"]]
     vertices = terrain(70, 50)[0]
     straight = np.linalg.norm(vertices[35] - vertices[3460])
     assert straight < float(next(filter(None, lengths))[1]) < 1.5 * straight
