@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Tests the plugin in the real MeshLab window, without a screen: MeshLab of the right Debian in a root of its own.
 #
-# Usage: tests/window/run.sh [2022.02|2025.07]... [-- PYTEST OPTIONS]
+# Usage: tests/window/run.sh [--million] [2022.02|2025.07]... [-- PYTEST OPTIONS]
+#   --million: instead of the tests, work on a mesh of a million vertices, some ten minutes on two idle cores; prints the
+#     time of each filter and the longest time in which the window did not answer (tests/window/million.py).
 #   Without a version: both. The first time it downloads some 700 MB and takes several minutes; later it takes about
 #   one per version. Pictures: build/window/VERSION/seen/shots. Needs what samples/setup.sh sets up, and the rights of root.
 # Exit status 77 where no root can be made; the reason stands on the standard error.
@@ -9,14 +11,20 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 versions=()
+million=no
 while [ $# -gt 0 ] && [ "$1" != -- ]; do
-  versions+=("$1")
+  if [ "$1" = --million ]; then million=yes; else versions+=("$1"); fi
   shift
 done
 [ $# -eq 0 ] || shift
 [ ${#versions[@]} -gt 0 ] || versions=(2022.02 2025.07)
 python="$PWD/.venv/bin/python"
 say() { printf 'window %s: %s\n' "$version" "$*"; }
+
+# Usage: drive SECONDS SCRIPT FOLDER
+drive() {
+  timeout "$1" tests/window/in_root.sh "$root" dbus-run-session -- python3 "/project/tests/window/$2.py" "/project/$3"
+}
 
 for version in "${versions[@]}"; do
   root="$(tests/window/make_root.sh "$version")"
@@ -30,13 +38,21 @@ for version in "${versions[@]}"; do
     tail -n 30 "$folder/build.log"
     exit 1
   fi
+  if [ "$million" = yes ]; then
+    say "driving MeshLab with a mesh of a million vertices (pictures: $folder/million/shots)"
+    rm -rf "$folder/million"
+    mkdir -p "$folder/million/shots"
+    "$python" tests/window/make_meshes.py "$folder/million/meshes" million
+    drive 7200 million "$folder/million"
+    exec {turn}>&-
+    continue
+  fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
   for script in scenario refusals filter_script edits loading; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
-    timeout 1200 tests/window/in_root.sh "$root" dbus-run-session -- \
-      python3 "/project/tests/window/$script.py" "/project/$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
+    drive 1200 "$script" "$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
   done
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \
     -o "junit_suite_name=window-$version" "$@"
