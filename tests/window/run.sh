@@ -52,7 +52,7 @@ for version in "${versions[@]}"; do
   for script in scenario refusals filter_script edits loading; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
-    drive 1200 "$script" "$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
+    drive 2400 "$script" "$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
   done
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \
     -o "junit_suite_name=window-$version" "$@"
