@@ -28,6 +28,9 @@ cannot() {
 [ "$(id -u)" = 0 ] || cannot "it needs the rights of root"
 unshare --mount --pid --fork --kill-child true 2>/dev/null || cannot "this system gives no namespaces of their own (unshare)"
 
+mkdir -p build/window
+exec {turn}>"build/window/.making-$version.lock"  # who comes second finds the root made
+flock "$turn"
 if [ "$(cat "$root/etc/vorogeo-window" 2>/dev/null)" = "$input" ]; then
   echo "$root"
   exit 0
@@ -40,7 +43,6 @@ if [ -z "$mirror" ]; then  # before the first apt-get update the origin is not k
 fi
 [ -n "$mirror" ] || cannot "apt names no Debian mirror (see /etc/apt/sources.list)"
 
-mkdir -p build/window
 work="$(mktemp -d "build/window/.making-$version-XXXXXX")"
 trap 'rm -rf "$work"' EXIT
 echo "window: making a Debian root ($suite) with MeshLab $version, some minutes (log: $log)" >&2
