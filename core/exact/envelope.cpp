@@ -130,52 +130,78 @@ void WindowEnvelope::open(Index edge, double sliver) {
   least_ = unreachable;
   const auto list = windows(edge);
   before_.clear();
-  after_.assign(list.rbegin(), list.rend());
+  after_.clear();
+  for (auto window = list.rbegin(); window != list.rend(); ++window) after_.push(*window);
+  left_end_ = -unreachable;
+  right_begin_ = list.empty() ? unreachable : list.front().begin;
 }
 
 void WindowEnvelope::add_piece(const Window& window, double begin, double end) {
   if (!(end > begin)) return;
   changed_ = true;
   ++made_;
-  before_.push_back(window);
-  before_.back().begin = begin;
-  before_.back().end = end;
+  before_.push(window, begin, end);
   least_ = std::min(least_, window.distance(std::clamp(window.source_x, begin, end)));
 }
 
 void WindowEnvelope::add_old(const Window& old, double begin, double end) {
   if (!(end > begin)) return;
-  before_.push_back(old);
-  before_.back().begin = begin;
-  before_.back().end = end;
+  before_.push(old, begin, end);
 }
 
-void WindowEnvelope::insert(Window window, double at_begin, double at_end) {
-  while (!before_.empty() && before_.back().end > window.begin + sliver_) {
-    after_.push_back(before_.back());
-    before_.pop_back();
+bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_end) {
+  if (before_.empty() || right_begin_ < window.end - sliver_) return false;
+  Window& last = before_.top();
+  if (last.offset != window.offset || last.begin > window.begin || last.end > window.end) return false;
+  // Equal offsets: the difference of the squares is linear in x.
+  const double across = window.source_x - last.source_x;
+  const double sum = window.source_x + last.source_x;
+  const double rest = (window.source_y - last.source_y) * (window.source_y + last.source_y);
+  const double difference_at_begin = across * (sum - 2.0 * window.begin) + rest;
+  const double difference_at_end = across * (sum - 2.0 * last.end) + rest;
+  const double equal = 2.0 * tie * std::max(at_begin, at_end) * std::max(at_begin, at_end);
+  if (!(difference_at_begin > equal && difference_at_end < -equal)) return false;
+  const double cut = 0.5 * (sum + rest / across);
+  if (!(cut > window.begin && cut < last.end)) return false;
+  last.end = cut;
+  const double end = std::min(window.end, right_begin_);
+  changed_ = true;
+  ++made_;
+  left_end_ = end;
+  before_.push(window, cut, end);
+  const double least = window.source_x >= end ? at_end : window.distance(std::max(cut, window.source_x));
+  least_ = std::min(least_, least);
+  return true;
+}
+
+void WindowEnvelope::insert_among(Window window, double at_begin, double at_end) {
+  while (!before_.empty() && before_.top().end > window.begin + sliver_) {
+    after_.push(before_.top());
+    before_.pop();
   }
-  while (!after_.empty() && after_.back().end <= window.begin + sliver_) {
-    before_.push_back(after_.back());
-    after_.pop_back();
+  while (!after_.empty() && after_.top().end <= window.begin + sliver_) {
+    before_.push(after_.top());
+    after_.pop();
   }
-  if (!before_.empty()) window.begin = std::max(window.begin, before_.back().end);
-  if (after_.empty() || after_.back().begin >= window.end - sliver_) {
-    if (!after_.empty()) window.end = std::min(window.end, after_.back().begin);
-    if (!(window.end > window.begin)) return;
-    changed_ = true;
-    ++made_;
-    before_.push_back(window);
-    const bool foot_inside = window.source_x > window.begin && window.source_x < window.end;
-    least_ = std::min(least_, foot_inside ? window.offset + window.source_y : std::min(at_begin, at_end));
+  left_end_ = before_.empty() ? -unreachable : before_.top().end;
+  right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+  if (right_begin_ >= window.end - sliver_) {
+    insert(window, at_begin, at_end);
     return;
   }
+  divide_among(window, at_begin, at_end);
+  left_end_ = before_.empty() ? -unreachable : before_.top().end;
+  right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+}
+
+void WindowEnvelope::divide_among(Window window, double at_begin, double at_end) {
+  if (!before_.empty()) window.begin = std::max(window.begin, before_.top().end);
   // Everything left of `reached` is decided; from `piece` on it belongs to the new window, if `open`.
   double reached = window.begin;
   double piece = window.begin;
   bool open = false;
-  while (!after_.empty() && after_.back().begin < window.end - sliver_) {
-    const Window old = after_.back();
+  while (!after_.empty() && after_.top().begin < window.end - sliver_) {
+    const Window old = after_.top();
     const double l = std::max(reached, old.begin);
     const double r = std::min(window.end, old.end);
     if (old.begin > reached && !open) {
@@ -189,11 +215,11 @@ void WindowEnvelope::insert(Window window, double at_begin, double at_end) {
       // The usual case of a window that stays as it is.
       if (open) add_piece(window, piece, l);
       open = false;
-      before_.push_back(old);
-      after_.pop_back();
+      before_.push(old);
+      after_.pop();
       continue;
     }
-    after_.pop_back();
+    after_.pop();
     double old_from = old.begin;  // where the old window's current part begins
     bool fresh = division.new_first;
     double from = l;
@@ -217,14 +243,14 @@ void WindowEnvelope::insert(Window window, double at_begin, double at_end) {
       // The new window ends inside the old one, which goes on behind it.
       if (open) add_piece(window, piece, r);
       open = false;
-      after_.push_back(old);
-      after_.back().begin = fresh ? r : old_from;
+      after_.push(old);
+      after_.top().begin = fresh ? r : old_from;
       reached = window.end;
       break;
     }
     if (!fresh) add_old(old, old_from, r);
   }
-  if (!after_.empty()) window.end = std::min(window.end, after_.back().begin);
+  if (!after_.empty()) window.end = std::min(window.end, after_.top().begin);
   if (reached < window.end && !open) {
     open = true;
     piece = reached;
@@ -238,8 +264,8 @@ double WindowEnvelope::store() {
     const std::size_t size = before_.size() + after_.size();
     take_room(list, size);
     list.size = static_cast<std::uint32_t>(size);
-    const auto place = pool_.begin() + list.offset;
-    std::copy(after_.rbegin(), after_.rend(), std::copy(before_.begin(), before_.end(), place));
+    auto place = std::copy_n(before_.data(), before_.size(), pool_.begin() + list.offset);
+    for (std::size_t i = after_.size(); i > 0; --i) *place++ = after_.data()[i - 1];
   }
   open_ = no_index;
   return least_;

@@ -1,6 +1,7 @@
 // The windows of all edges: on each edge the lower envelope of their distances.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -28,7 +29,22 @@ class WindowEnvelope {
   /// Adds a window to the open edge where it is shorter than the windows there, and cuts those where it is.
   /// Ties (relative 1e-12) are left with the older window.
   /// `at_begin`, `at_end`: the window's distances at its ends, which the caller has at hand.
-  void insert(Window window, double at_begin, double at_end);
+  void insert(const Window& window, double at_begin, double at_end) {
+    const bool free = left_end_ <= window.begin + sliver_ && right_begin_ >= window.end - sliver_;
+    if (!free) {
+      if (!cut_last(window, at_begin, at_end)) insert_among(window, at_begin, at_end);
+      return;
+    }
+    const double begin = std::max(window.begin, left_end_);
+    const double end = std::min(window.end, right_begin_);
+    if (!(end > begin)) return;
+    changed_ = true;
+    ++made_;
+    left_end_ = end;
+    const bool foot_inside = window.source_x > begin && window.source_x < end;
+    least_ = std::min(least_, foot_inside ? window.offset + window.source_y : std::min(at_begin, at_end));
+    before_.push(window, begin, end);
+  }
   /// Closes the open edge. Returns the least distance of the parts inserted, infinity if there are none.
   double store();
 
@@ -51,6 +67,40 @@ class WindowEnvelope {
     bool retired = false;
   };
 
+  /// Windows on top of each other; what was taken off stays as room.
+  class Stack {
+   public:
+    void push(const Window& window) { push(window, window.begin, window.end); }
+    /// With other ends. Field by field: a copy in wide moves would wait for fields just written.
+    void push(const Window& window, double begin, double end) {
+      if (size_ == room_.size()) room_.resize(2 * size_ + 16);
+      Window& place = room_[size_++];
+      place.begin = begin;
+      place.end = end;
+      place.source_x = window.source_x;
+      place.source_y = window.source_y;
+      place.offset = window.offset;
+      place.came_from = window.came_from;
+      place.source = window.source;
+    }
+    Window& top() { return room_[size_ - 1]; }
+    void pop() { --size_; }
+    bool empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+    void clear() { size_ = 0; }
+    const Window* data() const { return room_.data(); }
+
+   private:
+    std::vector<Window> room_;
+    std::size_t size_ = 0;
+  };
+
+  /// The most frequent meeting: the last window of the batch and the next see the same pseudo-source past
+  /// two sides of a vertex, and only these two overlap. False, and nothing done, if it is another one.
+  bool cut_last(const Window& window, double at_begin, double at_end);
+  /// The same as insert() where the new window meets others.
+  void insert_among(Window window, double at_begin, double at_end);
+  void divide_among(Window window, double at_begin, double at_end);
   void add_piece(const Window& window, double begin, double end);
   void add_old(const Window& old, double begin, double end);
   void give_back(List& list);
@@ -64,8 +114,10 @@ class WindowEnvelope {
   bool changed_ = false;
   double sliver_ = 0.0;
   double least_ = unreachable;
-  std::vector<Window> before_;  ///< windows of the open edge up to the last insertion, in order
-  std::vector<Window> after_;   ///< those behind it, last first
+  Stack before_;                      ///< windows of the open edge up to the last insertion, in order
+  Stack after_;                       ///< those behind it, last first
+  double left_end_ = -unreachable;    ///< where the last of `before_` ends
+  double right_begin_ = unreachable;  ///< where the first of `after_` begins
   std::size_t made_ = 0;
 };
 

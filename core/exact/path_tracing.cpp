@@ -119,7 +119,7 @@ BackStep best_way(const ExactSolver::State& state, Index face, const std::array<
     const double x = barycentric[along ? (i + 1) % 3 : i] * length + barycentric[(i + 2) % 3] * frame.apex_x;
     const double depth = barycentric[(i + 2) % 3] * frame.apex_depth;
     for (const Window& window : state.envelope.windows(edge)) {
-      if (window.came_from == h) continue;
+      if (window.entry() == h) continue;
       const double height = window.source_y + depth;
       const double straight =
           height > 0.0 ? window.source_x + (x - window.source_x) * (window.source_y / height) : x;

@@ -30,30 +30,13 @@ struct Side {
         cosine(apex_from_shared / length),
         sine(depth / length) {}
 
-  /// Where the ray through x leaves the side, from 0 (shared vertex) to 1 (apex).
+  /// Where the ray through x leaves the side, counted from the shared vertex.
   double crossing(double x, double source_x, double source_y) const {
     const double denominator = source_y * apex_x - (x - source_x) * apex_depth;
-    return denominator > 0.0 ? std::min(1.0, x * source_y / denominator) : (x > 0.0 ? 1.0 : 0.0);
+    if (!(denominator > 0.0)) return x > 0.0 ? length : 0.0;
+    return length * std::min(1.0, x * source_y / denominator);
   }
-  /// The part [begin, end] of a window, seen through this side.
-  Window seen_through(const Window& window, double begin, double end, double source_x) const {
-    const double source_y = window.source_y;
-    Window next{};
-    next.begin = length * crossing(begin, source_x, source_y);
-    next.end = length * crossing(end, source_x, source_y);
-    next.source_x = source_x * cosine - source_y * sine;
-    next.source_y = std::max(0.0, source_y * cosine + source_x * sine);
-    if (reversed) {
-      std::swap(next.begin, next.end);
-      next.begin = length - next.begin;
-      next.end = length - next.end;
-      next.source_x = length - next.source_x;
-    }
-    next.offset = window.offset;
-    next.came_from = halfedge;
-    next.source = window.source;
-    return next;
-  }
+  double inside(double x) const { return std::clamp(x, 0.0, length); }
 
   Index halfedge;
   Index edge;
@@ -90,7 +73,7 @@ void ExactSolver::State::store_edge() {
   if (least <= max_distance) queue.push(mesh.vertex_count() + open, least);
 }
 
-bool ExactSolver::State::keep_shorter_than_ends(Window& window, double& at_begin, double& at_end) const {
+bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& at_end) const {
   // Xin, Wang 2009, section 4.
   if (from_first + window.begin < at_begin) {
     if (from_first + window.end <= at_end) return false;
@@ -105,23 +88,35 @@ bool ExactSolver::State::keep_shorter_than_ends(Window& window, double& at_begin
                             window.begin, window.end);
     at_end = window.distance(window.end);
   }
-  return window.end - window.begin > least_width * open_length;
+  return true;
 }
 
-void ExactSolver::State::insert_window(Window window) {
-  window.begin = std::max(window.begin, 0.0);
-  window.end = std::min(window.end, open_length);
-  if (!(window.end > window.begin)) return;
-  double at_begin = window.distance(window.begin);
-  double at_end = window.distance(window.end);
-  if (!keep_shorter_than_ends(window, at_begin, at_end)) return;
+void ExactSolver::State::insert_cut(Window window, double at_begin, double at_end) {
+  if (!cut_at_ends(window, at_begin, at_end)) return;
+  if (!(window.end - window.begin > least_width * open_length)) return;
   if (has_corridor && !in_corridor(length_through(window, open))) return;
   envelope.insert(window, at_begin, at_end);
 }
 
+inline void ExactSolver::State::insert_window(const Window& window) {
+  if (!(window.end - window.begin > least_width * open_length)) return;
+  const double at_begin = window.distance(window.begin);
+  const double at_end = window.distance(window.end);
+  const bool cut =
+      (from_first + window.begin < at_begin) | (from_second + (open_length - window.end) < at_end);
+  if (cut | has_corridor) {
+    insert_cut(window, at_begin, at_end);
+  } else {
+    envelope.insert(window, at_begin, at_end);
+  }
+}
+
 void ExactSolver::State::add_window(Index edge, const Window& window) {
   if (!open_edge(edge)) return;
-  insert_window(window);
+  Window inside = window;
+  inside.begin = std::max(window.begin, 0.0);
+  inside.end = std::min(window.end, open_length);
+  insert_window(inside);
   store_edge();
 }
 
@@ -176,18 +171,25 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
   if (!(side.length > 0.0)) return;
   bool is_open = false;
   auto hand_on_one = [&](const Crossing& item) {
-    const Window& window = item.window;
-    double begin = window.begin;
-    double end = window.end;
-    (second ? begin : end) = second ? std::max(begin, item.to_apex) : std::min(end, item.to_apex);
+    const double begin = second ? std::max(item.window.begin, item.to_apex) : item.window.begin;
+    const double end = second ? item.window.end : std::min(item.window.end, item.to_apex);
     if (!(begin < end)) return;
     if (!is_open) {
       if (!open_edge(side.edge)) return;
       is_open = true;
     }
-    insert_window(second ? side.seen_through(window, crossed_length - end, crossed_length - begin,
-                                             crossed_length - window.source_x)
-                         : side.seen_through(window, begin, end, window.source_x));
+    // Positions on the crossed edge from the vertex shared with the side.
+    const double source_x = second ? crossed_length - item.window.source_x : item.window.source_x;
+    const double source_y = item.window.source_y;
+    const double from = side.crossing(second ? crossed_length - end : begin, source_x, source_y);
+    const double to = side.crossing(second ? crossed_length - begin : end, source_x, source_y);
+    const double turned_x = source_x * side.cosine - source_y * side.sine;
+    const double turned_y = std::max(0.0, source_y * side.cosine + source_x * side.sine);
+    const bool reversed = side.reversed;
+    insert_window({side.inside(reversed ? side.length - to : from),
+                   side.inside(reversed ? side.length - from : to),
+                   reversed ? side.length - turned_x : turned_x, turned_y, item.window.offset, side.halfedge,
+                   item.window.source});
   };
   // In the order of the side's edge, so that the batch is sorted but for windows whose rays cross.
   if (side.reversed == second) {
@@ -225,12 +227,12 @@ void ExactSolver::State::take_edge(Index edge) {
   do {
     crossing.clear();
     for (const Window& window : envelope.windows(edge)) {
-      if (!window.propagated && window.came_from != h) crossing.push_back({window, 0.0});
+      if (!window.is_propagated() && window.came_from != h) crossing.push_back({window, 0.0});
     }
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);
-  for (Window& window : envelope.windows(edge)) window.propagated = 1;
+  for (Window& window : envelope.windows(edge)) window.set_propagated();
 }
 
 }  // namespace vorogeo

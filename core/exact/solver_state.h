@@ -42,9 +42,11 @@ struct ExactSolver::State {
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, double crossed_length);
   /// Cuts what the end vertices of the edge being fed reach no later; false if nothing is left.
-  bool keep_shorter_than_ends(Window& window, double& at_begin, double& at_end) const;
+  bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
   bool open_edge(Index edge);
-  void insert_window(Window window);
+  void insert_window(const Window& window);
+  /// The same for a window that an end vertex may overtake, or with a corridor.
+  void insert_cut(Window window, double at_begin, double at_end);
   void store_edge();
   void reach_apex(const Window& window, Index halfedge, double distance);
   /// Into the sector between two angles of a corner of the given width.

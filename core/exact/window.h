@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "support/types.h"
 
@@ -16,14 +15,18 @@ namespace vorogeo {
 struct Window {
   double begin, end;
   double source_x, source_y;
-  double offset;                 ///< distance from the source to the pseudo-source
-  Index came_from;               ///< half-edge of the edge in the face the window came through
-  std::uint32_t source : 31;     ///< which of the sources
-  std::uint32_t propagated : 1;  ///< already taken across the faces on the other side
+  double offset;    ///< distance from the source to the pseudo-source
+  Index came_from;  ///< half-edge of the edge in the face the window came through; see entry()
+  Index source;     ///< which of the sources
+
+  /// A window that was taken across the faces on the other side keeps the complement of its half-edge.
+  bool is_propagated() const { return came_from < 0; }
+  void set_propagated() { came_from = std::min(came_from, ~came_from); }
+  Index entry() const { return std::max(came_from, ~came_from); }
 
   /// The whole of an edge seen from a point of a face at it.
   static Window from_source(double length, double x, double y, double offset, Index halfedge, Index source) {
-    return {0.0, length, x, y, offset, halfedge, static_cast<std::uint32_t>(source), 0};
+    return {0.0, length, x, y, offset, halfedge, source};
   }
 
   double distance(double x) const { return offset + plane_distance(x); }
