@@ -18,7 +18,7 @@ Window window(double begin, double end, double source_x, double source_y, double
   w.source_x = source_x;
   w.source_y = source_y;
   w.offset = offset;
-  w.source = static_cast<std::uint32_t>(source);
+  w.source = source;
   return w;
 }
 
@@ -63,6 +63,26 @@ TEST(WindowEnvelope, TwoPointsAreDividedByTheirBisector) {
   EXPECT_NEAR(list[1].begin, 4.5, 1e-12);
   EXPECT_EQ(list[0].source, 0);
   EXPECT_EQ(list[1].source, 1);
+}
+
+TEST(WindowEnvelope, OnePointSeenPastTwoSidesOfAVertexIsCutInTheBatch) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  const Window first = window(0.0, 2.0, 1.0, 2.0, 3.0, 0);
+  const Window second = window(0.5, 4.0, 3.0, 1.0, 3.0, 1);
+  const Window third = window(3.5, 9.0, 9.0, 4.0, 3.0, 2);
+  envelope.open(0, 1e-13);
+  for (const Window& w : {first, second, third}) envelope.insert(w, w.distance(w.begin), w.distance(w.end));
+  // (x - 1)^2 + 4 = (x - 3)^2 + 1 at 1.25; the third is longer than the second at 3.5 and at 4, and takes the
+  // rest. The second is least below its source: 3 + 1.
+  EXPECT_DOUBLE_EQ(envelope.store(), 4.0);
+  const auto list = windows_of(envelope, 0);
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_NEAR(list[0].end, 1.25, 1e-15);
+  EXPECT_NEAR(list[1].begin, 1.25, 1e-15);
+  EXPECT_EQ(list[1].end, 4.0);
+  EXPECT_EQ(list[2].begin, 4.0);
+  EXPECT_EQ(list[2].source, 2);
 }
 
 TEST(WindowEnvelope, ANearPointWithALateStartOwnsTheMiddle) {
