@@ -26,7 +26,7 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
   if (least_angle > 0.0 || greatest_angle < width) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
     const bool own = geometry->begins_at_own_edge[corner] != 0;
-    const bool first_side_begins = (frame.first_side == corner) == own;
+    const bool first_side_begins = (frame.first_side(opposite) == corner) == own;
     if (!first_side_begins) {
       std::swap(least_angle, greatest_angle);
       least_angle = width - least_angle;

@@ -19,15 +19,11 @@ constexpr double greatest_edge = 1e60;
 
 FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
-  const bool along = mesh.tail(halfedge) == mesh.edge_vertices(edge)[0];
-  const Index after = Mesh::next_in_face(halfedge);
-  const Index before = Mesh::previous_in_face(halfedge);
   FaceFrame frame{};
   frame.apex = mesh.apex(halfedge);
-  frame.first_side = along ? before : after;
-  frame.second_side = along ? after : before;
-  const Index first_edge = mesh.edge_of(frame.first_side);
-  const Index second_edge = mesh.edge_of(frame.second_side);
+  frame.along = mesh.tail(halfedge) == mesh.edge_vertices(edge)[0];
+  const Index first_edge = mesh.edge_of(frame.first_side(halfedge));
+  const Index second_edge = mesh.edge_of(frame.second_side(halfedge));
   frame.first_side_reversed = mesh.edge_vertices(first_edge)[0] == frame.apex;
   frame.second_side_reversed = mesh.edge_vertices(second_edge)[0] == frame.apex;
   const double length = mesh.edge_length(edge);

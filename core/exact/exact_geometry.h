@@ -12,11 +12,19 @@ namespace vorogeo {
 struct FaceFrame {
   double apex_x;      ///< along the edge
   double apex_depth;  ///< below the edge, >= 0
-  Index first_side;   ///< half-edge between the edge's first vertex and the apex
-  Index second_side;  ///< half-edge between the edge's second vertex and the apex
   Index apex;
+  bool along;                 ///< whether the half-edge leaves the edge's first vertex
   bool first_side_reversed;   ///< positions on that edge count from the apex
   bool second_side_reversed;  ///< likewise
+
+  /// Half-edge between the first vertex of the edge and the apex, in the face of this frame's half-edge.
+  Index first_side(Index halfedge) const {
+    return along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
+  }
+  /// Half-edge between the second vertex of the edge and the apex.
+  Index second_side(Index halfedge) const {
+    return along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
+  }
 };
 
 /// Frames of all half-edges and the angles around all vertices.

@@ -128,7 +128,7 @@ void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double
     const double length = mesh.edge_length(mesh.edge_of(halfedge));
     const Index corner = Mesh::previous_in_face(halfedge);
     const bool first_side_begins =
-        (frame.first_side == corner) == (geometry->begins_at_own_edge[corner] != 0);
+        (frame.first_side(halfedge) == corner) == (geometry->begins_at_own_edge[corner] != 0);
     const double side_x = (first_side_begins ? 0.0 : length) - frame.apex_x;
     const double side_y = frame.apex_depth;
     const double dx = frame.apex_x - window.source_x;
@@ -161,9 +161,10 @@ void ExactSolver::State::cross_face(Index halfedge) {
       if (distance < vertices[frame.apex].distance) reach_apex(window, halfedge, distance);
     }
   }
-  hand_on(Side(mesh, frame.first_side, frame.first_side_reversed, frame.apex_x, frame.apex_depth), false,
-          length);
-  hand_on(Side(mesh, frame.second_side, frame.second_side_reversed, length - frame.apex_x, frame.apex_depth),
+  hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
+          false, length);
+  hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed, length - frame.apex_x,
+               frame.apex_depth),
           true, length);
 }
 

@@ -188,7 +188,7 @@ class HopWalker {
     to_vertex(x, last.at_first, face, a, best);
     to_vertex(length - x, last.at_second, face, b, best);
     for (const bool first : {true, false}) {
-      const Index side = first ? frame.first_side : frame.second_side;
+      const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
       const Index side_edge = mesh_.edge_of(side);
       const double side_length = mesh_.edge_length(side_edge);
       if (!(side_length > 0.0) || mesh_.is_border_edge(side_edge)) continue;

@@ -28,18 +28,18 @@ TEST(ExactGeometry, FramesKeepTheLengthsOfTheirFace) {
       const Index edge = mesh->edge_of(h);
       const auto [first, second] = mesh->edge_vertices(edge);
       auto ends = [&](Index side) { return std::set{mesh->tail(side), mesh->head(side)}; };
-      EXPECT_EQ(ends(frame.first_side), (std::set{first, frame.apex}));
-      EXPECT_EQ(ends(frame.second_side), (std::set{second, frame.apex}));
-      EXPECT_EQ(Mesh::face_of(frame.first_side), Mesh::face_of(h));
+      EXPECT_EQ(ends(frame.first_side(h)), (std::set{first, frame.apex}));
+      EXPECT_EQ(ends(frame.second_side(h)), (std::set{second, frame.apex}));
+      EXPECT_EQ(Mesh::face_of(frame.first_side(h)), Mesh::face_of(h));
       auto length = [&](Index side) { return mesh->edge_length(mesh->edge_of(side)); };
-      EXPECT_NEAR(std::hypot(frame.apex_x, frame.apex_depth), length(frame.first_side), 1e-12);
+      EXPECT_NEAR(std::hypot(frame.apex_x, frame.apex_depth), length(frame.first_side(h)), 1e-12);
       EXPECT_NEAR(std::hypot(mesh->edge_length(edge) - frame.apex_x, frame.apex_depth),
-                  length(frame.second_side), 1e-12);
+                  length(frame.second_side(h)), 1e-12);
       auto counts_from_apex = [&](Index side) {
         return mesh->edge_vertices(mesh->edge_of(side))[0] == frame.apex;
       };
-      EXPECT_EQ(frame.first_side_reversed, counts_from_apex(frame.first_side));
-      EXPECT_EQ(frame.second_side_reversed, counts_from_apex(frame.second_side));
+      EXPECT_EQ(frame.first_side_reversed, counts_from_apex(frame.first_side(h)));
+      EXPECT_EQ(frame.second_side_reversed, counts_from_apex(frame.second_side(h)));
     }
   }
 }
