@@ -41,15 +41,15 @@ void add_polyline_layer(FilterCall& call, const QString& name, const SurfaceLine
   }
 }
 
-QVariant add_vertex_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
-                          const std::vector<Index>& vertices, std::span<const double> quality) {
-  std::vector<Point> points;
+QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
+                                 const Mesh& mesh, const PointList& points) {
+  std::vector<Point> positions;
   std::vector<int> numbers;
-  for (Index v : vertices) {
-    points.push_back(layer_mesh.arrays().positions[v]);
-    numbers.push_back(layer_mesh.host_vertex(v));
+  for (const SurfacePoint& point : points) {
+    positions.push_back(position_of(mesh, point));
+    numbers.push_back(point.is_vertex() ? layer_mesh.host_vertex(point.vertex) : -1);
   }
-  add_point_layer(call, name, points, quality, true);
+  add_point_layer(call, name, positions, {}, true);
   return as_vector(numbers);
 }
 

@@ -6,6 +6,7 @@
 
 #include "filter_row.h"
 #include "layer_mesh.h"
+#include "query/point_list.h"
 #include "query/surface_lines.h"
 
 namespace vorogeo::plugin {
@@ -19,9 +20,10 @@ void add_point_layer(FilterCall& call, const QString& name, const std::vector<Po
 void add_polyline_layer(FilterCall& call, const QString& name, const SurfaceLines& lines,
                         std::span<const double> quality, bool make_current);
 
-/// The points of these vertices as a layer; their numbers in the host are returned as Eigen::VectorXd.
-QVariant add_vertex_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
-                          const std::vector<Index>& vertices, std::span<const double> quality);
+/// Points of the surface as a layer, which becomes current. \return the numbers of their vertices in the
+/// host, -1 for a point that is none, as Eigen::VectorXd.
+QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
+                                 const Mesh& mesh, const PointList& points);
 
 /// Numbers as the host hands them to Python.
 template <class Values>

@@ -12,7 +12,7 @@ mesh = mesh_set.current_mesh()
 last = mesh.vertex_number() - 1
 
 # One pair in PyMeshLab; infinity if no path leads from one to the other.
-result = mesh_set.get_vorogeo_distance_between_vertices(source=0, target=last)
+result = mesh_set.get_vorogeo_distance_between_points(source=0, target=last)
 print(f"vertex 0 to vertex {last}: {result['distance']:g}, found in {1e6 * result['seconds']:.0f} microseconds")
 
 # Many pairs at once with numpy: two equally long arrays.

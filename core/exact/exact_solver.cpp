@@ -72,6 +72,12 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     state.corridor_at = state.mesh.position(limits.corridor_target);
   }
   state.least_remaining = limits.least_remaining;
+  state.landmarks = state.has_corridor ? limits.landmarks : nullptr;
+  if (state.landmarks != nullptr) {
+    state.target_seen = state.landmarks->seen_from(
+        state.mesh, limits.corridor_point != nullptr ? validated(state.mesh, *limits.corridor_point)
+                                                     : SurfacePoint::at_vertex(limits.corridor_target));
+  }
   state.settled_distance = unreachable;
   state.barrier_distance = unreachable;
   for (std::size_t i = 0; i < state.sources.size(); ++i)

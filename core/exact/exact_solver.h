@@ -11,6 +11,7 @@
 
 namespace vorogeo {
 
+class ExactLandmarks;
 struct ExactGeometry;
 
 /// Where the distance starts, and with which value.
@@ -35,6 +36,8 @@ struct ExactLimits {
   /// With a corridor, if not empty: for each vertex a number that its distance to the corridor's target is at
   /// least (size: number of vertices); used where it is more than the straight line in space.
   std::span<const double> least_remaining{};
+  /// With a corridor, if set: exact distances on this mesh; what they prove is used where it is more.
+  const ExactLandmarks* landmarks = nullptr;
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
   /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are given up,

@@ -41,11 +41,45 @@ std::array<double, 2> FacePlane::at(const std::array<double, 3>& barycentric) co
   return point;
 }
 
-double ExactSolver::State::length_through(const Window& window, Index edge) const {
-  const double straight = length_at_edge(window.least_distance(), edge);
+void ExactSolver::State::look_at_target() {
+  const auto [a, b] = mesh.edge_vertices(open);
+  const Point& p = mesh.position(a);
+  const Point& q = mesh.position(b);
+  const double scale = open_length > 0.0 ? 1.0 / open_length : 0.0;
+  target_x = 0.0;
+  for (int i = 0; i < 3; ++i) target_x += (corridor_at[i] - p[i]) * (q[i] - p[i]) * scale;
+  double square = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double aside = corridor_at[i] - p[i] - target_x * ((q[i] - p[i]) * scale);
+    square += aside * aside;
+  }
+  target_depth = std::sqrt(square);
+  if (landmarks == nullptr) return;
+  proven_at_first = landmarks->least_distance(a, target_seen);
+  proven_at_second = landmarks->least_distance(b, target_seen);
+}
+
+double ExactSolver::State::length_through(const Window& window) const {
+  // The target turned about the edge into the plane, on the other side than the source: the straight way
+  // between the two crosses the edge where the sum of both distances is least.
+  const double height = window.source_y + target_depth;
+  const double across = height > 0.0
+                            ? window.source_x + (target_x - window.source_x) * (window.source_y / height)
+                            : window.source_x;
+  const double at = std::clamp(across, window.begin, window.end);
+  const double dx = at - target_x;
+  const double straight = window.distance(at) + std::sqrt(dx * dx + target_depth * target_depth);
+  const double length = open_length;
+  if (landmarks != nullptr) {
+    // The bounds of both ends, less the way to them, cross where the larger one is least; window distances
+    // change no faster.
+    const double x =
+        std::clamp(0.5 * (proven_at_first - proven_at_second + length), window.begin, window.end);
+    return std::max(straight,
+                    window.distance(x) + std::max(proven_at_first - x, proven_at_second - (length - x)));
+  }
   if (least_remaining.empty()) return straight;
-  const auto [a, b] = mesh.edge_vertices(edge);
-  const double length = mesh.edge_length(edge);
+  const auto [a, b] = mesh.edge_vertices(open);
   const double from_a = least_remaining[a];
   const double from_b = least_remaining[b];
   const double nearest = std::min(from_a, from_b);

@@ -64,6 +64,7 @@ bool ExactSolver::State::open_edge(Index edge) {
   open_length = mesh.edge_length(edge);
   from_first = vertices[a].distance;
   from_second = vertices[b].distance;
+  if (has_corridor) look_at_target();
   envelope.open(edge, least_width * open_length);
   return true;
 }
@@ -94,7 +95,7 @@ bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& a
 void ExactSolver::State::insert_cut(Window window, double at_begin, double at_end) {
   if (!cut_at_ends(window, at_begin, at_end)) return;
   if (!(window.end - window.begin > least_width * open_length)) return;
-  if (has_corridor && !in_corridor(length_through(window, open))) return;
+  if (has_corridor && !in_corridor(length_through(window))) return;
   envelope.insert(window, at_begin, at_end);
 }
 

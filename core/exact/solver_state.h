@@ -10,6 +10,7 @@
 
 #include "exact/envelope.h"
 #include "exact/exact_geometry.h"
+#include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
 #include "support/bucket_queue.h"
 
@@ -67,6 +68,9 @@ struct ExactSolver::State {
   double length_at_vertex(double length, Index vertex) const {
     if (!has_corridor) return length;
     const double straight = length_to_target(length, mesh.position(vertex), 0.0);
+    if (landmarks != nullptr) {
+      return std::max(straight, length + landmarks->least_distance(vertex, target_seen));
+    }
     return least_remaining.empty() ? straight : std::max(straight, length + least_remaining[vertex]);
   }
   double length_at_edge(double length, Index edge) const {
@@ -77,8 +81,10 @@ struct ExactSolver::State {
     const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
     return length_to_target(length, middle, 0.5 * mesh.edge_length(edge));
   }
-  /// The same for a path through a window: the least over its points (path_tracing.cpp).
-  double length_through(const Window& window, Index edge) const;
+  /// Where the corridor's target lies beside the edge being fed (path_tracing.cpp).
+  void look_at_target();
+  /// Least length of a path through a window of that edge to the target: the least over the window's points.
+  double length_through(const Window& window) const;
   /// Whether such a path can be within the bound of the corridor.
   bool in_corridor(double length_to_target) const {
     return !has_corridor || length_to_target <= max_distance * (1.0 + 1e-9);
@@ -96,6 +102,8 @@ struct ExactSolver::State {
   bool has_corridor = false;
   Point corridor_at{};
   std::span<const double> least_remaining;
+  const ExactLandmarks* landmarks = nullptr;
+  ExactLandmarks::Seen target_seen{};
   double settled_distance = 0.0;
   double barrier_distance = unreachable;
 
@@ -113,6 +121,10 @@ struct ExactSolver::State {
   double open_length = 0.0;
   double from_first = 0.0;
   double from_second = 0.0;
+  double target_x = 0.0;         ///< of the corridor's target, along the edge
+  double target_depth = 0.0;     ///< and away from its line
+  double proven_at_first = 0.0;  ///< what the landmarks prove of the rest at its ends
+  double proven_at_second = 0.0;
   /// Vertices are items [0, n), edges follow.
   BucketQueue queue;
   /// Only vertex distances are wanted: edges give up their windows when the front has passed.

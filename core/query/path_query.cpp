@@ -9,6 +9,7 @@
 #include "index/local_tables.h"
 #include "mesh/face_distance.h"
 #include "query/exact_pair.h"
+#include "query/path_ends.h"
 #include "query/path_hops.h"
 #include "query/path_refine.h"
 #include "query/route_unfolding.h"
@@ -27,18 +28,6 @@ constexpr double rounding = 1e-9;
 /// way: exact propagation decides. Measured: of the paths that are not shortest, what such ones add to the
 /// mean error is most of it, while few paths are concerned (docs/paths.md).
 constexpr double suspicious = 2e-4;
-
-double distance_between(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-/// An end point in the work mesh.
-struct End {
-  SurfacePoint point;
-  Index vertex = no_index;  ///< the point itself or the nearest corner of its face
-  double beside = 0.0;      ///< distance of that vertex
-  std::vector<Index> patches;
-};
 
 /// A path and how it was found.
 struct Found {
@@ -63,7 +52,6 @@ struct PathQuery::State {
     for (Index e = 0; e < mesh.edge_count(); ++e) branches = branches || mesh.edge_face_count(e) > 2;
   }
 
-  End end_at(const SurfacePoint& point) const;
   Index component(const SurfacePoint& point) const {
     return data.mesh->component(point.is_vertex() ? point.vertex
                                                   : data.mesh->face_vertices(point.face).front());
@@ -74,20 +62,13 @@ struct PathQuery::State {
     };
     return on_surface(source) && on_surface(target) && component(source) == component(target);
   }
-  /// The border nodes of the end's patch with their distances from it.
-  RouteEnd starts_of(const End& end) const;
-  bool near(const End& a, const End& b) const;
-  /// Of an end in a face.
-  Index patch_of(const End& end) const {
-    return end.point.is_vertex() ? no_index : data.work.second_layer[end.point.face];
-  }
-  GraphRoute route(const End& from, const End& to);
-  SurfacePath run(const End& from, const End& to, const ExactLimits& limits);
-  SurfacePath path_nearby(const End& from, const End& to, double estimate);
-  SurfacePath path_by_chain(const End& from, const End& to, const GraphRoute& way);
-  SurfacePath shorter_path(const End& from, const End& to, double length, bool by_index);
-  double expected_length(const End& from, const End& to, const GraphRoute& way);
-  Found path(const End& from, const End& to);
+  GraphRoute route(const PathEnd& from, const PathEnd& to);
+  SurfacePath run(const PathEnd& from, const PathEnd& to, const ExactLimits& limits);
+  SurfacePath path_nearby(const PathEnd& from, const PathEnd& to, double estimate);
+  SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  SurfacePath shorter_path(const PathEnd& from, const PathEnd& to, double length, bool by_index);
+  double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  Found path(const PathEnd& from, const PathEnd& to);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -101,6 +82,7 @@ struct PathQuery::State {
   /// Whether an edge has more than two faces: crossings are unfolded as on a surface, so the margin of the
   /// bounds does not hold there.
   bool branches = false;
+  std::shared_ptr<const ExactLandmarks> landmarks;
 };
 
 PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
@@ -109,79 +91,20 @@ PathQuery::~PathQuery() = default;
 PathQuery::PathQuery(PathQuery&&) noexcept = default;
 PathQuery& PathQuery::operator=(PathQuery&&) noexcept = default;
 const GeodesicIndex& PathQuery::index() const { return *state_->index; }
-
-End PathQuery::State::end_at(const SurfacePoint& user) const {
-  const Mesh& mesh = *data.work.mesh;
-  End end;
-  end.point = work_point(data, user);
-  auto add = [&](Index patch) {
-    if (std::ranges::find(end.patches, patch) == end.patches.end()) end.patches.push_back(patch);
-  };
-  if (end.point.is_vertex()) {
-    end.vertex = end.point.vertex;
-  } else {
-    const Point at = position_of(mesh, end.point);
-    end.beside = unreachable;
-    for (Index v : mesh.face_vertices(end.point.face)) {
-      const double beside = distance_between(at, mesh.position(v));
-      if (beside < end.beside) {
-        end.beside = beside;
-        end.vertex = v;
-      }
-    }
-  }
-  for_each_face_at(mesh, end.point,
-                   [&](Index face, const std::array<double, 3>&) { add(data.work.second_layer[face]); });
-  return end;
+void PathQuery::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
+  state_->landmarks = std::move(landmarks);
 }
 
-/// Whether a patch of one end is or touches a patch of the other.
-bool PathQuery::State::near(const End& a, const End& b) const {
-  auto is_of_b = [&](Index p) { return std::ranges::find(b.patches, p) != b.patches.end(); };
-  return std::ranges::any_of(a.patches, [&](Index p) {
-    if (is_of_b(p)) return true;
-    return std::ranges::any_of(data.second.nodes(p), [&](Index node) {
-      return std::ranges::any_of(data.second.patches_of(node),
-                                 [&](const PatchRow& at) { return is_of_b(at.patch); });
-    });
-  });
-}
-
-RouteEnd PathQuery::State::starts_of(const End& end) const {
-  RouteEnd result;
-  if (end.point.is_vertex()) {
-    route_end(data, end.vertex, result);
-    return result;
-  }
-  result.patch = data.work.second_layer[end.point.face];
-  const auto nodes = data.second.nodes(result.patch);
-  result.parents.push_back(data.partition.parent[result.patch]);
-  const Mesh& mesh = *data.work.mesh;
-  std::array<Index, 3> column{};
-  for (int k = 0; k < 3; ++k) {
-    column[k] = column_in_patch(data, result.patch, mesh.face_vertices(end.point.face)[k]);
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    std::array<double, 3> corners{};
-    for (int k = 0; k < 3; ++k) {
-      corners[k] = data.second.distance(result.patch, static_cast<Index>(i), column[k]);
-    }
-    const double distance = distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
-    if (distance < unreachable) result.starts.push_back({nodes[i], distance});
-  }
-  return result;
-}
-
-GraphRoute PathQuery::State::route(const End& from, const End& to) {
-  const RouteEnd a = starts_of(from);
-  const RouteEnd b = starts_of(to);
+GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
+  const RouteEnd a = route_end_of(data, from);
+  const RouteEnd b = route_end_of(data, to);
   GraphRoute best;
   router.route(a, b, best);
   return best;
 }
 
 /// One propagation and the path it finds; without points if there is none within the limits.
-SurfacePath PathQuery::State::run(const End& from, const End& to, const ExactLimits& limits) {
+SurfacePath PathQuery::State::run(const PathEnd& from, const PathEnd& to, const ExactLimits& limits) {
   const ExactSource source{from.point};
   ExactLimits corridor = limits;
   corridor.corridor_point = &to.point;
@@ -193,7 +116,7 @@ SurfacePath PathQuery::State::run(const End& from, const End& to, const ExactLim
 }
 
 /// Exact: first in the patches of both ends and their halo; if a path could have left them, everywhere.
-SurfacePath PathQuery::State::path_nearby(const End& from, const End& to, double estimate) {
+SurfacePath PathQuery::State::path_nearby(const PathEnd& from, const PathEnd& to, double estimate) {
   std::vector<Index> patches = from.patches;
   for (Index p : to.patches) {
     if (std::ranges::find(patches, p) == patches.end()) patches.push_back(p);
@@ -211,13 +134,13 @@ SurfacePath PathQuery::State::path_nearby(const End& from, const End& to, double
 }
 
 /// The way of the index, refined; without points if the tables do not lead all the way.
-SurfacePath PathQuery::State::path_by_chain(const End& from, const End& to, const GraphRoute& way) {
+SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
   SurfacePath none;
   none.length = unreachable;
   if (way.length == unreachable) return none;
   strip.source = from.point;
   strip.target = to.point;
-  const PathChain chain = chain_of_route(data, way, from.vertex, to.vertex, patch_of(from), patch_of(to));
+  const PathChain chain = chain_of_route(data, way, from.vertex, to.vertex, from.patch(data), to.patch(data));
   if (!strip_along_chain(data, chain, strip)) return none;
   refiner.refine(strip);
   return refiner.path();
@@ -225,34 +148,39 @@ SurfacePath PathQuery::State::path_by_chain(const End& from, const End& to, cons
 
 /// The index's distance along a route; of points in faces from those of their corners. Unreachable where the
 /// tables of the route do not hold the corners.
-double PathQuery::State::expected_length(const End& from, const End& to, const GraphRoute& way) {
+double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
   const Mesh& mesh = *data.work.mesh;
-  auto between = [&](const End& end, auto&& of_vertex) {
+  auto between = [&](const PathEnd& end, auto&& of_vertex) {
     if (end.point.is_vertex()) return of_vertex(end.point.vertex);
     std::array<double, 3> corners{};
     for (int i = 0; i < 3; ++i) corners[i] = of_vertex(mesh.face_vertices(end.point.face)[i]);
     return distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
   };
   return between(from, [&](Index source) {
-    return between(
-        to, [&](Index target) { return unfolder.length(way, source, target, patch_of(from), patch_of(to)); });
+    return between(to, [&](Index target) {
+      return unfolder.length(way, source, target, from.patch(data), to.patch(data));
+    });
   });
 }
 
 /// A path shorter than `length` by exact propagation; without points if there is none. `by_index`: within the
 /// bounds that the index gives.
-SurfacePath PathQuery::State::shorter_path(const End& from, const End& to, double length, bool by_index) {
+SurfacePath PathQuery::State::shorter_path(const PathEnd& from, const PathEnd& to, double length,
+                                           bool by_index) {
   ExactLimits limits;
   limits.max_distance = length * (1.0 + rounding);
-  if (by_index) limits.least_remaining = bounds.fill(starts_of(from), starts_of(to), to.patches, length);
+  if (!by_index) limits.landmarks = landmarks.get();
+  if (by_index)
+    limits.least_remaining =
+        bounds.fill(route_end_of(data, from), route_end_of(data, to), to.patches, length);
   return run(from, to, limits);
 }
 
-Found PathQuery::State::path(const End& from, const End& to) {
+Found PathQuery::State::path(const PathEnd& from, const PathEnd& to) {
   Found found;
   const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
   const double estimate = (from.beside + way.length + to.beside) * estimate_slack;
-  if (near(from, to)) {
+  if (are_near(data, from, to)) {
     found.certified = true;
     found.path = path_nearby(from, to, estimate);
   } else {
@@ -284,7 +212,7 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   none.length = unreachable;
   if (!state.connected(s, t)) return none;
   if (position_of(*state.data.mesh, s) == position_of(*state.data.mesh, t)) return {{s, t}, 0.0};
-  return user_path(state.data, state.path(state.end_at(s), state.end_at(t)).path);
+  return user_path(state.data, state.path(path_end(state.data, s), path_end(state.data, t)).path);
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
@@ -295,8 +223,8 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   result.path.length = unreachable;
   result.certified = true;
   if (!state.connected(s, t)) return result;
-  const End from = state.end_at(s);
-  const End to = state.end_at(t);
+  const PathEnd from = path_end(state.data, s);
+  const PathEnd to = path_end(state.data, t);
   Found found = state.path(from, to);
   result.certified = found.certified;
   if (!found.certified && (certify || !found.propagated)) {

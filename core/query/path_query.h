@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
 
@@ -34,10 +35,15 @@ class PathQuery {
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
   /// The shortest path, by exact propagation that the refined path's length and lower bounds of the rest keep
-  /// in a corridor. `certify`: use only the straight line in space as the lower bound, so that the answer is
-  /// always certified. Without it the index's distance, less a margin that is not proven, makes the corridor
-  /// narrower: faster on large curved surfaces; on meshes of needles a few answers are too long.
+  /// in a corridor. `certify`: use only proven lower bounds, the straight line in space and those of
+  /// landmarks, so that the answer is always certified. Without it the index's distance, less a margin that
+  /// is not proven, makes the corridor narrower: faster on large curved surfaces; on meshes of needles a few
+  /// answers are too long.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
+
+  /// Landmarks on the work mesh of the index (landmark_fields.h) make certified corridors narrower from now
+  /// on.
+  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
 
   const GeodesicIndex& index() const;
 

@@ -58,8 +58,8 @@ Results distances_from_layer(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
                                 [&](const Progress&) { return layer_mesh.make_mesh(); });
-  const CMeshO& points = source_layer(call, "points or lines").cm;
-  PointSnapper snapper(call, mesh);
+  const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
+  PointSnapper snapper(call, mesh, "source_layer");
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
   const double spacing = spacing_of(call, *mesh);
   std::vector<ExactSource> sources;

@@ -7,7 +7,7 @@
 #include "filters/rows.h"
 #include "logged_length.h"
 #include "parameters.h"
-#include "selected_vertices.h"
+#include "task_points.h"
 #include "team_of_layer.h"
 
 namespace vorogeo::plugin {
@@ -17,8 +17,11 @@ namespace {
 RichParameterList disk_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."));
-  list.addParam(RichInt("vertex_index", -1, "Vertex",
-                        "Number of the vertex in the middle, counted from 0; -1: all selected vertices."));
+  list.addParam(
+      RichInt("vertex_index", -1, "Vertex",
+              "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or the "
+              "points given below."));
+  add_task_point_parameters(list, document, "points around which the disk shall lie");
   list.addParam(exact_parameter());
   return list;
 }
@@ -27,11 +30,14 @@ Results select_disk(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const double radius = length_of(call, "radius", true);
   const int number = call.parameters.getInt("vertex_index");
-  const std::vector<Index> sources =
-      number != -1 ? std::vector<Index>{vertex_of(call, layer_mesh, "vertex_index")}
-                   : selected_vertices(call.layer.cm, layer_mesh, "around which the disk shall lie");
+  TaskPoints sources;
+  if (number != -1) {
+    sources.points = std::vector<Index>{vertex_of(call, layer_mesh, "vertex_index")};
+  } else {
+    sources = task_points(call, layer_mesh, "around which the disk shall lie");
+  }
   TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const GeodesicDisk disk = geodesic_disk(found.team, sources, radius);
+  const GeodesicDisk disk = geodesic_disk(found.team, sources.points, radius);
   found.progress.report(1.0, "Selecting");
   for (CVertexO& vertex : call.layer.cm.vert) {
     if (!vertex.IsD()) vertex.ClearS();
@@ -46,6 +52,7 @@ Results select_disk(FilterCall& call) {
   Results results = std::move(found.about_index);
   results["selected_vertices"] = static_cast<int>(disk.vertices.size());
   results["selected_faces"] = static_cast<int>(disk.faces.size());
+  results["snap_distance"] = sources.snap_distance;
   return results;
 }
 
@@ -90,12 +97,12 @@ FilterRow disk_selection_row() {
       "Select a geodesic disk (VoroGeo)",
       "compute_selection_by_vorogeo_geodesic_disk",
       "<p>Selects all vertices whose geodesic distance is at most <b>Radius</b>, and the faces whose three "
-      "vertices are, from the vertex of the number <b>Vertex</b> or, if this is -1, from the nearest of the "
-      "vertices "
-      "selected now: their selection grows by the radius, over the surface and not through space. The "
-      "selection before is replaced.</p><p>Returns the numbers of <i>selected_vertices</i> and "
+      "vertices are, from the vertex <b>Vertex</b> or, if this is -1, from the nearest of the vertices "
+      "selected now, whose selection so grows by the radius, over the surface and not through space, or of "
+      "other points given. The selection before is replaced.</p><p>Returns the numbers of "
+      "<i>selected_vertices</i> and "
       "<i>selected_faces</i>.</p>" +
-          help_on_exact_parameter() + help_on_index() + references_of_index(),
+          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
       FilterPlugin::Selection,
       MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT,
       disk_parameters,

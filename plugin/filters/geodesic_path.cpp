@@ -3,15 +3,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "end_points.h"
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "index_of_layer.h"
 #include "logged_length.h"
-#include "mesh/surface_locator.h"
 #include "new_layer.h"
 #include "parameters.h"
 #include "query/path_query.h"
-#include "support/error.h"
 #include "ticking.h"
 
 namespace vorogeo::plugin {
@@ -20,17 +19,7 @@ namespace {
 
 RichParameterList path_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(
-      RichInt("source", -1, "Source vertex", "Number of the vertex where the path begins; -1: a point."));
-  list.addParam(
-      RichInt("target", -1, "Target vertex", "Number of the vertex where the path ends; -1: a point."));
-  list.addParam(RichPosition(
-      "source_point", document.mm()->cm.bbox.min, "Source point",
-      "Used if the source vertex is -1: the nearest point of the surface. Choose 'Surf. Pos.' and "
-      "press Get, then double-click on the surface."));
-  list.addParam(RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
-                             "Used if the target vertex is -1: the nearest point of the surface."));
-  list.addParam(max_snap_distance_parameter(document));
+  add_end_point_parameters(list, document, -1);
   list.addParam(
       RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
   list.addParam(
@@ -40,28 +29,11 @@ RichParameterList path_parameters(const MeshDocument& document) {
   return list;
 }
 
-/// An end of the path: a vertex by its number, else the surface point nearest to a position.
-SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
-                    const std::shared_ptr<const Mesh>& mesh, const char* vertex, const char* point) {
-  const int number = call.parameters.getInt(vertex);
-  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer_mesh, vertex)), 0.0};
-  const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, point));
-  const double most = length_of(call, "max_snap_distance", true);
-  if (most > 0.0 && found.distance > most) {
-    std::ostringstream text;
-    text << named(call, point) << " is " << found.distance << " away from the surface, more than "
-         << named(call, "max_snap_distance") << ", " << most << ". Move the point or raise the limit.";
-    throw InvalidInput(text.str());
-  }
-  return found;
-}
-
 Results draw_path(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
                                 [&](const Progress&) { return layer_mesh.make_mesh(); });
-  const SnappedPoint source = end_of(call, layer_mesh, mesh, "source", "source_point");
-  const SnappedPoint target = end_of(call, layer_mesh, mesh, "target", "target_point");
+  const auto [source, target] = end_points(call, layer_mesh, mesh);
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   PathQuery query(found.index);
   const auto start = std::chrono::steady_clock::now();
@@ -113,16 +85,16 @@ FilterRow geodesic_path_row() {
       "Shortest path between two points (VoroGeo)",
       "generate_polyline_by_vorogeo_geodesic_path",
       "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
-      "current one; the quality of its vertices is the length up to there. A point is a vertex, given by its "
-      "number in <b>Source vertex</b> or <b>Target vertex</b>, or, if that is -1, the point of the surface "
-      "nearest to <b>Source point</b> or <b>Target point</b>; <i>source_snap_distance</i> and "
-      "<i>target_snap_distance</i> say how far it was moved.</p><p>How to choose: without <b>Exact</b>, the "
-      "way that the index gives is shortened until it is a "
-      "geodesic: never shorter than the shortest path, and mostly that very path. With <b>Exact</b> it is "
-      "the shortest one, found in milliseconds by propagation in a corridor; <b>Certify</b> proves it "
-      "without "
-      "relying on the index.</p><p>Returns the <i>length</i>, infinity and no layer if the points lie in "
-      "different components, the number of <i>points</i> and whether it is <i>certified</i>.</p>" +
+      "current one; the quality of its vertices is the length up to there.</p>" +
+          help_on_end_points() +
+          "<p>How to choose: without <b>Exact</b>, the way that the index gives is shortened until it "
+          "is a "
+          "geodesic: never shorter than the shortest path, and mostly that very path. With <b>Exact</b> it "
+          "is "
+          "the shortest one, found in milliseconds by propagation in a corridor; <b>Certify</b> proves it "
+          "without "
+          "relying on the index.</p><p>Returns the <i>length</i>, infinity and no layer if the points lie in "
+          "different components, the number of <i>points</i> and whether it is <i>certified</i>.</p>" +
           help_on_index() + references_of_index(),
       FilterPlugin::Measure,
       MeshModel::MM_NONE,

@@ -35,10 +35,17 @@ QString help_on_choosing() {
          "mesh is edited; for one field only, the exact filter is faster.</p>";
 }
 
-QString help_on_selected_points() {
+QString help_on_task_points() {
   return "<p>The points are the selected vertices of the layer, in the order of their numbers, counted from "
-         "0. "
-         "Select them first, for example with <i>Conditional Vertex Selection</i>.</p>";
+         "0 "
+         "(select them first, for example with <i>Conditional Vertex Selection</i>). If <b>Point layer</b> "
+         "is "
+         "another layer, they are all its vertices, each moved to the nearest point of the surface, which "
+         "need not be a vertex: <i>snap_distance</i> is the farthest move, and one of more than "
+         "<b>Max snap distance</b> is an error unless that is 0. If <b>Surface points</b> is not empty, they "
+         "are the points it names, separated by semicolons: a vertex by its number, any other point by the "
+         "number of a face and three barycentric weights, such as <tt>17; 203 0.2 0.3 0.5</tt>. A point is "
+         "returned as the number of its vertex in its layer, or as its place in <b>Surface points</b>.</p>";
 }
 
 QString help_on_exact_parameter() {

@@ -13,8 +13,8 @@ QString help_on_field();
 QString help_on_choosing();
 /// What exact means, and when to prefer the index.
 QString help_on_exact();
-/// Which points a task takes (the selected vertices), and its parameter exact.
-QString help_on_selected_points();
+/// Where a task takes its points from, and its parameter exact.
+QString help_on_task_points();
 QString help_on_exact_parameter();
 /// The papers: the index method, and those of the exact solver.
 QString references_of_index();

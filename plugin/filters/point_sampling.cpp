@@ -8,7 +8,7 @@
 #include "parameters.h"
 #include "query/lloyd.h"
 #include "query/spread_points.h"
-#include "selected_vertices.h"
+#include "task_points.h"
 #include "team_of_layer.h"
 
 namespace vorogeo::plugin {
@@ -22,7 +22,8 @@ RichParameterList farthest_parameters(const MeshDocument& document) {
       length_parameter(document, "radius", 0.0, "Covering radius",
                        "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
   list.addParam(RichBool("from_selection", false, "Begin with the selection",
-                         "Take the selected vertices first; else a random one."));
+                         "Take the selected vertices, or the points given below, first; else a random one."));
+  add_task_point_parameters(list, document, "points to begin with");
   list.addParam(seed_parameter());
   list.addParam(exact_parameter());
   return list;
@@ -36,17 +37,19 @@ Results farthest_sampling(FilterCall& call) {
            ". Give a number of samples above 0, or 0 and a covering radius above 0.");
   }
   const std::uint64_t seed = seed_of(call);
-  std::vector<Index> start;
+  TaskPoints start;
   if (call.parameters.getBool("from_selection")) {
-    start = selected_vertices(call.layer.cm, layer_mesh, "that the sampling shall begin with");
+    start = task_points(call, layer_mesh, "that the sampling shall begin with");
   }
   TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const FarthestSamples samples = sample_farthest(found.team, stop, start, seed, found.progress);
+  const FarthestSamples samples = sample_farthest(found.team, stop, start.points, seed, found.progress);
   Results results = std::move(found.about_index);
-  results["samples"] = static_cast<int>(samples.vertices.size());
+  results["samples"] = static_cast<int>(samples.points.size());
   results["covering_radius"] = samples.covering_radius;
-  results["vertices"] = add_vertex_layer(call, "Farthest point samples", layer_mesh, samples.vertices, {});
-  call.log(std::to_string(samples.vertices.size()) + " samples; every vertex is within " +
+  results["vertices"] =
+      add_surface_point_layer(call, "Farthest point samples", layer_mesh, found.team.mesh(), samples.points);
+  results["snap_distance"] = start.snap_distance;
+  call.log(std::to_string(samples.points.size()) + " samples; every vertex is within " +
            logged_length(samples.covering_radius) + " of one");
   return results;
 }
@@ -68,13 +71,15 @@ Results poisson_disk_sampling(FilterCall& call) {
   const auto samples = sample_poisson_disk(found.team, radius, seed, found.progress);
   Results results = std::move(found.about_index);
   results["samples"] = static_cast<int>(samples.size());
-  results["vertices"] = add_vertex_layer(call, "Poisson-disk samples", layer_mesh, samples, {});
+  results["vertices"] = add_surface_point_layer(call, "Poisson-disk samples", layer_mesh, found.team.mesh(),
+                                                PointList(samples));
   call.log(std::to_string(samples.size()) + " samples, at least " + logged_length(radius) + " apart");
   return results;
 }
 
-RichParameterList lloyd_parameters(const MeshDocument&) {
+RichParameterList lloyd_parameters(const MeshDocument& document) {
   RichParameterList list;
+  add_task_point_parameters(list, document, "points that shall be relaxed");
   list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; it ends before if nothing improves."));
   list.addParam(exact_parameter());
   return list;
@@ -84,14 +89,16 @@ Results lloyd_relaxation(FilterCall& call) {
   const int rounds = call.parameters.getInt("rounds");
   if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto points = selected_vertices(call.layer.cm, layer_mesh, "that shall be relaxed");
+  const TaskPoints points = task_points(call, layer_mesh, "that shall be relaxed");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const RelaxedPoints relaxed = relax_points(found.team, points, rounds, found.progress);
+  const RelaxedPoints relaxed = relax_points(found.team, points.points, rounds, found.progress);
   Results results = std::move(found.about_index);
   results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
   results["energy_before"] = relaxed.energy.front();
   results["energy_after"] = relaxed.energy.back();
-  results["vertices"] = add_vertex_layer(call, "Relaxed points", layer_mesh, relaxed.vertices, {});
+  results["vertices"] =
+      add_surface_point_layer(call, "Relaxed points", layer_mesh, found.team.mesh(), relaxed.points);
+  results["snap_distance"] = points.snap_distance;
   call.log("Lloyd relaxation: the energy went from " + std::to_string(relaxed.energy.front()) + " to " +
            std::to_string(relaxed.energy.back()) + " in " + std::to_string(relaxed.energy.size() - 1) +
            " rounds");
@@ -123,11 +130,13 @@ FilterRow farthest_sampling_row() {
       "layer of points, which becomes the current one. They are spread evenly: at least the covering "
       "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
       "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the "
-      "<b>Covering radius</b>, whichever comes first. It begins with the selected vertices if <b>Begin with "
-      "the selection</b> is ticked, "
-      "otherwise with a random one that <b>Seed</b> chooses. Returns the number of <i>samples</i>, the "
-      "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer.</p>" +
-          help_on_exact_parameter() + help_on_index() + references_of_farthest(),
+      "<b>Covering radius</b>, whichever comes first. <b>Begin with the selection</b> takes first the "
+      "selected vertices "
+      "or other points given as below, otherwise with a random vertex that <b>Seed</b> chooses. Returns the "
+      "number of <i>samples</i>, the "
+      "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer (-1: a point to "
+      "begin with that is none).</p>" +
+          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_farthest(),
       FilterPlugin::Sampling,
       MeshModel::MM_NONE,
       farthest_parameters,
@@ -155,12 +164,13 @@ FilterRow lloyd_relaxation_row() {
       "Geodesic Lloyd relaxation of the selection (VoroGeo)",
       "generate_sampling_vorogeo_lloyd_relaxation",
       "<p>Moves points to the middle of their geodesic Voronoi regions, again and again, until they are "
-      "spread evenly: towards a centroidal Voronoi tessellation. Points stay at vertices. A point moves "
+      "spread evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to "
+      "vertices. A point moves "
       "only if that lowers the integral of the squared geodesic distance over its region, so every round "
       "lowers the energy. The result is a new layer of points, which becomes the current one.</p>"
       "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
       "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
-          help_on_selected_points() + help_on_exact_parameter() + help_on_index() + references_of_lloyd(),
+          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_lloyd(),
       FilterPlugin::Sampling,
       MeshModel::MM_NONE,
       lloyd_parameters,

@@ -14,7 +14,7 @@ std::vector<FilterRow> all_rows() {
           exact_distance_from_point_row(),
           exact_distance_from_selection_row(),
           patch_colors_row(),
-          distance_between_vertices_row(),
+          distance_between_points_row(),
           distance_matrix_row(),
           pairs_within_row(),
           nearest_points_row(),

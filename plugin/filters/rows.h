@@ -14,7 +14,7 @@ FilterRow distance_from_border_row();
 FilterRow exact_distance_from_point_row();
 FilterRow exact_distance_from_selection_row();
 FilterRow patch_colors_row();
-FilterRow distance_between_vertices_row();
+FilterRow distance_between_points_row();
 FilterRow distance_matrix_row();
 FilterRow pairs_within_row();
 FilterRow nearest_points_row();

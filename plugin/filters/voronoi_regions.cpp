@@ -1,4 +1,4 @@
-// Filter: geodesic Voronoi regions of the selected vertices, as colours, quality and a layer of borders.
+// Filter: geodesic Voronoi regions of points, as colours, quality and a layer of borders.
 #include "query/voronoi_regions.h"
 
 #include <string>
@@ -9,15 +9,16 @@
 #include "new_layer.h"
 #include "parameters.h"
 #include "patch_coloring.h"
-#include "selected_vertices.h"
+#include "task_points.h"
 #include "team_of_layer.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-RichParameterList voronoi_parameters(const MeshDocument&) {
+RichParameterList voronoi_parameters(const MeshDocument& document) {
   RichParameterList list;
+  add_task_point_parameters(list, document, "points whose regions are wanted");
   list.addParam(RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."));
   list.addParam(exact_parameter());
   return list;
@@ -36,10 +37,10 @@ PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::
 
 Results color_voronoi_regions(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto points = selected_vertices(call.layer.cm, layer_mesh, "whose regions are wanted");
+  const TaskPoints points = task_points(call, layer_mesh, "whose regions are wanted");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const Mesh& mesh = found.team.mesh();
-  const VoronoiRegions regions = voronoi_regions(found.team, points, found.progress);
+  const VoronoiRegions regions = voronoi_regions(found.team, points.points, found.progress);
   const PatchColoring coloring = coloring_of(mesh, regions, points.size());
   if (call.parameters.getBool("borders")) {
     add_polyline_layer(call, "Voronoi borders", regions.borders, {}, false);
@@ -56,17 +57,16 @@ Results color_voronoi_regions(FilterCall& call) {
     const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
     call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
   }
-  call.log("Voronoi regions of " + std::to_string(points.size()) + " vertices; their borders are " +
-           logged_length(regions.borders.length()) + " long");
+  call.log("Voronoi regions of " + std::to_string(points.size()) + " " + points.what +
+           "; their borders are " + logged_length(regions.borders.length()) + " long");
   if (unreached > 0) {
     call.log("No path leads to " + std::to_string(unreached) +
              " vertices, in other components than the points; their quality is -1");
   }
-  std::vector<int> numbers;
-  for (Index point : points) numbers.push_back(layer_mesh.host_vertex(point));
   Results results = std::move(found.about_index);
   results["regions"] = static_cast<int>(points.size());
-  results["vertices"] = as_vector(numbers);
+  results["vertices"] = as_vector(points.numbers);
+  results["snap_distance"] = points.snap_distance;
   results["areas"] = as_vector(regions.area);
   results["border_length"] = regions.borders.length();
   results["unreachable_vertices"] = unreached;
@@ -85,9 +85,10 @@ FilterRow voronoi_regions_row() {
       "<p><b>Borders</b> adds the borders of the regions as a polyline layer. They cross the faces where the "
       "distances from two points are equal, and meet where those from three are; on flat parts of the "
       "surface they are exact for the given distances. The current layer stays current.</p>"
-      "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their <i>vertices</i>, "
+      "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their points as "
+      "<i>vertices</i>, "
       "the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
-          help_on_selected_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
       FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR,
       voronoi_parameters,

@@ -10,6 +10,7 @@
 #include "point_arrays.h"
 #include "progress_bridge.h"
 #include "query/curve_sources.h"
+#include "query/landmark_fields.h"
 #include "query/path_query.h"
 #include "query/source_field.h"
 #include "support/parallel.h"
@@ -67,6 +68,19 @@ class Paths {
     return as_arrays(found);
   }
 
+  /// Makes certified corridors narrower from now on. \return the memory it takes, in bytes.
+  std::size_t use_landmarks(int count, nb::object progress) {
+    std::shared_ptr<const ExactLandmarks> made;
+    ProgressBridge bridge(progress);
+    bridge.run([&](const Progress& report) {
+      made = landmarks_of(held_.index, count, held_.threads, report);
+      return true;
+    });
+    const std::lock_guard lock(mutex_);
+    landmarks_ = made;
+    return made->memory_bytes();
+  }
+
   nb::tuple field(const PointArrays& source, const ValueArray& offsets, double max_distance) {
     const PointList points = points_on(mesh(), points_from(mesh(), source), "Source");
     LabelledField result;
@@ -114,15 +128,19 @@ class Paths {
   }
 
   std::unique_ptr<PathQuery> take_query() {
+    std::unique_ptr<PathQuery> query;
+    std::shared_ptr<const ExactLandmarks> landmarks;
     {
       const std::lock_guard lock(mutex_);
+      landmarks = landmarks_;
       if (!queries_.empty()) {
-        auto query = std::move(queries_.back());
+        query = std::move(queries_.back());
         queries_.pop_back();
-        return query;
       }
     }
-    return std::make_unique<PathQuery>(held_.index);
+    if (!query) query = std::make_unique<PathQuery>(held_.index);
+    query->use_landmarks(std::move(landmarks));
+    return query;
   }
 
   nb::tuple as_arrays(const std::vector<ExactPath>& found) const {
@@ -149,6 +167,7 @@ class Paths {
   HeldIndex held_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PathQuery>> queries_;
+  std::shared_ptr<const ExactLandmarks> landmarks_;
   std::unique_ptr<SurfaceLocator> locator_;
   std::mutex field_mutex_;
   std::unique_ptr<SourceField> field_;
@@ -162,6 +181,7 @@ void bind_paths(nb::module_& module) {
       .def("snap", &Paths::snap, nb::arg("points"))
       .def("paths", &Paths::paths, nb::arg("sources"), nb::arg("targets"), nb::arg("exact"),
            nb::arg("certify"), nb::arg("progress").none())
+      .def("use_landmarks", &Paths::use_landmarks, nb::arg("count"), nb::arg("progress").none())
       .def("field", &Paths::field, nb::arg("sources"), nb::arg("offsets"), nb::arg("max_distance"))
       .def("along_edges", &Paths::along_edges, nb::arg("ends"), nb::arg("spacing"));
 }

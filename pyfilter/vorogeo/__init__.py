@@ -10,8 +10,7 @@ from importlib.metadata import version as _version
 from ._output import matrix_bytes
 from .errors import Cancelled, Error, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
 from .exact import exact_distance_field
-from .index import GeodesicIndex, IndexStatistics
-from .matrices import SparseDistances
+from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from typing import Literal, cast, overload
 
 import numpy as np
@@ -16,49 +15,8 @@ from .matrices import Matrices
 from .paths import Paths
 from .points import EdgeCurve, Points, Sources, SurfacePoints, holds
 from .progress import ProgressFunction, reporter
+from .results import IndexStatistics
 from .surface_tasks import SurfaceTasks
-
-
-@dataclass(frozen=True)
-class IndexStatistics:
-    """What an index holds and what it cost.
-
-    Attributes
-    ----------
-    vertices, faces, components : int
-        Size of the mesh; degenerate and repeated faces are not counted.
-    first_layer_patches, second_layer_patches : int
-        Patches of the mesh in each layer.
-    first_layer_border_vertices, second_layer_border_vertices : int
-        Vertices shared by patches of each layer.
-    form : str
-        'tables' (fast) or 'graph' (small), as delta and the memory budget chose.
-    arcs_before_pruning, arcs : int
-        Arcs between border vertices; all of them stay in the form of tables.
-    bytes : int
-        Memory held by the index.
-    seconds : float
-        Time of the build; 0 for an index that was loaded.
-    delta : float
-        Relative average error that pruning was allowed to add.
-    seed : int
-        Start of the random numbers that placed the patches.
-    """
-
-    vertices: int
-    faces: int
-    components: int
-    first_layer_patches: int
-    second_layer_patches: int
-    first_layer_border_vertices: int
-    second_layer_border_vertices: int
-    form: str
-    arcs_before_pruning: int
-    arcs: int
-    bytes: int
-    seconds: float
-    delta: float
-    seed: int
 
 
 class GeodesicIndex(Matrices, Paths, SurfaceTasks):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,34 +14,11 @@ from ._output import Output, matrix, require_memory
 from .errors import InvalidInput
 from .points import Points, Rows
 from .progress import ProgressFunction, reporter
-
-if TYPE_CHECKING:
-    from .index import IndexStatistics
+from .results import IndexStatistics, SparseDistances
 
 _METHODS = ("auto", "pairs", "fields")
 _ENTRY_BYTES = 28  # while the matrix is put together; 12 in the end
 _SAMPLES = 16
-
-
-class SparseDistances(NamedTuple):
-    """A sparse matrix in compressed rows: row i holds the entries indptr[i] to indptr[i + 1].
-
-    Attributes
-    ----------
-    data : ndarray of float64, shape (entries,)
-        Distances.
-    indices : ndarray of int32, shape (entries,)
-        Columns, ascending within a row.
-    indptr : ndarray of int64, shape (rows + 1,)
-        Where the rows begin.
-    shape : (int, int)
-        Rows and columns.
-    """
-
-    data: NDArray[np.float64]
-    indices: NDArray[np.int32]
-    indptr: NDArray[np.int64]
-    shape: tuple[int, int]
 
 
 class Matrices:

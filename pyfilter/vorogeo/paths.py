@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,9 +14,7 @@ from . import points as point_lists
 from .errors import InvalidInput
 from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-
-if TYPE_CHECKING:
-    from .index import IndexStatistics
+from .results import IndexStatistics
 
 
 @dataclass(frozen=True, repr=False)
@@ -145,9 +143,10 @@ class Paths:
         source, target, progress
             As for `path`.
         certify : bool, default True
-            Whether to prove that no path is shorter, by bounds that rest on nothing but straight lines in space. False:
-            the search is kept in a corridor by the index less an error margin, which is about twice as fast on large
-            curved surfaces and hardly faster on others; on meshes of needles a few answers are then too long.
+            Whether to prove that no path is shorter, by bounds that rest on nothing but straight lines in space and on
+            what `prepare_exact_paths` computed. False: the search is kept in a corridor by the index less an error
+            margin, which is about twice as fast on large curved surfaces and hardly faster on others; on meshes of
+            needles a few answers are then too long.
 
         Returns
         -------
@@ -160,6 +159,35 @@ class Paths:
             As `path`.
         """
         return self._find_paths(source, target, True, bool(certify), progress)
+
+    def prepare_exact_paths(self, landmarks: int = 16, progress: ProgressFunction | bool | None = None) -> int:
+        """Make all later exact paths with a proof faster, by exact distance fields of a few vertices.
+
+        The differences of these distances bound those of all pairs from below, much closer than straight lines in space
+        do on a curved surface. It pays for many pairs: preparing takes as long as `landmarks` exact fields.
+
+        Parameters
+        ----------
+        landmarks : int, default 16
+            Number of vertices, 1 to 32, spread over the component with most vertices.
+        progress : callable or bool, optional
+            As for `path`.
+
+        Returns
+        -------
+        int
+            The memory it takes, in bytes: four for each vertex and landmark.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If the number is out of range.
+        Cancelled
+            If progress asked for it; later paths are then found as before.
+        """
+        count = check.integer("landmarks", landmarks, 1, 32)
+        with reporter(progress) as report:
+            return self._paths.use_landmarks(count, report)
 
     def _find_paths(
         self, source: Any, target: Any, exact: bool, certify: bool, progress: ProgressFunction | bool | None

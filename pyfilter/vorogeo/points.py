@@ -63,6 +63,17 @@ class SurfacePoints:
         found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
         return found
 
+    def to_text(self) -> str:
+        """The points as the parameter `surface_points` of the filters takes them, for a layer with the same faces.
+
+        Returns
+        -------
+        str
+            Such as "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": face and weights, without loss of precision.
+        """
+        rows = zip(np.atleast_1d(self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
+        return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)
+
 
 @dataclass(frozen=True, eq=False)
 class EdgeCurve:

@@ -1,9 +1,9 @@
-"""What the tasks on a surface return: plain numpy arrays that PyVista and polyscope take as they are."""
+"""What an index says of itself, and what its tasks return: plain numpy arrays, as PyVista and polyscope take them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -173,3 +173,66 @@ class RelaxedPoints:
     vertices: NDArray[np.int32]
     energy: NDArray[np.float64]
     points: SurfacePoints
+
+
+@dataclass(frozen=True)
+class IndexStatistics:
+    """What an index holds and what it cost.
+
+    Attributes
+    ----------
+    vertices, faces, components : int
+        Size of the mesh; degenerate and repeated faces are not counted.
+    first_layer_patches, second_layer_patches : int
+        Patches of the mesh in each layer.
+    first_layer_border_vertices, second_layer_border_vertices : int
+        Vertices shared by patches of each layer.
+    form : str
+        'tables' (fast) or 'graph' (small), as delta and the memory budget chose.
+    arcs_before_pruning, arcs : int
+        Arcs between border vertices; all of them stay in the form of tables.
+    bytes : int
+        Memory held by the index.
+    seconds : float
+        Time of the build; 0 for an index that was loaded.
+    delta : float
+        Relative average error that pruning was allowed to add.
+    seed : int
+        Start of the random numbers that placed the patches.
+    """
+
+    vertices: int
+    faces: int
+    components: int
+    first_layer_patches: int
+    second_layer_patches: int
+    first_layer_border_vertices: int
+    second_layer_border_vertices: int
+    form: str
+    arcs_before_pruning: int
+    arcs: int
+    bytes: int
+    seconds: float
+    delta: float
+    seed: int
+
+
+class SparseDistances(NamedTuple):
+    """A sparse matrix in compressed rows: row i holds the entries indptr[i] to indptr[i + 1].
+
+    Attributes
+    ----------
+    data : ndarray of float64, shape (entries,)
+        Distances.
+    indices : ndarray of int32, shape (entries,)
+        Columns, ascending within a row.
+    indptr : ndarray of int64, shape (rows + 1,)
+        Where the rows begin.
+    shape : (int, int)
+        Rows and columns.
+    """
+
+    data: NDArray[np.float64]
+    indices: NDArray[np.int32]
+    indptr: NDArray[np.int64]
+    shape: tuple[int, int]

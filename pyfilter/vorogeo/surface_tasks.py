@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -13,10 +11,7 @@ from . import points as point_lists
 from .errors import InvalidInput
 from .points import Points, Rows, Sources, surface_points
 from .progress import ProgressFunction, reporter
-from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
-
-if TYPE_CHECKING:
-    from .index import IndexStatistics
+from .results import Disk, Extent, FarthestSamples, IndexStatistics, Isolines, Polylines, RelaxedPoints, VoronoiRegions
 
 _INTERPOLATIONS = ("linear", "distance")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Paths of many random pairs beside the exact fields: errors, what is certified, and times. Does its own set-up.
-# Usage: tests/bench/paths.sh [--pairs N] [--points] [--write] [MESH...]; --help says what they mean.
+# Usage: tests/bench/paths.sh [--pairs N] [--points] [--landmarks K] [--write] [MESH...]; --help says what they mean.
 set -euo pipefail
 bench="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 bash "$bench/../../samples/setup.sh" --bench >&2

@@ -1,10 +1,12 @@
 // Refined and exact paths of random pairs beside the exact field of each source, on one mesh.
 //
-// Usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS
+// Usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS LANDMARKS
 //   MESH: see mesh_file.h. INDEX: read if it is there and of this mesh, else built and written. POINTS: 0 for
-//   vertices, 1 for points in faces. Each source has TARGETS random targets in its component.
+//   vertices, 1 for points in faces. Each source has TARGETS random targets in its component. LANDMARKS: with
+//   which exact paths are found again.
 // Prints one line of JSON for each pair: exact length, refined length, length of exact_path, whether it is
-// certified, processor seconds of both, length and seconds of exact_path without certificate.
+// certified, processor seconds of both, length and seconds of exact_path without certificate, and of
+// exact_path with landmarks.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -16,6 +18,7 @@
 
 #include "exact/exact_solver.h"
 #include "mesh_file.h"
+#include "query/landmark_fields.h"
 #include "query/path_query.h"
 #include "support/parallel.h"
 
@@ -89,6 +92,7 @@ int run(char** arguments) {
   const long targets = std::atol(arguments[4]);
   const int threads = vorogeo::resolve_thread_count(std::atoi(arguments[5]));
   const bool in_faces = std::atoi(arguments[6]) != 0;
+  const auto landmarks = vorogeo::landmarks_of(index, std::atoi(arguments[7]), threads);
   std::vector<std::unique_ptr<vorogeo::PathQuery>> queries(threads);
   std::mutex output;
   vorogeo::parallel_for(sources, threads, {}, "", [&](std::size_t item, int worker) {
@@ -108,11 +112,15 @@ int run(char** arguments) {
       const double exact_seconds = seconds_of([&] { exact = query.exact_path(source.point, target); });
       vorogeo::ExactPath quick;
       const double quick_seconds = seconds_of([&] { quick = query.exact_path(source.point, target, false); });
+      query.use_landmarks(landmarks);
+      vorogeo::ExactPath prepared;
+      const double prepared_seconds = seconds_of([&] { prepared = query.exact_path(source.point, target); });
+      query.use_landmarks(nullptr);
       const double field = target.is_vertex() ? solver.distance(target.vertex) : solver.distance(target);
       const std::lock_guard lock(output);
-      std::printf("[%.17g, %.17g, %.17g, %d, %.9g, %.9g, %.17g, %.9g]\n", field, refined.length,
-                  exact.path.length, exact.certified ? 1 : 0, refined_seconds, exact_seconds,
-                  quick.path.length, quick_seconds);
+      std::printf("[%.17g, %.17g, %.17g, %d, %.9g, %.9g, %.17g, %.9g, %.17g, %.9g]\n", field, refined.length,
+                  exact.path.length, exact.certified && prepared.certified ? 1 : 0, refined_seconds,
+                  exact_seconds, quick.path.length, quick_seconds, prepared.path.length, prepared_seconds);
     }
   });
   return 0;
@@ -121,8 +129,8 @@ int run(char** arguments) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 7) {
-    std::fprintf(stderr, "usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS\n");
+  if (count != 8) {
+    std::fprintf(stderr, "usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS LANDMARKS\n");
     return 2;
   }
   try {

@@ -23,7 +23,7 @@ DESCRIBE_INDEX = "get_geodesic_index_by_vorogeo"
 SAVE_INDEX = "save_geodesic_index_by_vorogeo"
 LOAD_INDEX = "load_geodesic_index_by_vorogeo"
 COMPARISON = "compute_scalar_by_geodesic_method_comparison_per_vertex"
-TWO_VERTICES = "get_vorogeo_distance_between_vertices"
+TWO_POINTS = "get_vorogeo_distance_between_points"
 MATRIX = "get_vorogeo_distance_matrix_of_selection"
 PAIRS_WITHIN = "get_vorogeo_pairs_within_radius_of_selection"
 NEAREST = "get_vorogeo_nearest_points_of_layer"
@@ -45,7 +45,7 @@ ALL_FILTERS = [
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     PATCHES,
-    TWO_VERTICES,
+    TWO_POINTS,
     DESCRIBE_INDEX,
     COMPARISON,
     MATRIX,

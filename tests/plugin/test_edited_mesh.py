@@ -10,7 +10,7 @@ from support import (
     FROM_POINT,
     INDEX,
     PATCHES,
-    TWO_VERTICES,
+    TWO_POINTS,
     arrays,
     assert_close_to_exact,
     exact_distances,
@@ -43,7 +43,7 @@ def test_unchanged_mesh_reuses_the_index():
     ms = mesh_set(*new_sphere())
     apply_and_compare(ms)
     apply_and_compare(ms, source=5, reused=True)
-    assert ms.apply_filter(TWO_VERTICES, source=1, target=2)["index_reused"]
+    assert ms.apply_filter(TWO_POINTS, source=1, target=2)["index_reused"]
     assert ms.apply_filter(PATCHES)["index_reused"]
 
 

@@ -14,7 +14,7 @@ from support import (
     FROM_SELECTION,
     INDEX,
     PATCHES,
-    TWO_VERTICES,
+    TWO_POINTS,
     fails_and_changes_nothing,
     grid,
     length,
@@ -89,7 +89,7 @@ def test_start_vertex_out_of_range(name, number):
 def test_vertex_of_a_pair_out_of_range(name, number):
     ms = mesh_set(*grid(3, 3))
     with fails_and_changes_nothing(ms, f"({name}) is {number}, but the vertices"):
-        ms.apply_filter(TWO_VERTICES, **{name: number})
+        ms.apply_filter(TWO_POINTS, **{name: number})
 
 
 @pytest.mark.parametrize("name", FROM_A_POINT)

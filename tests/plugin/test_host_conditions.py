@@ -19,7 +19,7 @@ from support import (
     LOAD_INDEX,
     NEAREST,
     PATCHES,
-    TWO_VERTICES,
+    TWO_POINTS,
     arrays,
     assert_close_to_exact,
     exact_distances,
@@ -107,7 +107,7 @@ def test_deleted_faces_have_no_patch(name):
 
 
 @pytest.mark.parametrize(
-    ("name", "parameter"), [(FROM_POINT, "vertex_index"), (EXACT_FROM_POINT, "vertex_index"), (TWO_VERTICES, "target")]
+    ("name", "parameter"), [(FROM_POINT, "vertex_index"), (EXACT_FROM_POINT, "vertex_index"), (TWO_POINTS, "target")]
 )
 def test_deleted_vertex_is_refused_as_start(name, parameter):
     ms = rectangle(7.0)

@@ -12,7 +12,7 @@ from support import (
     FROM_POINT,
     FROM_SELECTION,
     INDEX,
-    TWO_VERTICES,
+    TWO_POINTS,
     arrays,
     assert_close_to_exact,
     exact_distances,
@@ -79,14 +79,14 @@ def test_two_vertices_agree_with_the_exact_filter_and_are_symmetric():
     exact = exact_distances(vertices, faces, [7])
     rng = np.random.default_rng(1)
     for target in rng.choice(np.arange(8, len(vertices)), 40, replace=False):
-        there = ms.apply_filter(TWO_VERTICES, source=7, target=int(target))["distance"]
-        back = ms.apply_filter(TWO_VERTICES, source=int(target), target=7)["distance"]
+        there = ms.apply_filter(TWO_POINTS, source=7, target=int(target))["distance"]
+        back = ms.apply_filter(TWO_POINTS, source=int(target), target=7)["distance"]
         assert there == back
         assert there == pytest.approx(exact[target], rel=0.02)
 
 
 def test_a_vertex_is_at_distance_zero_from_itself():
-    assert mesh_set(*sphere(2)).apply_filter(TWO_VERTICES, source=9, target=9)["distance"] == 0
+    assert mesh_set(*sphere(2)).apply_filter(TWO_POINTS, source=9, target=9)["distance"] == 0
 
 
 def test_index_values_describe_the_mesh_and_the_parameters():

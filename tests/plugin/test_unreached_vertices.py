@@ -10,7 +10,7 @@ from support import (
     FROM_BORDER,
     FROM_POINT,
     FROM_SELECTION,
-    TWO_VERTICES,
+    TWO_POINTS,
     field,
     grid,
     length,
@@ -74,4 +74,4 @@ def test_component_without_border_is_unreachable_from_the_border():
 
 def test_distance_between_components_is_infinite():
     ms = mesh_set(*side_by_side(grid(4, 4), grid(4, 4)))
-    assert ms.apply_filter(TWO_VERTICES, source=0, target=30)["distance"] == float("inf")
+    assert ms.apply_filter(TWO_POINTS, source=0, target=30)["distance"] == float("inf")

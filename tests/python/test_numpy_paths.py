@@ -49,6 +49,28 @@ def test_paths_in_the_plane_are_straight():
 
 
 @pytest.mark.parametrize("name", ["spot", "fandisk", "gears"])
+def test_prepared_exact_paths_have_the_exact_length(name):
+    vertices, faces = shared(name)
+    index = vorogeo.GeodesicIndex(vertices, faces)
+    sources, targets = np.random.default_rng(4).integers(0, len(vertices), size=(2, 100))
+    before = index.exact_path(sources, targets)
+    assert index.prepare_exact_paths(5) >= 4 * 5 * len(vertices)
+    after = index.exact_path(sources, targets)
+    assert all(path.certified for path in after)
+    np.testing.assert_allclose([p.length for p in after], [p.length for p in before], rtol=1e-9)
+
+
+def test_the_number_of_landmarks_is_checked():
+    index = vorogeo.GeodesicIndex(*plane_grid(10, 10, 1.0))
+    for wrong in (0, 33):
+        with pytest.raises(vorogeo.InvalidInput, match="landmarks"):
+            index.prepare_exact_paths(wrong)
+    with pytest.raises(vorogeo.Cancelled):
+        index.prepare_exact_paths(4, progress=lambda *_: False)
+    assert index.exact_path(0, 50).certified
+
+
+@pytest.mark.parametrize("name", ["spot", "fandisk", "gears"])
 def test_exact_paths_have_the_exact_length(name):
     vertices, faces = shared(name)
     index = vorogeo.GeodesicIndex(vertices, faces)

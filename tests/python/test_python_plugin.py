@@ -19,7 +19,7 @@ FILTERS = {
     "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
     "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex",
     "compute_color_by_vorogeo_patches_per_face",
-    "get_vorogeo_distance_between_vertices",
+    "get_vorogeo_distance_between_points",
 }
 
 
@@ -205,5 +205,5 @@ def test_a_filter_answers_through_its_method(pymeshlab, tmp_path):
     (tmp_path / "cube.off").write_text("\n".join(lines))
     mesh_set = pymeshlab.MeshSet()
     mesh_set.load_new_mesh(str(tmp_path / "cube.off"))
-    answer = mesh_set.get_vorogeo_distance_between_vertices(source=0, target=7)
+    answer = mesh_set.get_vorogeo_distance_between_points(source=0, target=7)
     assert answer["distance"] == pytest.approx(np.sqrt(5), rel=1e-12)

@@ -1,0 +1,52 @@
+// Storing the distances, and bounds at points in faces.
+#include "exact/exact_landmarks.h"
+
+#include <cmath>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+ExactLandmarks::ExactLandmarks(std::span<const std::vector<double>> fields)
+    : count_(static_cast<int>(fields.size())) {
+  if (fields.empty() || fields.size() > static_cast<std::size_t>(most)) {
+    throw InvalidInput("There are " + std::to_string(fields.size()) + " landmarks; give 1 to " +
+                       std::to_string(most) + ".");
+  }
+  const std::size_t vertices = fields.front().size();
+  distance_.resize(vertices * fields.size());
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      // A path stays in its component, where all are as near to the landmark of another one.
+      const double distance = fields[i][v];
+      distance_[v * fields.size() + i] = std::isfinite(distance) ? static_cast<float>(distance) : 0.0F;
+    }
+  }
+}
+
+ExactLandmarks::Seen ExactLandmarks::seen_from(const Mesh& mesh, const SurfacePoint& point) const {
+  Seen seen{};
+  auto row = [&](Index v) {
+    return std::span(distance_).subspan(static_cast<std::size_t>(v) * static_cast<std::size_t>(count_),
+                                        static_cast<std::size_t>(count_));
+  };
+  if (point.is_vertex()) {
+    std::ranges::copy(row(point.vertex), seen.least.begin());
+    std::ranges::copy(row(point.vertex), seen.greatest.begin());
+    return seen;
+  }
+  const Point at = position_of(mesh, point);
+  seen.greatest.fill(INFINITY);
+  for (const Index corner : mesh.face_vertices(point.face)) {
+    const Point& p = mesh.position(corner);
+    const auto beside = static_cast<float>(std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]));
+    for (int i = 0; i < count_; ++i) {
+      seen.least[i] = std::max(seen.least[i], row(corner)[i] - beside);
+      seen.greatest[i] = std::min(seen.greatest[i], row(corner)[i] + beside);
+    }
+  }
+  return seen;
+}
+
+}  // namespace vorogeo

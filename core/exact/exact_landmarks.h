@@ -1,0 +1,55 @@
+// Exact distances from a few vertices, whose differences bound all other distances from below.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// By the triangle inequality, two points are at least as far apart as their distances from any third one
+/// differ (Goldberg, Harrelson 2005, on roads). With exact distances the bound is proven. Immutable; shared
+/// by threads.
+class ExactLandmarks {
+ public:
+  static constexpr int most = 32;
+
+  /// `fields`: the exact distances of all vertices from each landmark, infinite in other components.
+  /// \throw InvalidInput for no field or more than `most`.
+  explicit ExactLandmarks(std::span<const std::vector<double>> fields);
+
+  int count() const { return count_; }
+  std::size_t memory_bytes() const { return distance_.size() * sizeof(float); }
+
+  /// Between which bounds the distances of a point from the landmarks lie.
+  struct Seen {
+    std::array<float, most> least;
+    std::array<float, most> greatest;
+  };
+  Seen seen_from(const Mesh& mesh, const SurfacePoint& point) const;
+
+  /// A number that the distance between a vertex and that point is at least.
+  double least_distance(Index vertex, const Seen& point) const {
+    const float* own = distance_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(count_);
+    float bound = 0.0F;
+    float scale = 0.0F;
+    for (int i = 0; i < count_; ++i) {
+      bound = std::max(bound, std::max(own[i] - point.greatest[i], point.least[i] - own[i]));
+      scale = std::max(scale, own[i]);
+    }
+    return static_cast<double>(bound) - rounding * static_cast<double>(scale + bound);
+  }
+
+ private:
+  /// Of numbers in single precision and their difference, with room to spare.
+  static constexpr double rounding = 0x1p-21;
+
+  int count_;
+  std::vector<float> distance_;  ///< of vertex v from landmark i: [v * count + i]; 0 where there is none
+};
+
+}  // namespace vorogeo
