@@ -21,6 +21,8 @@ print(points)
 
 matrix = index.distance_matrix(points)
 print(f"between them: from {matrix[matrix > 0].min():.4g} to {matrix.max():.4g}")
+by_filter = mesh_set.get_vorogeo_distance_matrix_of_selection(surface_points=points.to_text())  # or point_layer=...
+print(f"the filter says the same: {np.allclose(by_filter['distances'], matrix.ravel())}")
 distance, place = index.nearest(points, [0, points[:2]], k=3)  # a vertex and two of the points
 print("nearest of vertex 0 and of the first two points:", place.tolist())
 

@@ -46,7 +46,7 @@ def as_text(points):
         edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)[:, :2]
         v, w = np.linalg.solve(edges, (point - corners[:, 0])[:, :2, None])[..., 0].T
         face = np.flatnonzero((v >= 0) & (w >= 0) & (v + w <= 1))[0]
-        entries.append(f"{face} {1 - v[face] - w[face]!r} {v[face]!r} {w[face]!r}")
+        entries.append(" ".join(map(repr, (int(face), *np.array([1 - v - w, v, w])[:, face].tolist()))))
     return "; ".join(entries)
 
 
@@ -151,7 +151,10 @@ def test_numpy_writes_points_as_the_filters_read_them(ms):
     ],
 )
 def test_bad_points_are_named(ms, name, parameters, message):
-    ms.add_mesh(pymeshlab.Mesh(), set_as_current=False)
+    ms.add_mesh(pymeshlab.Mesh(POINTS))  # to become a layer without vertices
+    ms.apply_filter("set_selection_all")
+    ms.apply_filter("meshing_remove_selected_vertices")
+    ms.set_current_mesh(0)
     select_vertices(ms, [3])
     if name == NEAREST:
         ms.add_mesh(pymeshlab.Mesh(VERTICES[:3]), set_as_current=False)
