@@ -16,7 +16,17 @@ from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
 from .points import EdgeCurve, SurfacePoints
-from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
+from .results import (
+    Disk,
+    Extent,
+    FarthestSamples,
+    IndexStatistics,
+    Isolines,
+    Polylines,
+    RelaxedPoints,
+    SparseDistances,
+    VoronoiRegions,
+)
 
 __version__ = _version("vorogeo")
 __all__ = [

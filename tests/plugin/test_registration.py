@@ -44,6 +44,10 @@ def test_filter_is_in_the_list_of_filters(name):
     assert name in pymeshlab.filter_list()
 
 
+TASK_POINTS = {"point_layer", "surface_points", "max_snap_distance"}
+END_POINTS = {"source", "target", "source_point", "target_point", "surface_points", "max_snap_distance"}
+
+
 @pytest.mark.parametrize(
     ("name", "parameters"),
     [
@@ -54,30 +58,27 @@ def test_filter_is_in_the_list_of_filters(name):
         (EXACT_FROM_SELECTION, {"max_distance"}),
         (FROM_BORDER, {"max_distance"}),
         (PATCHES, {"layer"}),
-        (TWO_POINTS, {"source", "target"}),
+        (TWO_POINTS, END_POINTS),
         (DESCRIBE_INDEX, set()),
         (SAVE_INDEX, {"index_file"}),
         (LOAD_INDEX, {"index_file"}),
         (COMPARISON, {"start_point", "vertex_index", "method", "reference"}),
-        (MATRIX, {"matrix_file", "exact"}),
-        (PAIRS_WITHIN, {"radius", "matrix_file", "exact"}),
-        (NEAREST, {"source_layer", "max_snap_distance", "neighbour_number", "matrix_file", "exact"}),
-        (VORONOI, {"borders", "exact"}),
-        (FARTHEST, {"sample_number", "radius", "from_selection", "seed", "exact"}),
+        (MATRIX, {"matrix_file", "exact"} | TASK_POINTS),
+        (PAIRS_WITHIN, {"radius", "matrix_file", "exact"} | TASK_POINTS),
+        (NEAREST, {"source_layer", "neighbour_number", "matrix_file", "exact"} | TASK_POINTS),
+        (VORONOI, {"borders", "exact"} | TASK_POINTS),
+        (FARTHEST, {"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS),
         (POISSON, {"radius", "seed", "exact"}),
-        (LLOYD, {"rounds", "exact"}),
+        (LLOYD, {"rounds", "exact"} | TASK_POINTS),
         (ISOLINES, {"line_number", "values", "is_distance"}),
-        (DISK, {"radius", "vertex_index", "exact"}),
+        (DISK, {"radius", "vertex_index", "exact"} | TASK_POINTS),
         (EXTENT, {"fields", "vertex_index", "exact"}),
         (
             FROM_LAYER,
             {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "exact", "max_distance"},
         ),
         (FROM_EDGES, {"from_border", "spacing", "exact", "max_distance"}),
-        (
-            PATH,
-            {"source", "target", "source_point", "target_point", "max_snap_distance", "exact", "certify"},
-        ),
+        (PATH, {"exact", "certify"} | END_POINTS),
     ],
 )
 def test_parameters_have_python_names(name, parameters):
