@@ -49,7 +49,7 @@ for version in "${versions[@]}"; do
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
-  for script in scenario refusals filter_script edits loading; do
+  for script in scenario refusals filter_script edits loading extra_folder; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
     drive 2400 "$script" "$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"

@@ -1,4 +1,4 @@
-"""What was seen when the plugin was loaded by MeshLab's dialog and filter scripts were saved and applied there."""
+"""What was seen when the plugin was loaded by MeshLab's dialog, installed for one user, and used in filter scripts."""
 
 from __future__ import annotations
 
@@ -16,6 +16,12 @@ FILTER = "Exact geodesic distance from a given point (VoroGeo)"
 def loading() -> dict:
     """What loading.py saw."""
     return written_down("loading")
+
+
+@pytest.fixture(scope="module")
+def extra_folder() -> dict:
+    """What extra_folder.py saw."""
+    return written_down("extra_folder")
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +50,13 @@ def test_a_filter_of_a_loaded_plugin_is_applied(loading):
     assert loading["applied"] == ""
     assert f"Start: vertex {loading['source']}" in loading["log"]
     assert loading["alive"] is True
+
+
+def test_plugin_installed_for_one_user_is_found_and_applied(extra_folder):
+    assert set(extra_folder["filters"]) == all_filters()
+    assert extra_folder["applied"] == ""
+    assert f"Start: vertex {extra_folder['source']}" in extra_folder["log"]
+    assert extra_folder["alive"] is True
 
 
 def test_script_saved_by_the_window_holds_the_filter(scripting):
