@@ -10,6 +10,8 @@ SAVE = "Geodesic index: save to file (VoroGeo)"
 LOAD = "Geodesic index: load from file (VoroGeo)"
 ISOLINES = "Isolines of a geodesic distance (VoroGeo)"
 LAYER = "Geodesic distance from the points or lines of a layer (VoroGeo)"
+PATH = "Shortest path between two points (VoroGeo)"
+EXACT_FROM_POINT = "Exact geodesic distance from a given point (VoroGeo)"
 
 
 @dataclass
@@ -22,6 +24,49 @@ class BadInput:
     fields: dict[str, str] = field(default_factory=dict)
     layer: str = "terrain"
 
+
+@dataclass
+class NoPath:
+    """What has an answer although no path leads everywhere, and the lines of the log that say so."""
+
+    name: str
+    filter: str
+    lines: list[str]
+    fields: dict[str, str]
+
+
+def unreached(count: int) -> str:
+    """What the log says about vertices that no path leads to."""
+    return f"No path leads to {count} vertices, in other components than the sources; their quality is -1"
+
+
+# On the layer "parts": two pieces of 80 vertices, and vertex 160 without a face.
+NO_PATH = [
+    NoPath(
+        "path between components",
+        PATH,
+        ["No path: the points lie in different components"],
+        {"Source vertex": "5", "Target vertex": "95"},
+    ),
+    NoPath(
+        "start on another component",
+        FROM_POINT,
+        ["Distances from 1 source vertex to 80 vertices", unreached(81)],
+        {"Start vertex": "95"},
+    ),
+    NoPath(
+        "isolated start",
+        FROM_POINT,
+        ["Distances from 1 source vertex to 1 vertices, the largest 0", unreached(160)],
+        {"Start vertex": "160"},
+    ),
+    NoPath(
+        "isolated start, exact",
+        EXACT_FROM_POINT,
+        ["Distances from 1 source vertex to 1 vertices, the largest 0", unreached(160)],
+        {"Start vertex": "160"},
+    ),
+]
 
 # In this order: what is refused before an index is there comes first. FOLDER stands for the folder of the scenario.
 BAD_INPUT = [

@@ -36,6 +36,13 @@ def torus(around: int, across: int) -> tuple[np.ndarray, np.ndarray]:
     return np.column_stack([radius * np.cos(a), radius * np.sin(a), 0.4 * np.sin(b)]), faces
 
 
+def parts() -> tuple[np.ndarray, np.ndarray]:
+    """Two pieces of 80 vertices each, apart, and vertex 160, which no face names."""
+    vertices, faces = terrain(10, 8)
+    both = np.concatenate([vertices, vertices + np.array([4, 0, 0]), [[2, 4, 0]]])
+    return both, np.concatenate([faces, faces + len(vertices)])
+
+
 def write_ply(file: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
     """A binary PLY file with float coordinates."""
     header = (
@@ -59,6 +66,7 @@ def main() -> None:
     write_ply(folder / "terrain.ply", vertices, faces)
     write_ply(folder / "points.ply", vertices[[200, 3000]] + [0.01, 0.01, 0.02], faces[:0])
     write_ply(folder / "torus.ply", *torus(120, 90))
+    write_ply(folder / "parts.ply", *parts())
 
 
 if __name__ == "__main__":

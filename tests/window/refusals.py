@@ -11,11 +11,10 @@ import json
 import sys
 from pathlib import Path
 
-from bad_input import BAD_INPUT, FROM_POINT, LAYER
+from bad_input import BAD_INPUT, FROM_POINT, LAYER, NO_PATH, PATH
 from meshlab_window import MeshLabWindow
 from screen import start_display
 
-PATH = "Shortest path between two points (VoroGeo)"
 PICKED = (1.1, 0.7, 0.3)
 PICTURED = ("point cloud", "index of another mesh", "vertex out of range")
 
@@ -25,7 +24,7 @@ class Refusals:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.seen: dict[str, object] = {"boxes": {}, "picked": PICKED}
+        self.seen: dict[str, object] = {"boxes": {}, "no path": {}, "picked": PICKED}
         index = (folder / "terrain.vgi").read_bytes()
         (folder / "truncated.vgi").write_bytes(index[: len(index) // 2])
         (folder / "wrong.vgi").write_bytes(b"no index " * 100)
@@ -36,7 +35,7 @@ class Refusals:
 
     def run(self) -> None:
         """Everything; what was seen before a step failed is kept."""
-        meshes = [self.folder / "meshes" / f"{name}.ply" for name in ("terrain", "points", "torus")]
+        meshes = [self.folder / "meshes" / f"{name}.ply" for name in ("terrain", "points", "torus", "parts")]
         window = MeshLabWindow(meshes, self.folder / "refusals.log")
         try:
             for case in BAD_INPUT:
@@ -49,6 +48,7 @@ class Refusals:
                     self.picture(window, f"refused_{case.name.replace(' ', '_')}")
                 window.dismiss()
                 window.close(dialog)
+            self.no_path(window)
             window.choose_layer("terrain")
             self.point_and_layer(window)
             self.seen["alive"] = window.is_alive()
@@ -56,6 +56,20 @@ class Refusals:
             self.picture(window, "refusals_last")
             self.seen["log"] = window.log_lines()
             (self.folder / "refusals.json").write_text(json.dumps(self.seen, indent=1))
+
+    def no_path(self, window: MeshLabWindow) -> None:
+        """Ask for what no path leads to, and keep what the log says."""
+        window.choose_layer("parts")
+        for case in NO_PATH:
+            already = len(window.log_lines())
+            dialog = window.open_filter(case.filter)
+            for label, value in case.fields.items():
+                window.fill(dialog, label, value)
+            box = window.apply(dialog)
+            self.seen["no path"][case.name] = {"box": box, "log": window.log_lines()[already:]}
+            if box:
+                window.dismiss()
+            window.close(dialog)
 
     def point_and_layer(self, window: MeshLabWindow) -> None:
         """After all the refusals: a start point, a layer of points, a path."""

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from bad_input import BAD_INPUT
+from bad_input import BAD_INPUT, NO_PATH
 from make_meshes import terrain
 from test_window import written_down
 
@@ -21,6 +21,14 @@ def seen() -> dict:
 def test_refusal_is_a_message_box_with_our_sentence(seen, case):
     assert "Failure of filter" in seen["boxes"][case.name]
     assert case.sentence in seen["boxes"][case.name]
+
+
+@pytest.mark.parametrize("case", NO_PATH, ids=lambda case: case.name)
+def test_what_no_path_leads_to_is_said_in_the_log(seen, case):
+    asked = seen["no path"][case.name]
+    assert asked["box"] == ""
+    for start in case.lines:
+        assert any(line.startswith(start) for line in asked["log"]), (start, asked["log"])
 
 
 def test_meshlab_goes_on_working(seen):
