@@ -43,7 +43,7 @@ void add_end_point_parameters(RichParameterList& list, const MeshDocument& docum
   list.addParam(max_snap_distance_parameter(document));
   list.addParam(RichString("surface_points", "", "Surface points",
                            "Used instead of all these if not empty: source and target, each the number of a "
-                           "vertex, or of a face with three weights, such as 17; 203 0.2 0.3 0.5"));
+                           "vertex, or of a face with three weights, such as 17; 203 0.2 0.3 0.5."));
 }
 
 EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,

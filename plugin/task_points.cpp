@@ -46,7 +46,7 @@ SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QS
   if (!is_number || (words.size() != 1 && words.size() != 4)) {
     throw InvalidInput(entry +
                        " is no surface point. Give the number of a vertex, or the number of a face and three "
-                       "weights, such as 17; 203 0.2 0.3 0.5");
+                       "weights, such as 17; 203 0.2 0.3 0.5.");
   }
   if (words.size() == 1) return SurfacePoint::at_vertex(layer_mesh.core_vertex(number, entry));
   try {
@@ -83,7 +83,7 @@ void add_task_point_parameters(RichParameterList& list, const MeshDocument& docu
                              .arg(what)));
   list.addParam(RichString("surface_points", "", "Surface points",
                            "Used instead if not empty: numbers of vertices, or of a face with three weights, "
-                           "separated by semicolons, such as 17; 203 0.2 0.3 0.5"));
+                           "separated by semicolons, such as 17; 203 0.2 0.3 0.5."));
   if (with_snap_distance) list.addParam(max_snap_distance_parameter(document));
 }
 

@@ -68,6 +68,12 @@ NO_PATH = [
     ),
 ]
 
+# MeshLab removes such vertices when it opens a file; its own filter makes them in the layer "parts". Formulas for x.
+GEOMETRIC_FUNCTION = "Per Vertex Geometric Function"
+NOT_FINITE = {"NaN": "(vi == 37) ? 0/0 : x", "infinite": "(vi == 37) ? 1/0 : x"}
+FINITE_AGAIN = "(vi == 37) ? 1 : x"
+NOT_FINITE_SENTENCE = "Vertex 37 has a coordinate that is NaN or infinite. Correct or delete this vertex first."
+
 # In this order: what is refused before an index is there comes first. FOLDER stands for the folder of the scenario.
 BAD_INPUT = [
     BadInput("no index to save", SAVE, "There is no index for this mesh as it is.", {"Index file": "FOLDER/new.vgi"}),

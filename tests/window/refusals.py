@@ -11,7 +11,16 @@ import json
 import sys
 from pathlib import Path
 
-from bad_input import BAD_INPUT, FROM_POINT, LAYER, NO_PATH, PATH
+from bad_input import (
+    BAD_INPUT,
+    FINITE_AGAIN,
+    FROM_POINT,
+    GEOMETRIC_FUNCTION,
+    LAYER,
+    NO_PATH,
+    NOT_FINITE,
+    PATH,
+)
 from meshlab_window import MeshLabWindow
 from screen import start_display
 
@@ -49,6 +58,7 @@ class Refusals:
                 window.dismiss()
                 window.close(dialog)
             self.no_path(window)
+            self.not_finite(window)
             window.choose_layer("terrain")
             self.point_and_layer(window)
             self.seen["alive"] = window.is_alive()
@@ -68,6 +78,21 @@ class Refusals:
             box = window.apply(dialog)
             self.seen["no path"][case.name] = {"box": box, "log": window.log_lines()[already:]}
             if box:
+                window.dismiss()
+            window.close(dialog)
+
+    def not_finite(self, window: MeshLabWindow) -> None:
+        """Ask for distances on a mesh with a coordinate that is no finite number, then on the corrected mesh."""
+        for name, formula in {**NOT_FINITE, "finite again": FINITE_AGAIN}.items():
+            dialog = window.open_filter(GEOMETRIC_FUNCTION)
+            window.fill(dialog, "func x = ", formula)
+            window.fill(dialog, "func z = ", "z")  # by default a function of x
+            window.apply(dialog)
+            window.close(dialog)
+            dialog = window.open_filter(FROM_POINT)
+            window.fill(dialog, "Start vertex", "5")
+            self.seen["boxes"][name] = window.apply(dialog)
+            if self.seen["boxes"][name]:
                 window.dismiss()
             window.close(dialog)
 

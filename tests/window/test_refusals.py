@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from bad_input import BAD_INPUT, NO_PATH
+from bad_input import BAD_INPUT, NO_PATH, NOT_FINITE, NOT_FINITE_SENTENCE
 from make_meshes import terrain
 from test_window import written_down
 
@@ -21,6 +21,16 @@ def seen() -> dict:
 def test_refusal_is_a_message_box_with_our_sentence(seen, case):
     assert "Failure of filter" in seen["boxes"][case.name]
     assert case.sentence in seen["boxes"][case.name]
+
+
+@pytest.mark.parametrize("name", NOT_FINITE)
+def test_coordinate_that_is_no_finite_number_is_refused(seen, name):
+    assert "Failure of filter" in seen["boxes"][name]
+    assert NOT_FINITE_SENTENCE in seen["boxes"][name]
+
+
+def test_corrected_coordinate_is_no_longer_refused(seen):
+    assert seen["boxes"]["finite again"] == ""
 
 
 @pytest.mark.parametrize("case", NO_PATH, ids=lambda case: case.name)
