@@ -132,16 +132,12 @@ void WindowEnvelope::open(Index edge, double sliver) {
   before_.clear();
   after_.clear();
   for (auto window = list.rbegin(); window != list.rend(); ++window) after_.push(*window);
-  left_end_ = -unreachable;
-  right_begin_ = list.empty() ? unreachable : list.front().begin;
+  find_gap();
 }
 
 void WindowEnvelope::add_piece(const Window& window, double begin, double end) {
   if (!(end > begin)) return;
-  changed_ = true;
-  ++made_;
-  before_.push(window, begin, end);
-  least_ = std::min(least_, window.distance(std::clamp(window.source_x, begin, end)));
+  add_fresh(window, begin, end, window.distance(std::clamp(window.source_x, begin, end)));
 }
 
 void WindowEnvelope::add_old(const Window& old, double begin, double end) {
@@ -165,12 +161,9 @@ bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_e
   if (!(cut > window.begin && cut < last.end)) return false;
   last.end = cut;
   const double end = std::min(window.end, right_begin_);
-  changed_ = true;
-  ++made_;
+  add_fresh(window, cut, end,
+            window.source_x >= end ? at_end : window.distance(std::max(cut, window.source_x)));
   left_end_ = end;
-  before_.push(window, cut, end);
-  const double least = window.source_x >= end ? at_end : window.distance(std::max(cut, window.source_x));
-  least_ = std::min(least_, least);
   return true;
 }
 
@@ -183,19 +176,17 @@ void WindowEnvelope::insert_among(Window window, double at_begin, double at_end)
     before_.push(after_.top());
     after_.pop();
   }
-  left_end_ = before_.empty() ? -unreachable : before_.top().end;
-  right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+  find_gap();
   if (right_begin_ >= window.end - sliver_) {
     insert(window, at_begin, at_end);
     return;
   }
   divide_among(window, at_begin, at_end);
-  left_end_ = before_.empty() ? -unreachable : before_.top().end;
-  right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+  find_gap();
 }
 
 void WindowEnvelope::divide_among(Window window, double at_begin, double at_end) {
-  if (!before_.empty()) window.begin = std::max(window.begin, before_.top().end);
+  window.begin = std::max(window.begin, left_end_);
   // Everything left of `reached` is decided; from `piece` on it belongs to the new window, if `open`.
   double reached = window.begin;
   double piece = window.begin;

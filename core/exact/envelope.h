@@ -38,12 +38,9 @@ class WindowEnvelope {
     const double begin = std::max(window.begin, left_end_);
     const double end = std::min(window.end, right_begin_);
     if (!(end > begin)) return;
-    changed_ = true;
-    ++made_;
-    left_end_ = end;
     const bool foot_inside = window.source_x > begin && window.source_x < end;
-    least_ = std::min(least_, foot_inside ? window.offset + window.source_y : std::min(at_begin, at_end));
-    before_.push(window, begin, end);
+    add_fresh(window, begin, end, foot_inside ? window.offset + window.source_y : std::min(at_begin, at_end));
+    left_end_ = end;
   }
   /// Closes the open edge. Returns the least distance of the parts inserted, infinity if there are none.
   double store();
@@ -102,6 +99,18 @@ class WindowEnvelope {
   void insert_among(Window window, double at_begin, double at_end);
   void divide_among(Window window, double at_begin, double at_end);
   void add_piece(const Window& window, double begin, double end);
+  /// A part of the new window behind `before_`. `least`: its least distance.
+  void add_fresh(const Window& window, double begin, double end, double least) {
+    changed_ = true;
+    ++made_;
+    least_ = std::min(least_, least);
+    before_.push(window, begin, end);
+  }
+  /// Sets `left_end_` and `right_begin_` from the stacks.
+  void find_gap() {
+    left_end_ = before_.empty() ? -unreachable : before_.top().end;
+    right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+  }
   void add_old(const Window& old, double begin, double end);
   void give_back(List& list);
   void take_room(List& list, std::size_t size);

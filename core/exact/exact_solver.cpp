@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -56,28 +57,22 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     }
     checked.push_back({validated(state.mesh, source.point), source.offset});
   }
+  std::optional<SurfacePoint> corridor;
   if (limits.corridor_target != no_index) {
-    validated(state.mesh, SurfacePoint::at_vertex(limits.corridor_target));
+    corridor = validated(state.mesh, SurfacePoint::at_vertex(limits.corridor_target));
   }
+  if (limits.corridor_point != nullptr) corridor = validated(state.mesh, *limits.corridor_point);
   for (Index target : limits.targets) validated(state.mesh, SurfacePoint::at_vertex(target));
   state.reset();
   state.sources = std::move(checked);
   state.face_allowed = limits.face_allowed;
   state.max_distance = limits.max_distance;
   state.distances_only = limits.distances_only;
-  state.has_corridor = limits.corridor_point != nullptr || limits.corridor_target != no_index;
-  if (limits.corridor_point != nullptr) {
-    state.corridor_at = position_of(state.mesh, validated(state.mesh, *limits.corridor_point));
-  } else if (limits.corridor_target != no_index) {
-    state.corridor_at = state.mesh.position(limits.corridor_target);
-  }
+  state.has_corridor = corridor.has_value();
+  if (corridor) state.corridor_at = position_of(state.mesh, *corridor);
   state.least_remaining = limits.least_remaining;
-  state.landmarks = state.has_corridor ? limits.landmarks : nullptr;
-  if (state.landmarks != nullptr) {
-    state.target_seen = state.landmarks->seen_from(
-        state.mesh, limits.corridor_point != nullptr ? validated(state.mesh, *limits.corridor_point)
-                                                     : SurfacePoint::at_vertex(limits.corridor_target));
-  }
+  state.landmarks = corridor ? limits.landmarks : nullptr;
+  if (state.landmarks != nullptr) state.target_seen = state.landmarks->seen_from(state.mesh, *corridor);
   state.settled_distance = unreachable;
   state.barrier_distance = unreachable;
   for (std::size_t i = 0; i < state.sources.size(); ++i)

@@ -169,10 +169,12 @@ SurfacePath PathQuery::State::shorter_path(const PathEnd& from, const PathEnd& t
                                            bool by_index) {
   ExactLimits limits;
   limits.max_distance = length * (1.0 + rounding);
-  if (!by_index) limits.landmarks = landmarks.get();
-  if (by_index)
+  if (by_index) {
     limits.least_remaining =
         bounds.fill(route_end_of(data, from), route_end_of(data, to), to.patches, length);
+  } else {
+    limits.landmarks = landmarks.get();
+  }
   return run(from, to, limits);
 }
 
