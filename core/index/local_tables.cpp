@@ -108,11 +108,14 @@ void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<
                    }
                  }
                });
-  const Watch watch(progress.part(1.0, 1.0), "Computing exact distances inside patches");
-  tables.make_symmetric();
+  {
+    const Watch watch(progress.part(0.98, 0.98), "Computing exact distances inside patches");
+    tables.make_symmetric();
+  }
   parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0),
                "Computing exact distances inside patches",
                [&](std::size_t patch, int) { tables.close(static_cast<Index>(patch)); });
+  const Watch watch(progress.part(1.0, 1.0), "Computing exact distances inside patches");
   tables.finish(layer);
 }
 

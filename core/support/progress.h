@@ -1,6 +1,7 @@
 // Progress reports and cancelling of long computations.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -24,18 +25,21 @@ class Progress {
 
   /// Reports `fraction` of this span. \throw Cancelled if the caller wishes to stop.
   void report(double fraction, const std::string& activity) const {
-    if (function_ && !function_(begin_ + (end_ - begin_) * fraction, activity)) throw Cancelled();
+    if (function_ && !function_(at(fraction), activity)) throw Cancelled();
   }
 
   /// The part [begin, end] of this span, as a progress of its own.
   Progress part(double begin, double end) const {
     Progress sub(function_);
-    sub.begin_ = begin_ + (end_ - begin_) * begin;
-    sub.end_ = begin_ + (end_ - begin_) * end;
+    sub.begin_ = at(begin);
+    sub.end_ = at(end);
     return sub;
   }
 
  private:
+  // Monotonic also in its last digit, so that the next span never begins below the end of this one.
+  double at(double fraction) const { return std::lerp(begin_, end_, fraction); }
+
   ProgressFunction function_;
   double begin_ = 0.0;
   double end_ = 1.0;
