@@ -47,6 +47,8 @@ struct Shared {
 
 void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
                   const std::function<void(std::size_t item, int worker)>& body) {
+  // Before any thread starts: the caller hears what is being done, and may stop it.
+  if (progress) progress.report(0.0, activity);
   Shared shared;
   auto work = [&](int worker, auto&& after_item) {
     try {
