@@ -58,8 +58,7 @@ Field field_by_index(FilterCall& call, const LayerMesh& layer_mesh, const std::v
     return GeodesicQuery(found.index).distance_field(sources, max_distance);
   });
   field.seconds = seconds_since(start);
-  field.about_index = {{"index_reused", found.reused},
-                       {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+  field.about_index = about_index(found);
   return field;
 }
 
@@ -184,8 +183,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
     found = run_ticking(call.progress.part(0.9, 1.0), distances_activity,
                         [&](const Progress&) { return SourceField(index.index).field(sources, limit); });
     field.seconds = seconds_since(start);
-    field.about_index = {{"index_reused", index.reused},
-                         {"index_seconds", index.reused ? 0.0 : index.index->statistics().seconds}};
+    field.about_index = about_index(index);
   } else {
     log_warnings(call, layer_mesh);
     const auto start = Clock::now();

@@ -35,6 +35,16 @@ Results statistics_results(const IndexStatistics& s) {
           {"seconds", s.seconds}};
 }
 
+Results about_index(const IndexOfLayer& found) {
+  return {{"index_reused", found.reused},
+          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+}
+
+std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh) {
+  return run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                     [&](const Progress&) { return layer_mesh.make_mesh(); });
+}
+
 void log_warnings(FilterCall& call, const LayerMesh& layer_mesh) {
   const auto warnings =
       run_ticking(call.progress, "Checking the mesh", [&](const Progress&) { return layer_mesh.warnings(); });

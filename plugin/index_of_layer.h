@@ -1,4 +1,4 @@
-// The index of a layer: taken from the cache when it fits, else built.
+// The mesh and the index of a layer; the index is taken from the cache when it fits, else built.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,12 @@ struct IndexOfLayer {
 /// What an index holds, as one line of the log and as returned values.
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
 Results statistics_results(const IndexStatistics& statistics);
+
+/// What a filter returns of the index that it used: index_reused and index_seconds.
+Results about_index(const IndexOfLayer& found);
+
+/// The mesh of the layer, made while the window stays alive.
+std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh);
 
 /// Logs what a user should know about the mesh before trusting distances on it.
 void log_warnings(FilterCall& call, const LayerMesh& layer_mesh);

@@ -11,7 +11,6 @@
 #include "logged_length.h"
 #include "query/geodesic_query.h"
 #include "query/path_query.h"
-#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -30,8 +29,7 @@ std::string name_of(const LayerMesh& layer_mesh, const Mesh& mesh, const Surface
 
 Results distance_between_points(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const auto [source, target] = end_points(call, layer_mesh, mesh);
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   double distance = 0.0;
@@ -57,12 +55,12 @@ Results distance_between_points(FilterCall& call) {
     text << "no path, they lie in different components";
   }
   call.log(text.str());
-  return {{"distance", distance},
-          {"source_snap_distance", source.distance},
-          {"target_snap_distance", target.distance},
-          {"seconds", seconds},
-          {"index_reused", found.reused},
-          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+  Results results = {{"distance", distance},
+                     {"source_snap_distance", source.distance},
+                     {"target_snap_distance", target.distance},
+                     {"seconds", seconds}};
+  results.merge(about_index(found));
+  return results;
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "index_of_layer.h"
 #include "start_vertex.h"
-#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -19,8 +19,7 @@ RichParameterList from_point_parameters(const MeshDocument& document) {
 
 Results distances_from_point(FilterCall& call, Method method) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const StartPoint start = start_point(call, layer_mesh, mesh);
   Results results;
   if (start.point.is_vertex()) {

@@ -8,11 +8,11 @@
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "index_of_layer.h"
 #include "parameters.h"
 #include "query/curve_sources.h"
 #include "source_layer.h"
 #include "support/error.h"
-#include "ticking.h"
 
 namespace vorogeo::plugin {
 
@@ -56,8 +56,7 @@ Method method_of(const FilterCall& call) {
 
 Results distances_from_layer(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
   PointSnapper snapper(call, mesh, "source_layer");
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
@@ -95,8 +94,7 @@ Results distances_from_layer(FilterCall& call) {
 
 Results distances_from_edges(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const bool from_border = call.parameters.getBool("from_border");
   std::vector<Index> edges;
   for (Index e = 0; e < mesh->edge_count(); ++e) {

@@ -31,18 +31,17 @@ RichParameterList path_parameters(const MeshDocument& document) {
 
 Results draw_path(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const auto [source, target] = end_points(call, layer_mesh, mesh);
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   PathQuery query(found.index);
   const auto start = std::chrono::steady_clock::now();
-  ExactPath result;
-  if (call.parameters.getBool("exact")) {
-    result = query.exact_path(source.point, target.point, call.parameters.getBool("certify"));
-  } else {
-    result.path = query.path(source.point, target.point);
-  }
+  const bool exact = call.parameters.getBool("exact");
+  const bool certify = call.parameters.getBool("certify");
+  const ExactPath result = run_ticking(call.progress.part(0.9, 1.0), "Shortest path", [&](const Progress&) {
+    return exact ? query.exact_path(source.point, target.point, certify)
+                 : ExactPath{.path = query.path(source.point, target.point)};
+  });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   call.progress.report(1.0, "Shortest path");
   SurfaceLines lines;
@@ -68,14 +67,14 @@ Results draw_path(FilterCall& call) {
          << " points";
   }
   call.log(text.str());
-  return {{"length", result.path.length},
-          {"certified", result.certified},
-          {"points", static_cast<int>(lines.points.size())},
-          {"source_snap_distance", source.distance},
-          {"target_snap_distance", target.distance},
-          {"seconds", seconds},
-          {"index_reused", found.reused},
-          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+  Results results = {{"length", result.path.length},
+                     {"certified", result.certified},
+                     {"points", static_cast<int>(lines.points.size())},
+                     {"source_snap_distance", source.distance},
+                     {"target_snap_distance", target.distance},
+                     {"seconds", seconds}};
+  results.merge(about_index(found));
+  return results;
 }
 
 }  // namespace

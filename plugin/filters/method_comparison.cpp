@@ -202,8 +202,7 @@ Results compare_methods(FilterCall& call) {
   const Compared reference = method_of(call, "reference");
   const LayerMesh layer_mesh(call.layer.cm);
   const StartVertex start = start_vertex(call, layer_mesh);
-  const auto mesh = run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
-                                [&](const Progress&) { return layer_mesh.make_mesh(); });
+  const auto mesh = read_mesh(call, layer_mesh);
   const MethodField b =
       field_of(call, layer_mesh, mesh, start.vertex, reference, call.progress.part(0.0, 0.5));
   const MethodField a = field_of(call, layer_mesh, mesh, start.vertex, method, call.progress.part(0.5, 1.0));

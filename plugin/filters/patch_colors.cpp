@@ -42,10 +42,10 @@ Results color_patches(FilterCall& call) {
   call.log("Patches of layer " + std::to_string(layer) + ": " +
            std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
            " colours");
-  return {{"patches", static_cast<int>(coloring.color_of_patch.size())},
-          {"colors", coloring.colors_used},
-          {"index_reused", found.reused},
-          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+  Results results = {{"patches", static_cast<int>(coloring.color_of_patch.size())},
+                     {"colors", coloring.colors_used}};
+  results.merge(about_index(found));
+  return results;
 }
 
 }  // namespace
