@@ -12,14 +12,13 @@ from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
 from .matrices import Matrices
-from .paths import Paths
 from .points import EdgeCurve, Points, Sources, SurfacePoints, holds
 from .progress import ProgressFunction, reporter
 from .results import IndexStatistics
 from .surface_tasks import SurfaceTasks
 
 
-class GeodesicIndex(Matrices, Paths, SurfaceTasks):
+class GeodesicIndex(Matrices, SurfaceTasks):
     """Index of a triangle mesh for geodesic distances.
 
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path

@@ -9,14 +9,15 @@ from . import _arguments as check
 from . import _core
 from . import points as point_lists
 from .errors import InvalidInput
-from .points import Points, Rows, Sources, surface_points
+from .paths import Paths
+from .points import Points, Sources, surface_points
 from .progress import ProgressFunction, reporter
-from .results import Disk, Extent, FarthestSamples, IndexStatistics, Isolines, Polylines, RelaxedPoints, VoronoiRegions
+from .results import Disk, Extent, FarthestSamples, Isolines, Polylines, RelaxedPoints, VoronoiRegions
 
 _INTERPOLATIONS = ("linear", "distance")
 
 
-class SurfaceTasks:
+class SurfaceTasks(Paths):
     """The methods of `GeodesicIndex` that build on distance fields.
 
     Points are vertex ids, `SurfacePoints` or lists of both, `progress` is as for the constructor, and errors are
@@ -27,10 +28,6 @@ class SurfaceTasks:
     __slots__ = ()
 
     _handle: _core.Index
-    _statistics: IndexStatistics
-
-    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:  # that of Paths
-        raise NotImplementedError
 
     def voronoi(
         self, points: Points, exact: bool = False, progress: ProgressFunction | bool | None = None
