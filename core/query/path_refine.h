@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exact/exact_solver.h"
-#include "query/path_funnel.h"
+#include "query/path_line.h"
 
 namespace vorogeo {
 
@@ -12,29 +12,32 @@ namespace vorogeo {
 /// law of cosines; what shortens it is kept. One object belongs to one thread.
 class PathRefiner {
  public:
-  explicit PathRefiner(const ExactGeometry& geometry) : geometry_(geometry), mesh_(*geometry.mesh) {}
+  explicit PathRefiner(const ExactGeometry& geometry) : mesh_(*geometry.mesh), line_(geometry) {}
 
-  /// Shortens the strip in place. \return the length of its line.
-  double refine(FaceStrip& strip);
-  /// The line of the strip last refined: points on edges, at vertices, and the two ends.
+  /// \return the length of the line in the shortened strip.
+  double refine(const FaceStrip& strip);
+  /// The line last refined: points on edges, at vertices, and the two ends.
   SurfacePath path() const;
-  /// How often a strip was unfolded, for measurements.
-  std::size_t pulls() const { return pulls_; }
+  const PathLine& line() const { return line_; }
 
  private:
-  bool straighten(FaceStrip& strip);
-  bool flip_bends(FaceStrip& strip);
-  bool try_other_sides(FaceStrip& strip);
-  void range_at(const FaceStrip& strip, Index vertex, bool left, std::size_t crossing, std::size_t& first,
-                std::size_t& last) const;
+  /// A vertex beside the line, between two joints, that may be passed on its other side.
+  struct Candidate {
+    double gain;
+    std::size_t piece;
+    Joint beside;
+  };
+  void straighten();
+  bool flip_bends();
+  bool try_other_sides();
+  void look_beside(std::size_t piece);
 
-  const ExactGeometry& geometry_;
   const Mesh& mesh_;
-  Funnel funnel_;
-  FaceStrip strip_;
-  FaceStrip next_;
+  PathLine line_;
+  PathLine shortest_{line_};
+  std::vector<PathLine::Change> changes_;
+  std::vector<Candidate> candidates_;
   std::vector<Index> tried_;
-  std::size_t pulls_ = 0;
 };
 
 }  // namespace vorogeo

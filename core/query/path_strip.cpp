@@ -12,14 +12,9 @@ Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
   return mesh.tail(halfedge) == vertex ? previous : next;
 }
 
-struct Crossing {
-  Index exit;
-  Index entry;
-};
-
 /// Walks around a vertex from the face of `exit` across it, until `face` is entered. \return the angle passed
 /// between, infinity if a border or a non-manifold edge stops it.
-double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<Crossing>& passed) {
+double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
   double angle = 0.0;
   const Index begin = Mesh::face_of(exit);
   for (;;) {
@@ -35,10 +30,10 @@ double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<
 }
 
 /// The way around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
-bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<Crossing>& passed) {
+bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<HalfedgePair>& passed) {
   struct Visit {
     Index face;
-    Crossing by;
+    HalfedgePair by;
     std::size_t before;
   };
   std::vector<Visit> visited{{from, {no_index, no_index}, 0}};
@@ -109,10 +104,10 @@ bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
   const Index from = strip.faces.back();
   if (from == face) return true;
-  std::vector<Crossing> best;
+  std::vector<HalfedgePair> best;
   double least = unreachable;
   if (mesh.fan(vertex) != Mesh::Fan::non_manifold) {
-    std::vector<Crossing> passed;
+    std::vector<HalfedgePair> passed;
     for (int k = 0; k < 3; ++k) {
       const Index exit = 3 * from + k;
       if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
@@ -128,20 +123,20 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
     best.clear();
     if (!search(mesh, vertex, from, face, best)) return false;
   }
-  for (const Crossing& crossing : best) {
+  for (const HalfedgePair& crossing : best) {
     strip.push(Mesh::face_of(crossing.entry), crossing.exit, crossing.entry);
   }
   return true;
 }
 
-bool other_side(const Mesh& mesh, const FaceStrip& strip, Index vertex, std::size_t first, std::size_t last,
-                FaceStrip& result) {
-  if (mesh.fan(vertex) != Mesh::Fan::closed || first >= last) return false;
-  const Index exit = other_halfedge_at(mesh, strip.exit[first], vertex);
-  std::vector<Crossing> passed;
-  if (walk(mesh, vertex, exit, strip.faces[last], passed) == unreachable) return false;
-  for (const Crossing& crossing : passed) {
-    result.push(Mesh::face_of(crossing.entry), crossing.exit, crossing.entry);
+bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
+  if (mesh.fan(vertex) != Mesh::Fan::closed) return false;
+  exit = other_halfedge_at(mesh, exit, vertex);
+  for (Index at = Mesh::face_of(exit); at != face;) {
+    const Index entry = mesh.next_around_edge(exit);
+    passed.push_back({exit, entry});
+    at = Mesh::face_of(entry);
+    exit = other_halfedge_at(mesh, entry, vertex);
   }
   return true;
 }

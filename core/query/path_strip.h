@@ -8,6 +8,12 @@
 
 namespace vorogeo {
 
+/// The same edge as half-edge of the face that is left and of the one that is entered.
+struct HalfedgePair {
+  Index exit;
+  Index entry;
+};
+
 /// Faces in order; `entry[i]` is the half-edge of faces[i + 1] by which it is entered, `exit[i]` the one of
 /// faces[i] on the same edge.
 struct FaceStrip {
@@ -31,9 +37,9 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face);
 /// Takes out detours: a face left and entered again, and faces at the ends that the end points do not need.
 void tidy(const Mesh& mesh, FaceStrip& strip);
 
-/// Replaces faces first..last of the strip, all of which have the vertex, by those on its other side.
-/// `result` gets the new strip's faces up to `last`. \return false if the vertex's fan is not a cycle.
-bool other_side(const Mesh& mesh, const FaceStrip& strip, Index vertex, std::size_t first, std::size_t last,
-                FaceStrip& result);
+/// The way around `vertex` from the face of half-edge `exit`, which ends in it, to `face`, on the side where
+/// that half-edge is not crossed. Adds the crossings to `passed`. \return false if the vertex's fan is not a
+/// cycle.
+bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed);
 
 }  // namespace vorogeo
