@@ -2,6 +2,7 @@
 #include "query/path_hops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <unordered_map>
@@ -24,10 +25,15 @@ struct Move {
   Index face = no_index;
   Index vertex = no_index;
   Index halfedge = no_index;
-  double x = 0.0;                 ///< from the first vertex of the edge
+  double x = 0.0;  ///< from the first vertex of the edge
+  double edge_length = 0.0;
   double at_first = unreachable;  ///< distance of the edge's first vertex
   double at_second = unreachable;
+  Index first = no_index;  ///< that vertex
+  Index second = no_index;
 };
+
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// Walks from vertex to vertex of one patch.
 class HopWalker {
@@ -141,9 +147,9 @@ class HopWalker {
     if (!(y + py > 0.0)) return;
     const double crossing = px + (x - px) * (py / (y + py));
     if (!(crossing > 0.0 && crossing < length)) return;
-    const double way = std::hypot(x - px, y + py);
+    const double way = length_of(x - px, y + py);
     if (way < best.length) {
-      best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing, at_0, at_length};
+      best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing, length, at_0, at_length};
     }
   }
   /// Only to vertices nearer to the goal than the last one, so that rounding of the tables makes no circles.
@@ -155,56 +161,67 @@ class HopWalker {
 
   Move leave_vertex(Index vertex) const {
     Move best;
+    // Neighbours follow one another in the fan: each is the end of two of the edges opposite.
+    std::array<Index, 2> known{no_index, no_index};
+    std::array<double, 2> at{unreachable, unreachable};
     for (Index corner : mesh_.corners(vertex)) {
       const Index opposite = Mesh::next_in_face(corner);
-      const Index edge = mesh_.edge_of(opposite);
-      const auto [a, b] = mesh_.edge_vertices(edge);
-      const double at_a = distance(a);
-      const double at_b = distance(b);
       const Index face = Mesh::face_of(corner);
-      for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-        const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
-        to_vertex(mesh_.edge_length(mesh_.edge_of(side)), other == a ? at_a : at_b, face, other, best);
-      }
-      if (mesh_.is_border_edge(edge)) continue;
       const FaceFrame& frame = geometry_.frame[opposite];
-      through_edge(frame.apex_x, frame.apex_depth, mesh_.edge_length(edge), at_a, at_b, opposite, best);
+      std::array<Index, 2> ends{mesh_.tail(opposite), mesh_.head(opposite)};
+      if (!frame.along) std::swap(ends[0], ends[1]);
+      std::array<double, 2> there{};
+      for (int i = 0; i < 2; ++i) {
+        const bool is_known = ends[i] == known[0] || ends[i] == known[1];
+        there[i] = is_known ? at[ends[i] == known[0] ? 0 : 1] : distance(ends[i]);
+        if (is_known) continue;
+        const Index side = mesh_.head(corner) == ends[i] ? corner : Mesh::previous_in_face(corner);
+        to_vertex(mesh_.edge_length(mesh_.edge_of(side)), there[i], face, ends[i], best);
+      }
+      known = ends;
+      at = there;
+      if (mesh_.next_around_edge(opposite) == opposite) continue;
+      through_edge(frame.apex_x, frame.apex_depth, mesh_.edge_length(mesh_.edge_of(opposite)), there[0],
+                   there[1], opposite, best);
+      if (best.halfedge == opposite) {
+        best.first = ends[0];
+        best.second = ends[1];
+      }
     }
     return best;
   }
 
-  /// From the point where the last move came to the edge of a half-edge across its face. The distances of the
-  /// edge's ends come with the move: each one that is read from the table is far away in memory.
+  /// From the point where the last move came to the edge of a half-edge across its face. The ends of the edge
+  /// and their distances come with the move, and lengths from the frame: what is read from elsewhere is far
+  /// away in memory.
   Move cross(Index halfedge, const Move& last) const {
     const double x = last.x;
     const FaceFrame& frame = geometry_.frame[halfedge];
-    const Index edge = mesh_.edge_of(halfedge);
-    const double length = mesh_.edge_length(edge);
-    const auto [a, b] = mesh_.edge_vertices(edge);
+    const double length = last.edge_length;
     const double at_apex = distance(frame.apex);
     const Index face = Mesh::face_of(halfedge);
     Move best;
-    to_vertex(std::hypot(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
-    to_vertex(x, last.at_first, face, a, best);
-    to_vertex(length - x, last.at_second, face, b, best);
+    to_vertex(length_of(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
+    to_vertex(x, last.at_first, face, last.first, best);
+    to_vertex(length - x, last.at_second, face, last.second, best);
     for (const bool first : {true, false}) {
       const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
-      const Index side_edge = mesh_.edge_of(side);
-      const double side_length = mesh_.edge_length(side_edge);
-      if (!(side_length > 0.0) || mesh_.is_border_edge(side_edge)) continue;
       // The point seen from the side, whose x axis begins at the vertex it shares with the crossed edge.
       const double from_shared = first ? x : length - x;
-      const double cosine = (first ? frame.apex_x : length - frame.apex_x) / side_length;
+      const double along = first ? frame.apex_x : length - frame.apex_x;
+      const double side_length = length_of(along, frame.apex_depth);
+      if (!(side_length > 0.0) || mesh_.next_around_edge(side) == side) continue;
+      const double cosine = along / side_length;
       const double sine = frame.apex_depth / side_length;
-      const double at_shared = first ? last.at_first : last.at_second;
       Move move;
-      through_edge(from_shared * cosine, from_shared * sine, side_length, at_shared, at_apex, side, move);
+      through_edge(from_shared * cosine, from_shared * sine, side_length,
+                   first ? last.at_first : last.at_second, at_apex, side, move);
       if (!(move.length < best.length)) continue;
-      const Index shared = first ? a : b;
-      move.at_first = at_shared;
-      move.at_second = at_apex;
-      if (mesh_.edge_vertices(side_edge)[0] != shared) {
+      move.first = first ? last.first : last.second;
+      move.second = frame.apex;
+      if (first ? frame.first_side_reversed : frame.second_side_reversed) {
         move.x = side_length - move.x;
+        std::swap(move.first, move.second);
         std::swap(move.at_first, move.at_second);
       }
       best = move;

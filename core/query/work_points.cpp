@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/prefetch.h"
+
 namespace vorogeo {
 
 namespace {
@@ -101,6 +103,7 @@ SurfacePoint user_point(const IndexData& data, const SurfacePoint& point) {
     weights = weights_of(data, point.vertex, user_face);
   } else {
     for (int i = 0; i < 3; ++i) {
+      if (point.barycentric[i] == 0.0) continue;
       const Weights corner = weights_of(data, data.work.mesh->face_vertices(face)[i], user_face);
       for (int k = 0; k < 3; ++k) weights[k] += point.barycentric[i] * corner[k];
     }
@@ -109,8 +112,16 @@ SurfacePoint user_point(const IndexData& data, const SurfacePoint& point) {
 }
 
 SurfacePath user_path(const IndexData& data, const SurfacePath& path) {
+  // The user's faces lie anywhere in memory.
+  for (const SurfacePoint& point : path.points) {
+    if (!point.is_vertex()) prefetch_line(&data.work.user_face[point.face]);
+  }
+  for (const SurfacePoint& point : path.points) {
+    if (!point.is_vertex()) prefetch_line(&data.mesh->face_vertices(data.work.user_face[point.face]));
+  }
   SurfacePath result;
   result.length = path.length;
+  result.points.reserve(path.points.size());
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     const SurfacePoint point = user_point(data, path.points[i]);
     const bool inside =
