@@ -19,6 +19,13 @@ struct UnfoldedCrossing {
   double aside;  ///< and beyond the edge
   PlanePoint at_left;
   PlanePoint at_right;
+
+  /// The third corner, in the plane of the two ends.
+  PlanePoint apex() const {
+    const double ux = at_right[0] - at_left[0];
+    const double uy = at_right[1] - at_left[1];
+    return {at_left[0] + ux * along - uy * aside, at_left[1] + uy * along + ux * aside};
+  }
 };
 
 /// Source, target, and each vertex at which the line bends. The crossings up to `last` are unfolded into the

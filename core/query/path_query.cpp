@@ -9,6 +9,7 @@
 #include "index/local_tables.h"
 #include "mesh/face_distance.h"
 #include "query/exact_pair.h"
+#include "query/path_corridor.h"
 #include "query/path_ends.h"
 #include "query/path_hops.h"
 #include "query/path_refine.h"
@@ -25,15 +26,22 @@ constexpr double estimate_slack = 1.0 + 1e-3;
 /// Rounding of lengths summed along different ways.
 constexpr double rounding = 1e-9;
 /// A refined path that is this much longer (relative) than the index's distance has probably taken a wrong
-/// way: exact propagation decides. Measured: of the paths that are not shortest, what such ones add to the
-/// mean error is most of it, while few paths are concerned (docs/paths.md).
+/// way: exact propagation with the bounds of the index decides.
 constexpr double suspicious = 2e-4;
+/// Where to look for a shorter path beside the refined one: if it is longer than the index's distance by so
+/// much (relative) on an even surface, by less for each radian of roughness, but no less than that. Measured:
+/// on rough surfaces more paths have a shorter one close beside them, and the index's distance is itself
+/// longer (docs/paths.md).
+constexpr double doubtful_if_even = 1.2e-4;
+constexpr double doubtful_by_roughness = 1.5e-2;
+constexpr double least_doubtful = -1.5e-4;
+/// Such shorter paths hardly ever leave so many rings of vertices around the strip.
+constexpr int rings_beside = 2;
 
 /// A path and how it was found.
 struct Found {
   SurfacePath path;
-  bool certified = false;   ///< proven to be a shortest one
-  bool propagated = false;  ///< by exact propagation with the bounds of the index
+  bool certified = false;  ///< proven to be a shortest one
 };
 
 }  // namespace
@@ -46,6 +54,7 @@ struct PathQuery::State {
         halo(*data.work.mesh, data.work.second_layer, data.second.patch_count),
         router(data),
         refiner(*data.geometry),
+        surroundings(*data.work.mesh),
         unfolder(data),
         bounds(data) {
     const Mesh& mesh = *data.work.mesh;
@@ -66,9 +75,11 @@ struct PathQuery::State {
   SurfacePath run(const PathEnd& from, const PathEnd& to, const ExactLimits& limits);
   SurfacePath path_nearby(const PathEnd& from, const PathEnd& to, double estimate);
   SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  SurfacePath path_beside(const PathEnd& from, const PathEnd& to, double length);
   SurfacePath shorter_path(const PathEnd& from, const PathEnd& to, double length, bool by_index);
   double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
-  Found path(const PathEnd& from, const PathEnd& to);
+  void improve(const PathEnd& from, const PathEnd& to, double expected, Found& found);
+  Found path(const PathEnd& from, const PathEnd& to, bool thorough);
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -76,6 +87,7 @@ struct PathQuery::State {
   Halo halo;
   Router router;
   PathRefiner refiner;
+  PathCorridor surroundings;
   FaceStrip strip;
   RouteUnfolder unfolder;
   RemainingBounds bounds;
@@ -163,6 +175,14 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
   });
 }
 
+/// A path shorter than `length` in the faces around the one last refined; without points if there is none.
+SurfacePath PathQuery::State::path_beside(const PathEnd& from, const PathEnd& to, double length) {
+  ExactLimits limits;
+  limits.max_distance = length * (1.0 + rounding);
+  limits.face_allowed = surroundings.surround(refiner.line(), rings_beside);
+  return run(from, to, limits);
+}
+
 /// A path shorter than `length` by exact propagation; without points if there is none. `by_index`: within the
 /// bounds that the index gives.
 SurfacePath PathQuery::State::shorter_path(const PathEnd& from, const PathEnd& to, double length,
@@ -178,7 +198,23 @@ SurfacePath PathQuery::State::shorter_path(const PathEnd& from, const PathEnd& t
   return run(from, to, limits);
 }
 
-Found PathQuery::State::path(const PathEnd& from, const PathEnd& to) {
+/// Looks for a shorter path than the refined one where that may have taken a wrong way.
+void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, Found& found) {
+  const double doubtful = std::max(
+      least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner.line()));
+  if (found.path.length > expected * (1.0 + doubtful)) {
+    SurfacePath better = path_beside(from, to, found.path.length);
+    if (better.length < found.path.length) found.path = std::move(better);
+  }
+  if (found.path.length > expected * (1.0 + suspicious)) {
+    found.certified = branches;
+    SurfacePath better = shorter_path(from, to, found.path.length, !branches);
+    if (better.length < found.path.length) found.path = std::move(better);
+  }
+}
+
+/// `thorough`: also look for shorter paths than the first one found.
+Found PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
   Found found;
   const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
   const double estimate = (from.beside + way.length + to.beside) * estimate_slack;
@@ -191,11 +227,8 @@ Found PathQuery::State::path(const PathEnd& from, const PathEnd& to) {
       // The tables did not lead all the way: exact, within the length that the graph gives.
       found.certified = true;
       found.path = shorter_path(from, to, estimate, false);
-    } else if (found.path.length > expected_length(from, to, way) * (1.0 + suspicious)) {
-      found.certified = branches;
-      found.propagated = true;
-      SurfacePath better = shorter_path(from, to, found.path.length, !branches);
-      if (better.length < found.path.length) found.path = std::move(better);
+    } else if (thorough) {
+      improve(from, to, expected_length(from, to, way), found);
     }
   }
   if (found.path.points.empty()) {
@@ -214,7 +247,7 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   none.length = unreachable;
   if (!state.connected(s, t)) return none;
   if (position_of(*state.data.mesh, s) == position_of(*state.data.mesh, t)) return {{s, t}, 0.0};
-  return user_path(state.data, state.path(path_end(state.data, s), path_end(state.data, t)).path);
+  return user_path(state.data, state.path(path_end(state.data, s), path_end(state.data, t), true).path);
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
@@ -227,9 +260,9 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (!state.connected(s, t)) return result;
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  Found found = state.path(from, to);
+  Found found = state.path(from, to, false);
   result.certified = found.certified;
-  if (!found.certified && (certify || !found.propagated)) {
+  if (!found.certified) {
     result.certified = certify || state.branches;
     SurfacePath better = state.shorter_path(from, to, found.path.length, !result.certified);
     if (better.length < found.path.length) found.path = std::move(better);
