@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
-#include <unordered_map>
+#include <vector>
 
 namespace vorogeo {
 
@@ -92,6 +92,7 @@ class HopWalker {
       bool operator<(const Entry& other) const { return key > other.key; }
     };
     struct Reached {
+      Index vertex;
       double distance;
       Index before;
       Index face;
@@ -101,30 +102,38 @@ class HopWalker {
       const Point& p = mesh_.position(v);
       return std::hypot(p[0] - end[0], p[1] - end[1], p[2] - end[2]);
     };
-    std::unordered_map<Index, Reached> reached{{start, {0.0, no_index, no_index}}};
+    std::vector<Reached> reached{{start, 0.0, no_index, no_index}};  // few, so that searching them is fast
+    auto find = [&](Index v) { return std::ranges::find(reached, v, &Reached::vertex); };
     std::priority_queue<Entry> queue;
     queue.push({straight(start), start});
     while (!queue.empty()) {
       const auto [key, vertex] = queue.top();
       queue.pop();
       if (vertex == goal) break;
-      const double at = reached.at(vertex).distance;
+      const double at = find(vertex)->distance;
       if (key > (at + straight(vertex)) * (1.0 + 1e-12)) continue;
       for (Index corner : mesh_.corners(vertex)) {
         for (Index side : {corner, Mesh::previous_in_face(corner)}) {
           const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
           const double there = at + mesh_.edge_length(mesh_.edge_of(side));
-          const auto known = reached.find(other);
-          if (known != reached.end() && known->second.distance <= there) continue;
-          reached[other] = {there, vertex, Mesh::face_of(side)};
+          const auto known = find(other);
+          if (known == reached.end()) {
+            reached.push_back({other, there, vertex, Mesh::face_of(side)});
+          } else if (known->distance <= there) {
+            continue;
+          } else {
+            *known = {other, there, vertex, Mesh::face_of(side)};
+          }
           queue.push({there + straight(other), other});
         }
       }
     }
-    if (!reached.contains(goal)) return false;
+    if (find(goal) == reached.end()) return false;
     const std::size_t first = passed.size();
-    for (Index v = goal; v != start; v = reached.at(v).before) {
-      passed.push_back({reached.at(v).face, no_index, no_index, reached.at(v).before});
+    for (Index v = goal; v != start;) {
+      const Reached& last = *find(v);
+      passed.push_back({last.face, no_index, no_index, last.before});
+      v = last.before;
     }
     std::reverse(passed.begin() + static_cast<std::ptrdiff_t>(first), passed.end());
     return true;

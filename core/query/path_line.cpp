@@ -53,6 +53,14 @@ void PathLine::assign(const FaceStrip& strip) {
   std::swap(joints_, next_joints_);
 }
 
+void PathLine::assign(const PathLine& other) {
+  source_ = other.source_;
+  target_ = other.target_;
+  first_face_ = other.first_face_;
+  crossings_ = other.crossings_;
+  joints_ = other.joints_;
+}
+
 double PathLine::length() const {
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {

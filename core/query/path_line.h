@@ -49,6 +49,8 @@ class PathLine {
  public:
   explicit PathLine(const ExactGeometry& geometry) : geometry_(&geometry) {}
 
+  /// Takes over the line of another one on the same mesh.
+  void assign(const PathLine& other);
   /// Takes over a strip and pulls the line tight. Complexity: O(faces).
   void assign(const FaceStrip& strip);
 

@@ -32,8 +32,8 @@ constexpr double suspicious = 2e-4;
 /// much (relative) on an even surface, by less for each radian of roughness, but no less than that. Measured:
 /// on rough surfaces more paths have a shorter one close beside them, and the index's distance is itself
 /// longer (docs/paths.md).
-constexpr double doubtful_if_even = 1.2e-4;
-constexpr double doubtful_by_roughness = 1.5e-2;
+constexpr double doubtful_if_even = 2e-4;
+constexpr double doubtful_by_roughness = 1.8e-2;
 constexpr double least_doubtful = -1.5e-4;
 /// Such shorter paths hardly ever leave so many rings of vertices around the strip.
 constexpr int rings_beside = 2;

@@ -113,7 +113,7 @@ bool PathRefiner::try_other_sides() {
   if (candidates_.empty()) return false;
   std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
   const double length = line_.length();
-  shortest_ = line_;
+  shortest_.assign(line_);
   for (const Candidate& candidate : candidates_) {
     if (static_cast<int>(tried_.size()) >= most_trials) break;
     tried_.push_back(candidate.beside.vertex);
@@ -121,7 +121,7 @@ bool PathRefiner::try_other_sides() {
       straighten();
       if (line_.length() < length * (1.0 - least_gain)) return true;
     }
-    line_ = shortest_;
+    line_.assign(shortest_);
   }
   return false;
 }

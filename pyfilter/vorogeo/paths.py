@@ -160,7 +160,7 @@ class Paths:
         """
         return self._find_paths(source, target, True, bool(certify), progress)
 
-    def prepare_exact_paths(self, landmarks: int = 16, progress: ProgressFunction | bool | None = None) -> int:
+    def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
         """Make all later exact paths with a proof faster, by exact distance fields of a few vertices.
 
         The differences of these distances bound those of all pairs from below, much closer than straight lines in space
@@ -168,7 +168,7 @@ class Paths:
 
         Parameters
         ----------
-        landmarks : int, default 16
+        landmarks : int, default 32
             Number of vertices, 1 to 32, spread over the component with most vertices.
         progress : callable or bool, optional
             As for `path`.

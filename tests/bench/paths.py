@@ -121,7 +121,7 @@ def main() -> int:
     parser.add_argument("--pairs", type=int, default=10_000, help="pairs of each mesh (10000)")
     parser.add_argument("--threads", type=int, default=2, help="sources at a time (2)")
     parser.add_argument("--points", action="store_true", help="between points in faces instead of vertices")
-    parser.add_argument("--landmarks", type=int, default=16, help="of prepared exact paths (16)")
+    parser.add_argument("--landmarks", type=int, default=32, help="of prepared exact paths (32)")
     parser.add_argument("--write", action="store_true", help="put the table into docs/paths.md")
     options = parser.parse_args()
     print(HEADER, flush=True)
