@@ -147,7 +147,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
     data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.98));
-    data->approach_bounds = make_approach_bounds(data->first, data->node_table);
+    data->approach_bounds = make_approach_bounds(*data);
     data->graph = make_landmarks(data->second, data->first, progress.part(0.98, 1.0));
   } else {
     data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,

@@ -173,7 +173,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   if (form == IndexForm::tables) {
     load_layer(in, data->first);
     load_node_table(in, data->node_table, data->first);
-    data->approach_bounds = make_approach_bounds(data->first, data->node_table);
+    data->approach_bounds = make_approach_bounds(*data);
   } else {
     in.block<std::uint16_t>(0);
     in.block<float>(0);

@@ -2,9 +2,12 @@
 #include "query/table_route.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <limits>
 #include <utility>
 
+#include "support/bound_scans.h"
 #include "support/min_plus.h"
 #include "support/prefetch.h"
 
@@ -22,102 +25,123 @@ constexpr float rounding_slack = 1.000001f;
 
 }  // namespace
 
-/// The best pair of rows in one cell, if it is better than what is known.
-void TableRouter::look_into(const Candidate& candidate, Joint& best) {
+/// A length in units of the bounds between borders, rounded down.
+std::int16_t TableRouter::in_bounds(float length) const {
+  constexpr float greatest = 32767.0f;
+  const float unit = data_.approach_bounds.unit_between;
+  return static_cast<std::int16_t>(unit > 0.0f ? std::min(length * rounding_slack / unit, greatest)
+                                               : greatest);
+}
+
+/// The best pair of rows in one cell, if it is better than what is known; its rows are left open.
+void TableRouter::look_into(Approach& low, Approach& high, const Candidate& candidate, Joint& best) {
   const NodeTable& table = data_.node_table;
-  const auto i = static_cast<std::size_t>(candidate.source_group);
-  const auto j = static_cast<std::size_t>(candidate.target_group);
-  const GroupRows& source = from_.groups()[i];
-  const GroupRows& target = to_.groups()[j];
-  const float offset = table.least_from(source.group)[target.group];
+  const auto i = static_cast<std::size_t>(candidate.group[0]);
+  const auto j = static_cast<std::size_t>(candidate.group[1]);
+  const Index from = low.groups()[i].group;
+  const Index to = high.groups()[j].group;
+  const float unit = data_.approach_bounds.unit_between;
+  const float offset = table.least_from(from)[to];
   const float limit = best.length * rounding_slack;
-  from_.refine(i, limit - rest_of_source_[i]);
-  if (!(from_.least()[i] + offset + to_.least()[j] < limit)) return;
-  to_.refine(j, limit - rest_of_target_[j]);
-  if (!(from_.least()[i] + offset + to_.least()[j] < limit)) return;
+  // What is left of the least sum of a group after the way to it.
+  const auto rest = [unit](const Approach& end, std::size_t group, std::int16_t least) {
+    return unit * static_cast<float>(least - end.bounds_to_border()[group]);
+  };
+  low.refine(i, limit - rest(low, i, low_least_[i]));
+  if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
+  high.refine(j, limit - rest(high, j, high_least_[j]));
+  if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
   ++cells_;
-  const float* source_distance = from_.distances(i);
-  const float* target_distance = to_.distances(j);
-  const Index rows = table.size(source.group);
-  const Index columns = table.size(target.group);
-  const std::uint16_t* cell = table.cell(source.group, target.group);
-  const float least = least_in_cell(cell, rows, columns, source_distance, target_distance, table.unit);
+  const float least = offset + least_in_cell(table.cell(from, to), table.size(from), table.size(to),
+                                             low.distances(i), high.distances(j), table.unit);
   // Of equal sums the first, so that what was known before has no influence on the route.
-  const bool is_first = std::pair(i, j) < std::pair(best.source_group, best.target_group);
-  if (!(least + offset < best.length || (least + offset == best.length && is_first))) return;
-  // The sums again, to find where the least one is; they may be rounded in another way here.
+  const bool is_first = std::pair(i, j) < std::pair(best.group[0], best.group[1]);
+  if (!(least < best.length || (least == best.length && is_first))) return;
+  best = {least, {i, j}, {low.groups()[i].row, high.groups()[j].row}};
+}
+
+/// The sums of the best cell again, to find where the least one is; they may be rounded in another way here.
+void TableRouter::find_rows(const Approach& low, const Approach& high, Joint& best) const {
+  const NodeTable& table = data_.node_table;
+  const GroupRows& from = low.groups()[best.group[0]];
+  const GroupRows& to = high.groups()[best.group[1]];
+  const float* before = low.distances(best.group[0]);
+  const float* beyond = high.distances(best.group[1]);
+  const std::uint16_t* entry = table.cell(from.group, to.group);
   float found = infinite;
-  for (Index row = 0; row < rows; ++row) {
-    for (Index column = 0; column < columns; ++column) {
-      const std::uint16_t entry = cell[row * columns + column];
-      if (entry == NodeTable::no_way) continue;
-      const float sum =
-          source_distance[row] + table.unit * static_cast<float>(entry) + target_distance[column];
+  for (Index i = 0; i < table.size(from.group); ++i) {
+    for (Index j = 0; j < table.size(to.group); ++j, ++entry) {
+      if (*entry == NodeTable::no_way) continue;
+      const float sum = before[i] + table.unit * static_cast<float>(*entry) + beyond[j];
       if (!(sum < found)) continue;
       found = sum;
-      best.source_row = source.row + row;
-      best.target_row = target.row + column;
+      best.row[0] = from.row + i;
+      best.row[1] = to.row + j;
     }
   }
-  best.source_group = i;
-  best.target_group = j;
-  best.length = least + offset;
 }
 
 /// The best pair of rows for the two approaches; without rows if none is shorter than `length`.
-TableRouter::Joint TableRouter::join(float length) {
+TableRouter::Joint TableRouter::join(Approach& low, Approach& high, float length) {
   const NodeTable& table = data_.node_table;
-  const auto sources = from_.groups();
-  const auto targets = to_.groups();
-  const auto width = static_cast<Index>(targets.size());
-  sums_.resize(sources.size() * targets.size());
-  row_least_.resize(sources.size());
-  rest_of_source_.resize(sources.size());
-  rest_of_target_.assign(targets.size(), infinite);
-  std::size_t lowest = 0;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    const float* least = table.least_from(sources[i].group);
-    float* sums = sums_.data() + i * targets.size();
-    row_least_[i] = infinite;
-    for (const Approach::Run& run : to_.runs()) {
-      const Index j = run.begin;
-      row_least_[i] = std::min(row_least_[i],
-                               add_bounds(from_.least()[i], least + targets[j].group, to_.least().data() + j,
-                                          run.end - run.begin, sums + j, rest_of_target_.data() + j));
-    }
-    if (row_least_[i] < row_least_[lowest]) lowest = i;
-  }
+  const ApproachBounds& bounds = data_.approach_bounds;
+  const auto rows = static_cast<Index>(low.groups().size());
+  const auto columns = static_cast<Index>(high.groups().size());
+  const Index width = bounds.width(high.parent());
+  const std::int16_t* between = bounds.between(low.parent(), high.parent());
+  const std::int16_t* to_low = low.bounds_to_border().data();
+  const std::int16_t* to_high = high.bounds_to_border().data();
   Joint best{length};
-  if (sources.empty() || !(row_least_[lowest] < best.length * rounding_slack)) return best;
-  // What is left of a sum after the way to the group.
-  for (std::size_t i = 0; i < sources.size(); ++i) rest_of_source_[i] = row_least_[i] - from_.least()[i];
-  for (std::size_t j = 0; j < targets.size(); ++j) rest_of_target_[j] -= to_.least()[j];
-  const float* row = sums_.data() + lowest * targets.size();
-  look_into({row_least_[lowest], static_cast<Index>(lowest),
-             static_cast<Index>(std::min_element(row, row + width) - row)},
-            best);
-  candidates_.clear();
-  const float most = best.length * rounding_slack;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (!(row_least_[i] < most)) continue;
-    const float* sums = sums_.data() + i * targets.size();
-    for (Index j = 0; j < width; ++j) {
-      if (!(sums[j] < most)) continue;
-      candidates_.push_back({sums[j], static_cast<Index>(i), j});
-      // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
-      const auto* cell = reinterpret_cast<const char*>(table.cell(sources[i].group, targets[j].group));
-      for (int line : {0, 64, 127}) prefetch_line(cell + line);
-      from_.prefetch(i);
-      to_.prefetch(j);
+  if (rows == 0 || columns == 0) return best;
+  low_least_.resize(rows);
+  high_least_.resize(width);
+  within_.resize(width);
+  least_short_sums(to_low, between, to_high, rows, width, low_least_.data(), high_least_.data());
+  const auto lowest = static_cast<Index>(std::ranges::min_element(low_least_) - low_least_.begin());
+  std::int16_t most = in_bounds(best.length);
+  if (low_least_[lowest] > most) return best;
+  // Calls visit(column, bound) where a row has a sum of at most `most`.
+  const auto for_each_within = [&](Index row, std::int16_t limit, auto&& visit) {
+    const std::int16_t* of_row = between + static_cast<std::size_t>(row) * width;
+    short_sums_within(of_row, to_high, width, static_cast<std::int16_t>(limit - to_low[row]), within_.data());
+    for (Index begin = 0; begin < columns; begin += sizeof(std::uint64_t)) {
+      std::uint64_t flags;
+      std::memcpy(&flags, within_.data() + begin, sizeof(flags));
+      for (; flags != 0; flags &= flags - 1) {
+        const Index column = begin + std::countr_zero(flags) / 8;
+        if (column >= columns) break;
+        visit(static_cast<std::int16_t>(column),
+              static_cast<std::int16_t>(to_low[row] + of_row[column] + to_high[column]));
+      }
     }
+  };
+  Candidate likely{low_least_[lowest], {static_cast<std::int16_t>(lowest), 0}};
+  for_each_within(lowest, low_least_[lowest], [&](std::int16_t column, std::int16_t) {
+    likely.group[1] = std::max(likely.group[1], column);
+  });
+  look_into(low, high, likely, best);
+  candidates_.clear();
+  most = in_bounds(best.length);
+  for (Index row = 0; row < rows; ++row) {
+    if (low_least_[row] > most) continue;
+    low.prefetch(row);
+    for_each_within(row, most, [&](std::int16_t column, std::int16_t bound) {
+      candidates_.push_back({bound, {static_cast<std::int16_t>(row), column}});
+      // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
+      const auto* cell =
+          reinterpret_cast<const char*>(table.cell(low.groups()[row].group, high.groups()[column].group));
+      for (int line : {0, 64, 127}) prefetch_line(cell + line);
+      high.prefetch(column);
+    });
   }
   // The most promising first: they save others.
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
   const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
   std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
   for (const Candidate& candidate : candidates_) {
-    if (candidate.bound < best.length * rounding_slack) look_into(candidate, best);
+    if (candidate.bound <= in_bounds(best.length)) look_into(low, high, candidate, best);
   }
+  if (best.row[0] != no_index) find_rows(low, high, best);
   return best;
 }
 
@@ -131,8 +155,11 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     from_.start(source, source_parent);
     for (Index target_parent : target.parents) {
       to_.start(target, target_parent);
-      const Joint best = join(length);
-      if (best.source_row == no_index) continue;
+      // The bounds between borders are kept for patches in the order of their numbers.
+      const std::size_t at_source = source_parent <= target_parent ? 0 : 1;
+      const Joint best = at_source == 0 ? join(from_, to_, length) : join(to_, from_, length);
+      if (best.row[0] == no_index) continue;
+      const std::size_t at_target = 1 - at_source;
       found = true;
       length = best.length;
       result.length = static_cast<double>(best.length);
@@ -147,10 +174,10 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       auto second_node = [&](Index parent, Index row) {
         return data_.second.vertex_node[first.node_vertex[first.nodes(parent)[row]]];
       };
-      visit(source.starts[from_.start_of(best.source_group, best.source_row)].node, no_index);
-      visit(second_node(source_parent, best.source_row), -1 - source_parent);
-      visit(second_node(target_parent, best.target_row), by_node_table);
-      visit(target.starts[to_.start_of(best.target_group, best.target_row)].node, -1 - target_parent);
+      visit(source.starts[from_.start_of(best.group[at_source], best.row[at_source])].node, no_index);
+      visit(second_node(source_parent, best.row[at_source]), -1 - source_parent);
+      visit(second_node(target_parent, best.row[at_target]), by_node_table);
+      visit(target.starts[to_.start_of(best.group[at_target], best.row[at_target])].node, -1 - target_parent);
     }
   }
   return found;

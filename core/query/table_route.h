@@ -1,6 +1,7 @@
 // Routes between far points, read from the tables: border, first-layer border, the same at the other end.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "query/approach.h"
@@ -24,30 +25,30 @@ class TableRouter {
   std::size_t cells() const { return cells_; }
 
  private:
-  /// What joins two approaches best.
+  /// What joins two approaches best: groups and rows at the side of a first-layer patch and at that of one
+  /// with the same or a greater number.
   struct Joint {
     float length;
-    std::size_t source_group = 0;
-    std::size_t target_group = 0;
-    Index source_row = no_index;
-    Index target_row = no_index;
+    std::size_t group[2] = {0, 0};
+    Index row[2] = {no_index, no_index};
   };
   struct Candidate {
-    float bound;
-    Index source_group;
-    Index target_group;
+    std::int16_t bound;
+    std::int16_t group[2];
   };
 
-  Joint join(float length);
-  void look_into(const Candidate& candidate, Joint& best);
+  Joint join(Approach& low, Approach& high, float length);
+  void look_into(Approach& low, Approach& high, const Candidate& candidate, Joint& best);
+  void find_rows(const Approach& low, const Approach& high, Joint& best) const;
+  std::int16_t in_bounds(float length) const;
 
   const IndexData& data_;
   Approach from_;
   Approach to_;
-  std::vector<float> sums_;
-  std::vector<float> row_least_;  ///< least of the sums, by group of the source
-  std::vector<float> rest_of_source_;
-  std::vector<float> rest_of_target_;
+  // Bounds between the borders: the least sum of each group of either side.
+  std::vector<std::int16_t> low_least_;
+  std::vector<std::int16_t> high_least_;
+  std::vector<std::uint8_t> within_;
   std::vector<Candidate> candidates_;
   std::size_t cells_ = 0;
 };

@@ -91,33 +91,6 @@ void lower_by_entries(const std::uint16_t* entries, float unit, float base, Inde
 }
 
 VOROGEO_CLONES
-void least_bounds(const std::uint8_t* const* bounds, const std::uint8_t* base, Index lines, Index columns,
-                  std::uint8_t* least, std::int16_t* best) {
-  constexpr Index width = bounds_at_once;
-  constexpr std::int16_t greatest = 255;
-  for (Index begin = 0; begin < columns; begin += width) {
-    std::int16_t lowest[width];
-    std::int16_t at[width];
-    for (Index k = 0; k < width; ++k) {
-      lowest[k] = greatest;
-      at[k] = 0;
-    }
-    for (Index line = 0; line < lines; ++line) {
-      std::uint8_t of_line[width];
-      std::memcpy(of_line, bounds[line] + begin, sizeof(of_line));
-      for (Index k = 0; k < width; ++k) {
-        const auto sum = static_cast<std::int16_t>(base[line] + of_line[k]);
-        const bool lower = sum < lowest[k];
-        lowest[k] = lower ? sum : lowest[k];
-        at[k] = lower ? static_cast<std::int16_t>(line) : at[k];
-      }
-    }
-    for (Index k = 0; k < width; ++k) least[begin + k] = static_cast<std::uint8_t>(lowest[k]);
-    std::memcpy(best + begin, at, sizeof(at));
-  }
-}
-
-VOROGEO_CLONES
 void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Index lines, float unit,
                      Index columns, float* least) {
   constexpr Index width = 8;
@@ -136,9 +109,9 @@ void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Ind
   for (Index line = 0; line < lines; ++line) {
     Entries entry;
     std::memcpy(&entry, entries[line], sizeof(entry));
-    const Floats through = base[line] + unit * __builtin_convertvector(entry, Floats);
-    const auto usable = __builtin_convertvector(entry != no_way_entry, Masks);
-    lane = usable & (through < lane) ? through : lane;
+    const Masks wide = __builtin_convertvector(entry, Masks);
+    const Floats through = base[line] + unit * __builtin_convertvector(wide, Floats);
+    lane = (wide != no_way_entry) & (through < lane) ? through : lane;
   }
   std::memcpy(least, &lane, sizeof(lane));
 }
@@ -162,59 +135,34 @@ float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const 
 }
 
 VOROGEO_CLONES
-float add_bounds(float base, const float* between, const float* beyond, Index count, float* sums,
-                 float* least_of) {
-  constexpr Index width = 8;
-  Floats lane = Floats{} + std::numeric_limits<float>::infinity();
-  Index i = 0;
-  for (; i + width <= count; i += width) {
-    Floats sum;
-    Floats last;
-    Floats lowered;
-    std::memcpy(&sum, between + i, sizeof(sum));
-    std::memcpy(&last, beyond + i, sizeof(last));
-    std::memcpy(&lowered, least_of + i, sizeof(lowered));
-    sum = base + sum + last;
-    lowered = sum < lowered ? sum : lowered;
-    lane = sum < lane ? sum : lane;
-    std::memcpy(sums + i, &sum, sizeof(sum));
-    std::memcpy(least_of + i, &lowered, sizeof(lowered));
-  }
-  float least = std::numeric_limits<float>::infinity();
-  for (; i < count; ++i) {
-    const float sum = base + between[i] + beyond[i];
-    sums[i] = sum;
-    least_of[i] = sum < least_of[i] ? sum : least_of[i];
-    least = sum < least ? sum : least;
-  }
-  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
-  return least;
-}
-
-VOROGEO_CLONES
 float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,
                     float unit) {
   constexpr float infinite = std::numeric_limits<float>::infinity();
   constexpr Index width = 8;
-  float lane[width];
-  for (float& value : lane) value = infinite;
-  for (Index row = 0; row < rows; ++row) {
-    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
-    if (columns == width) {
-      for (Index k = 0; k < width; ++k) {
-        const float sum = (from[row] + unit * static_cast<float>(entries[k])) + to[k];
-        const bool lower = (entries[k] != no_way_node) & (sum < lane[k]);
-        lane[k] = lower ? sum : lane[k];
-      }
-    } else {
+  float least = infinite;
+  if (columns != width) {
+    for (Index row = 0; row < rows; ++row) {
+      const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
       for (Index k = 0; k < columns; ++k) {
         const float sum = (from[row] + unit * static_cast<float>(entries[k])) + to[k];
-        if (entries[k] != no_way_node && sum < lane[0]) lane[0] = sum;
+        if (entries[k] != no_way_node && sum < least) least = sum;
       }
     }
+    return least;
   }
-  float least = lane[0];
-  for (Index k = 1; k < width; ++k) least = lane[k] < least ? lane[k] : least;
+  Floats lane = Floats{} + infinite;
+  for (Index row = 0; row < rows; ++row) {
+    Entries entry;
+    std::memcpy(&entry, cell + static_cast<std::size_t>(row) * width, sizeof(entry));
+    const Masks wide = __builtin_convertvector(entry, Masks);
+    const Floats sum = from[row] + unit * __builtin_convertvector(wide, Floats);
+    lane = (wide != no_way_node) & (sum < lane) ? sum : lane;
+  }
+  // The last part is the same for all rows.
+  Floats last;
+  std::memcpy(&last, to, sizeof(last));
+  lane += last;
+  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
   return least;
 }
 

@@ -36,13 +36,6 @@ void lower_by_entries(const std::uint16_t* entries, float unit, float base, Inde
 void lower_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
                    float* least, Index* best);
 
-/// For sums of 8 bits that end at 255: the least base[k] + bounds[k][column] over the lines k, and the first
-/// line that has it; 255 and line 0 where none is less. Columns are taken bounds_at_once at a time: so many,
-/// rounded up, are read of each line and written to `least` and `best`.
-inline constexpr Index bounds_at_once = 32;
-void least_bounds(const std::uint8_t* const* bounds, const std::uint8_t* base, Index lines, Index columns,
-                  std::uint8_t* least, std::int16_t* best);
-
 /// Lowers least[0 .. columns) by base[k] + unit * entries[k][column] over the lines k; `columns` is at
 /// most 8.
 void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Index lines, float unit,
@@ -69,11 +62,6 @@ void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count
 /// with best = first_name + row where that is lower. Returns the greatest of the least.
 float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
                     float unit, Index first_name, float* least, Index* best);
-
-/// sums[i] = base + between[i] + beyond[i], and least_of[i] is lowered to that. Returns the least of the
-/// sums; infinity for none.
-float add_bounds(float base, const float* between, const float* beyond, Index count, float* sums,
-                 float* least_of);
 
 /// Least from[row] + unit * cell[columns row + column] + to[column]; infinity for none.
 float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,

@@ -30,24 +30,66 @@ float plain_distance(const IndexData& data, const RouteEnd& end, Index parent, I
 TEST(ApproachBounds, AreBelowTheEntriesByLessThanAStep) {
   const auto index = test::make_index(test::hills(32, 0.2), 5, 4);
   const IndexData& data = index->data();
-  for (Index p = 0; p < data.first.patch_count; ++p) {
-    const auto& groups = data.approach_bounds.groups[p];
+  for (Index p = 0; p < data.second.patch_count; ++p) {
+    const Index parent = data.partition.parent[p];
+    const auto& groups = data.approach_bounds.groups[parent];
+    const std::uint8_t* bound = data.approach_bounds.of_patch(p);
     Index rows = 0;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      EXPECT_EQ(groups[g].row, rows) << "the groups are all rows, in their order";
-      const Index size = data.node_table.size(groups[g].group);
+    for (const GroupRows& at : groups) {
+      EXPECT_EQ(at.row, rows) << "the groups are all rows, in their order";
+      const Index size = data.node_table.size(at.group);
       rows += size;
-      for (Index column = 0; column < data.first.member_count(p); ++column) {
+      for (const Index node : data.second.nodes(p)) {
+        const auto members = data.first.members(parent);
+        const auto column =
+            static_cast<Index>(std::ranges::find(members, data.second.node_vertex[node]) - members.begin());
         int least = PatchLayer::no_way;
         for (Index i = 0; i < size; ++i) {
-          least = std::min<int>(least, data.first.entry(p, groups[g].row + i, column));
+          least = std::min<int>(least, data.first.entry(parent, at.row + i, column));
         }
-        const int bound = data.approach_bounds.of_member(p, column)[g] * ApproachBounds::step;
-        EXPECT_LE(bound, least);
-        EXPECT_GT(bound + ApproachBounds::step, least);
+        EXPECT_LE(*bound * ApproachBounds::step, least);
+        EXPECT_GT((*bound + 1) * ApproachBounds::step, least);
+        ++bound;
       }
     }
-    EXPECT_EQ(rows, data.first.border_size(p));
+    EXPECT_EQ(rows, data.first.border_size(parent));
+  }
+}
+
+TEST(ApproachBounds, BetweenBordersAreBelowTheLeastDistances) {
+  const test::Soup two = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
+  for (const test::Soup& soup : {test::hills(32, 0.2), two}) {
+    const auto index = test::make_index(soup, 5, 4);
+    const IndexData& data = index->data();
+    const ApproachBounds& bounds = data.approach_bounds;
+    for (Index q = 0; q < data.first.patch_count; ++q) {
+      for (Index p = 0; p <= q; ++p) {
+        for (std::size_t i = 0; i < bounds.groups[p].size(); ++i) {
+          const std::int16_t* row = bounds.between(p, q) + i * bounds.width(q);
+          for (Index j = 0; j < bounds.width(q); ++j) {
+            if (j >= static_cast<Index>(bounds.groups[q].size())) {
+              EXPECT_EQ(row[j], ApproachBounds::greatest_between);
+              continue;
+            }
+            float least = infinite;
+            const Index from = bounds.groups[p][i].group;
+            const Index to = bounds.groups[q][j].group;
+            for (Index a = 0; a < data.node_table.size(from); ++a) {
+              for (Index b = 0; b < data.node_table.size(to); ++b) {
+                least = std::min(least, data.node_table.distance(data.node_table.group_begin[from] + a,
+                                                                 data.node_table.group_begin[to] + b));
+              }
+            }
+            if (least == infinite) {
+              EXPECT_EQ(row[j], ApproachBounds::greatest_between);
+            } else {
+              EXPECT_LE(bounds.unit_between * static_cast<float>(row[j]), least * 1.0000005F);
+              EXPECT_GE(bounds.unit_between * (static_cast<float>(row[j]) + 1.001F), least);
+            }
+          }
+        }
+      }
+    }
   }
 }
 
@@ -74,6 +116,8 @@ TEST(Approach, TheLeastSumsUpToTheLimit) {
             const auto first = expected.begin() + at.row;
             const float least = *std::min_element(first, first + size);
             EXPECT_LE(approach.least()[g], least * 1.00001f);
+            const auto in_units = static_cast<float>(approach.bounds_to_border()[g]);
+            EXPECT_LE(in_units * data.approach_bounds.unit_between, approach.least()[g] * 1.000001f);
             approach.refine(g, limit);
             if (least < limit) {
               EXPECT_NEAR(approach.least()[g], least, 1e-5f * least);

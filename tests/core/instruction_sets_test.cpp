@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "index/crossing_gains.h"
+#include "support/bound_scans.h"
 #include "support/min_plus.h"
 
 namespace vorogeo_scalar {
@@ -22,6 +23,11 @@ void least_tile_sums(const std::int16_t*, const std::uint16_t*, Index, std::int1
 float lower_by_cell(const std::uint16_t*, Index, Index, const float*, float, float, Index, float*, Index*);
 float least_in_cell(const std::uint16_t*, Index, Index, const float*, const float*, float);
 void crossing_gains(const Crossings&, float, float*);
+void least_byte_sums(const std::uint8_t*, Index, Index, const std::uint8_t*, Index, std::uint8_t*);
+void byte_sums_within(const std::uint8_t*, const std::uint8_t*, Index, std::uint8_t, std::uint8_t*);
+void least_short_sums(const std::int16_t*, const std::int16_t*, const std::int16_t*, Index, Index,
+                      std::int16_t*, std::int16_t*);
+void short_sums_within(const std::int16_t*, const std::int16_t*, Index, std::int16_t, std::uint8_t*);
 }  // namespace vorogeo_scalar
 
 namespace vorogeo {
@@ -153,6 +159,46 @@ TEST(InstructionSets, CrossingGainsAgreeWithinRounding) {
     int different = 0;
     for (Index k = 0; k < Crossings::capacity; ++k) different += std::abs(one[k] - two[k]) > 1e-4F ? 1 : 0;
     EXPECT_LE(different, 1) << "seed " << seed;
+  }
+}
+
+TEST(InstructionSets, BoundScansAgreeToTheLastBit) {
+  for (Index lanes : {32, 64, 128}) {
+    for (Index rows : {1, 5, 60}) {
+      Input input(lanes + rows);
+      const auto bytes = [&](Index count) {
+        std::vector<std::uint8_t> result(count);
+        for (auto& byte : result) byte = static_cast<std::uint8_t>(input.random() % 256);
+        return result;
+      };
+      const auto shorts = [&](Index count, unsigned most) {
+        std::vector<std::int16_t> result(count);
+        for (auto& value : result) value = static_cast<std::int16_t>(input.random() % most);
+        return result;
+      };
+      const auto bounds = bytes(lanes * rows);
+      const auto base = bytes(lanes);
+      std::vector<std::uint8_t> least(rows), other_least(rows), within(lanes), other_within(lanes);
+      least_byte_sums(bounds.data(), rows, lanes, base.data(), lanes, least.data());
+      vorogeo_scalar::least_byte_sums(bounds.data(), rows, lanes, base.data(), lanes, other_least.data());
+      EXPECT_EQ(least, other_least);
+      byte_sums_within(bounds.data(), base.data(), lanes, 200, within.data());
+      vorogeo_scalar::byte_sums_within(bounds.data(), base.data(), lanes, 200, other_within.data());
+      EXPECT_EQ(within, other_within);
+
+      const auto near = shorts(rows, 8192);
+      const auto far = shorts(lanes, 8192);
+      const auto between = shorts(lanes * rows, 16384);
+      std::vector<std::int16_t> of_row(rows), other_of_row(rows), of_column(lanes), other_of_column(lanes);
+      least_short_sums(near.data(), between.data(), far.data(), rows, lanes, of_row.data(), of_column.data());
+      vorogeo_scalar::least_short_sums(near.data(), between.data(), far.data(), rows, lanes,
+                                       other_of_row.data(), other_of_column.data());
+      EXPECT_EQ(of_row, other_of_row);
+      EXPECT_EQ(of_column, other_of_column);
+      short_sums_within(between.data(), far.data(), lanes, 9000, within.data());
+      vorogeo_scalar::short_sums_within(between.data(), far.data(), lanes, 9000, other_within.data());
+      EXPECT_EQ(within, other_within);
+    }
   }
 }
 

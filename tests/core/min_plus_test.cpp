@@ -138,37 +138,6 @@ TEST(MinPlus, TileSumsOfSomeRows) {
   }
 }
 
-TEST(MinPlus, BoundsOfEightBits) {
-  std::mt19937 random(3);
-  for (Index columns : {1, 7, 31, 32, 33, 64, 90}) {
-    for (Index lines : {0, 1, 2, 40, 300}) {
-      const Index padded = (columns + bounds_at_once - 1) / bounds_at_once * bounds_at_once;
-      std::vector<std::uint8_t> bounds(static_cast<std::size_t>(lines) * padded);
-      for (auto& bound : bounds) bound = static_cast<std::uint8_t>(random() % 256);
-      std::vector<std::uint8_t> base(lines);
-      std::vector<const std::uint8_t*> line(lines);
-      for (Index i = 0; i < lines; ++i) {
-        base[i] = static_cast<std::uint8_t>(random() % 256);
-        line[i] = bounds.data() + static_cast<std::size_t>(i) * padded;
-      }
-      std::vector<std::uint8_t> least(padded);
-      std::vector<std::int16_t> best(padded);
-      least_bounds(line.data(), base.data(), lines, columns, least.data(), best.data());
-      for (Index column = 0; column < columns; ++column) {
-        int expected = 255;
-        int expected_line = 0;
-        for (Index i = 0; i < lines; ++i) {
-          if (base[i] + line[i][column] >= expected) continue;
-          expected = base[i] + line[i][column];
-          expected_line = i;
-        }
-        EXPECT_EQ(least[column], expected);
-        EXPECT_EQ(best[column], expected_line);
-      }
-    }
-  }
-}
-
 TEST(MinPlus, PiecesOfLines) {
   for (Index columns = 1; columns <= 8; ++columns) {
     for (Index lines : {0, 1, 2, 9}) {
@@ -191,25 +160,6 @@ TEST(MinPlus, PiecesOfLines) {
         EXPECT_EQ(least[column], expected);
       }
     }
-  }
-}
-
-TEST(MinPlus, SumsOfBounds) {
-  for (Index count = 0; count < 70; ++count) {
-    Numbers between(count, 1 + count);
-    Numbers beyond(count, 100 + count);
-    Numbers lowered(count, 200 + count);
-    std::vector<float> before(lowered.data(), lowered.data() + count);
-    std::vector<float> sums(count);
-    const float least = add_bounds(0.5F, between.data(), beyond.data(), count, sums.data(), lowered.data());
-    float expected = infinite;
-    for (Index i = 0; i < count; ++i) {
-      const float sum = 0.5F + between[i] + beyond[i];
-      EXPECT_EQ(sums[i], sum);
-      EXPECT_EQ(lowered[i], std::min(before[i], sum));
-      expected = std::min(expected, sum);
-    }
-    EXPECT_EQ(least, expected);
   }
 }
 

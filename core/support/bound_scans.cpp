@@ -1,0 +1,128 @@
+// Vectors of fixed width, which become one or more registers of whatever instruction set is chosen.
+#include "support/bound_scans.h"
+
+#include <cstring>
+
+#include "support/clones.h"
+
+namespace vorogeo {
+
+namespace {
+
+using Bytes = std::uint8_t __attribute__((vector_size(32)));
+using HalfOfBytes = std::uint8_t __attribute__((vector_size(16)));
+using FewBytes = std::uint8_t __attribute__((vector_size(8)));
+using Shorts = std::int16_t __attribute__((vector_size(32)));
+using HalfOfShorts = std::int16_t __attribute__((vector_size(16)));
+using FewShorts = std::int16_t __attribute__((vector_size(8)));
+static_assert(sizeof(Bytes) == byte_lanes && sizeof(Shorts) == 2 * short_lanes);
+
+template <class Vector>
+inline __attribute__((always_inline)) void load(Vector& to, const void* from) {
+  std::memcpy(&to, from, sizeof(to));
+}
+
+/// Lowers the first half of `lanes` by the second one, and so on: the least one is left.
+template <class Half, class Quarter, class Vector>
+inline __attribute__((always_inline)) auto least_lane(const Vector& lanes) {
+  Half half[2];
+  std::memcpy(half, &lanes, sizeof(half));
+  half[0] = half[0] < half[1] ? half[0] : half[1];
+  Quarter quarter[2];
+  std::memcpy(quarter, &half[0], sizeof(quarter));
+  Quarter least = quarter[0] < quarter[1] ? quarter[0] : quarter[1];
+  // Lanes that a shift leaves empty are never compared with the first one.
+  for (unsigned bits = 32; bits >= 8 * sizeof(least[0]); bits /= 2) {
+    std::uint64_t word;
+    std::memcpy(&word, &least, sizeof(word));
+    word >>= bits;
+    Quarter shifted;
+    load(shifted, &word);
+    least = least < shifted ? least : shifted;
+  }
+  return least[0];
+}
+
+}  // namespace
+
+VOROGEO_CLONES
+void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
+                     Index lanes, std::uint8_t* least) {
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint8_t* of_row = bounds + static_cast<std::size_t>(row) * row_size;
+    Bytes lowest = ~Bytes{};
+    for (Index lane = 0; lane < lanes; lane += byte_lanes) {
+      Bytes from;
+      Bytes bound;
+      load(from, base + lane);
+      load(bound, of_row + lane);
+      // So that the sum ends at 255.
+      const Bytes room = ~from;
+      const Bytes sum = from + (bound < room ? bound : room);
+      lowest = sum < lowest ? sum : lowest;
+    }
+    least[row] = least_lane<HalfOfBytes, FewBytes>(lowest);
+  }
+}
+
+VOROGEO_CLONES
+void byte_sums_within(const std::uint8_t* bounds, const std::uint8_t* base, Index lanes, std::uint8_t limit,
+                      std::uint8_t* within) {
+  for (Index lane = 0; lane < lanes; lane += byte_lanes) {
+    Bytes from;
+    Bytes bound;
+    load(from, base + lane);
+    load(bound, bounds + lane);
+    const Bytes room = ~from;
+    const Bytes sum = from + (bound < room ? bound : room);
+    const Bytes found = reinterpret_cast<Bytes>(sum <= limit) & static_cast<std::uint8_t>(1);
+    std::memcpy(within + lane, &found, sizeof(found));
+  }
+}
+
+VOROGEO_CLONES
+void least_short_sums(const std::int16_t* base, const std::int16_t* between, const std::int16_t* beyond,
+                      Index rows, Index columns, std::int16_t* row_least, std::int16_t* column_least) {
+  const auto width = static_cast<std::size_t>(columns);
+  for (Index column = 0; column < columns; column += short_lanes) {
+    Shorts last;
+    load(last, beyond + column);
+    Shorts lowest = Shorts{} + std::int16_t{32767};
+    for (Index row = 0; row < rows; ++row) {
+      Shorts sum;
+      load(sum, between + row * width + column);
+      sum += base[row];
+      lowest = sum < lowest ? sum : lowest;
+    }
+    lowest += last;
+    std::memcpy(column_least + column, &lowest, sizeof(lowest));
+  }
+  for (Index row = 0; row < rows; ++row) {
+    Shorts lowest = Shorts{} + std::int16_t{32767};
+    for (Index column = 0; column < columns; column += short_lanes) {
+      Shorts sum;
+      Shorts last;
+      load(sum, between + row * width + column);
+      load(last, beyond + column);
+      sum += last;
+      lowest = sum < lowest ? sum : lowest;
+    }
+    row_least[row] = static_cast<std::int16_t>(base[row] + least_lane<HalfOfShorts, FewShorts>(lowest));
+  }
+}
+
+VOROGEO_CLONES
+void short_sums_within(const std::int16_t* between, const std::int16_t* beyond, Index columns,
+                       std::int16_t limit, std::uint8_t* within) {
+  for (Index column = 0; column < columns; column += short_lanes) {
+    Shorts sum;
+    Shorts last;
+    load(sum, between + column);
+    load(last, beyond + column);
+    const Shorts found = (sum + last) <= limit;
+    const HalfOfBytes flags = __builtin_convertvector(found, HalfOfBytes) & static_cast<std::uint8_t>(1);
+    std::memcpy(within + column, &flags, sizeof(flags));
+  }
+}
+
+}  // namespace vorogeo

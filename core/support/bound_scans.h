@@ -1,0 +1,36 @@
+// Scans over lower bounds, in small integers: the inner loops that choose which entries of the tables two
+// points need.
+#pragma once
+
+#include <cstdint>
+
+#include "support/types.h"
+
+namespace vorogeo {
+
+// Bounds of 8 bits, whose sums end at 255. `lanes` is a multiple of byte_lanes: so many are read, of rows of
+// bounds also beyond their end; a lane that is not used has the base 255.
+inline constexpr Index byte_lanes = 32;
+
+/// The least base[lane] + bounds[row_size row + lane] over the lanes, by row; 255 for none.
+void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
+                     Index lanes, std::uint8_t* least);
+
+/// Which lanes have base[lane] + bounds[lane] <= limit: 1 or 0, by lane.
+void byte_sums_within(const std::uint8_t* bounds, const std::uint8_t* base, Index lanes, std::uint8_t limit,
+                      std::uint8_t* within);
+
+// Bounds of 15 bits, of which three must not sum up to more than 32767. `columns` is a multiple of
+// short_lanes.
+inline constexpr Index short_lanes = 16;
+
+/// For the sums base[row] + between[columns row + column] + beyond[column]: the least of each row and of each
+/// column. \pre rows > 0
+void least_short_sums(const std::int16_t* base, const std::int16_t* between, const std::int16_t* beyond,
+                      Index rows, Index columns, std::int16_t* row_least, std::int16_t* column_least);
+
+/// Which columns have between[column] + beyond[column] <= limit: 1 or 0, by column.
+void short_sums_within(const std::int16_t* between, const std::int16_t* beyond, Index columns,
+                       std::int16_t limit, std::uint8_t* within);
+
+}  // namespace vorogeo
