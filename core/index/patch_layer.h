@@ -74,11 +74,20 @@ struct PatchLayer {
     const Index slot = border_begin[patch] + row;
     return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
   }
-  std::uint16_t entry(Index patch, Index row, Index column) const {
+  /// Where the entries of a member lie: that of `row` is first[row * step].
+  struct Column {
+    const std::uint16_t* first;
+    std::size_t step;
+  };
+  Column column_of(Index patch, Index column) const {
     const std::uint16_t* of_patch = table.data() + table_begin[patch];
     const auto rows = static_cast<std::size_t>(border_size(patch));
-    if (order == TableOrder::lines) return of_patch[column * rows + row];
-    return of_patch[(column / tile_width * rows + row) * tile_width + column % tile_width];
+    if (order == TableOrder::lines) return {of_patch + column * rows, 1};
+    return {of_patch + column / tile_width * rows * tile_width + column % tile_width, tile_width};
+  }
+  std::uint16_t entry(Index patch, Index row, Index column) const {
+    const Column entries = column_of(patch, column);
+    return entries.first[row * entries.step];
   }
   float to_distance(Index patch, std::uint16_t entry) const {
     return entry == no_way ? std::numeric_limits<float>::infinity() : unit[patch] * static_cast<float>(entry);

@@ -89,9 +89,8 @@ void Approach::start(const RouteEnd& end, Index parent) {
   std::uint8_t* const of_part = least_bound_.data() + count;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
-    const Index lanes = (part.rows + byte_lanes - 1) / byte_lanes * byte_lanes;
-    least_byte_sums(bounds.of_patch(part.patch), static_cast<Index>(count), part.rows,
-                    start_bound_.data() + part.begin, lanes, i == 0 ? least_bound_.data() : of_part);
+    least_byte_sums(bounds_of(part, 0), static_cast<Index>(count), part.rows,
+                    start_bound_.data() + part.begin, lanes_of(part), i == 0 ? least_bound_.data() : of_part);
     for (std::size_t g = 0; i > 0 && g < count; ++g) least_bound_[g] = std::min(least_bound_[g], of_part[g]);
   }
   least_.resize(count);
@@ -102,7 +101,6 @@ void Approach::start(const RouteEnd& end, Index parent) {
     if (parts_.empty()) continue;
     to_border_[g] = static_cast<std::int16_t>(std::min(least_[g] * per_unit, greatest_to_border));
   }
-  best_lane_.assign(count, no_index);
   refined_.assign(count, 0.0f);
   distance_.assign(table_rows_, infinite);
   vertex_ = end.vertex;
@@ -113,9 +111,8 @@ std::span<const Index> Approach::lanes_within(std::size_t group, std::uint8_t li
   flags_.resize(start_bound_.size());
   lanes_.resize(start_bound_.size());
   for (const Part& part : parts_) {
-    const Index lanes = (part.rows + byte_lanes - 1) / byte_lanes * byte_lanes;
-    byte_sums_within(data_.approach_bounds.of_patch(part.patch) + group * part.rows,
-                     start_bound_.data() + part.begin, lanes, limit, flags_.data() + part.begin);
+    byte_sums_within(bounds_of(part, group), start_bound_.data() + part.begin, lanes_of(part), limit,
+                     flags_.data() + part.begin);
   }
   std::size_t count = 0;
   for (std::size_t begin = 0; begin < flags_.size(); begin += sizeof(std::uint64_t)) {
@@ -130,39 +127,32 @@ std::span<const Index> Approach::lanes_within(std::size_t group, std::uint8_t li
   return {lanes_.data(), count};
 }
 
-void Approach::prefetch(std::size_t group) {
-  if (refined_[group] > 0.0f || best_lane_[group] != no_index || parts_.empty()) return;
-  const auto lanes = lanes_within(group, least_bound_[group]);
-  if (lanes.empty()) return;
-  best_lane_[group] = lanes.front();
-  prefetch_line(piece(lanes.front(), group));
+void Approach::prefetch(std::size_t group, float limit) {
+  if (parts_.empty() || limit <= refined_[group]) return;
+  for (const Index lane : lanes_within(group, in_bounds(limit))) prefetch_line(piece(lane, group));
 }
 
 void Approach::refine(std::size_t group, float limit) {
   if (parts_.empty() || !(least_[group] < limit) || limit <= refined_[group]) return;
   const GroupRows& at = groups()[group];
   const Index size = data_.node_table.size(at.group);
-  float* found = distance_.data() + at.row;
-  // From the best start first: most of the others are then known to be of no use.
-  prefetch(group);
-  const Index best = best_lane_[group];
-  if (best != no_index) {
-    const std::uint16_t* first_piece = piece(best, group);
-    lower_by_pieces(&first_piece, &start_distance_[best], 1, unit_, size, found);
+  // Eight rows at once: a smaller group is taken with rows beside it, whose distances may stay too long.
+  const Index columns = std::min(table_rows_, NodeTable::group_size);
+  const Index row = std::min(at.row, table_rows_ - columns);
+  const Index first = at.row - row;
+  for (const Part& part : parts_) {
+    for (Index begin = 0; begin < lanes_of(part); begin += most_lanes) {
+      const Index lane = part.begin + begin;
+      const StartLanes starts{start_distance_.data() + lane, start_bound_.data() + lane,
+                              column_.data() + lane, std::min(most_lanes, lanes_of(part) - begin)};
+      lower_within(starts, bounds_of(part, group) + begin, table_ + row, table_rows_, unit_, bound_unit_,
+                   limit, columns, first, first + size, distance_.data() + row);
+    }
   }
-  const float farthest = *std::max_element(found, found + size);
-  refined_[group] = limit < farthest ? limit : infinite;
-  limit = std::min(limit, farthest);
-  piece_.clear();
-  base_.clear();
-  for (const Index lane : lanes_within(group, in_bounds(limit))) {
-    if (lane == best) continue;
-    piece_.push_back(piece(lane, group));
-    prefetch_line(piece_.back());
-    base_.push_back(start_distance_[lane]);
-  }
-  lower_by_pieces(piece_.data(), base_.data(), static_cast<Index>(piece_.size()), unit_, size, found);
-  least_[group] = std::max(least_[group], std::min(*std::min_element(found, found + size), refined_[group]));
+  const float* found = distances(group);
+  const auto [least, farthest] = std::minmax_element(found, found + size);
+  refined_[group] = limit < *farthest ? limit : infinite;
+  least_[group] = std::max(least_[group], std::min(*least, refined_[group]));
 }
 
 Index Approach::start_of(std::size_t group, Index row) {

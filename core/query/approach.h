@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "query/graph_route.h"
+#include "support/bound_scans.h"
 
 namespace vorogeo {
 
@@ -27,8 +28,8 @@ class Approach {
   /// By group, filled up to ApproachBounds::width: bounds before refine() in units of the bounds between
   /// borders, rounded down.
   std::span<const std::int16_t> bounds_to_border() const { return to_border_; }
-  /// Fetches what refine() of a group will need first.
-  void prefetch(std::size_t group);
+  /// Fetches what refine() will read.
+  void prefetch(std::size_t group, float limit);
   /// Finds the distances of the rows of a group, as far as they are below `limit`, unless that was done
   /// before.
   void refine(std::size_t group, float limit);
@@ -48,6 +49,10 @@ class Approach {
   std::vector<Part>::iterator add_part(Index patch);
   void add_start(Index lane, double distance, std::size_t place);
   std::span<const Index> lanes_within(std::size_t group, std::uint8_t limit);
+  Index lanes_of(const Part& part) const { return (part.rows + byte_lanes - 1) / byte_lanes * byte_lanes; }
+  const std::uint8_t* bounds_of(const Part& part, std::size_t group) const {
+    return data_.approach_bounds.of_patch(part.patch) + group * part.rows;
+  }
   const std::uint16_t* piece(Index lane, std::size_t group) const {
     return table_ + column_[lane] * static_cast<std::size_t>(table_rows_) + groups()[group].row;
   }
@@ -69,14 +74,11 @@ class Approach {
   // By group.
   std::vector<std::uint8_t> least_bound_;
   std::vector<std::int16_t> to_border_;
-  std::vector<Index> best_lane_;  ///< no_index: not known
   std::vector<float> least_;
   std::vector<float> refined_;   ///< up to where the distances are known
   std::vector<float> distance_;  ///< by row
   std::vector<std::uint8_t> flags_;
   std::vector<Index> lanes_;
-  std::vector<const std::uint16_t*> piece_;
-  std::vector<float> base_;
 };
 
 }  // namespace vorogeo

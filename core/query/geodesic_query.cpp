@@ -164,6 +164,8 @@ double GeodesicQuery::distance(Index source, Index target) {
   if (s == no_index || t == no_index || data.mesh->component(source) != data.mesh->component(target)) {
     return unreachable;
   }
+  prefetch_end(data, s);
+  prefetch_end(data, t);
   // One order for both directions makes the answer symmetric to the last bit.
   if (s > t) std::swap(s, t);
   const double bound = state.near_bound(s, t);

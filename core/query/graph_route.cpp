@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/prefetch.h"
+
 namespace vorogeo {
 
 void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
@@ -27,11 +29,25 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   end.patch = data.home_patch[work_vertex];
   add_parent(end.patch);
   const auto nodes = second.nodes(end.patch);
+  const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[work_vertex]);
+  const float unit = second.unit[end.patch];
+  end.starts.resize(nodes.size());
+  std::size_t count = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double distance = second.distance(end.patch, static_cast<Index>(i), data.home_column[work_vertex]);
-    if (distance < unreachable) end.starts.push_back({nodes[i], distance});
+    const std::uint16_t entry = entries.first[i * entries.step];
+    end.starts[count] = {nodes[i], unit * static_cast<float>(entry)};
+    count += entry != PatchLayer::no_way ? 1 : 0;
   }
+  end.starts.resize(count);
   end.vertex = work_vertex;
+}
+
+void prefetch_end(const IndexData& data, Index work_vertex) {
+  if (data.second.vertex_node[work_vertex] != no_index) return;
+  const Index patch = data.home_patch[work_vertex];
+  const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[work_vertex]);
+  const auto rows = static_cast<std::size_t>(data.second.border_size(patch));
+  for (std::size_t i = 0; i < rows; ++i) prefetch_line(entries.first + i * entries.step);
 }
 
 GraphRouter::GraphRouter(const IndexData& data)

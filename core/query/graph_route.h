@@ -24,6 +24,9 @@ struct RouteEnd {
 /// The end of a route at a work vertex, in the place of what `end` was.
 void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
 
+/// Fetches what route_end will read.
+void prefetch_end(const IndexData& data, Index work_vertex);
+
 /// Stands for an arc patch where a route goes from one first-layer node to another by the node table.
 inline constexpr Index by_node_table = std::numeric_limits<Index>::min();
 

@@ -33,6 +33,11 @@ std::int16_t TableRouter::in_bounds(float length) const {
                                                : greatest);
 }
 
+/// What is left of the least sum of a group after the way to it.
+float TableRouter::rest(const Approach& end, std::size_t group, std::int16_t least) const {
+  return data_.approach_bounds.unit_between * static_cast<float>(least - end.bounds_to_border()[group]);
+}
+
 /// The best pair of rows in one cell, if it is better than what is known; its rows are left open.
 void TableRouter::look_into(Approach& low, Approach& high, const Candidate& candidate, Joint& best) {
   const NodeTable& table = data_.node_table;
@@ -40,13 +45,8 @@ void TableRouter::look_into(Approach& low, Approach& high, const Candidate& cand
   const auto j = static_cast<std::size_t>(candidate.group[1]);
   const Index from = low.groups()[i].group;
   const Index to = high.groups()[j].group;
-  const float unit = data_.approach_bounds.unit_between;
   const float offset = table.least_from(from)[to];
   const float limit = best.length * rounding_slack;
-  // What is left of the least sum of a group after the way to it.
-  const auto rest = [unit](const Approach& end, std::size_t group, std::int16_t least) {
-    return unit * static_cast<float>(least - end.bounds_to_border()[group]);
-  };
   low.refine(i, limit - rest(low, i, low_least_[i]));
   if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
   high.refine(j, limit - rest(high, j, high_least_[j]));
@@ -124,15 +124,20 @@ TableRouter::Joint TableRouter::join(Approach& low, Approach& high, float length
   most = in_bounds(best.length);
   for (Index row = 0; row < rows; ++row) {
     if (low_least_[row] > most) continue;
-    low.prefetch(row);
     for_each_within(row, most, [&](std::int16_t column, std::int16_t bound) {
       candidates_.push_back({bound, {static_cast<std::int16_t>(row), column}});
       // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
       const auto* cell =
           reinterpret_cast<const char*>(table.cell(low.groups()[row].group, high.groups()[column].group));
       for (int line : {0, 64, 127}) prefetch_line(cell + line);
-      high.prefetch(column);
     });
+  }
+  const float limit = best.length * rounding_slack;
+  for (Index row = 0; row < rows; ++row) {
+    if (low_least_[row] <= most) low.prefetch(row, limit - rest(low, row, low_least_[row]));
+  }
+  for (Index column = 0; column < columns; ++column) {
+    if (high_least_[column] <= most) high.prefetch(column, limit - rest(high, column, high_least_[column]));
   }
   // The most promising first: they save others.
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };

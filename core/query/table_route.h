@@ -41,6 +41,7 @@ class TableRouter {
   void look_into(Approach& low, Approach& high, const Candidate& candidate, Joint& best);
   void find_rows(const Approach& low, const Approach& high, Joint& best) const;
   std::int16_t in_bounds(float length) const;
+  float rest(const Approach& end, std::size_t group, std::int16_t least) const;
 
   const IndexData& data_;
   Approach from_;

@@ -1,7 +1,9 @@
 // Vectors of fixed width, which become one or more registers of whatever instruction set is chosen.
 #include "support/bound_scans.h"
 
+#include <bit>
 #include <cstring>
+#include <limits>
 
 #include "support/clones.h"
 
@@ -15,6 +17,11 @@ using FewBytes = std::uint8_t __attribute__((vector_size(8)));
 using Shorts = std::int16_t __attribute__((vector_size(32)));
 using HalfOfShorts = std::int16_t __attribute__((vector_size(16)));
 using FewShorts = std::int16_t __attribute__((vector_size(8)));
+using Floats = float __attribute__((vector_size(32)));
+using Masks = std::int32_t __attribute__((vector_size(32)));
+using Entries = std::uint16_t __attribute__((vector_size(16)));
+
+constexpr std::uint16_t no_way_entry = 32767;
 static_assert(sizeof(Bytes) == byte_lanes && sizeof(Shorts) == 2 * short_lanes);
 
 template <class Vector>
@@ -63,6 +70,68 @@ void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, con
     }
     least[row] = least_lane<HalfOfBytes, FewBytes>(lowest);
   }
+}
+
+VOROGEO_CLONES
+void lower_within(const StartLanes& starts, const std::uint8_t* bounds, const std::uint16_t* table,
+                  Index line_size, float unit, float bound_unit, float limit, Index columns, Index first,
+                  Index end, float* least) {
+  constexpr Index width = 8;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  std::uint8_t sums[most_lanes];
+  Bytes lowest = ~Bytes{};
+  for (Index lane = 0; lane < starts.lanes; lane += byte_lanes) {
+    Bytes from;
+    Bytes bound;
+    load(from, starts.bound + lane);
+    load(bound, bounds + lane);
+    const Bytes room = ~from;
+    const Bytes sum = from + (bound < room ? bound : room);
+    lowest = sum < lowest ? sum : lowest;
+    std::memcpy(sums + lane, &sum, sizeof(sum));
+  }
+  const auto of_best = least_lane<HalfOfBytes, FewBytes>(lowest);
+  Floats found = Floats{} + infinite;
+  const std::size_t size = columns == width ? sizeof(found) : columns * sizeof(float);
+  std::memcpy(&found, least, size);
+  const auto take = [&](Index lane) __attribute__((always_inline)) {
+    const std::uint16_t* line = table + static_cast<std::size_t>(starts.line[lane]) * line_size;
+    Entries entry = Entries{} + no_way_entry;
+    if (columns == width) {
+      load(entry, line);
+    } else {
+      std::memcpy(&entry, line, columns * sizeof(*line));
+    }
+    const Masks wide = __builtin_convertvector(entry, Masks);
+    const Floats sum = starts.distance[lane] + unit * __builtin_convertvector(wide, Floats);
+    found = (wide != no_way_entry) & (sum < found) ? sum : found;
+  };
+  // From the best start first: most of the others are then known to be of no use.
+  Index best = 0;
+  while (sums[best] != of_best) ++best;
+  if (starts.distance[best] < infinite) take(best);
+  float farthest = 0.0f;
+  for (Index k = first; k < end; ++k) farthest = found[k] > farthest ? found[k] : farthest;
+  const float most = limit < farthest ? limit : farthest;
+  const float in_units = bound_unit > 0.0f ? most / bound_unit : 255.0f;
+  const auto most_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
+  for (Index begin = 0; begin < starts.lanes; begin += byte_lanes) {
+    Bytes sum;
+    load(sum, sums + begin);
+    const Bytes within = reinterpret_cast<Bytes>(sum <= most_bound);
+    std::uint64_t words[byte_lanes / sizeof(std::uint64_t)];
+    std::memcpy(words, &within, sizeof(words));
+    Index lane = begin;
+    for (std::uint64_t flags : words) {
+      flags &= 0x0101010101010101U;
+      for (; flags != 0; flags &= flags - 1) {
+        const Index at = lane + static_cast<Index>(static_cast<unsigned>(std::countr_zero(flags)) / 8);
+        if (starts.distance[at] < infinite) take(at);
+      }
+      lane += sizeof(flags);
+    }
+  }
+  std::memcpy(least, &found, size);
 }
 
 VOROGEO_CLONES

@@ -16,6 +16,24 @@ inline constexpr Index byte_lanes = 32;
 void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
                      Index lanes, std::uint8_t* least);
 
+/// Starts of ways through a table of 15 bits (min_plus.h), as lanes: for each its distance, that as a bound,
+/// and its line in the table. Infinitely far ones are not used.
+struct StartLanes {
+  const float* distance;
+  const std::uint8_t* bound;
+  const Index* line;
+  Index lanes;  ///< a multiple of byte_lanes, at most most_lanes
+};
+inline constexpr Index most_lanes = 512;
+
+/// Lowers least[0 .. columns) by the ways over those lanes whose bounds[lane] allows less than `limit`, and
+/// less than all of least[first .. end) over the lane of the least bound, which is taken first. `table` is
+/// the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands for the distance
+/// bound_unit. \pre columns <= 8
+void lower_within(const StartLanes& starts, const std::uint8_t* bounds, const std::uint16_t* table,
+                  Index line_size, float unit, float bound_unit, float limit, Index columns, Index first,
+                  Index end, float* least);
+
 /// Which lanes have base[lane] + bounds[lane] <= limit: 1 or 0, by lane.
 void byte_sums_within(const std::uint8_t* bounds, const std::uint8_t* base, Index lanes, std::uint8_t limit,
                       std::uint8_t* within);
