@@ -31,7 +31,8 @@ class PathQuery {
   /// The refined path: the way that the index gives, shortened to a geodesic. Never shorter than the shortest
   /// path but for rounding; in nearly all cases that path. Exact where the ends lie in one patch or in
   /// patches that touch. \throw InvalidInput for a point that is not on the mesh. Complexity: that of a
-  /// two-point distance and of some tens of passes over the faces crossed.
+  /// two-point distance and of some tens of passes over the faces crossed; where it is doubtful, that of
+  /// exact propagation in the faces close to them.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
   /// The shortest path, by exact propagation that the refined path's length and lower bounds of the rest keep
