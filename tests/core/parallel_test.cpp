@@ -110,7 +110,8 @@ TEST(Parallel, CancellingWhileTheCallerOnlyWaits) {
   // One item sleeps on the helper's thread; the caller has nothing left to do and still notices the wish to
   // stop.
   std::atomic<bool> finished = false;
-  const Progress refusing([](double, const std::string&) { return false; });
+  int reports = 0;  // the first comes before any item
+  const Progress refusing([&](double, const std::string&) { return ++reports == 1; });
   EXPECT_THROW(parallel_for(2, 2, refusing, "work",
                             [&](std::size_t item, int) {
                               if (item == 0) std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -118,6 +119,13 @@ TEST(Parallel, CancellingWhileTheCallerOnlyWaits) {
                             }),
                Cancelled);
   EXPECT_TRUE(finished);  // a running item is never abandoned
+}
+
+TEST(Parallel, RefusedAtItsStartRunsNothing) {
+  int run = 0;
+  const Progress refusing([](double, const std::string&) { return false; });
+  EXPECT_THROW(parallel_for(2, 1, refusing, "work", [&](std::size_t, int) { ++run; }), Cancelled);
+  EXPECT_EQ(run, 0);
 }
 
 }  // namespace
