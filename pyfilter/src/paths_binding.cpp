@@ -52,9 +52,12 @@ class Paths {
     std::vector<ExactPath> found(sources.size());
     ProgressBridge bridge(progress);
     bridge.run([&](const Progress& report) {
+      const bool prepares = exact && certify && found.size() >= pairs_worth_landmarks && !has_landmarks();
+      if (prepares) make_landmarks(ExactLandmarks::most, report.part(0.0, 0.5));
       constexpr std::size_t at_once = 16;
       const std::size_t blocks = (found.size() + at_once - 1) / at_once;
-      parallel_for(blocks, held_.threads, report, "Paths", [&](std::size_t block, int) {
+      const Progress left = report.part(prepares ? 0.5 : 0.0, 1.0);
+      parallel_for(blocks, held_.threads, left, "Paths", [&](std::size_t block, int) {
         std::unique_ptr<PathQuery> query = take_query();
         for (std::size_t i = block * at_once; i < std::min(found.size(), (block + 1) * at_once); ++i) {
           found[i] = exact ? query->exact_path(sources[i], targets[i], certify)
@@ -70,15 +73,13 @@ class Paths {
 
   /// Makes certified corridors narrower from now on. \return the memory it takes, in bytes.
   std::size_t use_landmarks(int count, nb::object progress) {
-    std::shared_ptr<const ExactLandmarks> made;
+    std::size_t bytes = 0;
     ProgressBridge bridge(progress);
     bridge.run([&](const Progress& report) {
-      made = landmarks_of(held_.index, count, held_.threads, report);
+      bytes = make_landmarks(count, report);
       return true;
     });
-    const std::lock_guard lock(mutex_);
-    landmarks_ = made;
-    return made->memory_bytes();
+    return bytes;
   }
 
   nb::tuple field(const PointArrays& source, const ValueArray& offsets, double max_distance) {
@@ -109,6 +110,23 @@ class Paths {
   }
 
  private:
+  /// Pairs of one call from which on landmarks cost less time than they save, by and large
+  /// (docs/paths.md).
+  static constexpr std::size_t pairs_worth_landmarks = 1000;
+
+  bool has_landmarks() {
+    const std::lock_guard lock(mutex_);
+    return landmarks_ != nullptr;
+  }
+
+  /// \return the memory they take, in bytes.
+  std::size_t make_landmarks(int count, const Progress& report) {
+    auto made = landmarks_of(held_.index, count, held_.threads, report);
+    const std::lock_guard lock(mutex_);
+    landmarks_ = std::move(made);
+    return landmarks_->memory_bytes();
+  }
+
   /// \throw InvalidInput if the mesh has no such edge.
   Index edge_between(Index a, Index b) const {
     for (const Index h : mesh().corners(a)) {

@@ -138,6 +138,9 @@ class Paths:
     ) -> GeodesicPath | list[GeodesicPath]:
         """Exact shortest path between two points, or of each of k pairs, without a field over the whole mesh.
 
+        From 1,000 pairs in one call on, paths with a proof are prepared as by `prepare_exact_paths` first, unless they
+        are already.
+
         Parameters
         ----------
         source, target, progress

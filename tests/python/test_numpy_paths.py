@@ -60,6 +60,23 @@ def test_prepared_exact_paths_have_the_exact_length(name):
     np.testing.assert_allclose([p.length for p in after], [p.length for p in before], rtol=1e-9)
 
 
+def test_a_call_with_many_exact_pairs_prepares_itself_once():
+    vertices, faces = plane_grid(20, 20, 1.0)
+    index = vorogeo.GeodesicIndex(vertices, faces)
+    sources, targets = np.random.default_rng(5).integers(0, len(vertices), size=(2, 1000))
+    prepares = []
+    for count, certify in ((999, True), (1000, False), (1000, True), (1000, True)):
+        told = []
+        paths = index.exact_path(
+            sources[:count], targets[:count], certify=certify, progress=lambda *what, told=told: told.append(what)
+        )
+        straight = np.linalg.norm(vertices[sources[:count]] - vertices[targets[:count]], axis=1)
+        np.testing.assert_allclose([path.length for path in paths], straight, rtol=1e-9, atol=1e-12)
+        assert [fraction for fraction, _ in told] == sorted(fraction for fraction, _ in told)
+        prepares.append(any("landmarks" in activity for _, activity in told))
+    assert prepares == [False, False, True, False]
+
+
 def test_the_number_of_landmarks_is_checked():
     index = vorogeo.GeodesicIndex(*plane_grid(10, 10, 1.0))
     for wrong in (0, 33):
