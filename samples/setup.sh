@@ -127,7 +127,7 @@ probe() {
 
 # One line for the contents of folders of the project and the files that configure the build.
 sources() {
-  find "$@" CMakeLists.txt CMakePresets.json VERSION -type f ! -path '*/__pycache__/*' ! -name '*.md' -print0 |
+  find "$@" CMakeLists.txt CMakePresets.json VERSION -type f ! -path '*/__pycache__/*' ! -path '*/.*_cache/*' ! -name '*.md' -print0 |
     sort -z | xargs -0 sha256sum | sha256sum
 }
 
