@@ -2,8 +2,6 @@
 #include "query/approach.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
 
 #include "support/bound_scans.h"
@@ -30,8 +28,8 @@ std::uint8_t Approach::in_bounds(float distance) const {
 std::vector<Approach::Part>::iterator Approach::add_part(Index patch) {
   const auto begin = static_cast<Index>(start_bound_.size());
   const Index rows = data_.second.border_size(patch);
-  const Index lanes = (rows + byte_lanes - 1) / byte_lanes * byte_lanes;
   parts_.push_back({patch, begin, rows});
+  const Index lanes = lanes_of(parts_.back());
   start_distance_.resize(begin + lanes, infinite);
   start_bound_.resize(begin + lanes, greatest_bound);
   place_.resize(begin + lanes, no_index);
@@ -115,15 +113,10 @@ std::span<const Index> Approach::lanes_within(std::size_t group, std::uint8_t li
                      flags_.data() + part.begin);
   }
   std::size_t count = 0;
-  for (std::size_t begin = 0; begin < flags_.size(); begin += sizeof(std::uint64_t)) {
-    std::uint64_t flags;
-    std::memcpy(&flags, flags_.data() + begin, sizeof(flags));
-    for (; flags != 0; flags &= flags - 1) {
-      const auto lane = static_cast<Index>(begin) + std::countr_zero(flags) / 8;
-      lanes_[count] = lane;
-      count += start_distance_[lane] < infinite ? 1 : 0;
-    }
-  }
+  for_each_flag(flags_.data(), static_cast<Index>(flags_.size()), [&](Index lane) {
+    lanes_[count] = lane;
+    count += start_distance_[lane] < infinite ? 1 : 0;
+  });
   return {lanes_.data(), count};
 }
 

@@ -122,7 +122,6 @@ void PathLine::pull(Joint& from, Joint& to) {
     from.other_out = from.left ? previous.at_right : previous.at_left;
     from.is_seam = true;
   }
-  unfolded_ += static_cast<std::size_t>(end - begin);
   funnel_.start(from.out, static_cast<std::size_t>(end - begin));
   for (Index i = begin; i < end; ++i) {
     UnfoldedCrossing& crossing = crossings_[i];

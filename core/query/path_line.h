@@ -74,8 +74,6 @@ class PathLine {
   /// Moves the strip to the other side of a vertex that is not a joint but between `piece` and the next one.
   bool flip_beside(std::size_t piece, const Joint& beside);
   void settle(std::size_t joint) { joints_[joint].settled = true; }
-  /// Crossings unfolded so far, for measurements.
-  std::size_t unfolded() const { return unfolded_; }
 
  private:
   UnfoldedCrossing crossing_at(Index exit, Index entry, Index left, Index right) const;
@@ -102,7 +100,6 @@ class PathLine {
   std::vector<HalfedgePair> passed_;
   Index fixed_ = 0;         ///< crossings of next_ that belong to a joint that stays
   bool disturbed_ = false;  ///< one of them was taken out
-  std::size_t unfolded_ = 0;
 };
 
 }  // namespace vorogeo

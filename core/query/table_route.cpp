@@ -2,8 +2,6 @@
 #include "query/table_route.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -104,16 +102,11 @@ TableRouter::Joint TableRouter::join(Approach& low, Approach& high, float length
   const auto for_each_within = [&](Index row, std::int16_t limit, auto&& visit) {
     const std::int16_t* of_row = between + static_cast<std::size_t>(row) * width;
     short_sums_within(of_row, to_high, width, static_cast<std::int16_t>(limit - to_low[row]), within_.data());
-    for (Index begin = 0; begin < columns; begin += sizeof(std::uint64_t)) {
-      std::uint64_t flags;
-      std::memcpy(&flags, within_.data() + begin, sizeof(flags));
-      for (; flags != 0; flags &= flags - 1) {
-        const Index column = begin + std::countr_zero(flags) / 8;
-        if (column >= columns) break;
-        visit(static_cast<std::int16_t>(column),
-              static_cast<std::int16_t>(to_low[row] + of_row[column] + to_high[column]));
-      }
-    }
+    for_each_flag(within_.data(), width, [&](Index column) {
+      if (column >= columns) return;
+      visit(static_cast<std::int16_t>(column),
+            static_cast<std::int16_t>(to_low[row] + of_row[column] + to_high[column]));
+    });
   };
   Candidate likely{low_least_[lowest], {static_cast<std::int16_t>(lowest), 0}};
   for_each_within(lowest, low_least_[lowest], [&](std::int16_t column, std::int16_t) {

@@ -29,6 +29,17 @@ inline __attribute__((always_inline)) void load(Vector& to, const void* from) {
   std::memcpy(&to, from, sizeof(to));
 }
 
+/// base + bounds of the lanes at once, of which sums end at 255.
+inline __attribute__((always_inline)) void add_bytes(const std::uint8_t* base, const std::uint8_t* bounds,
+                                                     Bytes& sum) {
+  Bytes from;
+  Bytes bound;
+  load(from, base);
+  load(bound, bounds);
+  const Bytes room = ~from;
+  sum = from + (bound < room ? bound : room);
+}
+
 /// Lowers the first half of `lanes` by the second one, and so on: the least one is left.
 template <class Half, class Quarter, class Vector>
 inline __attribute__((always_inline)) auto least_lane(const Vector& lanes) {
@@ -59,13 +70,8 @@ void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, con
     const std::uint8_t* of_row = bounds + static_cast<std::size_t>(row) * row_size;
     Bytes lowest = ~Bytes{};
     for (Index lane = 0; lane < lanes; lane += byte_lanes) {
-      Bytes from;
-      Bytes bound;
-      load(from, base + lane);
-      load(bound, of_row + lane);
-      // So that the sum ends at 255.
-      const Bytes room = ~from;
-      const Bytes sum = from + (bound < room ? bound : room);
+      Bytes sum;
+      add_bytes(base + lane, of_row + lane, sum);
       lowest = sum < lowest ? sum : lowest;
     }
     least[row] = least_lane<HalfOfBytes, FewBytes>(lowest);
@@ -81,12 +87,8 @@ void lower_within(const StartLanes& starts, const std::uint8_t* bounds, const st
   std::uint8_t sums[most_lanes];
   Bytes lowest = ~Bytes{};
   for (Index lane = 0; lane < starts.lanes; lane += byte_lanes) {
-    Bytes from;
-    Bytes bound;
-    load(from, starts.bound + lane);
-    load(bound, bounds + lane);
-    const Bytes room = ~from;
-    const Bytes sum = from + (bound < room ? bound : room);
+    Bytes sum;
+    add_bytes(starts.bound + lane, bounds + lane, sum);
     lowest = sum < lowest ? sum : lowest;
     std::memcpy(sums + lane, &sum, sizeof(sum));
   }
@@ -138,12 +140,8 @@ VOROGEO_CLONES
 void byte_sums_within(const std::uint8_t* bounds, const std::uint8_t* base, Index lanes, std::uint8_t limit,
                       std::uint8_t* within) {
   for (Index lane = 0; lane < lanes; lane += byte_lanes) {
-    Bytes from;
-    Bytes bound;
-    load(from, base + lane);
-    load(bound, bounds + lane);
-    const Bytes room = ~from;
-    const Bytes sum = from + (bound < room ? bound : room);
+    Bytes sum;
+    add_bytes(base + lane, bounds + lane, sum);
     const Bytes found = reinterpret_cast<Bytes>(sum <= limit) & static_cast<std::uint8_t>(1);
     std::memcpy(within + lane, &found, sizeof(found));
   }

@@ -2,7 +2,9 @@
 // points need.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 #include "support/types.h"
 
@@ -50,5 +52,16 @@ void least_short_sums(const std::int16_t* base, const std::int16_t* between, con
 /// Which columns have between[column] + beyond[column] <= limit: 1 or 0, by column.
 void short_sums_within(const std::int16_t* between, const std::int16_t* beyond, Index columns,
                        std::int16_t limit, std::uint8_t* within);
+
+/// Calls visit(lane) for each lane whose flag, 1 or 0 as the scans above write them, is set. `lanes` is a
+/// multiple of eight.
+template <class Visit>
+void for_each_flag(const std::uint8_t* flags, Index lanes, Visit&& visit) {
+  for (Index begin = 0; begin < lanes; begin += static_cast<Index>(sizeof(std::uint64_t))) {
+    std::uint64_t word;
+    std::memcpy(&word, flags + begin, sizeof(word));
+    for (; word != 0; word &= word - 1) visit(begin + std::countr_zero(word) / 8);
+  }
+}
 
 }  // namespace vorogeo

@@ -82,41 +82,6 @@ void lower_by_sums(const float* line, float base, Index count, float* least) {
 }
 
 VOROGEO_CLONES
-void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least) {
-  for (Index i = 0; i < count; ++i) {
-    const float through = base + unit * static_cast<float>(entries[i]);
-    const bool lower = (entries[i] != no_way_entry) & (through < least[i]);
-    least[i] = lower ? through : least[i];
-  }
-}
-
-VOROGEO_CLONES
-void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Index lines, float unit,
-                     Index columns, float* least) {
-  constexpr Index width = 8;
-  if (columns != width) {
-    for (Index line = 0; line < lines; ++line) {
-      for (Index k = 0; k < columns; ++k) {
-        const float through = base[line] + unit * static_cast<float>(entries[line][k]);
-        if (entries[line][k] != no_way_entry && through < least[k]) least[k] = through;
-      }
-    }
-    return;
-  }
-  // As vectors: loops of eight are unrolled before they could be made such.
-  Floats lane;
-  std::memcpy(&lane, least, sizeof(lane));
-  for (Index line = 0; line < lines; ++line) {
-    Entries entry;
-    std::memcpy(&entry, entries[line], sizeof(entry));
-    const Masks wide = __builtin_convertvector(entry, Masks);
-    const Floats through = base[line] + unit * __builtin_convertvector(wide, Floats);
-    lane = (wide != no_way_entry) & (through < lane) ? through : lane;
-  }
-  std::memcpy(least, &lane, sizeof(lane));
-}
-
-VOROGEO_CLONES
 float lower_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
                     float unit, Index first_name, float* least, Index* best) {
   float worst = 0.0f;

@@ -29,17 +29,9 @@ void scale_entries(const std::uint16_t* entries, Index count, float unit, float*
 /// least[i] = min(least[i], base + line[i]).
 void lower_by_sums(const float* line, float base, Index count, float* least);
 
-/// least[i] = min(least[i], base + unit * entries[i]).
-void lower_by_entries(const std::uint16_t* entries, float unit, float base, Index count, float* least);
-
-/// The same, with best[i] = name where that is lower.
+/// least[i] = min(least[i], base + unit * entries[i]), with best[i] = name where that is lower.
 void lower_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
                    float* least, Index* best);
-
-/// Lowers least[0 .. columns) by base[k] + unit * entries[k][column] over the lines k; `columns` is at
-/// most 8.
-void lower_by_pieces(const std::uint16_t* const* entries, const float* base, Index lines, float unit,
-                     Index columns, float* least);
 
 /// Least base[i] + entries[i] for i in [0, count); 32767 for none.
 std::int16_t least_entry_sum(const std::int16_t* base, const std::uint16_t* entries, Index count);

@@ -60,12 +60,14 @@ TEST(MinPlus, EntriesAsDistances) {
     std::vector<float> scaled(count);
     scale_entries(entries.data(), count, 0.75F, scaled.data());
     std::vector<float> least(count, 1e4F);
-    lower_by_entries(entries.data(), 0.75F, 2.0F, count, least.data());
+    std::vector<Index> best(count, no_index);
+    lower_by_line(entries.data(), 0.75F, 2.0F, 5, count, least.data(), best.data());
     for (Index i = 0; i < count; ++i) {
       const std::uint16_t entry = entries.data()[i];
       const float expected = entry == 32767 ? infinite : 0.75F * static_cast<float>(entry);
       EXPECT_EQ(scaled[i], expected);
       EXPECT_EQ(least[i], std::min(1e4F, 2.0F + expected));
+      EXPECT_EQ(best[i], 2.0F + expected < 1e4F ? 5 : no_index);
     }
   }
 }
@@ -134,31 +136,6 @@ TEST(MinPlus, TileSumsOfSomeRows) {
       }
       EXPECT_EQ(least[column], expected);
       EXPECT_EQ(best[column], expected_place);
-    }
-  }
-}
-
-TEST(MinPlus, PiecesOfLines) {
-  for (Index columns = 1; columns <= 8; ++columns) {
-    for (Index lines : {0, 1, 2, 9}) {
-      const Entries entries(lines, 8, 20 * columns + lines);
-      std::vector<const std::uint16_t*> line(lines);
-      std::vector<float> base(lines);
-      for (Index i = 0; i < lines; ++i) {
-        line[i] = entries.data() + static_cast<std::size_t>(8) * i;
-        base[i] = 100.0F * static_cast<float>(i);
-      }
-      std::vector<float> least(columns, 4000.0F);
-      lower_by_pieces(line.data(), base.data(), lines, 0.25F, columns, least.data());
-      for (Index column = 0; column < columns; ++column) {
-        float expected = 4000.0F;
-        for (Index i = 0; i < lines; ++i) {
-          const std::uint16_t entry = line[i][column];
-          if (entry == 32767) continue;
-          expected = std::min(expected, base[i] + 0.25F * static_cast<float>(entry));
-        }
-        EXPECT_EQ(least[column], expected);
-      }
     }
   }
 }
