@@ -11,7 +11,6 @@ BorderField::BorderField(const IndexData& data)
     : data_(data),
       edges_(data.second),
       first_edges_(data.first),
-      surroundings_(data.second, data.partition.parent, data.first.patch_count),
       search_(data.second),
       child_begin_(data.first.patch_count + 1, 0),
       distance_(data.second.node_count(), unreachable),
@@ -49,7 +48,8 @@ void BorderField::start(std::span<const Start> starts, double max_distance) {
   }
   allowed_.assign(data_.second.patch_count, 0);
   for (Index p = 0; p < data_.first.patch_count; ++p) {
-    if (is_start_parent_[p]) surroundings_.mark(p, allowed_);
+    if (!is_start_parent_[p]) continue;
+    std::fill(allowed_.begin() + child_begin_[p], allowed_.begin() + child_begin_[p + 1], std::uint8_t{1});
   }
   search_.run(allowed_, max_distance);
   cross_node_table();

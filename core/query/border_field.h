@@ -8,7 +8,6 @@
 #include "index/border_edges.h"
 #include "index/border_search.h"
 #include "index/index_data.h"
-#include "index/overlay.h"
 #include "query/field_sweep.h"
 
 namespace vorogeo {
@@ -16,8 +15,9 @@ namespace vorogeo {
 /// One object belongs to one caller; fill() may run on several threads, for different patches.
 ///
 /// A search over the second layer stays in the first-layer patches of the starts; from the border of these
-/// the node table leads to all first-layer nodes; the table of each first-layer patch leads to the
-/// second-layer nodes in it. Every step takes the least sum and unfolds the crossing there.
+/// the node table leads to all first-layer nodes, also to those of the same border by ways outside; the
+/// table of each first-layer patch leads to the second-layer nodes in it. Every step takes the least sum and
+/// unfolds the crossing there.
 class BorderField {
  public:
   explicit BorderField(const IndexData& data);
@@ -47,7 +47,6 @@ class BorderField {
   const IndexData& data_;
   BorderEdges edges_;
   BorderEdges first_edges_;
-  ParentSurroundings surroundings_;
   BorderSearch search_;
   std::vector<Index> child_begin_;
   std::vector<Index> first_name_;  ///< second-layer node, by first-layer node
