@@ -28,7 +28,11 @@ PatchRouter::PatchRouter(const IndexData& data)
       node_(data.second.node_count()),
       patch_(data.second.patch_count),
       parent_open_(data.first.patch_count, 0),
-      row_waits_(data.second.border_node.size(), 0) {}
+      row_waits_(data.second.border_node.size(), 0) {
+  for (Index node = 0; node < data.second.node_count(); ++node) {
+    node_[node].position = data.work.mesh->position(data.second.node_vertex[node]);
+  }
+}
 
 void PatchRouter::start_anew(const RouteEnd& source, const RouteEnd& target) {
   for (Index p : waiting_) {
@@ -57,9 +61,8 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.distance = state.beyond = infinite;
   state.ahead = 0.0f;
   if (target_vertex_ != no_index) {
-    const Mesh& mesh = *data_.work.mesh;
-    const Point& a = mesh.position(data_.second.node_vertex[node]);
-    const Point& b = mesh.position(target_vertex_);
+    const Point& a = state.position;
+    const Point& b = data_.work.mesh->position(target_vertex_);
     const double x = a[0] - b[0];
     const double y = a[1] - b[1];
     const double z = a[2] - b[2];

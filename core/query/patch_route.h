@@ -25,6 +25,7 @@ class PatchRouter {
 
  private:
   struct NodeState {
+    Point position;  ///< kept here too, as those of vertices lie far apart in memory
     std::uint32_t stamp = 0;
     float distance = 0.0f;  ///< from the source
     float beyond = 0.0f;    ///< for starts of the target: from there
