@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/prefetch.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -56,6 +57,8 @@ class Mesh {
   Index edge_of(Index halfedge) const { return halfedge_edge_[halfedge]; }
   /// The next half-edge of the same undirected edge; itself on a border.
   Index next_around_edge(Index halfedge) const { return next_around_edge_[halfedge]; }
+  /// Fetches what next_around_edge() reads.
+  void prefetch_around_edge(Index halfedge) const { prefetch_line(&next_around_edge_[halfedge]); }
 
   /// The two vertices of an edge, smaller index first; positions along an edge count from the first.
   const std::array<Index, 2>& edge_vertices(Index edge) const { return edge_vertices_[edge]; }

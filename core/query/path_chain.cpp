@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/prefetch.h"
+
 namespace vorogeo {
 
 Index row_in_patch(const IndexData& data, Index patch, Index work_vertex) {
@@ -43,9 +45,14 @@ class ChainBuilder {
       const auto nodes = data_.second.nodes(at.patch);
       hop.resize(nodes.size());
       rest.resize(nodes.size());
-      data_.second.read_border(at.patch, at.row, hop.data());
       const bool inside = data_.partition.parent[at.patch] == parent;
       const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
+      for (std::size_t i = 0; inside && i < nodes.size(); ++i) {
+        // Each in a line of its own.
+        const PatchLayer::Column entries = data_.first.column_of(parent, columns[i]);
+        prefetch_line(entries.first + static_cast<std::size_t>(fixed) * entries.step);
+      }
+      data_.second.read_border(at.patch, at.row, hop.data());
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         rest[i] = inside ? data_.first.distance(parent, fixed, columns[i]) : from_goal(nodes[i]);
       }

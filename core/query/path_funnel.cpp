@@ -18,40 +18,44 @@ void Funnel::start(const PlanePoint& point, std::size_t gates) {
   const std::size_t middle = gates + 2;
   if (funnel_.size() < 2 * middle + 1) funnel_.resize(2 * middle + 1);
   head_ = tail_ = apex_ = middle;
-  nodes_.push_back({point, 0, {no_index, true}});
-  funnel_[middle] = 0;
+  nodes_.push_back({0, {no_index, true}});
+  funnel_[middle] = {point, 0};
 }
 
 void Funnel::add_left(const PlanePoint& point, Index gate) {
-  auto at = [&](std::size_t slot) -> const PlanePoint& { return nodes_[funnel_[slot]].at; };
-  while (head_ < tail_) {
-    if (head_ < apex_) {
-      if (cross(at(head_ + 1), at(head_), point) > 0.0) break;
-      ++head_;
+  const Slot* slot = funnel_.data();
+  std::size_t head = head_;
+  while (head < tail_) {
+    if (head < apex_) {
+      if (cross(slot[head + 1].at, slot[head].at, point) > 0.0) break;
+      ++head;
     } else {
-      if (cross(at(head_), at(head_ + 1), point) >= 0.0) break;
-      ++head_;
-      apex_ = head_;
+      if (cross(slot[head].at, slot[head + 1].at, point) >= 0.0) break;
+      ++head;
+      apex_ = head;
     }
   }
-  nodes_.push_back({point, funnel_[head_], {gate, true}});
-  funnel_[--head_] = static_cast<std::uint32_t>(nodes_.size() - 1);
+  nodes_.push_back({slot[head].node, {gate, true}});
+  head_ = head - 1;
+  funnel_[head_] = {point, static_cast<std::uint32_t>(nodes_.size() - 1)};
 }
 
 void Funnel::add_right(const PlanePoint& point, Index gate) {
-  auto at = [&](std::size_t slot) -> const PlanePoint& { return nodes_[funnel_[slot]].at; };
-  while (head_ < tail_) {
-    if (tail_ > apex_) {
-      if (cross(at(tail_ - 1), at(tail_), point) < 0.0) break;
-      --tail_;
+  const Slot* slot = funnel_.data();
+  std::size_t tail = tail_;
+  while (head_ < tail) {
+    if (tail > apex_) {
+      if (cross(slot[tail - 1].at, slot[tail].at, point) < 0.0) break;
+      --tail;
     } else {
-      if (cross(at(tail_), at(tail_ - 1), point) <= 0.0) break;
-      --tail_;
-      apex_ = tail_;
+      if (cross(slot[tail].at, slot[tail - 1].at, point) <= 0.0) break;
+      --tail;
+      apex_ = tail;
     }
   }
-  nodes_.push_back({point, funnel_[tail_], {gate, false}});
-  funnel_[++tail_] = static_cast<std::uint32_t>(nodes_.size() - 1);
+  nodes_.push_back({slot[tail].node, {gate, false}});
+  tail_ = tail + 1;
+  funnel_[tail_] = {point, static_cast<std::uint32_t>(nodes_.size() - 1)};
 }
 
 const std::vector<Funnel::Bend>& Funnel::finish(const PlanePoint& point) {

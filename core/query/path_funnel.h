@@ -29,12 +29,15 @@ class Funnel {
 
  private:
   struct Node {
-    PlanePoint at;
     std::uint32_t parent;
     Bend bend;
   };
+  struct Slot {
+    PlanePoint at;
+    std::uint32_t node;
+  };
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> funnel_;  ///< nodes from left to right
+  std::vector<Slot> funnel_;  ///< from left to right
   std::vector<Bend> bends_;
   std::size_t head_ = 0;
   std::size_t tail_ = 0;

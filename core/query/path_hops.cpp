@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 #include <vector>
+
+#include "query/path_edges.h"
+#include "support/prefetch.h"
 
 namespace vorogeo {
 
@@ -33,116 +35,160 @@ struct Move {
   Index second = no_index;
 };
 
+/// A way is given up when it becomes this much longer than it should be.
+constexpr double longer = 1.1;
+
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// Walks from vertex to vertex of one patch.
-class HopWalker {
+/// Walks from `start` to the border vertex `goal` of a patch; along edges from where the distances lead out
+/// of the patch, or if there is no patch.
+///
+/// What a walk reads next lies anywhere in memory, and where is known only from what it read before. So a
+/// walk stops where it has asked for something, for others to go on meanwhile.
+class HopWalk {
  public:
-  explicit HopWalker(const IndexData& data)
-      : data_(data), mesh_(*data.work.mesh), geometry_(*data.geometry) {}
-
-  /// From `start` to the border vertex `goal` of a patch; along edges from where the distances lead out of
-  /// the patch, or if there is no patch. \return false if no edges lead there.
-  bool walk(Index patch, Index start, Index goal) {
-    passed.clear();
-    patch_ = patch;
-    row_ = patch == no_index ? no_index : row_in_patch(data_, patch, goal);
-    Index vertex = start;
-    while (vertex != goal) {
-      if (row_ == no_index) return walk_along_edges(vertex, goal);
-      const std::size_t before = passed.size();
-      const Index next = walk_to_vertex(vertex);
-      if (next == no_index) {
-        passed.resize(before);
-        return walk_along_edges(vertex, goal);
-      }
-      vertex = next;
-    }
-    return true;
+  HopWalk(const IndexData& data, Index patch, Index start, Index goal)
+      : data_(data),
+        mesh_(*data.work.mesh),
+        geometry_(*data.geometry),
+        patch_(patch),
+        row_(patch == no_index ? no_index : row_in_patch(data, patch, goal)),
+        goal_(goal),
+        vertex_(start) {
+    passed_.reserve(64);
   }
 
-  std::vector<Passed> passed;
+  /// Goes on until something has to be fetched. \return false at the end of the walk.
+  bool go_on() {
+    switch (next_) {
+      case Next::meet_vertex:
+        meet_vertex();
+        break;
+      case Next::look_around:
+        for (Index corner : mesh_.corners(vertex_)) fetch_column(mesh_.head(corner));
+        next_ = Next::look_up_ring;
+        break;
+      case Next::look_up_ring:
+        for (Index corner : mesh_.corners(vertex_)) fetch_distance(mesh_.head(corner));
+        next_ = Next::leave_vertex;
+        break;
+      case Next::leave_vertex:
+        leave();
+        break;
+      case Next::find_apex:
+        fetch_column(geometry_.frame[entry_].apex);
+        next_ = Next::look_up_apex;
+        break;
+      case Next::look_up_apex:
+        column_ = fetch_distance(geometry_.frame[entry_].apex);
+        next_ = Next::cross_face;
+        break;
+      case Next::cross_face:
+        enter_face();
+        break;
+      case Next::nothing:
+        break;
+    }
+    return next_ != Next::nothing;
+  }
+
+  /// Whether the walk has come to its goal.
+  bool arrived() const { return vertex_ == goal_; }
+  /// The faces passed so far.
+  const std::vector<Passed>& passed() const { return passed_; }
 
  private:
-  /// Straight on from a vertex until the next one is met; no_index if the way is longer than it should be.
-  Index walk_to_vertex(Index vertex) {
-    constexpr double longer = 1.1;
-    at_last_ = distance(vertex);
-    Move move = leave_vertex(vertex);
-    double expected = at_last_ * longer;
-    if (move.face == no_index || move.length > expected) return no_index;
-    passed.push_back({move.face, no_index, no_index, vertex});
-    std::size_t left = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
-    while (move.vertex == no_index) {
-      const Index exit = move.halfedge;
-      const Index entry = mesh_.next_around_edge(exit);
-      expected = std::min(expected, move.length * longer);
-      move = cross(entry, move);
-      if (move.face == no_index || move.length > expected || --left == 0) return no_index;
-      passed.push_back({Mesh::face_of(entry), exit, entry, no_index});
-    }
-    return move.vertex;
-  }
+  enum class Next {
+    meet_vertex,
+    look_around,
+    look_up_ring,
+    leave_vertex,
+    find_apex,
+    look_up_apex,
+    cross_face,
+    nothing
+  };
 
-  /// The shortest way over edges (Hart, Nilsson, Raphael 1968); such a way is short and seldom needed.
-  bool walk_along_edges(Index start, Index goal) {
-    struct Entry {
-      double key;
-      Index vertex;
-      bool operator<(const Entry& other) const { return key > other.key; }
-    };
-    struct Reached {
-      Index vertex;
-      double distance;
-      Index before;
-      Index face;
-    };
-    const Point& end = mesh_.position(goal);
-    auto straight = [&](Index v) {
-      const Point& p = mesh_.position(v);
-      return std::hypot(p[0] - end[0], p[1] - end[1], p[2] - end[2]);
-    };
-    std::vector<Reached> reached{{start, 0.0, no_index, no_index}};  // few, so that searching them is fast
-    auto find = [&](Index v) { return std::ranges::find(reached, v, &Reached::vertex); };
-    std::priority_queue<Entry> queue;
-    queue.push({straight(start), start});
-    while (!queue.empty()) {
-      const auto [key, vertex] = queue.top();
-      queue.pop();
-      if (vertex == goal) break;
-      const double at = find(vertex)->distance;
-      if (key > (at + straight(vertex)) * (1.0 + 1e-12)) continue;
-      for (Index corner : mesh_.corners(vertex)) {
-        for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-          const Index other = side == corner ? mesh_.head(side) : mesh_.tail(side);
-          const double there = at + mesh_.edge_length(mesh_.edge_of(side));
-          const auto known = find(other);
-          if (known == reached.end()) {
-            reached.push_back({other, there, vertex, Mesh::face_of(side)});
-          } else if (known->distance <= there) {
-            continue;
-          } else {
-            *known = {other, there, vertex, Mesh::face_of(side)};
-          }
-          queue.push({there + straight(other), other});
-        }
-      }
-    }
-    if (find(goal) == reached.end()) return false;
-    const std::size_t first = passed.size();
-    for (Index v = goal; v != start;) {
-      const Reached& last = *find(v);
-      passed.push_back({last.face, no_index, no_index, last.before});
-      v = last.before;
-    }
-    std::reverse(passed.begin() + static_cast<std::ptrdiff_t>(first), passed.end());
-    return true;
+  /// What the column of a vertex is found by.
+  void fetch_column(Index vertex) const {
+    prefetch_line(&data_.second.vertex_node[vertex]);
+    prefetch_line(&data_.home_patch[vertex]);
+    prefetch_line(&data_.home_column[vertex]);
   }
-
-  double distance(Index vertex) const {
+  /// Its distance. \return its column.
+  Index fetch_distance(Index vertex) const {
     const Index column = column_in_patch(data_, patch_, vertex);
+    if (column != no_index) {
+      const PatchLayer::Column entries = data_.second.column_of(patch_, column);
+      prefetch_line(entries.first + static_cast<std::size_t>(row_) * entries.step);
+    }
+    return column;
+  }
+
+  void meet_vertex() {
+    if (vertex_ == goal_) {
+      next_ = Next::nothing;
+      return;
+    }
+    if (row_ == no_index) {
+      walk_along_edges();
+      return;
+    }
+    for (Index corner : mesh_.corners(vertex_)) {
+      const Index opposite = Mesh::next_in_face(corner);
+      prefetch_line(&geometry_.frame[opposite]);
+      prefetch_line(&mesh_.face_vertices(Mesh::face_of(corner)));
+      mesh_.prefetch_around_edge(opposite);
+    }
+    next_ = Next::look_around;
+  }
+
+  void leave() {
+    straight_from_ = passed_.size();
+    at_last_ = distance(vertex_);
+    expected_ = at_last_ * longer;
+    faces_left_ = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
+    move_ = leave_vertex(vertex_);
+    take_move({move_.face, no_index, no_index, vertex_});
+  }
+
+  void enter_face() {
+    const Index exit = move_.halfedge;
+    expected_ = std::min(expected_, move_.length * longer);
+    move_ = cross(entry_, move_, distance_at(column_));
+    take_move({Mesh::face_of(entry_), exit, entry_, no_index});
+  }
+
+  /// Into the face of the last move, unless the way is longer than it should be.
+  void take_move(const Passed& face) {
+    if (move_.face == no_index || move_.length > expected_ || --faces_left_ == 0) {
+      passed_.resize(straight_from_);
+      walk_along_edges();
+      return;
+    }
+    passed_.push_back(face);
+    if (move_.vertex != no_index) {
+      vertex_ = move_.vertex;
+      next_ = Next::meet_vertex;
+      return;
+    }
+    entry_ = mesh_.next_around_edge(move_.halfedge);
+    prefetch_line(&geometry_.frame[entry_]);
+    mesh_.prefetch_around_edge(entry_);
+    next_ = Next::find_apex;
+  }
+
+  void walk_along_edges() {
+    std::vector<EdgeStep> way;
+    if (way_along_edges(mesh_, vertex_, goal_, way)) vertex_ = goal_;
+    for (const EdgeStep& step : way) passed_.push_back({step.face, no_index, no_index, step.from});
+    next_ = Next::nothing;
+  }
+
+  double distance_at(Index column) const {
     return column == no_index ? unreachable : data_.second.distance(patch_, row_, column);
   }
+  double distance(Index vertex) const { return distance_at(column_in_patch(data_, patch_, vertex)); }
 
   /// The way from a point (px, py >= 0) across an edge on the x axis to the point beyond that has the
   /// distances at_0 and at_length from the ends of the edge.
@@ -203,11 +249,10 @@ class HopWalker {
   /// From the point where the last move came to the edge of a half-edge across its face. The ends of the edge
   /// and their distances come with the move, and lengths from the frame: what is read from elsewhere is far
   /// away in memory.
-  Move cross(Index halfedge, const Move& last) const {
+  Move cross(Index halfedge, const Move& last, double at_apex) const {
     const double x = last.x;
     const FaceFrame& frame = geometry_.frame[halfedge];
     const double length = last.edge_length;
-    const double at_apex = distance(frame.apex);
     const Index face = Mesh::face_of(halfedge);
     Move best;
     to_vertex(length_of(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
@@ -241,9 +286,21 @@ class HopWalker {
   const IndexData& data_;
   const Mesh& mesh_;
   const ExactGeometry& geometry_;
-  Index patch_ = no_index;
-  Index row_ = no_index;
-  double at_last_ = unreachable;  ///< distance of the vertex last passed
+  Index patch_;
+  Index row_;
+  Index goal_;
+  Index vertex_;  ///< the last one met
+  std::vector<Passed> passed_;
+  Next next_ = Next::meet_vertex;
+
+  // Since that vertex.
+  std::size_t straight_from_ = 0;  ///< faces passed before
+  std::size_t faces_left_ = 0;
+  double at_last_ = unreachable;   ///< its distance
+  double expected_ = unreachable;  ///< no way on should be longer
+  Move move_;
+  Index entry_ = no_index;   ///< half-edge by which the next face is entered
+  Index column_ = no_index;  ///< of that face's third corner
 };
 
 bool append(const Mesh& mesh, FaceStrip& strip, Index face, Index exit, Index entry, Index pivot) {
@@ -260,20 +317,31 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
   auto any_face = [&](const SurfacePoint& point) {
     return point.is_vertex() ? Mesh::face_of(mesh.corners(point.vertex).front()) : point.face;
   };
-  HopWalker walker(data);
+  std::vector<HopWalk> walks;
+  std::vector<std::uint8_t> forwards;
+  walks.reserve(chain.steps.size());
   Index vertex = chain.source;
-  if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
   for (const ChainStep& step : chain.steps) {
-    const bool forwards = step.patch == no_index || row_in_patch(data, step.patch, step.vertex) != no_index;
-    if (!walker.walk(step.patch, forwards ? vertex : step.vertex, forwards ? step.vertex : vertex))
-      return false;
-    const auto& passed = walker.passed;
+    forwards.push_back(step.patch == no_index || row_in_patch(data, step.patch, step.vertex) != no_index);
+    walks.emplace_back(data, step.patch, forwards.back() ? vertex : step.vertex,
+                       forwards.back() ? step.vertex : vertex);
+    vertex = step.vertex;
+  }
+  for (bool any = true; any;) {
+    any = false;
+    for (HopWalk& walk : walks) any |= walk.go_on();
+  }
+  vertex = chain.source;
+  if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
+  for (std::size_t k = 0; k < walks.size(); ++k) {
+    if (!walks[k].arrived()) return false;
+    const auto& passed = walks[k].passed();
     for (std::size_t i = 0; i < passed.size(); ++i) {
-      const std::size_t at = forwards ? i : passed.size() - 1 - i;
+      const std::size_t at = forwards[k] ? i : passed.size() - 1 - i;
       Index exit = passed[at].exit;
       Index entry = passed[at].entry;
       Index pivot = passed[at].pivot;
-      if (!forwards) {
+      if (!forwards[k]) {
         // The link to the face walked after this one, the other way round.
         const bool first = at + 1 == passed.size();
         exit = first ? no_index : passed[at + 1].entry;
@@ -286,7 +354,7 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
         return false;
       }
     }
-    vertex = step.vertex;
+    vertex = chain.steps[k].vertex;
   }
   if (strip.faces.empty()) strip.faces.push_back(any_face(strip.source));
   if (strip.target.is_vertex()) {

@@ -137,6 +137,7 @@ double PathRefiner::refine(const FaceStrip& strip) {
 
 SurfacePath PathRefiner::path() const {
   SurfacePath path;
+  path.points.reserve(line_.crossings().size() + 2);
   path.points.push_back(line_.source());
   path.length = line_.length();
   const auto& joints = line_.joints();

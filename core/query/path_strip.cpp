@@ -12,15 +12,17 @@ Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
   return mesh.tail(halfedge) == vertex ? previous : next;
 }
 
-/// Walks around a vertex from the face of `exit` across it, until `face` is entered. \return the angle passed
-/// between, infinity if a border or a non-manifold edge stops it.
-double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
+/// Walks around a vertex from the face of `exit` across it, until `face` is entered, and adds what is crossed
+/// to the strip, but not the faces. \return the angle passed between, infinity if a border or a non-manifold
+/// edge stops it.
+double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& strip) {
   double angle = 0.0;
   const Index begin = Mesh::face_of(exit);
   for (;;) {
     const Index entry = mesh.next_around_edge(exit);
     if (entry == exit || mesh.next_around_edge(entry) != exit) return unreachable;
-    passed.push_back({exit, entry});
+    strip.exit.push_back(exit);
+    strip.entry.push_back(entry);
     const Index at = Mesh::face_of(entry);
     if (at == face) return angle;
     if (at == begin) return unreachable;
@@ -104,27 +106,37 @@ bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
   const Index from = strip.faces.back();
   if (from == face) return true;
-  std::vector<HalfedgePair> best;
+  // Both ways go to the end of the strip; the longer one is taken out again.
+  const std::size_t before = strip.entry.size();
   double least = unreachable;
-  if (mesh.fan(vertex) != Mesh::Fan::non_manifold) {
-    std::vector<HalfedgePair> passed;
-    for (int k = 0; k < 3; ++k) {
-      const Index exit = 3 * from + k;
-      if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
-      passed.clear();
-      const double angle = walk(mesh, vertex, exit, face, passed);
-      if (angle < least) {
-        least = angle;
-        best = passed;
-      }
+  auto cut = [&](std::size_t begin, std::size_t end) {
+    for (std::vector<Index>* list : {&strip.exit, &strip.entry}) {
+      list->erase(list->begin() + static_cast<std::ptrdiff_t>(begin),
+                  list->begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  };
+  for (int k = 0; k < 3 && mesh.fan(vertex) != Mesh::Fan::non_manifold; ++k) {
+    const Index exit = 3 * from + k;
+    if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+    const std::size_t middle = strip.entry.size();
+    const double angle = walk(mesh, vertex, exit, face, strip);
+    if (angle < least) {
+      least = angle;
+      cut(before, middle);
+    } else {
+      cut(middle, strip.entry.size());
     }
   }
   if (least == unreachable) {
-    best.clear();
-    if (!search(mesh, vertex, from, face, best)) return false;
+    std::vector<HalfedgePair> found;
+    if (!search(mesh, vertex, from, face, found)) return false;
+    for (const HalfedgePair& crossing : found) {
+      strip.exit.push_back(crossing.exit);
+      strip.entry.push_back(crossing.entry);
+    }
   }
-  for (const HalfedgePair& crossing : best) {
-    strip.push(Mesh::face_of(crossing.entry), crossing.exit, crossing.entry);
+  for (std::size_t i = before; i < strip.entry.size(); ++i) {
+    strip.faces.push_back(Mesh::face_of(strip.entry[i]));
   }
   return true;
 }

@@ -114,7 +114,11 @@ SurfacePoint user_point(const IndexData& data, const SurfacePoint& point) {
 SurfacePath user_path(const IndexData& data, const SurfacePath& path) {
   // The user's faces lie anywhere in memory.
   for (const SurfacePoint& point : path.points) {
-    if (!point.is_vertex()) prefetch_line(&data.work.user_face[point.face]);
+    if (point.is_vertex()) continue;
+    prefetch_line(&data.work.user_face[point.face]);
+    for (Index vertex : data.work.mesh->face_vertices(point.face)) {
+      prefetch_line(&data.work.user_vertex[vertex]);
+    }
   }
   for (const SurfacePoint& point : path.points) {
     if (!point.is_vertex()) prefetch_line(&data.mesh->face_vertices(data.work.user_face[point.face]));
