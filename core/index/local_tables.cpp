@@ -21,6 +21,17 @@ Halo::Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count)
   for (Index p = 0; p < patch_count; ++p) face_begin_[p + 1] += face_begin_[p];
 }
 
+template <class Visit>
+std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, Visit&& visit) const {
+  const std::size_t end = list.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    for (Index v : mesh_.face_vertices(list[i])) {
+      for (Index corner : mesh_.corners(v)) visit(Mesh::face_of(corner));
+    }
+  }
+  return end;
+}
+
 void Halo::surround(std::span<const Index> patches, double growth) {
   for (Index f : faces_) mask_[f] = 0;
   faces_.clear();
@@ -30,22 +41,29 @@ void Halo::surround(std::span<const Index> patches, double growth) {
       faces_.push_back(f);
     }
   }
-  // Ring by ring: all faces that share a vertex with the last ring.
   const auto wanted = static_cast<std::size_t>(growth * static_cast<double>(faces_.size()));
   std::size_t ring = 0;
   while (ring < faces_.size() && faces_.size() < wanted) {
-    const std::size_t end = faces_.size();
-    for (; ring < end; ++ring) {
-      for (Index v : mesh_.face_vertices(faces_[ring])) {
-        for (Index corner : mesh_.corners(v)) {
-          const Index f = Mesh::face_of(corner);
-          if (mask_[f]) continue;
-          mask_[f] = 1;
-          faces_.push_back(f);
-        }
-      }
-    }
+    ring = for_ring(faces_, ring, [&](Index f) {
+      if (mask_[f] != 0) return;
+      mask_[f] = 1;
+      faces_.push_back(f);
+    });
   }
+}
+
+void Halo::widen(std::span<const Index> around, int rings) {
+  constexpr std::uint8_t in_rings = 2;
+  ringed_.clear();
+  auto mark = [&](Index f) {
+    if ((mask_[f] & in_rings) != 0) return;
+    if (mask_[f] == 0) faces_.push_back(f);
+    mask_[f] |= in_rings;
+    ringed_.push_back(f);
+  };
+  for (Index f : around) mark(f);
+  std::size_t ring = 0;
+  for (int k = 0; k < rings && ring < ringed_.size(); ++k) ring = for_ring(ringed_, ring, mark);
 }
 
 void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,

@@ -23,16 +23,24 @@ class Halo {
 
   /// Marks the patches and a rim around them; earlier marks are taken back. Complexity: O(faces marked).
   void surround(std::span<const Index> patches, double growth = default_growth);
-  /// 1 for the marked faces. Shape (faces).
+  /// Marks also what is within some rings of faces around the given faces. Complexity: O(faces in the rings).
+  void widen(std::span<const Index> around, int rings);
+  /// Not 0 for the marked faces. Shape (faces).
   std::span<const std::uint8_t> mask() const { return mask_; }
   /// The marked faces.
   std::span<const Index> faces() const { return faces_; }
 
  private:
+  /// Calls visit(face) for all faces at the vertices of faces list[begin ...]; returns where those end that
+  /// the list had at first.
+  template <class Visit>
+  std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, Visit&& visit) const;
+
   const Mesh& mesh_;
   std::vector<Index> face_begin_;
-  std::vector<std::uint8_t> mask_;
+  std::vector<std::uint8_t> mask_;  ///< bits: marked; within the rings of widen()
   std::vector<Index> faces_;
+  std::vector<Index> ringed_;
 };
 
 /// The same for tables: about one ring of faces. A distance that a wider halo would make shorter is mostly

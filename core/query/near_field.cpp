@@ -2,6 +2,7 @@
 #include "query/near_field.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vorogeo {
 
@@ -23,12 +24,19 @@ void NearField::add(Index patch) {
 }
 
 void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
-  halo_.surround(patches_, growth);
   targets_.clear();
   for (Index p : patches_) {
     const auto members = data_.second.members(p);
     targets_.insert(targets_.end(), members.begin(), members.end());
   }
+  around_.clear();
+  for (const ExactSource& one : sources) {
+    for_each_face_at(*data_.work.mesh, one.point,
+                     [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
+  }
+  halo_.surround(patches_, growth);
+  const double members = static_cast<double>(targets_.size()) / static_cast<double>(patches_.size());
+  halo_.widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))));
   ExactLimits limits;
   limits.face_allowed = halo_.mask();
   limits.targets = targets_;

@@ -11,12 +11,15 @@
 
 namespace vorogeo {
 
-/// Propagation inside the second-layer patches of the sources and a wide halo around them. Keeps its memory
-/// from run to run; one object belongs to one thread.
+/// Propagation inside the second-layer patches of the sources and a halo around patches and sources. Keeps
+/// its memory from run to run; one object belongs to one thread.
 class NearField {
  public:
-  /// Growth of the halo: over a border close to the source, the largest errors would lie in the next patch.
-  static constexpr double growth = 3.0;
+  /// Growth of the halo around the patches, for paths that leave them.
+  static constexpr double growth = 1.3;
+  /// Rings of faces around the sources, relative to the square root of the members of a patch: over a border
+  /// close to a source, the largest errors would lie in the next patch.
+  static constexpr double reach = 0.7;
   /// Inside the patches the solver's distance holds, unless a way outside the halo is shorter by more than
   /// repaired crossings can err: then the distance by the tables is below this part of it.
   static constexpr double shorter_outside = 0.99;
@@ -66,6 +69,7 @@ class NearField {
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;
   std::vector<Index> targets_;
+  std::vector<Index> around_;  ///< faces at the sources
   double certain_ = 0.0;
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -58,6 +59,33 @@ TEST(Halo, StopsWhereTheMeshEnds) {
   halo.surround(std::vector<Index>{});
   EXPECT_TRUE(halo.faces().empty());
   EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), data.work.mesh->face_count());
+}
+
+TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
+  const auto index = index_of(test::icosphere(3));
+  const IndexData& data = index->data();
+  const Mesh& mesh = *data.work.mesh;
+  Halo halo(mesh, data.work.second_layer, data.second.patch_count);
+  const std::vector<Index> patch{0};
+  halo.surround(patch);
+  std::set<Index> expected(halo.faces().begin(), halo.faces().end());
+  const Index seed = mesh.face_count() - 1;
+  std::set<Index> rings{seed};
+  for (int k = 0; k < 3; ++k) {
+    std::set<Index> next = rings;
+    for (Index f : rings) {
+      for (Index v : mesh.face_vertices(f)) {
+        for (Index corner : mesh.corners(v)) next.insert(Mesh::face_of(corner));
+      }
+    }
+    rings.swap(next);
+  }
+  expected.insert(rings.begin(), rings.end());
+  halo.widen(std::array{seed}, 3);
+  EXPECT_EQ(std::set<Index>(halo.faces().begin(), halo.faces().end()), expected);
+  EXPECT_EQ(halo.faces().size(), expected.size()) << "each face once";
+  halo.surround(std::vector<Index>{});
+  EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
 }
 
 /// Errors of the table entries of some nodes of the second layer.
