@@ -16,7 +16,7 @@ namespace vorogeo {
 class NearField {
  public:
   /// Growth of the halo around the patches, for paths that leave them.
-  static constexpr double growth = 1.3;
+  static constexpr double growth = 2.5;
   /// Rings of faces around the sources, relative to the square root of the members of a patch: over a border
   /// close to a source, the largest errors would lie in the next patch.
   static constexpr double reach = 0.7;
