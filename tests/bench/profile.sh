@@ -31,7 +31,7 @@ profile() {
 profile exact exact "$mesh" 0 1000 2000
 profile build build "$mesh" 2 "$work/profile/index"
 profile field fields "$mesh" "$index" 1 200 0 1000 2000
-profile far pairs "$mesh" "$index" "$work/$name.far" 20
-profile near pairs "$mesh" "$index" "$work/$name.near" 1
+profile far pairs "$mesh" "$index" "$work/$name.far" 200
+profile near pairs "$mesh" "$index" "$work/$name.near" 30
 rm -f "$work/profile/index"
 "$root/build/venv-bench/bin/python" "$bench/profile_table.py" "$work/profile" $write
