@@ -37,7 +37,7 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   faces_.clear();
   for (Index p : patches) {
     for (Index f = face_begin_[p]; f < face_begin_[p + 1]; ++f) {
-      mask_[f] = 1;
+      mask_[f] = surrounded;
       faces_.push_back(f);
     }
   }
@@ -46,14 +46,13 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   while (ring < faces_.size() && faces_.size() < wanted) {
     ring = for_ring(faces_, ring, [&](Index f) {
       if (mask_[f] != 0) return;
-      mask_[f] = 1;
+      mask_[f] = surrounded;
       faces_.push_back(f);
     });
   }
 }
 
-void Halo::widen(std::span<const Index> around, int rings) {
-  constexpr std::uint8_t in_rings = 2;
+void Halo::widen(std::span<const Index> around, int rings, std::size_t most) {
   ringed_.clear();
   auto mark = [&](Index f) {
     if ((mask_[f] & in_rings) != 0) return;
@@ -63,7 +62,9 @@ void Halo::widen(std::span<const Index> around, int rings) {
   };
   for (Index f : around) mark(f);
   std::size_t ring = 0;
-  for (int k = 0; k < rings && ring < ringed_.size(); ++k) ring = for_ring(ringed_, ring, mark);
+  for (int k = 0; k < rings && ring < ringed_.size() && ringed_.size() < most; ++k) {
+    ring = for_ring(ringed_, ring, mark);
+  }
 }
 
 void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,

@@ -23,8 +23,9 @@ class Halo {
 
   /// Marks the patches and a rim around them; earlier marks are taken back. Complexity: O(faces marked).
   void surround(std::span<const Index> patches, double growth = default_growth);
-  /// Marks also what is within some rings of faces around the given faces. Complexity: O(faces in the rings).
-  void widen(std::span<const Index> around, int rings);
+  /// Marks also what is within some rings of faces around the given faces, but no further ring once these are
+  /// `most` faces. To be called once after surround(). Complexity: O(faces in the rings).
+  void widen(std::span<const Index> around, int rings, std::size_t most);
   /// Not 0 for the marked faces. Shape (faces).
   std::span<const std::uint8_t> mask() const { return mask_; }
   /// The marked faces.
@@ -38,7 +39,10 @@ class Halo {
 
   const Mesh& mesh_;
   std::vector<Index> face_begin_;
-  std::vector<std::uint8_t> mask_;  ///< bits: marked; within the rings of widen()
+  // Bits of the mask.
+  static constexpr std::uint8_t surrounded = 1;
+  static constexpr std::uint8_t in_rings = 2;
+  std::vector<std::uint8_t> mask_;
   std::vector<Index> faces_;
   std::vector<Index> ringed_;
 };

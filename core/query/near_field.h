@@ -15,11 +15,15 @@ namespace vorogeo {
 /// its memory from run to run; one object belongs to one thread.
 class NearField {
  public:
-  /// Growth of the halo around the patches, for paths that leave them.
+  /// Growth of the halo around the patches, for paths that leave them; on needles these go further than
+  /// elsewhere.
   static constexpr double growth = 2.5;
   /// Rings of faces around the sources, relative to the square root of the members of a patch: over a border
   /// close to a source, the largest errors would lie in the next patch.
   static constexpr double reach = 0.7;
+  /// No further ring from so many faces a source on, relative to the members of a patch: rings of even faces
+  /// have about three, those at fans of needles may have any number.
+  static constexpr double most_faces = 8.0;
   /// Inside the patches the solver's distance holds, unless a way outside the halo is shorter by more than
   /// repaired crossings can err: then the distance by the tables is below this part of it.
   static constexpr double shorter_outside = 0.99;

@@ -6,6 +6,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 bool way_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& way) {
@@ -27,10 +29,12 @@ bool way_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edge
   std::unordered_map<Index, Reached> reached{{start, {0.0, {no_index, no_index}}}};
   std::priority_queue<Entry> queue;
   queue.push({straight(start), start});
+  std::size_t looked_at = 0;
   while (!queue.empty()) {
     const auto [key, vertex] = queue.top();
     queue.pop();
     if (vertex == goal) break;
+    if (++looked_at % 256 == 0) checkpoint();
     const double at = reached.at(vertex).distance;
     if (key > (at + straight(vertex)) * (1.0 + 1e-12)) continue;
     for (Index corner : mesh.corners(vertex)) {

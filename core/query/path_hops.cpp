@@ -2,6 +2,7 @@
 #include "query/path_hops.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "query/hop_walk.h"
@@ -34,10 +35,9 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
                        forwards.back() ? step.vertex : vertex);
     vertex = step.vertex;
   }
-  for (bool any = true; any;) {
-    any = false;
-    for (HopWalk& walk : walks) any |= walk.go_on();
-  }
+  std::vector<HopWalk*> going;
+  for (HopWalk& walk : walks) going.push_back(&walk);
+  while (!going.empty()) std::erase_if(going, [](HopWalk* walk) { return !walk->go_on(); });
   vertex = chain.source;
   if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
   for (std::size_t k = 0; k < walks.size(); ++k) {

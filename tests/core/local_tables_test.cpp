@@ -67,23 +67,27 @@ TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   const Mesh& mesh = *data.work.mesh;
   Halo halo(mesh, data.work.second_layer, data.second.patch_count);
   const std::vector<Index> patch{0};
-  halo.surround(patch);
-  std::set<Index> expected(halo.faces().begin(), halo.faces().end());
-  const Index seed = mesh.face_count() - 1;
-  std::set<Index> rings{seed};
-  for (int k = 0; k < 3; ++k) {
-    std::set<Index> next = rings;
-    for (Index f : rings) {
-      for (Index v : mesh.face_vertices(f)) {
-        for (Index corner : mesh.corners(v)) next.insert(Mesh::face_of(corner));
+  const auto all_faces = static_cast<std::size_t>(mesh.face_count());
+  // Beside the patch, inside it, and where the second of three rings is too many.
+  for (const auto& [seed, most] : {std::pair(mesh.face_count() - 1, all_faces),
+                                   std::pair(Index{0}, all_faces), std::pair(Index{0}, std::size_t{14})}) {
+    halo.surround(patch);
+    std::set<Index> expected(halo.faces().begin(), halo.faces().end());
+    std::set<Index> rings{seed};
+    for (int k = 0; k < 3 && rings.size() < most; ++k) {
+      std::set<Index> next = rings;
+      for (Index f : rings) {
+        for (Index v : mesh.face_vertices(f)) {
+          for (Index corner : mesh.corners(v)) next.insert(Mesh::face_of(corner));
+        }
       }
+      rings.swap(next);
     }
-    rings.swap(next);
+    expected.insert(rings.begin(), rings.end());
+    halo.widen(std::array{seed}, 3, most);
+    EXPECT_EQ(std::set<Index>(halo.faces().begin(), halo.faces().end()), expected);
+    EXPECT_EQ(halo.faces().size(), expected.size()) << "each face once";
   }
-  expected.insert(rings.begin(), rings.end());
-  halo.widen(std::array{seed}, 3);
-  EXPECT_EQ(std::set<Index>(halo.faces().begin(), halo.faces().end()), expected);
-  EXPECT_EQ(halo.faces().size(), expected.size()) << "each face once";
   halo.surround(std::vector<Index>{});
   EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
 }
