@@ -41,6 +41,7 @@ Results about_index(const IndexOfLayer& found) {
 }
 
 std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh) {
+  if (const auto index = call.indexes.find(layer_mesh.arrays(), &call.document)) return index->mesh();
   return run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
                      [&](const Progress&) { return layer_mesh.make_mesh(); });
 }

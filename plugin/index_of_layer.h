@@ -22,7 +22,7 @@ Results statistics_results(const IndexStatistics& statistics);
 /// What a filter returns of the index that it used: index_reused and index_seconds.
 Results about_index(const IndexOfLayer& found);
 
-/// The mesh of the layer, made while the window stays alive.
+/// The mesh of the layer: that of the cached index, or a new one, made while the window stays alive.
 std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh);
 
 /// Logs what a user should know about the mesh before trusting distances on it.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "index_of_layer.h"
 #include "parameters.h"
 #include "selected_vertices.h"
 #include "source_layer.h"
@@ -90,7 +91,7 @@ void add_task_point_parameters(RichParameterList& list, const MeshDocument& docu
 TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, const char* purpose) {
   TaskPoints result;
   if (!call.parameters.getString("surface_points").trimmed().isEmpty()) {
-    const auto mesh = layer_mesh.make_mesh();
+    const auto mesh = read_mesh(call, layer_mesh);
     const auto points = parse_surface_points(call, layer_mesh, *mesh, "surface_points");
     for (std::size_t i = 0; i < points.size(); ++i) result.numbers.push_back(static_cast<int>(i));
     result.points = points;
@@ -106,7 +107,7 @@ TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, cons
     result.what = "selected vertices";
     return result;
   }
-  SnappedLayer layer = snapped_layer(call, layer_mesh.make_mesh(), "point_layer", "points");
+  SnappedLayer layer = snapped_layer(call, read_mesh(call, layer_mesh), "point_layer", "points");
   result.points = layer.points;
   result.numbers = std::move(layer.numbers);
   result.snap_distance = layer.snap_distance;

@@ -2,6 +2,7 @@
 #include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "index_of_layer.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -24,7 +25,7 @@ std::vector<Index> border_vertices(const Mesh& mesh) {
 
 Results distances_from_border(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
-  return write_distance_field(call, layer_mesh, border_vertices(*layer_mesh.make_mesh()), Method::index);
+  return write_distance_field(call, layer_mesh, border_vertices(*read_mesh(call, layer_mesh)), Method::index);
 }
 
 }  // namespace

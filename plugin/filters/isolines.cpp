@@ -8,6 +8,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "index_of_layer.h"
 #include "logged_length.h"
 #include "new_layer.h"
 #include "parameters.h"
@@ -54,7 +55,7 @@ Results draw_isolines(FilterCall& call) {
     throw InvalidInput("The vertices have no quality. Compute a distance first.");
   }
   const bool is_distance = call.parameters.getBool("is_distance");
-  const auto mesh = layer_mesh.make_mesh();
+  const auto mesh = read_mesh(call, layer_mesh);
   std::vector<double> field(static_cast<std::size_t>(mesh->vertex_count()));
   double low = unreachable;
   double high = -unreachable;

@@ -4,6 +4,7 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
+#include "index_of_layer.h"
 #include "new_layer.h"
 #include "output_file.h"
 #include "parameters.h"
@@ -42,7 +43,7 @@ Results nearest_points(FilterCall& call) {
                  "The table of " + std::to_string(count) + " neighbours of " +
                      std::to_string(queries.size()) + " points",
                  "Lower neighbour_number or give fewer points.");
-  const SnappedLayer set = snapped_layer(call, layer_mesh.make_mesh(), "source_layer", "points");
+  const SnappedLayer set = snapped_layer(call, read_mesh(call, layer_mesh), "source_layer", "points");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const NearestOfSet nearest = nearest_of_set(found.team, set.points, queries.points, count, found.progress);
   std::vector<int> of_query;
