@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "filter_row.h"
-#include "host_api.h"
-#include "index_cache.h"
+#include "host/filter_row.h"
+#include "host/host_api.h"
+#include "layers/index_cache.h"
 
 /// All filters of VoroGeo. Nothing happens before a filter is applied: the host loads and unloads the library
 /// several times to look at it.

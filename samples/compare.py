@@ -94,7 +94,7 @@ def draw(picture: Path, mesh_set: pymeshlab.MeshSet, name: str, source: int, sca
 
 
 def compare(mesh_set: pymeshlab.MeshSet, method: str, source: int) -> Result | None:
-    """One method against the exact distance; none where this MeshLab has not the method or it fails on the mesh."""
+    """One method against the exact distance; None if this MeshLab lacks the method or it fails on the mesh."""
     try:
         figures = mesh_set.apply_filter(FILTER, vertex_index=source, method=method, reference=EXACT)
     except pymeshlab.PyMeshLabException as error:
@@ -129,14 +129,14 @@ def picture_of(
 
 
 def without_margins(pictures: list[np.ndarray]) -> list[np.ndarray]:
-    """All pictures cut to where any of them is not white."""
+    """All pictures cropped alike, to the part where any of them is not white."""
     drawn = np.any([picture.min(axis=2) < 255 for picture in pictures], axis=0)
     rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
     return [picture[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1] for picture in pictures]
 
 
 def draw_histogram(axes: plt.Axes, results: list[Result]) -> None:
-    """How often which error occurs, on a logarithmic scale of errors."""
+    """Histogram of the errors, on a logarithmic scale."""
     bins = np.logspace(-5, 2, 60)
     for result in results:
         sizes = np.clip(100 * np.abs(result.error[result.error != 0]), bins[0], bins[-1])

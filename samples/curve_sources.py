@@ -9,7 +9,7 @@ import mesh_input
 import numpy as np
 import pymeshlab
 import render_plain
-from render import Panel
+from panel import Panel
 
 out = Path("samples/out")
 out.mkdir(parents=True, exist_ok=True)

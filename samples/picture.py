@@ -121,7 +121,7 @@ def draw_with_vtk(arrays: dict[str, NDArray], file: str) -> None:
 
 
 def draw_plain(file: str | Path, arrays: dict[str, NDArray]) -> None:
-    """Draw with matplotlib: triangles from back to front, then lines and points that face the camera or not."""
+    """Draw with matplotlib: triangles from back to front, then all lines and points, hidden ones included."""
     import matplotlib
 
     matplotlib.use("agg")

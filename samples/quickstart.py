@@ -14,7 +14,7 @@ import table
 
 
 def front_point(mesh: pymeshlab.Mesh) -> np.ndarray:
-    """Middle of the side of the bounding box that pictures look at: largest z, or least y if the mesh lies flat."""
+    """Centre of the side of the bounding box that faces the camera: largest z, or least y if the mesh lies flat."""
     box = mesh.bounding_box()
     point = 0.5 * (box.min() + box.max())
     size = box.max() - box.min()

@@ -12,14 +12,14 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import mesh_input
 import numpy as np
 import render_plain
+from panel import Panel
 
 if TYPE_CHECKING:
     import pyvista
 
-PANEL = (1000, 900)
+SIZE = (1000, 900)  # of one panel
 ISOLINES = 24
 MOST_BALLS = 20
 LINE = 0.0012  # radius of lines, relative to the diagonal of the mesh
@@ -49,46 +49,12 @@ def draw(picture: Path, files: list[Path]) -> None:
         render_plain.draw(picture, panels)
 
 
-class Panel:
-    """What one PLY file shows: a distance field (vertex quality) or patches (face colours)."""
-
-    def __init__(self, file: Path) -> None:
-        mesh_set = mesh_input.load(file)  # owns the mesh
-        mesh = mesh_set.current_mesh()
-        self.vertices, self.faces = mesh.vertex_matrix(), mesh.face_matrix()
-        self.distance = mesh.vertex_scalar_array() if mesh.has_vertex_scalar() else None
-        if self.distance is None and not mesh.has_face_color():
-            sys.exit(
-                f"{file} has neither a quality of its vertices nor colours of its faces; there is nothing to show."
-            )
-        self.colors = None if mesh.has_vertex_scalar() else (255 * mesh.face_color_matrix()[:, :3]).astype(np.uint8)
-
-    def patch_borders(self) -> np.ndarray:
-        """Edges between faces of different colours, as pairs of vertices."""
-        assert self.colors is not None
-        edges = np.sort(self.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-        color = np.repeat(self.colors.astype(np.int64) @ [65536, 256, 1], 3)
-        order = np.lexsort((edges[:, 1], edges[:, 0]))
-        edges, color = edges[order], color[order]
-        same_edge = (edges[1:] == edges[:-1]).all(axis=1)
-        return edges[1:][same_edge & (color[1:] != color[:-1])]
-
-    def view(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Directions to the camera, to the right and up; up is y, or z for a mesh that lies flat."""
-        size = np.ptp(self.vertices, axis=0)
-        flat = size[2] < 0.5 * min(size[0], size[1])
-        direction, up = ([0.25, -0.8, 1.0], [0.0, 0.0, 1.0]) if flat else ([0.3, 0.3, 1.0], [0.0, 1.0, 0.0])
-        direction = np.array(direction) / np.linalg.norm(direction)
-        right = np.cross(up, direction) / np.linalg.norm(np.cross(up, direction))
-        return direction, right, np.cross(direction, right)
-
-
 def draw_with_vtk(picture: Path, panels: list[Panel]) -> None:
     """Draw through VTK off screen."""
     import pyvista  # only where it is used: importing it takes a second
 
     plotter = pyvista.Plotter(
-        off_screen=True, shape=(1, len(panels)), border=False, window_size=(PANEL[0] * len(panels), PANEL[1])
+        off_screen=True, shape=(1, len(panels)), border=False, window_size=(SIZE[0] * len(panels), SIZE[1])
     )
     plotter.set_background("white")
     for column, panel in enumerate(panels):
@@ -138,7 +104,7 @@ def aim(plotter: pyvista.Plotter, panel: Panel) -> None:
     """Parallel projection that fills the panel, with room for the bar below a field."""
     direction, right, up = panel.view()
     across, along = panel.vertices @ right, panel.vertices @ up
-    size = max(np.ptp(along), np.ptp(across) * PANEL[1] / PANEL[0])
+    size = max(np.ptp(along), np.ptp(across) * SIZE[1] / SIZE[0])
     below = 0.12 * size if panel.distance is not None else 0.0
     centre = (
         0.5 * (across.min() + across.max()) * right

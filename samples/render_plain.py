@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import matplotlib
 import numpy as np
 from matplotlib.collections import PolyCollection
+from panel import Panel
 
 matplotlib.use("agg")
 from matplotlib import pyplot
 
-if TYPE_CHECKING:
-    import render
-
 BANDS = 24
 
 
-def draw(picture: Path, panels: list[render.Panel]) -> None:
+def draw(picture: Path, panels: list[Panel]) -> None:
     """Draw triangles from back to front, fields in bands of equal width."""
     figure, axes = pyplot.subplots(1, len(panels), figsize=(8 * len(panels), 7), squeeze=False)
     for axis, panel in zip(axes[0], panels, strict=True):

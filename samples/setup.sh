@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Sets up everything the samples and tests run with. Run it as often as you like: what is done is not done again.
+# Sets up everything the samples and tests need. Run it as often as you like: finished steps are skipped.
 #
-# Usage: samples/setup.sh [--tests | --bench]
+# Usage: samples/setup.sh [--tests | --daily | --bench]
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
-#   packages of samples/requirements.txt, the plugin for PyMeshLab 2025.7 in build/plugin-2025.07-double, and the Python
-#   package vorogeo in .venv.
+#   packages of samples/requirements.txt, the core in build/core, around it the plugin for PyMeshLab 2025.7 in
+#   build/plugin-2025.07-double, and the Python package vorogeo in .venv.
 #   --tests: also what only the tests need: GoogleTest, debootstrap, and PyMeshLab 2022.2 in build/venv-2022 with its
-#   plugin and vorogeo.
+#   plugin and vorogeo. The core is then that of the C++ tests, in build/release.
+#   --daily: as --tests, without PyMeshLab 2022.2.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
 #   the packages it is compared with, and the programs in build/bench. What cannot be had is named and left out.
 #
@@ -15,12 +16,14 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 with_tests=no
+with_older=no
 for_bench=no
 for argument in "$@"; do
   case "$argument" in
-    --tests) with_tests=yes ;;
+    --tests) with_tests=yes with_older=yes ;;
+    --daily) with_tests=yes ;;
     --bench) for_bench=yes ;;
-    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests | --bench]" >&2; exit 2 ;;
+    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests | --daily | --bench]" >&2; exit 2 ;;
   esac
 done
 
@@ -105,11 +108,21 @@ make_venv() {
 }
 venv() { once "$1" "$2/.stamp" "$python_version $(sha256sum <"$3")" make_venv "$2" "$3"; }
 
+# The core is compiled once, for the plugins and the package: without the tests' own needs, or as part of their build.
+core_preset=core
+[ "$with_tests" = no ] || core_preset=release
+core_library="$PWD/build/$core_preset/core/libvorogeo_core.a"
+build_core() {
+  cmake --preset "$core_preset"
+  cmake --build "build/$core_preset" --target vorogeo_core --parallel "$jobs"
+}
+core() { once "core" "build/$core_preset/.stamp-core" "$(sources core)" build_core; }
+
 # Usage: build_plugin VERSION
 # Leaves the plugin in build/plugin-VERSION-double/plugin and a copy in build/plugins/VERSION, as pyfilter takes it.
 build_plugin() {
   local folder="build/plugin-$1-double"
-  cmake --preset "plugin-$1-double"
+  cmake --preset "plugin-$1-double" "-DVOROGEO_CORE_LIBRARY=$core_library"
   cmake --build "$folder" --target filter_vorogeo --parallel "$jobs"
   mkdir -p "build/plugins/$1"
   if ! cmp -s "$folder/plugin/libfilter_vorogeo.so" "build/plugins/$1/libfilter_vorogeo.so"; then
@@ -131,13 +144,13 @@ sources() {
     sort -z | xargs -0 sha256sum | sha256sum
 }
 
-# Usage: install_vorogeo VENV VERSION
+# Usage: install_vorogeo VENV VERSION [CORE]
 install_vorogeo() {
   CMAKE_BUILD_PARALLEL_LEVEL="$jobs" "$1/bin/pip" install --disable-pip-version-check --no-build-isolation \
     --no-deps --force-reinstall "--config-settings=cmake.define.VOROGEO_PLUGIN_DIR=$PWD/build/plugins" \
-    "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter
+    "--config-settings=cmake.define.VOROGEO_CORE_LIBRARY=${3:-}" "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter
 }
-vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2"; }
+vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library"; }
 
 # Usage: install_peers VENV REQUIREMENTS
 # A line each, so that one package that cannot be had does not take the others with it.
@@ -166,10 +179,13 @@ if [ "$for_bench" = yes ]; then
 fi
 
 venv venv .venv samples/requirements.txt
+core
 plugin 2025.07
 vorogeo .venv 2025.07
 if [ "$with_tests" = yes ]; then
   probe 2025.07
+fi
+if [ "$with_older" = yes ]; then
   venv venv-2022 build/venv-2022 samples/requirements-2022.txt
   plugin 2022.02
   probe 2022.02

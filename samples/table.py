@@ -66,7 +66,7 @@ def print_table(
 
 
 def print_queries(index: vorogeo.GeodesicIndex) -> None:
-    """Times of the questions themselves, without the filter around them; pairs that a path joins."""
+    """Times of the queries themselves, without the filter around them, for pairs that a path joins."""
     pairs = np.random.default_rng(1).integers(0, index.statistics.vertices, size=(2000, 2))
     pairs = pairs[np.isfinite(index.distance(pairs[:, 0], pairs[:, 1]))][:500].tolist()
     field_times = [seconds(lambda s=s: index.distance_field(s)) for s, _ in pairs[:10]]
@@ -111,7 +111,7 @@ def fields(mesh_set: pymeshlab.MeshSet, sources: list[int], run: Run) -> Fields:
 
 
 def heat_fields(mesh_file: Path, sources: list[int]) -> Fields:
-    """The heat method in a process of its own, since it brings the program down on some meshes."""
+    """The heat method in a process of its own, since it crashes on some meshes."""
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
         return pool.submit(heat_fields_here, mesh_file, sources).result()
 
@@ -123,7 +123,7 @@ def heat_fields_here(mesh_file: Path, sources: list[int]) -> Fields:
 
 
 def print_row(name: str, exact: np.ndarray, run: Callable[[], Fields]) -> None:
-    """One line of the table: errors over all vertices that a path leads to, the sources left out."""
+    """One line of the table: errors over all vertices that can be reached, without the sources."""
     try:
         found, time_of_field = run()
     except pymeshlab.PyMeshLabException as error:

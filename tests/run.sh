@@ -2,9 +2,10 @@
 # Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
 # Usage: tests/run.sh [--quick] [--no-window]
-#   --quick: without the sanitizer build and the fuzzers.
+#   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, the older PyMeshLab and the window.
 #   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
 #     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
+# The core is compiled twice, as it is used and watched by sanitizers; the C++ tests are compiled once and run with both.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -16,7 +17,7 @@ quick=no
 window=yes
 for argument in "$@"; do
   case "$argument" in
-    --quick) quick=yes ;;
+    --quick) quick=yes window=no ;;
     --no-window) window=no ;;
     *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick] [--no-window]" >&2; exit 2 ;;
   esac
@@ -98,8 +99,10 @@ finish() {
   exit $?
 }
 
-if ! bash samples/setup.sh --tests; then
-  echo "fail set-up (samples/setup.sh --tests)" >>"$checks"
+setup=--tests
+[ "$quick" = no ] || setup=--daily
+if ! bash samples/setup.sh "$setup"; then
+  echo "fail set-up (samples/setup.sh $setup)" >>"$checks"
   finish
 fi
 
@@ -123,56 +126,84 @@ if [ "$window" = yes ]; then
   { window_suite 2022.02 1; window_suite 2025.07 "$jobs"; } &
   window_suites=$!
 else
-  echo "skip MeshLab's window: --no-window" >>"$checks"
+  echo "skip MeshLab's window: --no-window or --quick" >>"$checks"
 fi
 
 check "format of C++" check_cpp_format
 check "format of Python" check_python_format
 check "rules for Python (ruff)" .venv/bin/ruff check .
+suite structure run_pytest structure .venv/bin/python tests/structure
 check "types of Python (mypy)" env -C pyfilter ../.venv/bin/mypy vorogeo
 
 # The adapter is tested on a real VCG mesh where set-up has obtained the host's headers.
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
   suite cpp-release run_ctest release
+  check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
 fi
 
-# The core for arm64: that it compiles without a warning. There is no such machine to run it on.
+# The core for arm64: that it compiles without a warning. There is no such machine to run it on. The units are
+# those of the release build.
 compile_for_arm64() {
-  local source
-  for source in core/*/*.cpp; do
-    aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore "$source" || return 1
+  local unit
+  for unit in build/release/core/CMakeFiles/vorogeo_core.dir/Unity/*.cxx \
+              core/index/{bound_scans,crossing_gains,min_plus}.cpp; do
+    aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore "$unit" || return 1
   done
 }
-if command -v aarch64-linux-gnu-g++ >/dev/null; then
+if [ "$quick" = yes ]; then
+  echo "skip core for arm64: --quick" >>"$checks"
+elif command -v aarch64-linux-gnu-g++ >/dev/null; then
   check "core for arm64" compile_for_arm64
 else
   echo "skip core for arm64: no aarch64-linux-gnu-g++" >>"$checks"
 fi
 
-# Both PyMeshLab versions side by side. The plugin is loaded by the tests themselves in one folder and by the package
-# vorogeo in the other, and cannot be unloaded: each folder has a process of its own. That the plugin tests also pass
-# with the older PyMeshLab is tested here, not once more from within the newer one.
-# Usage: python_suites VERSION PYTHON
-python_suites() {
-  suite "plugin-$1" run_pytest "plugin-$1" "$2" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
-  suite "python-$1" run_pytest "python-$1" "$2" tests/python
+# The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be
+# unloaded: each folder has a process of its own. The older PyMeshLab is asked only for what differs between the two:
+# loading, registration, parameters and files, the host's own methods, and how the package finds its plugin.
+older=()
+for name in loading registration index_files index_filters path_filters method_comparison filter_scripts \
+            host_conditions; do
+  older+=("tests/plugin/test_$name.py")
+done
+python_newer() {
+  local python=.venv/bin/python
+  suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
+  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python
 }
-python_suites 2025.7 .venv/bin/python &
+python_older() {
+  local python=build/venv-2022/bin/python
+  suite plugin-2022.2 run_pytest plugin-2022.2 "$python" "${older[@]}"
+  suite python-2022.2 run_pytest python-2022.2 "$python" tests/python/test_python_{plugin,package}.py
+}
+python_newer &
 newer=$!
-python_suites 2022.2 build/venv-2022/bin/python
+[ "$quick" = yes ] || python_older
 wait "$newer"
 
+# One process per core, each with its part of the tests: a start under sanitizers takes as long as many a test.
+run_sanitized() {
+  GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$1" timeout 1800 build/release/tests/core_tests_sanitized \
+    --gtest_brief=1 "--gtest_output=xml:$results/cpp-sanitized-$1.xml"
+}
 if [ "$quick" = no ]; then
-  if check "build of the C++ tests with sanitizers" build sanitize; then
-    suite cpp-sanitize run_ctest sanitize
-    check "fuzz index files" timeout $((fuzz_seconds + 120)) build/sanitize/tests/index_file_fuzz "$fuzz_seconds" &
+  if check "build of the core with sanitizers" \
+      cmake --build build/release --parallel "$jobs" --target sanitized_tests; then
+    shards=()
+    for ((shard = 0; shard < jobs; shard++)); do
+      suite "cpp-sanitized-$shard" run_sanitized "$shard" &
+      shards+=($!)
+    done
+    wait "${shards[@]}"
+    check "fuzz index files" timeout $((fuzz_seconds + 120)) build/release/tests/index_file_fuzz "$fuzz_seconds" &
     fuzzer=$!
-    check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/sanitize/tests/mesh_fuzz "$((fuzz_seconds / 4))"
+    check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/release/tests/mesh_fuzz "$((fuzz_seconds / 4))"
+    check "hostile meshes with sanitizers" tests/fuzz/run.sh --sanitized --count 50 --vertices 25
     wait "$fuzzer"
   fi
 else
-  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes"; do
+  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes" "hostile meshes with sanitizers" "PyMeshLab 2022.2"; do
     echo "skip $left_out: --quick" >>"$checks"
   done
 fi

@@ -23,7 +23,9 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
   const VertexState& state = vertices[vertex];
   Window window =
       Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
-  if (least_angle > 0.0 || greatest_angle < width) {
+  // A vertex on the edge itself, but for next to nothing, would see a sector through no part of the edge.
+  const bool is_on_edge = frame.apex_depth <= ExactGeometry::next_to_nothing * length;
+  if (!is_on_edge && (least_angle > 0.0 || greatest_angle < width)) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
     const bool own = geometry->begins_at_own_edge[corner] != 0;
     const bool first_side_begins = (frame.first_side(opposite) == corner) == own;
@@ -48,7 +50,7 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
   const auto corners = mesh.corners(vertex);
   const double arrival = vertices[vertex].arrival;
   const auto fan = mesh.fan(vertex);
-  everywhere |= arrival < 0.0 || fan == Mesh::Fan::non_manifold;
+  everywhere |= arrival < 0.0 || geometry->can_bend[vertex] == ExactGeometry::anywhere;
   const double total = mesh.total_angle(vertex);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Index corner = corners[i];
@@ -92,7 +94,7 @@ void ExactSolver::State::take_vertex(Index vertex) {
       const double distance = state.distance + mesh.edge_length(mesh.edge_of(side));
       if (distance >= vertices[other].distance) continue;
       double arrival = -1.0;
-      if (geometry->can_bend[other]) {
+      if (geometry->can_bend[other] == ExactGeometry::by_angle) {
         const Index there = side == corner ? Mesh::next_in_face(side) : side;
         const bool at_own_edge = there == side;
         arrival = geometry->corner_begin[there];

@@ -1,9 +1,12 @@
 // Unfolds each face next to each of its edges and lays out the corners around each vertex.
 #include "exact/exact_geometry.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "mesh/length_limits.h"
 #include "support/checkpoint.h"
 
 namespace vorogeo {
@@ -12,10 +15,6 @@ namespace {
 
 /// Angle deficits below this count as flat: a path may then pass through the vertex as through a saddle.
 constexpr double flat_tolerance = 1e-7;
-
-/// Areas are products of four lengths: beyond these they leave the range of doubles.
-constexpr double least_mean_edge = 1e-60;
-constexpr double greatest_edge = 1e60;
 
 FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
@@ -27,19 +26,33 @@ FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   frame.first_side_reversed = mesh.edge_vertices(first_edge)[0] == frame.apex;
   frame.second_side_reversed = mesh.edge_vertices(second_edge)[0] == frame.apex;
   const double length = mesh.edge_length(edge);
-  const double a = mesh.edge_length(first_edge);
-  const double b = mesh.edge_length(second_edge);
-  if (length > 0.0) {
-    frame.apex_x = 0.5 * (length + (a - b) * (a + b) / length);
-    frame.apex_depth = 2.0 * mesh.face_area(Mesh::face_of(halfedge)) / length;
+  if (!(length > 0.0)) return frame;
+  // From positions: the lengths of a needle or of a nearly flat face, each rounded, would tell next to
+  // nothing of its angles. Seen from the nearer end of the edge, as the difference of two large numbers loses
+  // digits.
+  const Point& p = mesh.position(mesh.edge_vertices(edge)[0]);
+  const Point& q = mesh.position(mesh.edge_vertices(edge)[1]);
+  const Point& r = mesh.position(frame.apex);
+  const bool nearer_first = mesh.edge_length(first_edge) <= mesh.edge_length(second_edge);
+  const Point& from = nearer_first ? p : q;
+  Point along{};
+  Point side{};
+  for (int k = 0; k < 3; ++k) {
+    along[k] = (q[k] - p[k]) / length;
+    side[k] = r[k] - from[k];
   }
+  const double x = side[0] * along[0] + side[1] * along[1] + side[2] * along[2];
+  frame.apex_x = nearer_first ? x : length + x;
+  frame.apex_depth =
+      std::hypot(side[1] * along[2] - side[2] * along[1], side[2] * along[0] - side[0] * along[2],
+                 side[0] * along[1] - side[1] * along[0]);
   return frame;
 }
 
 }  // namespace
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
-  require_lengths(*mesh, "exact distances take", least_mean_edge, greatest_edge);
+  require_lengths(*mesh, "exact distances take", exact_lengths.least_mean, exact_lengths.greatest);
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
   constexpr Index per_checkpoint = 1 << 13;
@@ -48,15 +61,24 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
     frame[h] = frame_of(*mesh, h);
   }
 
-  can_bend.resize(mesh->vertex_count());
+  can_bend.assign(mesh->vertex_count(), never);
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    std::array<double, 3> side{};
+    for (int i = 0; i < 3; ++i) side[i] = mesh->edge_length(mesh->edge_of(3 * f + i));
+    for (int i = 0; i < 3; ++i) {
+      if (side[i] > next_to_nothing * std::max({side[0], side[1], side[2]})) continue;
+      can_bend[mesh->tail(3 * f + i)] = can_bend[mesh->head(3 * f + i)] = anywhere;
+    }
+  }
   corner_begin.assign(halfedges, 0.0);
   begins_at_own_edge.assign(halfedges, 1);
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     if (v % per_checkpoint == 0) checkpoint();
     const auto fan = mesh->fan(v);
-    can_bend[v] =
-        fan == Mesh::Fan::open || fan == Mesh::Fan::non_manifold ||
-        (fan == Mesh::Fan::closed && mesh->total_angle(v) > 2.0 * std::numbers::pi - flat_tolerance);
+    if (fan == Mesh::Fan::non_manifold) can_bend[v] = anywhere;
+    const bool is_saddle =
+        fan == Mesh::Fan::closed && mesh->total_angle(v) > 2.0 * std::numbers::pi - flat_tolerance;
+    if (can_bend[v] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[v] = by_angle;
     if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) continue;
     const auto corners = mesh->corners(v);
     // The first corner begins at its border edge, if there is one; each next one where the last ended.

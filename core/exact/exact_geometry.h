@@ -34,18 +34,41 @@ struct ExactGeometry {
 
   std::shared_ptr<const Mesh> mesh;
   std::vector<FaceFrame> frame;  ///< by half-edge
+  /// A length this small beside another one of its face (relative) is at the rounding of positions there.
+  static constexpr double next_to_nothing = 1e-8;
   /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, a border, or non-manifold.
-  std::vector<std::uint8_t> can_bend;
+  /// `anywhere` at the ends of edges of next to no length: positions on the edges around do not tell on which
+  /// side of such an edge's end a path passes, so its ends send out windows in all directions.
+  enum Bend : std::uint8_t { never, by_angle, anywhere };
+  std::vector<Bend> can_bend;
   /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner
   /// begins.
   std::vector<double> corner_begin;
   /// Whether the corner begins at its own edge (rather than at that of the previous half-edge of the face).
   std::vector<std::uint8_t> begins_at_own_edge;
 
+  /// From the second vertex of the half-edge's edge back to the foot of the apex, along the edge. Where the
+  /// side between the two is short beside the edge, `length - apex_x` has lost the digits that tell its
+  /// direction: then by the angle that the side's own frame has.
+  double apex_from_second(Index halfedge) const {
+    const FaceFrame& own = frame[halfedge];
+    const double length = mesh->edge_length(mesh->edge_of(halfedge));
+    const Index side = own.second_side(halfedge);
+    const double side_length = mesh->edge_length(mesh->edge_of(side));
+    if (side_length > short_side * length || !(side_length > 0.0)) return length - own.apex_x;
+    const double along_side =
+        own.second_side_reversed ? side_length - frame[side].apex_x : frame[side].apex_x;
+    return along_side * (side_length / length);
+  }
+
   std::size_t memory_bytes() const {
     return frame.size() * sizeof(FaceFrame) + corner_begin.size() * sizeof(double) + can_bend.size() +
            begins_at_own_edge.size();
   }
+
+ private:
+  /// Sides shorter than this part of the edge lose more than three digits.
+  static constexpr double short_side = 1e-3;
 };
 
 }  // namespace vorogeo

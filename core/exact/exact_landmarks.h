@@ -32,7 +32,7 @@ class ExactLandmarks {
   };
   Seen seen_from(const Mesh& mesh, const SurfacePoint& point) const;
 
-  /// A number that the distance between a vertex and that point is at least.
+  /// A lower bound of the distance between a vertex and that point.
   double least_distance(Index vertex, const Seen& point) const {
     const float* own = distance_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(count_);
     float bound = 0.0F;

@@ -14,7 +14,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Bucket width in mean edge lengths: narrow enough for few repeated propagations, wide enough for few
+/// Bucket width in typical edge lengths: narrow enough for few repeated propagations, wide enough for few
 /// buckets.
 constexpr double bucket_width = 0.25;
 
@@ -35,7 +35,7 @@ void ExactSolver::State::reset() {
   touched_vertices.clear();
   envelope.clear();
   face_sources.clear();
-  queue.start(bucket_width * mesh.mean_edge_length());
+  queue.reset(bucket_width * mesh.typical_edge_length());
   closing.clear();
 }
 
@@ -68,6 +68,8 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.face_allowed = limits.face_allowed;
   state.max_distance = limits.max_distance;
   state.distances_only = limits.distances_only;
+  state.merge_tolerance = limits.merge_tolerance;
+  if (!limits.edge_targets.empty()) state.require_windows();
   state.has_corridor = corridor.has_value();
   if (corridor) state.corridor_at = position_of(state.mesh, *corridor);
   state.least_remaining = limits.least_remaining;
@@ -79,14 +81,21 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     state.start_at(state.sources[i], static_cast<Index>(i));
 
   std::size_t settled = 0;
+  std::size_t settled_on_edges = 0;
   std::int64_t items = 0;
   const bool stop_at_targets = !limits.targets.empty();
+  // Ends: an item enters the queue only where a distance became shorter by more than rounding.
   for (;;) {
     if (stop_at_targets) {
       const double bound = state.queue.lower_bound();
       while (settled < limits.targets.size() && state.vertices[limits.targets[settled]].distance <= bound)
         ++settled;
       if (settled == limits.targets.size()) {
+        while (settled_on_edges < limits.edge_targets.size() &&
+               state.distance_on_edge(limits.edge_targets[settled_on_edges]) <= bound)
+          ++settled_on_edges;
+      }
+      if (settled == limits.targets.size() && settled_on_edges == limits.edge_targets.size()) {
         state.settled_distance = bound;
         break;
       }
@@ -127,6 +136,12 @@ const Mesh& ExactSolver::mesh() const { return state_->mesh; }
 
 double ExactSolver::distance(Index vertex) const {
   const double found = state_->vertices[vertex].distance;
+  return found <= state_->max_distance ? found : unreachable;
+}
+
+double ExactSolver::distance(const EdgePoint& point) const {
+  state_->require_windows();
+  const double found = state_->distance_on_edge(point);
   return found <= state_->max_distance ? found : unreachable;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/surface_path.h"
 #include "mesh/mesh.h"
 #include "mesh/surface_point.h"
 #include "support/progress.h"
@@ -20,21 +21,32 @@ struct ExactSource {
   double offset = 0.0;
 };
 
-/// What a propagation need not compute.
+/// A point inside an edge, by its distance from the edge's first vertex.
+struct EdgePoint {
+  Index edge;
+  double position;
+};
+
+/// What a propagation need not compute, and how closely.
 struct ExactLimits {
   /// Distances above this need not be found (they are reported as unreachable).
   double max_distance = unreachable;
   /// If not empty: stop as soon as the distances of these vertices are final; the others are then upper
   /// bounds.
   std::span<const Index> targets{};
+  /// With targets: points of edges whose distances are to be final as well. Not with distances_only.
+  std::span<const EdgePoint> edge_targets{};
+  /// Neighbouring windows that one window stands for with a deviation up to this part of their edge's length
+  /// travel on as one; distances become too short by about as much. 0: exact.
+  double merge_tolerance = 0.0;
   /// If set, with a max_distance that is known to be an upper bound of this vertex's distance: only what can
   /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this
   /// vertex's distance is then meant to be read.
   Index corridor_target = no_index;
   /// The same for any point of the surface; takes the place of corridor_target.
   const SurfacePoint* corridor_point = nullptr;
-  /// With a corridor, if not empty: for each vertex a number that its distance to the corridor's target is at
-  /// least (size: number of vertices); used where it is more than the straight line in space.
+  /// With a corridor, if not empty: for each vertex a lower bound of its distance to the corridor's target
+  /// (size: number of vertices); used where it is more than the straight line in space.
   std::span<const double> least_remaining{};
   /// With a corridor, if set: exact distances on this mesh; what they prove is used where it is more.
   const ExactLandmarks* landmarks = nullptr;
@@ -45,12 +57,6 @@ struct ExactLimits {
   bool distances_only = false;
   /// If set: told the fraction of vertices reached, from the calling thread; may cancel the run.
   const Progress* progress = nullptr;
-};
-
-/// A path over the surface: consecutive points share a face; each lies on a vertex, an edge or in a face.
-struct SurfacePath {
-  std::vector<SurfacePoint> points;
-  double length = 0.0;
 };
 
 /// Exact solver on one mesh. Keeps its memory between runs; one object belongs to one thread.
@@ -79,6 +85,9 @@ class ExactSolver {
   double distance(Index vertex) const;
   /// Distance of any point of the surface. \throw std::logic_error after a run with distances_only.
   double distance(const SurfacePoint& point) const;
+  /// Distance of a point of an edge. Complexity: O(sources + log windows of the edge). \throw
+  /// std::logic_error after a run with distances_only.
+  double distance(const EdgePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.

@@ -124,13 +124,12 @@ void ExactSolver::State::add_window(Index edge, const Window& window) {
 void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
   const FaceFrame& frame = geometry->frame[halfedge];
   double arrival = -1.0;
-  if (geometry->can_bend[frame.apex]) {
+  if (geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
     // Angle at the apex between the corner's first edge and the way back to the pseudo-source.
-    const double length = mesh.edge_length(mesh.edge_of(halfedge));
     const Index corner = Mesh::previous_in_face(halfedge);
     const bool first_side_begins =
         (frame.first_side(halfedge) == corner) == (geometry->begins_at_own_edge[corner] != 0);
-    const double side_x = (first_side_begins ? 0.0 : length) - frame.apex_x;
+    const double side_x = first_side_begins ? -frame.apex_x : geometry->apex_from_second(halfedge);
     const double side_y = frame.apex_depth;
     const double dx = frame.apex_x - window.source_x;
     const double height = window.source_y + frame.apex_depth;
@@ -164,8 +163,8 @@ void ExactSolver::State::cross_face(Index halfedge) {
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
           false, length);
-  hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed, length - frame.apex_x,
-               frame.apex_depth),
+  hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed,
+               geometry->apex_from_second(halfedge), frame.apex_depth),
           true, length);
 }
 
@@ -184,7 +183,11 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
     const double source_x = second ? crossed_length - item.window.source_x : item.window.source_x;
     const double source_y = item.window.source_y;
     const double from = side.crossing(second ? crossed_length - end : begin, source_x, source_y);
-    const double to = side.crossing(second ? crossed_length - begin : end, source_x, source_y);
+    // What is cut at the ray to the apex ends at the apex: from a source next to the edge all rays leave it
+    // at one position but for rounding.
+    const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
+    const double to =
+        to_end ? side.length : side.crossing(second ? crossed_length - begin : end, source_x, source_y);
     const double turned_x = source_x * side.cosine - source_y * side.sine;
     const double turned_y = std::max(0.0, source_y * side.cosine + source_x * side.sine);
     const bool reversed = side.reversed;
@@ -231,6 +234,7 @@ void ExactSolver::State::take_edge(Index edge) {
     for (const Window& window : envelope.windows(edge)) {
       if (!window.is_propagated() && window.came_from != h) crossing.push_back({window, 0.0});
     }
+    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(mesh.edge_length(edge));
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);

@@ -12,6 +12,7 @@
 #include "exact/exact_geometry.h"
 #include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
+#include "exact/face_plane.h"
 #include "support/bucket_queue.h"
 
 namespace vorogeo {
@@ -35,7 +36,6 @@ struct ExactSolver::State {
   /// \throw std::logic_error if the run gave up its windows.
   void require_windows() const;
   void start_at(const ExactSource& source, Index id);
-  void propagate();
   void take_vertex(Index vertex);
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
@@ -81,7 +81,7 @@ struct ExactSolver::State {
     const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
     return length_to_target(length, middle, 0.5 * mesh.edge_length(edge));
   }
-  /// Where the corridor's target lies beside the edge being fed (path_tracing.cpp).
+  /// Where the corridor's target lies beside the edge being fed (corridor.cpp).
   void look_at_target();
   /// Least length of a path through a window of that edge to the target: the least over the window's points.
   double length_through(const Window& window) const;
@@ -90,6 +90,8 @@ struct ExactSolver::State {
     return !has_corridor || length_to_target <= max_distance * (1.0 + 1e-9);
   }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
+  /// Distance of a point inside an edge, by what has been found so far (back_step.cpp).
+  double distance_on_edge(const EdgePoint& point) const;
   /// Sources that lie in a face or on one of its edges.
   std::vector<Index> sources_in(Index face) const;
 
@@ -116,6 +118,10 @@ struct ExactSolver::State {
     double to_apex;
   };
   std::vector<Crossing> crossing;
+  /// Lets neighbouring windows of `crossing` travel on as one where merge_tolerance allows it
+  /// (window_merging.cpp).
+  void merge_crossing(double length);
+  double merge_tolerance = 0.0;
   /// The edge to which windows are being added, and what its ends say.
   Index open = no_index;
   double open_length = 0.0;
@@ -132,26 +138,5 @@ struct ExactSolver::State {
   /// Edges with the distance at which the front has passed them, roughly in that order.
   std::deque<std::pair<double, Index>> closing;
 };
-
-/// Where the straight way back from a point of a face leads: the best of all ways into that face.
-struct BackStep {
-  double distance = unreachable;  ///< of the point, by this way
-  Index source = no_index;        ///< the source itself, in this face
-  Index vertex = no_index;        ///< through this vertex
-  Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
-  double x = 0.0;
-};
-
-/// Plane coordinates of a point of a face: half-edge 3 f on the x axis from its tail, apex above.
-struct FacePlane {
-  FacePlane(const ExactGeometry& geometry, Index face);
-  std::array<double, 2> at(const std::array<double, 3>& barycentric) const;
-  std::array<std::array<double, 2>, 3> corner;
-};
-
-/// The best way to a point given by barycentric coordinates in `face`, but not over the vertices and edges in
-/// `avoided` (vertices are items [0, n), edges follow).
-BackStep best_way(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
-                  std::span<const Index> avoided = {});
 
 }  // namespace vorogeo

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "index/patch_layer.h"
+
 namespace vorogeo {
 
 BorderEdges::BorderEdges(const PatchLayer& layer) : edges_(layer.node_count()) {
@@ -19,6 +21,13 @@ BorderEdges::BorderEdges(const PatchLayer& layer) : edges_(layer.node_count()) {
       }
     }
   }
+  if (layer.neighbour.empty()) return;
+  std::vector<float> lengths;
+  lengths.reserve(layer.neighbour.size());
+  for (const BorderNeighbour& next : layer.neighbour) lengths.push_back(next.length);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  typical_length_ = *middle;
 }
 
 }  // namespace vorogeo

@@ -4,14 +4,17 @@
 #include <array>
 #include <vector>
 
-#include "index/patch_layer.h"
+#include "support/types.h"
 
 namespace vorogeo {
+
+struct PatchLayer;
 
 /// Neighbours of each node along the borders of its patches, up to four: where more borders meet, the others
 /// are left out.
 class BorderEdges {
  public:
+  BorderEdges() = default;
   explicit BorderEdges(const PatchLayer& layer);
 
   struct Edge {
@@ -21,19 +24,14 @@ class BorderEdges {
   /// The edges of a node; those that do not exist lead to no_index.
   const std::array<Edge, 4>& at(Index node) const { return edges_[node]; }
 
-  /// Whether two nodes are the same or joined by an edge. Sources (BorderSearch::wave_name) are the same or
-  /// not; between a source and a node nothing is known: true.
-  bool touch(Index a, Index b) const {
-    if (a == b) return true;
-    if (a < 0 || b < 0) return a >= 0 || b >= 0;
-    for (const Edge& edge : edges_[a]) {
-      if (edge.node == b) return true;
-    }
-    return false;
-  }
+  /// Median length of the border edges, each counted for every patch beside it: a few of any length leave it
+  /// as it is. 0 without any.
+  double typical_length() const { return typical_length_; }
+  std::size_t memory_bytes() const { return edges_.size() * sizeof(edges_[0]); }
 
  private:
   std::vector<std::array<Edge, 4>> edges_;
+  double typical_length_ = 0.0;
 };
 
 }  // namespace vorogeo

@@ -37,7 +37,8 @@ inline __attribute__((always_inline)) float unfolded_gain(float source, float ot
   const float height = source_sine + target_off / away;
   const float crossing = source_cosine * target_off + target_along * source_sine;
   const bool valid = (std::fabs(source_difference) <= length) & (std::fabs(target_difference) <= length) &
-                     (height > 0.0f) & (crossing > 0.0f) & (crossing < length * height) & (gain > 0.0f);
+                     (height > 0.0f) & (crossing > 0.0f) & (crossing < length * height) & (gain > 0.0f) &
+                     (gain <= 2.0f * target) & (gain <= 2.0f * away);
   return valid ? gain : 0.0f;
 }
 
@@ -52,6 +53,7 @@ inline __attribute__((always_inline)) float offset(float source_difference, floa
 VOROGEO_CLONES
 void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
   constexpr float least_edges = 3.0f;
+  constexpr auto steepest = static_cast<float>(greatest_gain);
   constexpr auto narrowest = static_cast<float>(least_offset);
   const float* sources = crossings.source;
   const float* targets = crossings.target;
@@ -81,12 +83,18 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float curvature = (to_right - to_left) / (right - left);
     const float slope = to_right - curvature * right;
     const float lowest_point = -0.5f * slope / curvature;
-    const float parabola = -0.5f * slope * lowest_point;
-    const float nearer = lowest + source < target ? lowest + source : target;
+    const float away = lowest + source;
+    const float longest = before > after ? before : after;
+    const float most = steepest * longest * longest * ((away + target) / (away * target));
+    const float free = -0.5f * slope * lowest_point;
+    const float parabola = free < most ? free : most;
+    // By the triangle inequality no gain is more than twice the nearer distance; rounding of distances that
+    // are much longer than their edges could make it more, and the distance negative.
+    const float nearer = away < target ? away : target;
     const bool valid = (nearer >= least_edges * before) & (nearer >= least_edges * after) & (left < 0.0f) &
                        (right > 0.0f) & (-left >= narrowest * before) & (right >= narrowest * after) &
                        (curvature > 0.0f) & (lowest_point > left) & (lowest_point < right) &
-                       (parabola > unfolded);
+                       (parabola > unfolded) & (parabola <= nearer);
     best[k] = valid ? parabola : unfolded;
   }
   std::memcpy(gain, best, sizeof(best));

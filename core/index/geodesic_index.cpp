@@ -1,27 +1,24 @@
 // Building an index, phase by phase.
 #include "index/geodesic_index.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "index/index_data.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
 #include "index/overlay.h"
+#include "index/table_draft.h"
+#include "mesh/length_limits.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/memory.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
-
-namespace {
-
-/// Tables hold single precision: distances across the mesh have to stay far from its ends.
-constexpr double least_mean_edge = 1e-28;
-constexpr double greatest_edge = 1e28;
-
-}  // namespace
 
 void IndexData::lay_out(int threads, const Progress& progress) {
   {
@@ -31,7 +28,13 @@ void IndexData::lay_out(int threads, const Progress& progress) {
   // What the solver needs and what the tables need, side by side.
   parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
     if (half == 0) {
-      geometry = std::make_shared<const ExactGeometry>(work.mesh);
+      auto unfolded = std::make_shared<ExactGeometry>(work.mesh);
+      // Points inside an edge do not turn a path; as pseudo-sources they would tie with one another without
+      // end.
+      for (const WorkMesh::EdgePoint& point : work.edge_points) {
+        unfolded->can_bend[point.vertex] = ExactGeometry::never;
+      }
+      geometry = std::move(unfolded);
     } else {
       second =
           lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
@@ -57,33 +60,15 @@ void IndexData::lay_out(int threads, const Progress& progress) {
   link_layers();
 }
 
-void IndexData::link_layers() {
-  parent_column.assign(second.border_node.size(), no_index);
-  std::vector<Index> column(work.mesh->vertex_count(), no_index);
-  Index last_parent = no_index;
-  // Patches of one parent are consecutive.
-  for (Index p = 0; p < second.patch_count; ++p) {
-    const Index parent = partition.parent[p];
-    if (parent != last_parent) {
-      const auto members = first.members(parent);
-      for (std::size_t i = 0; i < members.size(); ++i) column[members[i]] = static_cast<Index>(i);
-      last_parent = parent;
-    }
-    const auto nodes = second.nodes(p);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      parent_column[second.border_begin[p] + i] = column[second.node_vertex[nodes[i]]];
-    }
-  }
-}
-
 std::int64_t IndexData::bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return static_cast<std::int64_t>(
-      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + node_table.memory_bytes() +
-      approach_bounds.memory_bytes() + work.mesh->memory_bytes() + geometry->memory_bytes() +
+      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + transit_table.memory_bytes() +
+      access_bounds.memory_bytes() + work.mesh->memory_bytes() + geometry->memory_bytes() +
       of(work.work_vertex) + of(work.user_vertex) + of(work.second_layer) + of(work.user_face) +
       of(work.edge_points) + of(partition.first_layer) + of(partition.second_layer) + of(partition.parent) +
-      of(parent_column) + of(home_patch) + of(home_column));
+      of(parent_column) + of(home_patch) + of(home_column) + of(first_face) + of(first_child) +
+      of(second_node) + of(node_position));
 }
 
 void IndexData::count() {
@@ -113,9 +98,21 @@ const char* to_string(IndexForm form) {
   return "unknown";
 }
 
-std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,
-                                                          const IndexOptions& options,
-                                                          const Progress& progress) {
+namespace {
+
+constexpr const char* memory_advice =
+    "Close other programs, use fewer threads, or build the index of a smaller mesh.";
+
+/// Tables are drafted in single precision, twice as large as they are in the end.
+void require_memory_for_tables(const IndexData& data) {
+  const std::int64_t second = table_bytes(data.second);
+  const std::int64_t first = table_bytes(data.first);
+  require_memory(static_cast<double>(second + first + 2 * std::max(second, first)), 0,
+                 "Building the tables of this index", memory_advice);
+}
+
+std::unique_ptr<IndexData> build_data(std::shared_ptr<const Mesh> mesh, const IndexOptions& options,
+                                      const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (!(options.delta >= 0.0 && options.delta < 1.0)) {
     throw InvalidInput("delta is " + std::to_string(options.delta) +
@@ -126,7 +123,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
                        " MiB; give a positive number, or 0 for " + std::to_string(default_memory_budget) +
                        " MiB.");
   }
-  require_lengths(*mesh, "an index takes", least_mean_edge, greatest_edge);
+  require_lengths(*mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
   {
@@ -141,13 +138,14 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
   data->lay_out(options.threads, progress.part(0.07, 0.1));
   const MemoryBudget budget(options);
   const IndexForm form = budget.form_of(*data);
-  fill_local_tables(data->geometry, data->work.second_layer, data->second, options.threads,
-                    progress.part(0.1, 0.8));
+  require_memory_for_tables(*data);
+  fill_local_tables(make_table_surface(*data->mesh, data->work, data->geometry), data->work, data->second,
+                    options.threads, progress.part(0.1, 0.8));
   compose_tables(data->second, data->partition.parent, data->first, options.threads,
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
-    data->node_table = make_node_table(data->first, options.threads, progress.part(0.85, 0.98));
-    data->approach_bounds = make_approach_bounds(*data);
+    data->transit_table = make_transit_table(data->first, options.threads, progress.part(0.85, 0.98));
+    data->access_bounds = make_access_bounds(*data);
     data->graph = make_landmarks(data->second, data->first, progress.part(0.98, 1.0));
   } else {
     data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
@@ -157,7 +155,19 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const 
   }
   data->count();
   data->statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return std::make_shared<const GeodesicIndex>(std::move(data));
+  return data;
+}
+
+}  // namespace
+
+std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,
+                                                          const IndexOptions& options,
+                                                          const Progress& progress) {
+  try {
+    return std::make_shared<const GeodesicIndex>(build_data(std::move(mesh), options, progress));
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(std::string("There is not enough memory to build this index. ") + memory_advice);
+  }
 }
 
 GeodesicIndex::GeodesicIndex(std::unique_ptr<IndexData> data) : data_(std::move(data)) {}

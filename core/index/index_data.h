@@ -2,15 +2,17 @@
 #pragma once
 
 #include <memory>
+#include <ranges>
 #include <vector>
 
 #include "exact/exact_geometry.h"
-#include "index/approach_bounds.h"
-#include "index/geodesic_index.h"
-#include "index/node_table.h"
+#include "index/access_bounds.h"
+#include "index/index_options.h"
 #include "index/patch_layer.h"
 #include "index/search_graph.h"
+#include "index/transit_table.h"
 #include "index/work_mesh.h"
+#include "mesh/fingerprint.h"
 #include "partition/partition.h"
 
 namespace vorogeo {
@@ -24,8 +26,8 @@ struct IndexData {
   std::shared_ptr<const ExactGeometry> geometry;  ///< of the work mesh
   PatchLayer first;
   PatchLayer second;
-  NodeTable node_table;  ///< of the first layer
-  ApproachBounds approach_bounds;
+  TransitTable transit_table;  ///< of the first layer
+  AccessBounds access_bounds;
   SearchGraph graph;
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
   std::vector<Index> home_column;  ///< and its place among the members of that patch
@@ -34,9 +36,42 @@ struct IndexData {
   /// second.border_begin[patch] + row.
   std::vector<Index> parent_column;
 
+  // What queries would otherwise find out again each time; follows from the layout.
+  std::vector<Index> first_face;     ///< by second-layer patch; then the number of faces
+  std::vector<Index> first_child;    ///< second-layer patch, by first-layer patch; then their number
+  std::vector<Index> second_node;    ///< second-layer node, by first-layer node
+  std::vector<Point> node_position;  ///< by second-layer node: those of vertices lie far apart in memory
+  /// Whether an edge has more than two faces: crossings are unfolded as on a surface, so no margin of the
+  /// index's error holds there.
+  bool has_branches = false;
+
+  /// Second-layer patches of a first-layer patch.
+  auto children(Index first_layer_patch) const {
+    return std::views::iota(first_child[first_layer_patch], first_child[first_layer_patch + 1]);
+  }
+
+  /// Row of a work vertex in a second-layer patch; no_index if it is not on the border of that patch.
+  Index row_in_patch(Index patch, Index vertex) const {
+    const Index node = second.vertex_node[vertex];
+    return node == no_index ? no_index : second.row_of(node, patch);
+  }
+  /// Its place among the members of a second-layer patch; no_index if it is none of them.
+  Index column_in_patch(Index patch, Index vertex) const {
+    const Index node = second.vertex_node[vertex];
+    if (node != no_index) return second.row_of(node, patch);
+    return home_patch[vertex] == patch ? home_column[vertex] : no_index;
+  }
+  /// Place of a second-layer node among the members of a first-layer patch; no_index if it is none of them.
+  Index column_in_parent(Index parent, Index node) const {
+    for (const PatchRow& at : second.patches_of(node)) {
+      if (partition.parent[at.patch] == parent) return parent_column[second.border_begin[at.patch] + at.row];
+    }
+    return no_index;
+  }
+
   /// Work mesh, layers without tables, and homes, all of which follow from mesh and partition alone.
   void lay_out(int threads, const Progress& progress);
-  /// Fills in parent_column; the last step of lay_out().
+  /// The last step of lay_out(): fills in parent_column and what follows from the layout.
   void link_layers();
   IndexForm form() const { return graph.has_arcs() ? IndexForm::graph : IndexForm::tables; }
   /// Memory held beside the user's mesh.

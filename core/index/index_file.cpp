@@ -6,7 +6,6 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
-#include <random>
 #include <system_error>
 
 namespace vorogeo {
@@ -14,7 +13,7 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 5;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
 
@@ -56,46 +55,41 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
   return sum ^ (sum >> 32);
 }
 
-IndexFileWriter::IndexFileWriter(const std::filesystem::path& file) : file_(file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw IndexFileError("The index file " + file.string() + " is a folder; name a file in it.");
+namespace {
+
+/// Does something that writes; whatever fails is an IndexFileError.
+template <class Do>
+auto writing(Do&& body) {
+  try {
+    return body();
+  } catch (const InvalidInput& error) {
+    throw IndexFileError(error.what());
+  } catch (const FileError& error) {
+    throw IndexFileError(error.what());
   }
-  temporary_ = file;
-  temporary_ += ".part" + std::to_string(std::random_device{}());
-  out_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if (!out_) {
-    throw IndexFileError("Cannot write the index file " + file.string() +
-                         "; check that the folder exists and may be written to.");
-  }
-  out_.write(magic.data(), magic.size());
-  for (std::uint32_t number : {version, byte_order})
-    out_.write(reinterpret_cast<const char*>(&number), sizeof(number));
 }
 
-IndexFileWriter::~IndexFileWriter() {
-  if (temporary_.empty()) return;
-  out_.close();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+}  // namespace
+
+IndexFileWriter::IndexFileWriter(const std::filesystem::path& file)
+    : out_(writing([&] { return std::make_unique<OutputFile>(file, "The index file"); })) {
+  writing([&] {
+    out_->write(std::as_bytes(std::span(magic)));
+    for (std::uint32_t number : {version, byte_order})
+      out_->write(std::as_bytes(std::span<const std::uint32_t, 1>(&number, 1)));
+  });
 }
 
 void IndexFileWriter::write(std::span<const std::byte> bytes, std::size_t element_size) {
   const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, block_checksum(bytes)};
-  out_.write(reinterpret_cast<const char*>(head.data()), sizeof(head));
-  out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  writing([&] {
+    out_->write(std::as_bytes(std::span(head)));
+    out_->write(bytes);
+  });
 }
 
 void IndexFileWriter::finish() {
-  out_.close();
-  std::error_code error;
-  if (out_) std::filesystem::rename(temporary_, file_, error);
-  if (!out_) throw IndexFileError("Writing the index file " + file_.string() + " failed; is the disk full?");
-  if (error) {
-    throw IndexFileError("The index file " + file_.string() + " cannot be put in its place (" +
-                         error.message() + "); save it under another name.");
-  }
-  temporary_.clear();
+  writing([&] { out_->finish(); });
 }
 
 IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file) {

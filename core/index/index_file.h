@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "support/error.h"
+#include "support/output_file.h"
 
 namespace vorogeo {
 
@@ -17,14 +19,11 @@ namespace vorogeo {
 /// add).
 std::uint64_t block_checksum(std::span<const std::byte> bytes);
 
-/// Writes to a temporary file beside the target and renames it at the end, so that the target is whole or
-/// absent.
+/// Writes an OutputFile, so that the target is the old one or the new one, whole. All its functions throw
+/// IndexFileError if the file cannot be written: a folder, a device, no permission, a full disk.
 class IndexFileWriter {
  public:
   explicit IndexFileWriter(const std::filesystem::path& file);
-  ~IndexFileWriter();
-  IndexFileWriter(const IndexFileWriter&) = delete;
-  IndexFileWriter& operator=(const IndexFileWriter&) = delete;
 
   template <class T>
   void block(std::span<const T> values) {
@@ -35,15 +34,13 @@ class IndexFileWriter {
   void block(const std::vector<T>& values) {
     block(std::span<const T>(values));
   }
-  /// Moves the file to its place. \throw IndexFileError if anything could not be written.
+  /// Moves the file to its place.
   void finish();
 
  private:
   void write(std::span<const std::byte> bytes, std::size_t element_size);
 
-  std::filesystem::path file_;
-  std::filesystem::path temporary_;
-  std::ofstream out_;
+  std::unique_ptr<OutputFile> out_;
 };
 
 /// Reads the blocks in the order in which they were written.

@@ -1,11 +1,17 @@
-// Local exact tables: the border nodes between the same patches share one halo.
+// Exact runs from the border nodes of all patches.
 #include "index/local_tables.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
 
 #include "exact/exact_solver.h"
+#include "index/table_draft.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/per_worker.h"
 
 namespace vorogeo {
 
@@ -13,128 +19,164 @@ namespace {
 
 constexpr Index nodes_per_group = 16;
 
-}  // namespace
+/// Runs by which the cost of all is estimated.
+constexpr std::size_t runs_to_estimate = 8;
+/// Seconds of one core for each vertex from which on it is asked whether an index pays. Scans take a quarter.
+constexpr double usual_seconds = 1e-3;
+/// It hardly does if it costs more exact fields than this.
+constexpr double many_fields = 200.0;
 
-Halo::Halo(const Mesh& mesh, std::span<const Index> label, Index patch_count)
-    : mesh_(mesh), face_begin_(patch_count + 1, 0), mask_(mesh.face_count(), 0) {
-  for (Index patch : label) ++face_begin_[patch + 1];
-  for (Index p = 0; p < patch_count; ++p) face_begin_[p + 1] += face_begin_[p];
-}
+/// Windows that travel on as one deviate by at most this part of their edge, in the mean of many far less:
+/// the tables resolve some 3e-4 of an edge.
+constexpr double merge_tolerance = 2e-4;
 
-template <class Visit>
-std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, Visit&& visit) const {
-  const std::size_t end = list.size();
-  for (std::size_t i = begin; i < end; ++i) {
-    for (Index v : mesh_.face_vertices(list[i])) {
-      for (Index corner : mesh_.corners(v)) visit(Mesh::face_of(corner));
+/// Solves from the nodes between the same patches, which share one halo.
+class GroupSolver {
+ public:
+  GroupSolver(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
+              std::span<const Index> face_begin)
+      : surface_(surface),
+        work_(work),
+        layer_(layer),
+        solver_(surface.geometry),
+        halo_(*surface.geometry->mesh, face_begin) {}
+
+  void reset(std::span<const PatchRow> patches) {
+    patches_.clear();
+    for (const PatchRow& at : patches) patches_.push_back(at.patch);
+    halo_.surround(patches_, table_growth);
+    vertices_.clear();
+    points_.clear();
+    place_.clear();
+    for (Index p : patches_) {
+      for (Index member : layer_.members(p)) {
+        const Index vertex = surface_.vertex[member];
+        if (vertex == no_index) {
+          points_.push_back(surface_.edge_point[TableSurface::edge_point_of(work_, member)]);
+          place_.push_back(-static_cast<Index>(points_.size()));
+        } else {
+          vertices_.push_back(vertex);
+          place_.push_back(vertex);
+        }
+      }
     }
   }
-  return end;
-}
 
-void Halo::surround(std::span<const Index> patches, double growth) {
-  for (Index f : faces_) mask_[f] = 0;
-  faces_.clear();
-  for (Index p : patches) {
-    for (Index f = face_begin_[p]; f < face_begin_[p + 1]; ++f) {
-      mask_[f] = surrounded;
-      faces_.push_back(f);
+  void solve(Index node, TableDraft& tables) {
+    const ExactSource source = source_at(layer_.node_vertex[node]);
+    ExactLimits limits;
+    limits.face_allowed = halo_.mask();
+    limits.targets = vertices_;
+    limits.edge_targets = points_;
+    limits.distances_only = points_.empty();
+    limits.merge_tolerance = merge_tolerance;
+    solver_.run(std::span(&source, 1), limits);
+    auto place = place_.begin();
+    for (const PatchRow& at : layer_.patches_of(node)) {
+      const Index members = layer_.member_count(at.patch);
+      for (Index i = 0; i < members; ++i, ++place) {
+        const double distance =
+            *place >= 0 ? solver_.distance(*place) : solver_.distance(points_[-1 - *place]);
+        tables.line(at.patch, i)[at.row] = static_cast<float>(distance);
+      }
     }
   }
-  const auto wanted = static_cast<std::size_t>(growth * static_cast<double>(faces_.size()));
-  std::size_t ring = 0;
-  while (ring < faces_.size() && faces_.size() < wanted) {
-    ring = for_ring(faces_, ring, [&](Index f) {
-      if (mask_[f] != 0) return;
-      mask_[f] = surrounded;
-      faces_.push_back(f);
+
+ private:
+  ExactSource source_at(Index work_vertex) const {
+    const Index vertex = surface_.vertex[work_vertex];
+    if (vertex != no_index) return {SurfacePoint::at_vertex(vertex)};
+    const Mesh& mesh = *surface_.geometry->mesh;
+    const EdgePoint point = surface_.edge_point[TableSurface::edge_point_of(work_, work_vertex)];
+    const Index h = mesh.edge_halfedge(point.edge);
+    const double along = point.position / mesh.edge_length(point.edge);
+    const bool forward = mesh.tail(h) == mesh.edge_vertices(point.edge)[0];
+    std::array<double, 3> weights{};
+    weights[h % 3] = forward ? 1.0 - along : along;
+    weights[Mesh::next_in_face(h) % 3] = 1.0 - weights[h % 3];
+    return {SurfacePoint::in_face(Mesh::face_of(h), weights)};
+  }
+
+  const TableSurface& surface_;
+  const WorkMesh& work_;
+  const PatchLayer& layer_;
+  ExactSolver solver_;
+  Halo halo_;
+  std::vector<Index> patches_;
+  std::vector<Index> vertices_;
+  std::vector<EdgePoint> points_;
+  /// Of each member of the patches, patch by patch: its vertex, or -1 - k for points_[k].
+  std::vector<Index> place_;
+};
+
+double seconds_of(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// What is told while the tables are filled: with figures where that takes longer than an index can save.
+/// `groups`: as of group_by_patches().
+std::string activity_of(const TableSurface& surface, const PatchLayer& layer, std::span<const Index> groups,
+                        GroupSolver& solver, TableDraft& tables, const Progress& progress) {
+  const std::string activity = "Computing exact distances inside patches";
+  const std::size_t count = groups.size() - 1;
+  const std::size_t step = std::max<std::size_t>(1, count / runs_to_estimate);
+  double seconds = 0.0;
+  int runs = 0;
+  for (std::size_t group = step / 2; group < count; group += step, ++runs) {
+    progress.report(0.0, activity);
+    seconds += seconds_of([&] {
+      solver.reset(layer.patches_of(groups[group]));
+      solver.solve(groups[group], tables);
     });
   }
+  const Mesh& mesh = *surface.geometry->mesh;
+  if (runs == 0) return activity;
+  seconds *= static_cast<double>(layer.node_count()) / runs;
+  if (seconds < usual_seconds * mesh.vertex_count()) return activity;
+  const double field = seconds_of([&] {
+    const Index source = 0;
+    ExactSolver exact(surface.geometry);
+    ExactLimits limits;
+    limits.distances_only = true;
+    limits.progress = &progress;
+    exact.run_from_vertices(std::span(&source, 1), limits);
+  });
+  if (seconds < many_fields * field) return activity;
+  return activity + ": about " + std::to_string(std::lround(seconds)) + " s of one core, as long as " +
+         std::to_string(std::lround(seconds / field)) + " exact fields of this mesh (" +
+         std::to_string(std::lround(1000.0 * field)) + " ms each); for fewer, take the exact method";
 }
 
-void Halo::widen(std::span<const Index> around, int rings, std::size_t most) {
-  ringed_.clear();
-  auto mark = [&](Index f) {
-    if ((mask_[f] & in_rings) != 0) return;
-    if (mask_[f] == 0) faces_.push_back(f);
-    mask_[f] |= in_rings;
-    ringed_.push_back(f);
-  };
-  for (Index f : around) mark(f);
-  std::size_t ring = 0;
-  for (int k = 0; k < rings && ring < ringed_.size() && ringed_.size() < most; ++k) {
-    ring = for_ring(ringed_, ring, mark);
-  }
-}
+}  // namespace
 
-void fill_local_tables(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label,
-                       PatchLayer& layer, int threads, const Progress& progress) {
+void fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
+                       const Progress& progress) {
   TableDraft tables(layer);
-  // Nodes between the same patches follow one another. Small groups of them, so that progress goes on and all
-  // threads have work also when there are few patches.
-  struct Group {
-    Index begin, end;
-  };
-  auto same_patches = [&](Index a, Index b) {
-    return std::ranges::equal(layer.patches_of(a), layer.patches_of(b), {}, &PatchRow::patch,
-                              &PatchRow::patch);
-  };
-  std::vector<Group> groups;
-  for (Index node = 0; node < layer.node_count(); ++node) {
-    const bool joins = !groups.empty() && node - groups.back().begin < nodes_per_group &&
-                       same_patches(node, groups.back().begin);
-    if (!joins) groups.push_back({node, node});
-    groups.back().end = node + 1;
-  }
-  struct Scratch {
-    Scratch(std::shared_ptr<const ExactGeometry> geometry, std::span<const Index> label, Index patch_count)
-        : solver(geometry), halo(*geometry->mesh, label, patch_count) {}
-    ExactSolver solver;
-    Halo halo;
-    std::vector<Index> patches;
-    std::vector<Index> targets;
-  };
-  const int workers = static_cast<int>(
-      std::min<std::size_t>(resolve_thread_count(threads), std::max<std::size_t>(groups.size(), 1)));
-  std::vector<std::unique_ptr<Scratch>> scratch(workers);
-  parallel_for(groups.size(), workers, progress.part(0.0, 0.98), "Computing exact distances inside patches",
+  // Small groups, so that progress goes on and all threads have work also when there are few patches.
+  const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
+  const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
+  PerWorker<GroupSolver> solvers(threads);
+  const std::string activity =
+      activity_of(surface, layer, groups, solvers.of(0, surface, work, layer, face_begin), tables,
+                  progress.part(0.0, 0.0));
+  parallel_for(groups.size() - 1, threads, progress.part(0.0, 0.98), activity,
                [&](std::size_t group, int worker) {
-                 auto& own = scratch[worker];
-                 if (!own) own = std::make_unique<Scratch>(geometry, label, layer.patch_count);
-                 own->patches.clear();
-                 for (const PatchRow& at : layer.patches_of(groups[group].begin))
-                   own->patches.push_back(at.patch);
-                 own->halo.surround(own->patches, table_growth);
-                 own->targets.clear();
-                 for (Index p : own->patches) {
-                   const auto members = layer.members(p);
-                   own->targets.insert(own->targets.end(), members.begin(), members.end());
-                 }
-                 ExactLimits limits;
-                 limits.face_allowed = own->halo.mask();
-                 limits.targets = own->targets;
-                 limits.distances_only = true;
-                 for (Index node = groups[group].begin; node < groups[group].end; ++node) {
+                 GroupSolver& solver = solvers.of(worker, surface, work, layer, face_begin);
+                 solver.reset(layer.patches_of(groups[group]));
+                 for (Index node = groups[group]; node < groups[group + 1]; ++node) {
                    checkpoint();
-                   const Index source = layer.node_vertex[node];
-                   own->solver.run_from_vertices(std::span(&source, 1), limits);
-                   for (const PatchRow& at : layer.patches_of(node)) {
-                     const auto members = layer.members(at.patch);
-                     for (std::size_t i = 0; i < members.size(); ++i) {
-                       tables.line(at.patch, static_cast<Index>(i))[at.row] =
-                           static_cast<float>(own->solver.distance(members[i]));
-                     }
-                   }
+                   solver.solve(node, tables);
                  }
                });
   {
-    const Watch watch(progress.part(0.98, 0.98), "Computing exact distances inside patches");
+    const Watch watch(progress.part(0.98, 0.98), activity);
     tables.make_symmetric();
   }
-  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0),
-               "Computing exact distances inside patches",
+  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0), activity,
                [&](std::size_t patch, int) { tables.close(static_cast<Index>(patch)); });
-  const Watch watch(progress.part(1.0, 1.0), "Computing exact distances inside patches");
+  const Watch watch(progress.part(1.0, 1.0), activity);
   tables.finish(layer);
 }
 

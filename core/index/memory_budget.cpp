@@ -41,7 +41,7 @@ IndexForm MemoryBudget::form_of(const IndexData& data) const {
       static_cast<std::int64_t>(sizeof(double)) * SearchGraph::landmark_count * data.second.node_count();
   const std::int64_t both = data.bytes() + table_bytes(data.second) + landmarks;
   const std::int64_t tables =
-      both + table_bytes(data.first) + node_table_bytes(data.first) + approach_bounds_bytes(data);
+      both + table_bytes(data.first) + transit_table_bytes(data.first) + access_bounds_bytes(data);
   if (options_.form == IndexForm::tables) {
     if (!fits(tables)) refuse(tables, "at least");
     return IndexForm::tables;

@@ -2,20 +2,16 @@
 #include "index/overlay.h"
 
 #include <algorithm>
-#include <memory>
 
-#include "index/search_corridor.h"
+#include "index/batch_dijkstra.h"
+#include "index/table_draft.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/per_worker.h"
 
 namespace vorogeo {
 
-namespace {
-
-/// First-layer nodes whose searches share a corridor.
-constexpr Index nodes_per_leader = 16;
-
-}  // namespace
+namespace {}  // namespace
 
 ParentSurroundings::ParentSurroundings(const PatchLayer& second, std::span<const Index> parent,
                                        Index parent_count)
@@ -44,34 +40,33 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
   const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : corridor(layer) {}
-    SearchCorridor corridor;
+    BatchDijkstra corridor;
     std::vector<Index> sources;
     std::vector<std::uint8_t> allowed;
   };
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
   const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), led.size() - 1));
-  std::vector<std::unique_ptr<Scratch>> scratch(workers);
-  parallel_for(
-      led.size() - 1, workers, progress, "Composing first-layer tables", [&](std::size_t leader, int worker) {
-        auto& own = scratch[worker];
-        if (!own) own = std::make_unique<Scratch>(second);
-        const auto patches = first.patches_of(led[leader]);
-        own->allowed.assign(second.patch_count, 0);
-        for (const PatchRow& at : patches) surroundings.mark(at.patch, own->allowed);
-        own->sources.clear();
-        for (Index node = led[leader]; node < led[leader + 1]; ++node) {
-          own->sources.push_back(second.vertex_node[first.node_vertex[node]]);
-        }
-        own->corridor.search_from_each(own->sources, own->allowed, [&](std::size_t i) {
-          for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
-            const auto members = first.members(at.patch);
-            for (std::size_t m = 0; m < members.size(); ++m) {
-              tables.line(at.patch, static_cast<Index>(m))[at.row] =
-                  static_cast<float>(own->corridor.search().distance(second.vertex_node[members[m]]));
-            }
-          }
-        });
-      });
+  PerWorker<Scratch> scratch(workers);
+  parallel_for(led.size() - 1, workers, progress, "Composing first-layer tables",
+               [&](std::size_t leader, int worker) {
+                 Scratch& own = scratch.of(worker, second);
+                 const auto patches = first.patches_of(led[leader]);
+                 own.allowed.assign(second.patch_count, 0);
+                 for (const PatchRow& at : patches) surroundings.mark(at.patch, own.allowed);
+                 own.sources.clear();
+                 for (Index node = led[leader]; node < led[leader + 1]; ++node) {
+                   own.sources.push_back(second.vertex_node[first.node_vertex[node]]);
+                 }
+                 own.corridor.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
+                   for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
+                     const auto members = first.members(at.patch);
+                     for (std::size_t m = 0; m < members.size(); ++m) {
+                       tables.line(at.patch, static_cast<Index>(m))[at.row] =
+                           static_cast<float>(own.corridor.search().distance(second.vertex_node[members[m]]));
+                     }
+                   }
+                 });
+               });
   const Watch watch(progress.part(1.0, 1.0), "Composing first-layer tables");
   tables.make_symmetric();
   tables.finish(first);

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index/min_plus.h"
 #include "support/checkpoint.h"
-#include "support/min_plus.h"
 
 namespace vorogeo {
 
 namespace {
-
-/// Elements between two checkpoints.
-constexpr Index per_checkpoint = 1 << 13;
 
 /// Patches of the faces at each vertex, as a list per vertex in ascending order.
 struct VertexPatches {
@@ -26,7 +23,7 @@ VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label
   result.begin.push_back(0);
   std::vector<Index> own;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % per_checkpoint == 0) checkpoint();
+    if (v % elements_per_checkpoint == 0) checkpoint();
     own.clear();
     for (Index corner : mesh.corners(v)) own.push_back(label[Mesh::face_of(corner)]);
     std::sort(own.begin(), own.end());
@@ -101,7 +98,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % per_checkpoint == 0) checkpoint();
+    if (v % elements_per_checkpoint == 0) checkpoint();
     const auto patches = patches_at(v);
     if (patches.size() >= 2) {
       layer.node_vertex.push_back(v);
@@ -146,15 +143,9 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
 
   // Border edges: faces of two or more patches meet there.
   std::vector<std::vector<BorderNeighbour>> neighbours(layer.border_node.size());
-  auto row_in = [&](Index vertex, Index patch) {
-    for (const PatchRow& at : layer.patches_of(layer.vertex_node[vertex])) {
-      if (at.patch == patch) return at.row;
-    }
-    return no_index;
-  };
   std::vector<Index> beside;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % per_checkpoint == 0) checkpoint();
+    if (e % elements_per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh.edge_vertices(e);
     if (layer.vertex_node[a] == no_index || layer.vertex_node[b] == no_index) continue;
     beside.clear();
@@ -169,8 +160,8 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     if (beside.size() < 2) continue;
     const auto length = static_cast<float>(mesh.edge_length(e));
     for (Index p : beside) {
-      const Index row_a = row_in(a, p);
-      const Index row_b = row_in(b, p);
+      const Index row_a = layer.row_of(layer.vertex_node[a], p);
+      const Index row_b = layer.row_of(layer.vertex_node[b], p);
       neighbours[layer.border_begin[p] + row_a].push_back({row_b, length});
       neighbours[layer.border_begin[p] + row_b].push_back({row_a, length});
     }
@@ -186,19 +177,22 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   }
   layer.incidence.shrink_to_fit();
   layer.neighbour.shrink_to_fit();
+  layer.edges = BorderEdges(layer);
+  layer.touching = PatchNeighbours(layer);
+  layer.stretches = BorderStretches(layer);
   return layer;
 }
 
-std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch) {
-  std::vector<NodeRange> ranges;
-  for (Index node : layer.nodes(patch)) {
-    if (!ranges.empty() && ranges.back().end == node) {
-      ++ranges.back().end;
-    } else {
-      ranges.push_back({node, node + 1});
-    }
+std::vector<Index> group_by_patches(const PatchLayer& layer, Index most) {
+  std::vector<Index> begin;
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    const bool joins = !begin.empty() && node - begin.back() < most &&
+                       std::ranges::equal(layer.patches_of(node), layer.patches_of(begin.back()), {},
+                                          &PatchRow::patch, &PatchRow::patch);
+    if (!joins) begin.push_back(node);
   }
-  return ranges;
+  begin.push_back(layer.node_count());
+  return begin;
 }
 
 std::size_t table_size(const PatchLayer& layer, Index patch) {
@@ -216,8 +210,7 @@ void PatchLayer::read_column(Index patch, Index column, float* distances) const 
     scale_entries(line(patch, column), rows, unit[patch], distances);
     return;
   }
-  const std::uint16_t* entries = tile(patch, column / tile_width) + column % tile_width;
-  for (Index row = 0; row < rows; ++row) distances[row] = to_distance(patch, entries[row * tile_width]);
+  for (Index row = 0; row < rows; ++row) distances[row] = distance(patch, row, column);
 }
 
 void PatchLayer::read_border(Index patch, Index row, float* distances) const {
@@ -232,99 +225,13 @@ void PatchLayer::read_border(Index patch, Index row, float* distances) const {
   }
 }
 
-TableDraft::TableDraft(const PatchLayer& layer) {
-  begin_.push_back(0);
-  for (Index p = 0; p < layer.patch_count; ++p) {
-    rows_.push_back(layer.border_size(p));
-    begin_.push_back(begin_.back() + static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p));
-  }
-  value_.assign(begin_.back(), std::numeric_limits<float>::infinity());
-}
-
-void TableDraft::make_symmetric() {
-  for (std::size_t p = 0; p < rows_.size(); ++p) {
-    checkpoint();
-    const auto patch = static_cast<Index>(p);
-    for (Index i = 0; i < rows_[p]; ++i) {
-      line(patch, i)[i] = 0.0f;
-      for (Index j = 0; j < i; ++j) {
-        float& forth = line(patch, i)[j];
-        float& back = line(patch, j)[i];
-        forth = back = std::min(forth, back);
-      }
-    }
-  }
-}
-
-void TableDraft::close(Index patch) {
-  const auto rows = static_cast<std::size_t>(rows_[patch]);
-  if (rows == 0) return;
-  const auto columns = (begin_[patch + 1] - begin_[patch]) / rows;
-  // Floyd and Warshall; the border nodes are the first columns.
-  for (std::size_t by = 0; by < rows; ++by) {
-    const float* onward = line(patch, static_cast<Index>(by));
-    for (std::size_t column = 0; column < columns; ++column) {
-      if (column != by)
-        lower_by_sums(onward, line(patch, static_cast<Index>(column))[by], rows_[patch],
-                      line(patch, static_cast<Index>(column)));
-    }
-  }
-}
-
-void TableDraft::finish(PatchLayer& layer) {
-  layer.table.assign(layer.table_begin.back(), PatchLayer::no_way);
-  layer.unit.assign(layer.patch_count, 0.0f);
-  for (Index p = 0; p < layer.patch_count; ++p) {
-    float greatest = 0.0f;
-    checkpoint();
-    for (std::size_t i = begin_[p]; i < begin_[p + 1]; ++i) {
-      if (value_[i] < std::numeric_limits<float>::infinity()) greatest = std::max(greatest, value_[i]);
-    }
-    layer.unit[p] = greatest / PatchLayer::greatest_entry;
-    const double scale = greatest > 0.0f ? 1.0 / layer.unit[p] : 0.0;
-    std::uint16_t* table = layer.table.data() + layer.table_begin[p];
-    const auto rows = static_cast<std::size_t>(rows_[p]);
-    for (Index column = 0; column < layer.member_count(p); ++column) {
-      const float* from = line(p, column);
-      for (std::size_t row = 0; row < rows; ++row) {
-        if (from[row] == std::numeric_limits<float>::infinity()) continue;
-        const std::size_t at = layer.order == TableOrder::lines
-                                   ? column * rows + row
-                                   : (column / PatchLayer::tile_width * rows + row) * PatchLayer::tile_width +
-                                         column % PatchLayer::tile_width;
-        table[at] = static_cast<std::uint16_t>(
-            std::min<double>(PatchLayer::greatest_entry, std::nearbyint(from[row] * scale)));
-      }
-    }
-  }
-  note_complete(layer);
-}
-
-void note_complete(PatchLayer& layer) {
-  layer.complete.assign(layer.patch_count, 1);
-  for (Index p = 0; p < layer.patch_count; ++p) {
-    std::size_t infinite = 0;
-    for (std::size_t i = layer.table_begin[p]; i < layer.table_begin[p + 1]; ++i) {
-      infinite += layer.table[i] == PatchLayer::no_way ? 1 : 0;
-    }
-    // The columns that fill up the last tile do not count.
-    const std::size_t filled = static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p);
-    layer.complete[p] = infinite == table_size(layer, p) - filled ? 1 : 0;
-  }
-}
-
-void drop_tables(PatchLayer& layer) {
-  layer.table = {};
-  layer.unit = {};
-  layer.complete = {};
-}
-
 std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
   return bytes(node_vertex) + bytes(vertex_node) + bytes(border_begin) + bytes(border_node) +
          bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
          bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(unit) +
-         bytes(complete);
+         bytes(offset) + bytes(complete) + edges.memory_bytes() + touching.memory_bytes() +
+         stretches.memory_bytes();
 }
 
 }  // namespace vorogeo

@@ -8,6 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "index/border_edges.h"
+#include "index/border_stretches.h"
+#include "index/patch_neighbours.h"
 #include "mesh/mesh.h"
 
 namespace vorogeo {
@@ -26,7 +29,7 @@ struct BorderNeighbour {
 
 /// How the table of a patch lies in memory. *Lines*: column by column, so that all distances of one member
 /// follow one another. *Tiles*: tile_width columns at a time, row by row, so that a scan finds the least sums
-/// of all columns of a tile at once; the last tile is filled up with no_way.
+/// of all columns of a tile at once; the last tile is filled up with infinite_entry.
 enum class TableOrder { lines, tiles };
 
 /// Patches of one layer over the work mesh. A *node* is a vertex on the border of two or more patches.
@@ -36,10 +39,16 @@ enum class TableOrder { lines, tiles };
 /// (row) the distance to each member (column): a whole multiple, of 15 bits, of the patch's unit. The unit is
 /// the greatest distance of the table divided by greatest_entry, so that an entry is off by at most a
 /// 65,532nd part of that, and the sum of two entries needs no more than 16 bits.
+///
+/// A *far* member of a layer of tiles is much further from all nodes than these are from one another. Its
+/// entries are what its distances are above an offset, the least of them, so that it leaves the unit, and
+/// with it the distances of all others, as they are. It changes no scan: an offset is the same for all rows.
 struct PatchLayer {
   static constexpr Index tile_width = 32;
   static constexpr std::uint16_t greatest_entry = 32766;
-  static constexpr std::uint16_t no_way = 32767;  ///< the entry for an infinite distance
+  static constexpr std::uint16_t infinite_entry = 32767;  ///< the entry for an infinite distance
+  /// Members are far beyond so many times the greatest distance between two nodes of the patch.
+  static constexpr float far_per_border = 8.0f;
 
   Index patch_count = 0;
   std::vector<Index> node_vertex;      ///< work vertex, by node
@@ -52,11 +61,15 @@ struct PatchLayer {
   std::vector<PatchRow> incidence;     ///< patches of each node, ascending
   std::vector<Index> neighbour_begin;  ///< by border_begin[patch] + row, into neighbour
   std::vector<BorderNeighbour> neighbour;
+  BorderEdges edges;          ///< by node
+  PatchNeighbours touching;   ///< by patch
+  BorderStretches stretches;  ///< by patch
   TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
   std::vector<std::uint16_t> table;
   std::vector<float> unit;             ///< by patch: distance of an entry of 1
-  std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is no_way
+  std::vector<float> offset;           ///< by member_begin[patch] + column, 0 if not far; empty: none is far
+  std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is infinite_entry
 
   Index node_count() const { return static_cast<Index>(node_vertex.size()); }
   Index border_size(Index patch) const { return border_begin[patch + 1] - border_begin[patch]; }
@@ -69,6 +82,13 @@ struct PatchLayer {
   }
   std::span<const PatchRow> patches_of(Index node) const {
     return {incidence.data() + incidence_begin[node], incidence.data() + incidence_begin[node + 1]};
+  }
+  /// Row of a node among the border nodes of a patch; no_index if it is not on its border.
+  Index row_of(Index node, Index patch) const {
+    for (const PatchRow& at : patches_of(node)) {
+      if (at.patch == patch) return at.row;
+    }
+    return no_index;
   }
   std::span<const BorderNeighbour> neighbours(Index patch, Index row) const {
     const Index slot = border_begin[patch] + row;
@@ -89,11 +109,14 @@ struct PatchLayer {
     const Column entries = column_of(patch, column);
     return entries.first[row * entries.step];
   }
-  float to_distance(Index patch, std::uint16_t entry) const {
-    return entry == no_way ? std::numeric_limits<float>::infinity() : unit[patch] * static_cast<float>(entry);
+  /// What is to be added to the entries of a member; 0 for nodes.
+  float offset_of(Index patch, Index column) const {
+    return offset.empty() ? 0.0f : offset[member_begin[patch] + column];
   }
   float distance(Index patch, Index row, Index column) const {
-    return to_distance(patch, entry(patch, row, column));
+    const std::uint16_t found = entry(patch, row, column);
+    return found == infinite_entry ? std::numeric_limits<float>::infinity()
+                                   : offset_of(patch, column) + unit[patch] * static_cast<float>(found);
   }
   /// Entries of a member by row; for the order of lines only.
   const std::uint16_t* line(Index patch, Index column) const {
@@ -137,52 +160,11 @@ void PatchLayer::for_each_run(const Stretch& stretch, Index from, Visit&& visit)
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate, TableOrder order = TableOrder::lines);
 
-/// Nodes of a patch as ranges of consecutive node numbers: nodes between the same patches follow one another.
-struct NodeRange {
-  Index begin;
-  Index end;
-};
-std::vector<NodeRange> node_ranges(const PatchLayer& layer, Index patch);
-
-/// Consecutive nodes of a patch, which stand in consecutive rows.
-struct BorderStretch {
-  Index patch;
-  Index row;    ///< of the first node
-  Index begin;  ///< first node
-  Index end;
-};
-
-/// Tables while they are computed: single precision, in lines.
-class TableDraft {
- public:
-  /// Room for the tables of a layer; all distances are unreachable.
-  explicit TableDraft(const PatchLayer& layer);
-  /// Distances of a member (column), by row.
-  float* line(Index patch, Index column) {
-    return value_.data() + begin_[patch] + static_cast<std::size_t>(column) * rows_[patch];
-  }
-  /// Makes the distances between two nodes of a patch equal in both directions: the smaller one. The two can
-  /// differ since each row is solved in the surroundings of its own node.
-  void make_symmetric();
-  /// Shortens the distances of a patch by the sums of two over one of its border nodes, until none is left
-  /// that is shorter: rows were solved in different surroundings. Complexity: O(border size^2 members).
-  void close(Index patch);
-  /// Writes the tables into the layer it was made for.
-  void finish(PatchLayer& layer);
-
- private:
-  std::vector<std::size_t> begin_;
-  std::vector<Index> rows_;
-  std::vector<float> value_;
-};
-
-/// Gives up the tables of a layer; its layout stays.
-void drop_tables(PatchLayer& layer);
+/// Groups of consecutive nodes between the same patches, at most `most` in each: their first nodes, then the
+/// number of nodes.
+std::vector<Index> group_by_patches(const PatchLayer& layer, Index most);
 
 /// Entries that the table of a patch takes.
 std::size_t table_size(const PatchLayer& layer, Index patch);
-
-/// Fills in which tables are complete.
-void note_complete(PatchLayer& layer);
 
 }  // namespace vorogeo

@@ -6,6 +6,7 @@
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "index/index_file.h"
+#include "index/table_draft.h"
 
 namespace vorogeo {
 
@@ -14,6 +15,7 @@ namespace {
 void save_layer(IndexFileWriter& out, const PatchLayer& layer) {
   out.block(layer.table);
   out.block(layer.unit);
+  out.block(layer.offset);
 }
 
 /// Distances must be numbers of at least 0; infinity is what a patch cannot reach.
@@ -27,7 +29,8 @@ void require_distances(IndexFileReader& in, const std::vector<T>& values) {
 void load_layer(IndexFileReader& in, PatchLayer& layer) {
   layer.table = in.block<std::uint16_t>(layer.table_begin.back());
   for (std::uint16_t entry : layer.table) {
-    if (entry > PatchLayer::no_way) in.fail("is damaged (a distance is greater than its table can hold)");
+    if (entry > PatchLayer::infinite_entry)
+      in.fail("is damaged (a distance is greater than its table can hold)");
   }
   layer.unit = in.block<float>(layer.patch_count);
   require_distances(in, layer.unit);
@@ -35,10 +38,15 @@ void load_layer(IndexFileReader& in, PatchLayer& layer) {
       layer.unit.end()) {
     in.fail("is damaged (the unit of a table is infinite)");
   }
+  layer.offset = in.block<float>();
+  if (!layer.offset.empty() && layer.offset.size() != layer.member.size()) {
+    in.fail("is damaged (the offsets of a layer have the wrong size)");
+  }
+  require_distances(in, layer.offset);
   note_complete(layer);
 }
 
-void load_node_table(IndexFileReader& in, NodeTable& table, const PatchLayer& first) {
+void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLayer& first) {
   auto entry = in.block<std::uint16_t>();
   auto least = in.block<float>();
   const auto unit = in.block<float>(1);
@@ -47,7 +55,7 @@ void load_node_table(IndexFileReader& in, NodeTable& table, const PatchLayer& fi
     in.fail("is damaged (the unit of a table is infinite or no number)");
   }
   if (first.node_count() == 0 && entry.empty() && least.empty()) return;
-  NodeTable laid_out = group_nodes(first);
+  TransitTable laid_out = group_nodes(first);
   const auto count = static_cast<std::size_t>(laid_out.count);
   const auto groups = static_cast<std::size_t>(laid_out.group_count());
   if (entry.size() != count * count || least.size() != groups * groups) {
@@ -116,10 +124,10 @@ void load_graph(IndexFileReader& in, SearchGraph& graph, IndexForm form, const P
   }
   for (Index node = 0; node < nodes; ++node) {
     for (const Arc& arc : graph.arcs(node)) {
-      const PatchLayer& layer = arc.in_first_layer() ? first : second;
-      if (arc.target < 0 || arc.target >= nodes || !(arc.length >= 0.0f) ||
-          !on_border(second, layer, node, arc.patch_index()) ||
-          !on_border(second, layer, arc.target, arc.patch_index())) {
+      const PatchLayer& layer = arc.leg.in_first_layer() ? first : second;
+      if (arc.leg.table() == Leg::Table::transit || arc.target < 0 || arc.target >= nodes ||
+          !(arc.length >= 0.0f) || !on_border(second, layer, node, arc.leg.patch()) ||
+          !on_border(second, layer, arc.target, arc.leg.patch())) {
         in.fail("is damaged (an arc leads nowhere)");
       }
     }
@@ -141,9 +149,9 @@ void GeodesicIndex::save(const std::filesystem::path& file) const {
   out.block(data_->partition.parent);
   save_layer(out, data_->second);
   save_layer(out, data_->first);
-  out.block(data_->node_table.entry);
-  out.block(data_->node_table.least);
-  out.block(std::vector<float>{data_->node_table.unit});
+  out.block(data_->transit_table.entry);
+  out.block(data_->transit_table.least);
+  out.block(std::vector<float>{data_->transit_table.unit});
   out.block(data_->graph.arc_begin);
   out.block(data_->graph.arc);
   out.block(data_->graph.landmark_distance);
@@ -172,10 +180,11 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   load_layer(in, data->second);
   if (form == IndexForm::tables) {
     load_layer(in, data->first);
-    load_node_table(in, data->node_table, data->first);
-    data->approach_bounds = make_approach_bounds(*data);
+    load_transit_table(in, data->transit_table, data->first);
+    data->access_bounds = make_access_bounds(*data);
   } else {
     in.block<std::uint16_t>(0);
+    in.block<float>(0);
     in.block<float>(0);
     in.block<std::uint16_t>(0);
     in.block<float>(0);

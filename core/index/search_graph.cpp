@@ -5,8 +5,9 @@
 #include <array>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
-#include "index/border_search.h"
+#include "index/boundary_dijkstra.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
 
@@ -83,8 +84,8 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
 struct Joined {
   Index a, b;  ///< nodes, a < b
   float length;
-  Index patch;
-  Index parent;  ///< first-layer patch, for arcs of the second layer
+  Leg leg;
+  Index parent;  ///< first-layer patch that it lies in or leads through
 };
 
 /// Of two arcs between the same nodes in one first-layer patch the shorter one is enough: nodes on the border
@@ -103,10 +104,13 @@ void join_arcs(std::vector<Joined>& arcs, Index nodes) {
     if (a % 64 == 0) checkpoint();
     const auto own = std::span(sorted).subspan(begin[a], begin[a + 1] - begin[a]);
     std::sort(own.begin(), own.end(), [](const Joined& x, const Joined& y) {
-      return std::tie(x.b, x.parent, x.length, x.patch) < std::tie(y.b, y.parent, y.length, y.patch);
+      return std::tuple(x.b, x.leg.table(), x.parent, x.length, x.leg.patch()) <
+             std::tuple(y.b, y.leg.table(), y.parent, y.length, y.leg.patch());
     });
     for (std::size_t i = 0; i < own.size(); ++i) {
-      if (i > 0 && own[i].b == own[i - 1].b && own[i].parent == own[i - 1].parent) continue;
+      if (i > 0 && own[i].b == own[i - 1].b && own[i].parent == own[i - 1].parent &&
+          own[i].leg.table() == own[i - 1].leg.table())
+        continue;
       arcs.push_back(own[i]);
     }
   }
@@ -180,8 +184,9 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
       Index a = second.vertex_node[layer.node_vertex[layer.nodes(patch)[arc.a]]];
       Index b = second.vertex_node[layer.node_vertex[layer.nodes(patch)[arc.b]]];
       if (a > b) std::swap(a, b);
-      joined.push_back(
-          {a, b, arc.length, first_layer ? -1 - patch : patch, first_layer ? -1 - patch : parent[patch]});
+      joined.push_back({a, b, arc.length,
+                        first_layer ? Leg::through_first(patch) : Leg::through_second(patch),
+                        first_layer ? patch : parent[patch]});
     }
   };
   for (Index p = 0; p < second.patch_count; ++p) {
@@ -204,8 +209,8 @@ SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
   graph.arc.resize(2 * joined.size());
   auto slot = graph.arc_begin;
   for (const Joined& arc : joined) {
-    graph.arc[slot[arc.a]++] = {arc.b, arc.length, arc.patch};
-    graph.arc[slot[arc.b]++] = {arc.a, arc.length, arc.patch};
+    graph.arc[slot[arc.a]++] = {arc.b, arc.length, arc.leg};
+    graph.arc[slot[arc.b]++] = {arc.a, arc.length, arc.leg};
   }
   {
     Watch watch(progress.part(0.8, 1.0), "Placing landmarks");
@@ -225,9 +230,9 @@ SearchGraph make_landmarks(const PatchLayer& second, const PatchLayer& first, co
     }
   }
   Watch watch(progress, "Placing landmarks");
-  BorderSearch search(second);
+  BoundaryDijkstra search(second);
   auto distances_from = [&](Index start) {
-    search.start();
+    search.reset();
     search.add(start, 0.0);
     search.run();
     std::vector<double> distance(second.node_count());

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "index/leg.h"
 #include "index/patch_layer.h"
 #include "support/progress.h"
 
@@ -13,10 +14,7 @@ namespace vorogeo {
 struct Arc {
   Index target;  ///< second-layer node
   float length;
-  Index patch;  ///< second-layer patch p, or -1 - p for first-layer patch p
-
-  bool in_first_layer() const { return patch < 0; }
-  Index patch_index() const { return patch < 0 ? -1 - patch : patch; }
+  Leg leg;  ///< the patch that it leads through
 };
 
 /// Undirected graph: each arc is stored at both ends. Nodes are those of the second layer. In an index in the

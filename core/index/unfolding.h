@@ -19,13 +19,18 @@ struct BorderSample {
 /// Least offset of an outer vertex across the path, in lengths of its edge, for a parabola.
 inline constexpr double least_offset = 0.1;
 
+/// Greatest gain of a parabola, for border edges of length 1 with source and target at harmonic distance 1:
+/// three times that of circles, 1/8.
+inline constexpr double greatest_gain = 0.375;
+
 /// Distance across a border from three consecutive border vertices, of which the middle one (`source`,
 /// `target`) has the least sum. Measured across the path, the sum grows with the square of the offset from
 /// the true crossing, by the curvature of both waves; the three sums give that parabola and so its lowest
 /// value. Unlike unfolding it does not take the waves for circles around source and target, which bends at
 /// saddle vertices make too flat. `unreachable` if the lowest point is not between the outer vertices or the
 /// sums do not bend upwards, or where the path runs along the border so closely that the offsets are mostly
-/// rounding.
+/// rounding. The gain is limited to what waves three times as curved as circles around source and target
+/// would give: more comes of samples that belong to different waves.
 inline double parabola_distance(double source, double target, const BorderSample& before,
                                 const BorderSample& after) {
   constexpr double least_edges = 3.0;
@@ -46,7 +51,9 @@ inline double parabola_distance(double source, double target, const BorderSample
   if (!(curvature > 0.0)) return unreachable;
   const double lowest = -0.5 * slope / curvature;
   if (!(lowest > left && lowest < right)) return unreachable;
-  return sum + 0.5 * slope * lowest;
+  const double longest = std::fmax(before.length, after.length);
+  const double most = greatest_gain * longest * longest * (1.0 / source + 1.0 / target);
+  return sum - std::fmin(-0.5 * slope * lowest, most);
 }
 
 }  // namespace vorogeo

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/outliers.h"
 #include "support/checkpoint.h"
 
 namespace vorogeo {
@@ -16,16 +17,19 @@ namespace {
 constexpr double longest_border_edge = 0.1;
 constexpr Index most_pieces = 32;
 
-/// Elements between two checkpoints.
-constexpr Index per_checkpoint = 1 << 13;
-
 /// Number of pieces of each edge: 1 unless it is a long border edge.
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
+  // Faces at outliers say nothing of the size of a patch: they may have more area than all others.
+  const Outliers outliers = find_outliers(mesh);
   std::vector<double> area(partition.second_layer_count, 0.0);
-  for (Index f = 0; f < mesh.face_count(); ++f) area[partition.second_layer[f]] += mesh.face_area(f);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const bool far =
+        std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
+    if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
+  }
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % per_checkpoint == 0) checkpoint();
+    if (e % elements_per_checkpoint == 0) checkpoint();
     const Index first = mesh.edge_halfedge(e);
     double least = area[partition.second_layer[Mesh::face_of(first)]];
     bool border = false;
@@ -98,7 +102,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   faces.reserve(order.size());
   std::vector<Index> points;
   for (Index f : order) {
-    if (faces.size() % per_checkpoint == 0) checkpoint();
+    if (faces.size() % elements_per_checkpoint == 0) checkpoint();
     FaceSplitter splitter(mesh.face_vertices(f));
     for (int i = 0; i < 3; ++i) {
       const Index h = 3 * f + i;

@@ -1,4 +1,4 @@
-// The face in the plane: ways around its corners and unfolded over its edges.
+// The face in the plane: paths through its corners, and paths unfolded over its edges.
 #include "mesh/face_distance.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3
                         const std::array<double, 3>& corner_distance) {
   std::array<double, 3> length{};  // of the edge from corner i to the next
   for (int i = 0; i < 3; ++i) length[i] = mesh.edge_length(mesh.edge_of(3 * face + i));
-  std::array<double, 3> beside{};  // distance of the point from corner i, by lengths alone
+  std::array<double, 3> beside{};  // distance of the point from corner i, from edge lengths alone
   for (int i = 0; i < 3; ++i) {
     const double next = weights[(i + 1) % 3];
     const double previous = weights[(i + 2) % 3];

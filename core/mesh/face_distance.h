@@ -8,9 +8,9 @@
 namespace vorogeo {
 
 /// Distance of the point with these barycentric weights in a face whose corners have these distances from one
-/// source: the least of the ways around the corners and of those that enter by an edge, for which the
+/// source: the shortest of the paths through a corner and of those that enter through an edge, for which the
 /// distances of the edge's ends are unfolded into the plane. Where the third corner is farther than such a
-/// wave would have it, the difference is shared out linearly. Exact where one wave from a point passes over a
+/// wave would put it, the difference is interpolated linearly. Exact where the wave of one point crosses a
 /// flat face; elsewhere an interpolation. Infinite corners are left out; `unreachable` if all are.
 double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
                         const std::array<double, 3>& corner_distance);

@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <sstream>
 #include <string>
 #include <tuple>
 
+#include "mesh/length_limits.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 
 namespace vorogeo {
 
 namespace {
-
-double distance_between(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 void require_finite(const std::vector<Point>& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -31,11 +27,8 @@ void require_finite(const std::vector<Point>& positions) {
   }
 }
 
-/// Elements between two checkpoints.
-constexpr Index per_checkpoint = 1 << 13;
-
 void checkpoint_at(Index element) {
-  if (element % per_checkpoint == 0) checkpoint();
+  if (element % elements_per_checkpoint == 0) checkpoint();
 }
 
 /// Indices of the input faces to keep: no vertex twice, no second face over the same three vertices.
@@ -142,7 +135,6 @@ void Mesh::link_edges() {
   edge_halfedge_.reserve(edges);
   halfedge_edge_.assign(halfedges, no_index);
   next_around_edge_.assign(halfedges, no_index);
-  double total_length = 0.0;
   for (Index i = 0; i < halfedges;) {
     Index j = i;
     checkpoint_at(static_cast<Index>(edge_vertices_.size()));
@@ -151,16 +143,38 @@ void Mesh::link_edges() {
     edge_vertices_.push_back({keyed[i].a, keyed[i].b});
     edge_length_.push_back(distance_between(positions_[keyed[i].a], positions_[keyed[i].b]));
     edge_halfedge_.push_back(keyed[i].halfedge);
-    total_length += edge_length_.back();
-    longest_edge_length_ = std::max(longest_edge_length_, edge_length_.back());
     for (Index k = i; k < j; ++k) {
       halfedge_edge_[keyed[k].halfedge] = edge;
       next_around_edge_[keyed[k].halfedge] = keyed[k + 1 < j ? k + 1 : i].halfedge;
     }
     i = j;
   }
-  mean_edge_length_ =
-      edge_vertices_.empty() ? 0.0 : total_length / static_cast<double>(edge_vertices_.size());
+  measure_edges();
+}
+
+void Mesh::measure_edges() {
+  constexpr double typical_per_median = 10.0;
+  double total = 0.0;
+  std::vector<double> positive;
+  positive.reserve(edge_length_.size());
+  for (double length : edge_length_) {
+    total += length;
+    longest_edge_length_ = std::max(longest_edge_length_, length);
+    if (length > 0.0) positive.push_back(length);
+  }
+  if (positive.empty()) return;
+  mean_edge_length_ = total / static_cast<double>(edge_length_.size());
+  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
+  std::nth_element(positive.begin(), middle, positive.end());
+  const double greatest = typical_per_median * *middle;
+  double typical_total = 0.0;
+  std::size_t count = 0;
+  for (double length : edge_length_) {
+    if (length > greatest) continue;
+    typical_total += length;
+    ++count;
+  }
+  typical_edge_length_ = typical_total / static_cast<double>(count);
 }
 
 void Mesh::sort_fans() {
@@ -252,29 +266,6 @@ int Mesh::edge_face_count(Index edge) const {
   return count;
 }
 
-double Mesh::corner_angle(Index halfedge) const {
-  const double b = edge_length_[halfedge_edge_[halfedge]];
-  const double c = edge_length_[halfedge_edge_[previous_in_face(halfedge)]];
-  const double a = edge_length_[halfedge_edge_[next_in_face(halfedge)]];
-  // Kahan's formula: accurate for needles, where the law of cosines is not.
-  const double s = std::max(b, c);
-  const double t = std::min(b, c);
-  const double u = std::max(0.0, t >= a ? a - (s - t) : t - (s - a));
-  const double denominator = (s + (t + a)) * std::max(0.0, (s - a) + t);
-  const double numerator = std::max(0.0, (s - t) + a) * u;
-  if (denominator <= 0.0) return numerator <= 0.0 ? 0.0 : std::numbers::pi;
-  return 2.0 * std::atan(std::sqrt(numerator / denominator));
-}
-
-double Mesh::face_area(Index face) const {
-  std::array<double, 3> side{};
-  for (int i = 0; i < 3; ++i) side[i] = edge_length_[halfedge_edge_[3 * face + i]];
-  std::sort(side.begin(), side.end(), std::greater<>());
-  const auto [a, b, c] = side;
-  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  return product > 0.0 ? 0.25 * std::sqrt(product) : 0.0;
-}
-
 std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(halfedge_edge_) +
@@ -284,12 +275,13 @@ std::size_t Mesh::memory_bytes() const {
 }
 
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
-  if (mesh.longest_edge_length() == 0.0) return;
-  if (mesh.longest_edge_length() <= greatest && mesh.mean_edge_length() >= least_mean) return;
+  const double mean = mesh.mean_edge_length();
+  const double longest = mesh.longest_edge_length();
+  if (LengthLimits{least_mean, greatest}.allow(mean, longest)) return;
   std::ostringstream message;
-  message << "The mesh has a mean edge length of " << mesh.mean_edge_length() << " and a longest edge of "
-          << mesh.longest_edge_length() << "; " << what << " lengths between " << least_mean << " and "
-          << greatest << ": scale the mesh.";
+  message << "The mesh has a mean edge length of " << mean << " and a longest edge of " << longest << "; "
+          << what << " lengths between " << least_mean << " and " << greatest
+          << ": scale the mesh, for example by " << factor_to_unit(mean, longest) << ".";
   throw InvalidInput(message.str());
 }
 

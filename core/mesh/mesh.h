@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,7 +16,13 @@ namespace vorogeo {
 
 using Point = std::array<double, 3>;
 
-/// A triangle mesh as connectivity and edge lengths; positions are kept for output only.
+/// In space, in a straight line.
+inline double distance_between(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
+/// three rounded lengths do not determine those of a needle or of a nearly flat face.
 ///
 /// Half-edge `3 f + i` lies in face `f` and runs from corner `i` to corner `i + 1 (mod 3)`; the third
 /// corner is its *apex*. The half-edges of one undirected edge form a ring (`next_around_edge`): one on
@@ -66,6 +73,9 @@ class Mesh {
   Index edge_halfedge(Index edge) const { return edge_halfedge_[edge]; }
   int edge_face_count(Index edge) const;
   double mean_edge_length() const { return mean_edge_length_; }
+  /// The mean of the edges that are not far longer than most: at most ten times the median of those longer
+  /// than 0. A few edges of any length leave it as it is, which makes it the scale for steps of a search.
+  double typical_edge_length() const { return typical_edge_length_; }
   double longest_edge_length() const { return longest_edge_length_; }
 
   /// Half-edges that leave a vertex, one for each face corner at it, in the order of `fan`.
@@ -100,6 +110,7 @@ class Mesh {
 
  private:
   void link_edges();
+  void measure_edges();
   void sort_fans();
   void find_components();
 
@@ -119,6 +130,7 @@ class Mesh {
   std::vector<Index> component_;
   Index component_count_ = 0;
   double mean_edge_length_ = 0.0;
+  double typical_edge_length_ = 0.0;
   double longest_edge_length_ = 0.0;
 };
 

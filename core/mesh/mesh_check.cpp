@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
+
+#include "mesh/outliers.h"
 
 namespace vorogeo {
 
@@ -102,40 +104,28 @@ void check_edges(const Mesh& mesh, const std::vector<Index>& origin, MeshReport&
   }
 }
 
-/// Counts the groups of faces around each vertex that edges at the vertex hold together.
 void check_fans(const Mesh& mesh, MeshReport& report) {
-  std::vector<Index> parent(3 * static_cast<std::size_t>(mesh.face_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  auto root = [&](Index h) {
-    while (parent[h] != h) h = parent[h] = parent[parent[h]];
-    return h;
-  };
-  std::vector<std::uint8_t> component_seen(mesh.component_count(), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const auto corners = mesh.corners(v);
-    if (corners.empty()) {
-      note(report.isolated_vertices, v);
-      continue;
-    }
-    if (!component_seen[mesh.component(v)]) {
-      component_seen[mesh.component(v)] = 1;
-      ++report.components;
-    }
+    if (mesh.corners(v).empty()) note(report.isolated_vertices, v);
     if (mesh.fan(v) != Mesh::Fan::non_manifold) continue;
-    auto groups = static_cast<Index>(corners.size());
-    for (Index corner : corners) {
-      for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-        const Index next = mesh.next_around_edge(side);
-        const Index a = root(corner);
-        const Index b = root(mesh.tail(next) == v ? next : Mesh::next_in_face(next));
-        if (a != b) {
-          parent[a] = b;
-          --groups;
-        }
-      }
-    }
-    if (groups > 1) note(report.non_manifold_vertices, v);
+    const std::vector<Index> group = face_groups(mesh, v);
+    if (std::ranges::adjacent_find(group, std::not_equal_to<>()) != group.end())
+      note(report.non_manifold_vertices, v);
   }
+}
+
+/// Components that have a face, the one with most vertices first.
+void check_components(const Mesh& mesh, MeshReport& report) {
+  std::vector<MeshComponent> component(mesh.component_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    MeshComponent& of = component[mesh.component(v)];
+    if (of.vertices++ == 0) of.first_vertex = v;
+  }
+  for (const auto& face : mesh.faces()) ++component[mesh.component(face[0])].faces;
+  std::erase_if(component, [](const MeshComponent& of) { return of.faces == 0; });
+  std::ranges::stable_sort(component, std::greater<>(), &MeshComponent::vertices);
+  report.components = static_cast<Index>(component.size());
+  report.component_sizes = std::move(component);
 }
 
 void check_duplicates(const Mesh& mesh, const std::vector<Index>& origin, MeshReport& report) {
@@ -150,62 +140,7 @@ void check_duplicates(const Mesh& mesh, const std::vector<Index>& origin, MeshRe
   }
 }
 
-/// "1 face has" or "3 faces have", from "face has|faces have".
-std::string counted(Index count, const std::string& forms) {
-  const auto bar = forms.find('|');
-  return std::to_string(count) + " " + (count == 1 ? forms.substr(0, bar) : forms.substr(bar + 1));
-}
-
 }  // namespace
-
-std::vector<std::string> MeshReport::sentences() const {
-  std::vector<std::string> result;
-  auto say = [&](const MeshFinding& finding, const std::string& forms, const std::string& where,
-                 const std::string& meaning) {
-    if (finding.count == 0) return;
-    const std::string first = finding.count == 1 ? " (" : " (the first: ";
-    result.push_back(counted(finding.count, forms) + first + where + "); " + meaning);
-  };
-  auto vertex = [](const MeshFinding& finding) { return "vertex " + std::to_string(finding.first); };
-  auto face = [](const MeshFinding& finding) { return "face " + std::to_string(finding.first); };
-
-  if (faces == 0) result.emplace_back("The mesh has no face; distances over a surface need at least one.");
-  say(non_finite_vertices,
-      "vertex has a coordinate that is not a finite number|vertices have a coordinate that is not a finite "
-      "number",
-      vertex(non_finite_vertices), "such a mesh is refused: repair it or remove its bad vertices.");
-  say(faces_out_of_range, "face names a vertex that does not exist|faces name a vertex that does not exist",
-      face(faces_out_of_range),
-      "such a mesh is refused: it has " +
-          (vertices == 0 ? std::string("no vertices") : "vertices 0 to " + std::to_string(vertices - 1)) +
-          "; repair it or remove its bad faces.");
-  say(faces_with_repeated_vertex, "face names a vertex twice|faces name a vertex twice",
-      face(faces_with_repeated_vertex), "left out.");
-  say(duplicate_faces,
-      "face has the three vertices of an earlier face|faces have the three vertices of an earlier face",
-      face(duplicate_faces), "left out.");
-  say(zero_area_faces, "face has no area|faces have no area", face(zero_area_faces),
-      "kept as a connection without width, which paths cross at no cost.");
-  say(duplicate_vertices,
-      "vertex lies at the position of an earlier vertex|vertices lie at the position of an earlier vertex",
-      vertex(duplicate_vertices),
-      "not joined to it, so paths pass only where faces connect; merge close vertices first if they should "
-      "be one.");
-  say(isolated_vertices, "vertex belongs to no face|vertices belong to no face", vertex(isolated_vertices),
-      "not reached by any path.");
-  say(non_manifold_edges, "edge has three or more faces|edges have three or more faces",
-      "between vertices " + std::to_string(first_non_manifold_edge[0]) + " and " +
-          std::to_string(first_non_manifold_edge[1]) + ", at face " +
-          std::to_string(non_manifold_edges.first),
-      "paths may turn from each of the faces into any other.");
-  say(non_manifold_vertices,
-      "vertex joins faces that share no edge there|vertices join faces that share no edge there",
-      vertex(non_manifold_vertices), "paths may pass through the vertex from any of the faces to any other.");
-  say(inconsistent_edges,
-      "edge lies between faces of opposite orientation|edges lie between faces of opposite orientation",
-      "at face " + std::to_string(inconsistent_edges.first), "this does not change distances.");
-  return result;
-}
 
 MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces) {
   MeshReport report;
@@ -223,6 +158,15 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
   check_duplicates(mesh, origin, report);
   check_edges(mesh, origin, report);
   check_fans(mesh, report);
+  check_components(mesh, report);
+  if (report.non_finite_vertices.count > 0) return report;
+  report.mean_edge_length = mesh.mean_edge_length();
+  report.longest_edge_length = mesh.longest_edge_length();
+  const Outliers outliers = find_outliers(mesh);
+  report.outliers = {outliers.count, outliers.first};
+  report.outlier_ratio = outliers.least_ratio;
+  report.border_loops = find_border_loops(mesh);
+  if (report.fits(exact_lengths)) report.near_borders = find_near_borders(mesh);
   return report;
 }
 

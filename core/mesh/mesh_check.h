@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/border_check.h"
+#include "mesh/length_limits.h"
 #include "mesh/mesh.h"
 
 namespace vorogeo {
@@ -13,6 +15,13 @@ namespace vorogeo {
 struct MeshFinding {
   Index count = 0;
   Index first = no_index;
+};
+
+/// A connected part of a mesh.
+struct MeshComponent {
+  Index vertices = 0;
+  Index faces = 0;
+  Index first_vertex = no_index;
 };
 
 /// Report on a triangle soup before it becomes a Mesh; faces and vertices by their input indices.
@@ -29,14 +38,31 @@ struct MeshReport {
   MeshFinding non_manifold_edges;          ///< paths may turn into any of their faces
   MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
   MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no influence
+  MeshFinding outliers;                    ///< far out beside the rest of their component (mesh/outliers.h)
+  double outlier_ratio = 0.0;              ///< shortest edge from an outlier to the rest, in typical edges
   std::array<Index, 2> first_non_manifold_edge{no_index, no_index};
   Index border_edges = 0;
-  Index components = 0;  ///< of vertices with a face
+  Index components = 0;                        ///< of vertices with a face
+  std::vector<MeshComponent> component_sizes;  ///< most vertices first
+  // The rest is left as it is here if a vertex is not finite, near borders also if the lengths are not
+  // exact_lengths.
+  double mean_edge_length = 0.0;
+  double longest_edge_length = 0.0;
+  BorderLoops border_loops;
+  NearBorders near_borders;
 
-  /// False if a Mesh cannot be made from it.
-  bool usable() const { return faces > 0 && non_finite_vertices.count == 0 && faces_out_of_range.count == 0; }
-  /// One sentence per finding that is not zero, each naming its first element.
+  bool fits(const LengthLimits& limits) const { return limits.allow(mean_edge_length, longest_edge_length); }
+  /// Whether distances can be computed: false if a Mesh cannot be made from it or it is too large or small.
+  bool usable() const {
+    return faces > 0 && non_finite_vertices.count == 0 && faces_out_of_range.count == 0 &&
+           fits(exact_lengths);
+  }
+  /// Whether an index can be built, memory permitting.
+  bool usable_by_index() const { return usable() && fits(index_lengths); }
+  /// What may surprise a user: one sentence for each kind of finding, each naming its first element.
   std::vector<std::string> sentences() const;
+  /// Sizes, components and borders in one sentence.
+  std::string summary() const;
 };
 
 /// Never throws on bad geometry. Complexity O(n log n + m log m).

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
+#include <string>
 
+#include "mesh/length_limits.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -74,10 +77,28 @@ double square_to_box(const Point& p, const Point& low, const Point& high) {
   return sum;
 }
 
+/// Without overflow of the squares.
+double length_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+
+/// A point farther away than this many diagonals of the mesh is replaced by one at this distance in the same
+/// direction from the middle of its box. That changes which point of the surface is nearest by at most the
+/// diagonal divided by this number, which is what a double can hold of such distances.
+constexpr double far_in_diagonals = 1e8;
+/// Beyond it the length of a vector may overflow.
+constexpr double greatest_coordinate = 1e307;
+
+std::string in_words(const Point& point) {
+  std::ostringstream text;
+  text << "The point (" << point[0] << ", " << point[1] << ", " << point[2] << ")";
+  return text.str();
+}
+
 }  // namespace
 
 SurfaceLocator::SurfaceLocator(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
   if (mesh_->face_count() == 0) throw InvalidInput("The mesh has no face to which a point could be moved.");
+  require_lengths(*mesh_, "moving points to the surface takes", exact_lengths.least_mean,
+                  exact_lengths.greatest);
   order_.resize(mesh_->face_count());
   std::iota(order_.begin(), order_.end(), 0);
   build(0, mesh_->face_count());
@@ -114,20 +135,39 @@ Index SurfaceLocator::build(Index begin, Index end) {
   return id;
 }
 
-SnappedPoint SurfaceLocator::nearest(const Point& point) const {
-  for (double coordinate : point) {
+Point SurfaceLocator::drawn_near(const Point& point) const {
+  const Box& all = boxes_.front();
+  Point middle;
+  for (int k = 0; k < 3; ++k) middle[k] = 0.5 * all.low[k] + 0.5 * all.high[k];
+  const double diagonal = length_of(minus(all.high, all.low));
+  const Point offset = minus(point, middle);
+  const double distance = length_of(offset);
+  if (distance <= far_in_diagonals * diagonal) return point;
+  Point result = middle;
+  for (int k = 0; k < 3; ++k) result[k] += offset[k] / distance * (far_in_diagonals * diagonal);
+  return result;
+}
+
+SnappedPoint SurfaceLocator::nearest(const Point& given) const {
+  for (double coordinate : given) {
     if (!std::isfinite(coordinate)) {
-      throw InvalidInput(
-          "A point has a coordinate that is not a finite number; give three finite coordinates.");
+      throw InvalidInput(in_words(given) +
+                         " has a coordinate that is not a finite number; give three finite coordinates.");
+    }
+    if (std::abs(coordinate) > greatest_coordinate) {
+      throw InvalidInput(in_words(given) +
+                         " is too far away for its distance to be a number; give coordinates of at "
+                         "most 1e307.");
     }
   }
+  const Point point = drawn_near(given);
   double least = unreachable;
   SurfacePoint best;
   std::vector<std::pair<double, Index>> open{{0.0, 0}};
   while (!open.empty()) {
     const auto [square, id] = open.back();
     open.pop_back();
-    if (square >= least) continue;
+    if (square > least) continue;
     const Box& box = boxes_[id];
     if (box.second == no_index) {
       for (Index i = box.begin; i < box.end; ++i) {
@@ -137,8 +177,9 @@ SnappedPoint SurfaceLocator::nearest(const Point& point) const {
                                              mesh_->position(corners[2]));
         const SurfacePoint found = SurfacePoint::in_face(face, weights);
         const Point away = minus(position_of(*mesh_, found), point);
-        if (dot(away, away) < least) {
-          least = dot(away, away);
+        const double found_square = dot(away, away);
+        if (found_square < least || (found_square == least && face < best.face)) {
+          least = found_square;
           best = found;
         }
       }
@@ -161,7 +202,7 @@ SnappedPoint SurfaceLocator::nearest(const Point& point) const {
     sum += weight;
   }
   for (double& weight : best.barycentric) weight /= sum;
-  return {validated(*mesh_, best), std::sqrt(least)};
+  return {validated(*mesh_, best), length_of(minus(position_of(*mesh_, best), given))};
 }
 
 }  // namespace vorogeo

@@ -21,8 +21,11 @@ class SurfaceLocator {
   /// \throw InvalidInput for a mesh without faces. Complexity: O(m log m).
   explicit SurfaceLocator(std::shared_ptr<const Mesh> mesh);
 
-  /// The nearest point of the surface, at a vertex or on an edge if it is one but for rounding.
-  /// \throw InvalidInput for a coordinate that is not finite. Complexity: O(log m) for points near the
+  /// The nearest point of the surface, at a vertex or on an edge if it is one but for rounding; from far away
+  /// one whose distance differs from the least by rounding only. Of several faces equally near the one with
+  /// the lowest number: where sheets lie at one place (the two sides of a slit, doubled vertices), all points
+  /// there come to the same sheet, and vertex or face numbers name the other. \throw InvalidInput for a
+  /// coordinate that is not finite or above 1e307; names the point. Complexity: O(log m) for points near the
   /// surface.
   SnappedPoint nearest(const Point& point) const;
 
@@ -35,6 +38,9 @@ class SurfaceLocator {
     Index second = no_index;  ///< box of the second half; the first half's follows this one; no_index: a leaf
   };
   Index build(Index begin, Index end);
+  /// A point from which the same point of the surface is nearest, and whose squared distances do not
+  /// overflow.
+  Point drawn_near(const Point& point) const;
 
   std::shared_ptr<const Mesh> mesh_;
   std::vector<Index> order_;

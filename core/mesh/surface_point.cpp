@@ -1,12 +1,25 @@
 // Validation and position of surface points.
 #include "mesh/surface_point.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "support/error.h"
 
 namespace vorogeo {
+
+namespace {
+
+/// By how much weights and their sum may be off: single precision, in which many programs hold them, is off
+/// by up to 2e-7.
+constexpr double weight_tolerance = 1e-6;
+
+/// Weights up to this are rounding of 0: the point lies on the edge or in the corner.
+constexpr double weight_rounding = 1e-14;
+
+}  // namespace
 
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) {
@@ -22,21 +35,27 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
     throw InvalidInput("Face " + std::to_string(point.face) + " does not exist: the mesh has faces 0 to " +
                        std::to_string(mesh.face_count() - 1) + ".");
   }
+  auto refuse = [&](const std::string& what) {
+    std::ostringstream message;
+    message.precision(9);
+    message << "The point in face " << mesh.input_face(point.face) << " has barycentric weights "
+            << point.barycentric[0] << ", " << point.barycentric[1] << ", " << point.barycentric[2] << ", "
+            << what << "; give weights of at least 0 with the sum 1 (both to within " << weight_tolerance
+            << ").";
+    throw InvalidInput(message.str());
+  };
   double sum = 0.0;
   for (double weight : point.barycentric) {
-    if (!(weight >= 0.0 && weight <= 1.0)) {
-      throw InvalidInput("A point in face " + std::to_string(point.face) +
-                         " has a barycentric weight outside [0, 1].");
-    }
+    if (!(weight >= -weight_tolerance && weight <= 1.0 + weight_tolerance))
+      refuse("one of them outside [0, 1]");
     sum += weight;
   }
-  if (std::abs(sum - 1.0) > 1e-9) {
-    throw InvalidInput("The barycentric weights of a point in face " + std::to_string(point.face) +
-                       " do not sum to 1.");
-  }
+  if (!(std::abs(sum - 1.0) <= weight_tolerance)) refuse("which do not sum to 1");
   SurfacePoint result = point;
+  double kept = 0.0;
+  for (double& weight : result.barycentric) kept += weight = weight > weight_rounding ? weight : 0.0;
   for (int i = 0; i < 3; ++i) {
-    result.barycentric[i] /= sum;
+    result.barycentric[i] /= kept;
     if (result.barycentric[i] == 1.0) return SurfacePoint::at_vertex(mesh.face_vertices(point.face)[i]);
   }
   return result;
@@ -59,6 +78,36 @@ Point position_of(const Mesh& mesh, const SurfacePoint& point) {
     for (int k = 0; k < 3; ++k) result[k] += point.barycentric[i] * corner[k];
   }
   return result;
+}
+
+bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
+                     std::array<double, 3>& weights) {
+  weights = {};
+  if (!point.is_vertex() && point.face == face) {
+    weights = point.barycentric;
+    return true;
+  }
+  double found = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const Index v = mesh.face_vertices(face)[k];
+    if (point.is_vertex()) {
+      weights[k] = v == point.vertex ? 1.0 : 0.0;
+      found += weights[k];
+      continue;
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.face_vertices(point.face)[i] == v) weights[k] = point.barycentric[i];
+    }
+    found += weights[k];
+  }
+  if (point.is_vertex()) return found > 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (point.barycentric[i] == 0.0) continue;
+    const Index v = mesh.face_vertices(point.face)[i];
+    const auto& there = mesh.face_vertices(face);
+    if (there[0] != v && there[1] != v && there[2] != v) return false;
+  }
+  return true;
 }
 
 }  // namespace vorogeo

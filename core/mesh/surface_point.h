@@ -24,8 +24,8 @@ struct SurfacePoint {
   std::partial_ordering operator<=>(const SurfacePoint&) const = default;
 };
 
-/// The same point in its simplest form: a point in a corner becomes that vertex.
-/// \throw InvalidInput if an index is out of range or the weights are negative or do not sum to 1.
+/// The same point in its simplest form: one in a corner becomes that vertex, weights off by 1e-6 are mended.
+/// \throw InvalidInput if an index is out of range, or weights are more negative or farther from the sum 1.
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 
 /// A validated point as every way of giving it is written: a point on an edge is held by the first of the
@@ -34,6 +34,9 @@ SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
 /// Position in space.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
+
+/// Barycentric weights of a point in a face that holds it. \return false if the face does not hold it.
+bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face, std::array<double, 3>& weights);
 
 /// Calls `visit(face, weights)` for every face that holds the point, with its barycentric weights there: all
 /// faces at a vertex, all faces around the edge of a point on an edge, else the face of the point. The face

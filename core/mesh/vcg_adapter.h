@@ -1,5 +1,5 @@
-// From any VCG triangle mesh to raw arrays and to a Mesh; deleted elements are skipped, the index map is
-// kept.
+// From any VCG triangle mesh to the arrays that a Mesh is made of; deleted elements are skipped, the index
+// map is kept.
 //
 // Only the members that every VCG mesh has are used (vert, face, cP, cV, IsD), so no VCG header is included
 // here.
@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,18 +25,9 @@ struct VcgMeshArrays {
   std::vector<Index> input_of_face;    ///< index in mesh.face
 };
 
-/// A Mesh made from a VCG mesh, and where its elements came from.
-struct MeshWithMap {
-  std::shared_ptr<const Mesh> mesh;
-  std::vector<Index> vertex_of_input;  ///< one entry per entry of mesh.vert; no_index for a deleted vertex
-  std::vector<Index> input_of_vertex;  ///< index in mesh.vert of each vertex of the Mesh
-  std::vector<Index> input_of_face;    ///< index in mesh.face of each face of the Mesh
-};
-
 /// Copies positions (as doubles) and connectivity. The mesh may hold deleted elements; it is not changed.
-/// \throw InvalidInput if a face names no vertex, a deleted one or one of another mesh; the message names the
-/// face
-///        by its index in mesh.face.
+/// \throw InvalidInput if a coordinate is NaN or infinite, or a face names no vertex, a deleted one or one of
+/// another mesh; the message names the vertex or face by its index in mesh.vert or mesh.face.
 template <class VcgMesh>
 VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
   VcgMeshArrays arrays;
@@ -49,6 +39,12 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
     arrays.input_of_vertex.push_back(static_cast<Index>(v));
     arrays.positions.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+    for (double coordinate : arrays.positions.back()) {
+      if (!std::isfinite(coordinate)) {
+        throw InvalidInput("Vertex " + std::to_string(v) +
+                           " has a coordinate that is NaN or infinite; repair or remove it.");
+      }
+    }
   }
   const auto* first = mesh.vert.data();
   const auto* last = first + mesh.vert.size();
@@ -70,32 +66,6 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
     arrays.faces.push_back(corners);
   }
   return arrays;
-}
-
-/// Builds the Mesh of a VCG mesh.
-/// \throw InvalidInput as arrays_from_vcg and the constructor of Mesh do; elements are named by their index
-/// in the
-///        VCG mesh.
-template <class VcgMesh>
-MeshWithMap mesh_from_vcg(const VcgMesh& mesh) {
-  VcgMeshArrays arrays = arrays_from_vcg(mesh);
-  for (std::size_t v = 0; v < arrays.positions.size(); ++v) {
-    for (double coordinate : arrays.positions[v]) {
-      if (!std::isfinite(coordinate)) {
-        throw InvalidInput("Vertex " + std::to_string(arrays.input_of_vertex[v]) +
-                           " has a coordinate that is not a finite number; repair or remove it.");
-      }
-    }
-  }
-  MeshWithMap result;
-  result.mesh = std::make_shared<const Mesh>(std::move(arrays.positions), arrays.faces);
-  result.vertex_of_input = std::move(arrays.vertex_of_input);
-  result.input_of_vertex = std::move(arrays.input_of_vertex);
-  result.input_of_face.reserve(result.mesh->face_count());
-  for (Index f = 0; f < result.mesh->face_count(); ++f) {
-    result.input_of_face.push_back(arrays.input_of_face[result.mesh->input_face(f)]);
-  }
-  return result;
 }
 
 }  // namespace vorogeo

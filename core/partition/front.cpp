@@ -1,4 +1,4 @@
-// The front in buckets of distance; a vertex that is lowered after it was taken is taken again.
+// The front in buckets of distance; a vertex that is relaxed after it was taken is taken again, a few times.
 #include "partition/front.h"
 
 #include "mesh/unfolded_distance.h"
@@ -8,20 +8,28 @@ namespace vorogeo {
 
 namespace {
 
-/// Bucket width in mean edge lengths.
+/// Bucket width in typical edge lengths.
 constexpr double bucket_width = 0.5;
+/// Round faces without area, vertices may lower each other by ever less and without end: what is this close
+/// to the distance known is no gain, and after so many gains a distance stays.
+constexpr double least_gain = 1.0 - 1e-9;
+constexpr std::uint8_t most_lowerings = 64;
 constexpr int vertices_per_checkpoint = 4096;
 
 }  // namespace
 
 Front::Front(const Mesh& mesh)
-    : mesh_(mesh), distance_(mesh.vertex_count(), unreachable), source_(mesh.vertex_count(), no_index) {
+    : mesh_(mesh),
+      distance_(mesh.vertex_count(), unreachable),
+      source_(mesh.vertex_count(), no_index),
+      lowered_(mesh.vertex_count(), 0) {
   queue_.resize(mesh.vertex_count());
 }
 
-void Front::lower(Index vertex, double distance, Index source) {
-  if (!(distance < distance_[vertex])) return;
+void Front::relax(Index vertex, double distance, Index source) {
+  if (!(distance < least_gain * distance_[vertex]) || lowered_[vertex] == most_lowerings) return;
   if (distance_[vertex] == unreachable) touched_.push_back(vertex);
+  ++lowered_[vertex];
   distance_[vertex] = distance;
   source_[vertex] = source;
   queue_.push(vertex, distance);
@@ -45,17 +53,18 @@ void Front::pass(Index vertex, Index halfedge) {
     // A front only moves on: what rounding on needles makes nearer than both ends is not taken.
     if (straight >= std::fmin(distance_[vertex], distance_[other])) distance = std::fmin(distance, straight);
   }
-  lower(target, distance, source_[vertex]);
+  relax(target, distance, source_[vertex]);
 }
 
 void Front::grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed) {
   for (Index v : touched_) {
     distance_[v] = unreachable;
     source_[v] = no_index;
+    lowered_[v] = 0;
   }
   touched_.clear();
-  queue_.start(bucket_width * mesh_.mean_edge_length());
-  for (std::size_t i = 0; i < sources.size(); ++i) lower(sources[i], 0.0, static_cast<Index>(i));
+  queue_.reset(bucket_width * mesh_.typical_edge_length());
+  for (std::size_t i = 0; i < sources.size(); ++i) relax(sources[i], 0.0, static_cast<Index>(i));
   int taken = 0;
   for (Index v = queue_.pop(); v != no_index; v = queue_.pop()) {
     if (++taken % vertices_per_checkpoint == 0) checkpoint();

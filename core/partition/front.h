@@ -20,7 +20,8 @@ class Front {
   explicit Front(const Mesh& mesh);
 
   /// Starts anew from vertices. `face_allowed`: the faces that may be entered; empty: all.
-  /// \throw Cancelled at a checkpoint. Complexity: O(n) for n vertices reached.
+  /// A vertex is relaxed a bounded number of times, so every front ends.
+  /// \throw Cancelled at a checkpoint. Complexity: O(n) for n vertices reached and faces at them.
   void grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed);
 
   /// `unreachable` if the front did not come there.
@@ -29,12 +30,13 @@ class Front {
   Index source(Index vertex) const { return source_[vertex]; }
 
  private:
-  void lower(Index vertex, double distance, Index source);
+  void relax(Index vertex, double distance, Index source);
   void pass(Index vertex, Index halfedge);
 
   const Mesh& mesh_;
   std::vector<double> distance_;
   std::vector<Index> source_;
+  std::vector<std::uint8_t> lowered_;  ///< how often, up to most_lowerings
   std::vector<Index> touched_;
   BucketQueue queue_;
 };

@@ -20,9 +20,12 @@ constexpr double second_layer_vertices = 350.0;
 /// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
 /// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
 constexpr double ordinary_patches = 16.0;
+/// Where each of them holds this many second-layer patches, more of them would make its tables the larger
+/// part.
+constexpr double ordinary_patches_per_parent = 24.0;
 /// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then that table
 /// and the first-layer tables grow alike, by the cube root per vertex.
-constexpr double ordinary_vertices = 134400.0;
+constexpr double ordinary_vertices = ordinary_patches * ordinary_patches_per_parent * second_layer_vertices;
 /// On small meshes a first-layer patch has at least so many second-layer patches.
 constexpr double least_patches_per_parent = 2.0;
 
@@ -75,6 +78,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   check_patches("first-layer patches, n1,", options.first_layer_patches, faces);
   check_patches("second-layer patches, n2,", options.second_layer_patches, faces);
   Partition partition;
+  const Outliers outliers = find_outliers(mesh);
   std::vector<Index> all_faces(faces);
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
   const auto all_vertices = vertices_of(mesh, all_faces);
@@ -92,7 +96,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   {
     const Watch watch(progress.part(0.3, 0.5), "Growing first-layer patches");
     Front front(mesh);
-    label_voronoi_faces(front, mesh, whole, all_faces, samples, partition.first_layer);
+    label_voronoi_faces(front, mesh, whole, all_faces, samples, outliers, partition.first_layer);
   }
   partition.first_layer_count = compact(partition.first_layer, all_faces, static_cast<Index>(samples.size()));
 
@@ -122,7 +126,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
                          ? options.second_layer_patches
                          : rounded(static_cast<double>(patch_vertices.size()) / second_layer_vertices);
                  const auto inner = own->sampler.spread(part, count, options.seed + 1 + patch);
-                 label_voronoi_faces(own->front, mesh, part, list, inner, partition.second_layer);
+                 label_voronoi_faces(own->front, mesh, part, list, inner, outliers, partition.second_layer);
                  children[patch] = compact(partition.second_layer, list, static_cast<Index>(inner.size()));
                  for (Index f : list) own->allowed[f] = 0;
                });

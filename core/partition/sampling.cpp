@@ -18,12 +18,12 @@ constexpr auto anywhere = [](Index, Index) { return true; };
 /// Vertices by distance, taken from the farthest; entries whose distance has fallen are put back lower.
 class FarthestFirst {
  public:
-  void add(Index v, Index hops) {
-    if (static_cast<std::size_t>(hops) >= at_.size()) at_.resize(hops + 1);
-    at_[hops].push_back(v);
+  void add(Index v, Index edge_count) {
+    if (static_cast<std::size_t>(edge_count) >= at_.size()) at_.resize(edge_count + 1);
+    at_[edge_count].push_back(v);
   }
-  template <class Hops>
-  Index take(Hops&& hops_of) {
+  template <class EdgeCount>
+  Index take(EdgeCount&& edge_count_of) {
     while (!at_.empty()) {
       if (at_.back().empty()) {
         at_.pop_back();
@@ -31,9 +31,9 @@ class FarthestFirst {
       }
       const Index v = at_.back().back();
       at_.back().pop_back();
-      const Index hops = hops_of(v);
-      if (static_cast<std::size_t>(hops) + 1 == at_.size()) return v;
-      at_[hops].push_back(v);
+      const Index edge_count = edge_count_of(v);
+      if (static_cast<std::size_t>(edge_count) + 1 == at_.size()) return v;
+      at_[edge_count].push_back(v);
     }
     return no_index;
   }
@@ -45,10 +45,10 @@ class FarthestFirst {
 }  // namespace
 
 /// Breadth-first distances over the edges of a part, from growing sets of vertices.
-class Sampler::HopField {
+class Sampler::EdgeCountField {
  public:
-  explicit HopField(const Mesh& mesh)
-      : mesh_(mesh), hops_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
+  explicit EdgeCountField(const Mesh& mesh)
+      : mesh_(mesh), edge_counts_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
 
   /// Vertices outside the part keep what an earlier part left there, but the part's faces do not lead to
   /// them.
@@ -59,7 +59,7 @@ class Sampler::HopField {
 
   void reset() {
     for (Index v : part_.vertices) {
-      hops_[v] = far;
+      edge_counts_[v] = far;
       cell_[v] = no_index;
     }
   }
@@ -68,15 +68,15 @@ class Sampler::HopField {
   /// `enters(from, to)` is false are not entered from there.
   template <class Enters>
   void grow(std::vector<Index> front, Enters&& enters) {
-    for (Index v : front) hops_[v] = 0;
+    for (Index v : front) edge_counts_[v] = 0;
     std::vector<Index> next;
-    for (Index hop = 1; !front.empty(); ++hop) {
+    for (Index edge_count = 1; !front.empty(); ++edge_count) {
       next.clear();
       checkpoint();
       for (Index v : front) {
         for_each_neighbour(v, [&](Index u) {
-          if (hops_[u] <= hop || !enters(v, u)) return;
-          hops_[u] = hop;
+          if (edge_counts_[u] <= edge_count || !enters(v, u)) return;
+          edge_counts_[u] = edge_count;
           cell_[u] = cell_[v];
           next.push_back(u);
         });
@@ -94,39 +94,39 @@ class Sampler::HopField {
     }
   }
 
-  Index hops(Index v) const { return hops_[v]; }
+  Index edge_count(Index v) const { return edge_counts_[v]; }
   Index cell(Index v) const { return cell_[v]; }
   void set_cell(Index v, Index cell) { cell_[v] = cell; }
 
  private:
   const Mesh& mesh_;
   MeshPart part_;
-  std::vector<Index> hops_;
+  std::vector<Index> edge_counts_;
   std::vector<Index> cell_;
 };
 
-Sampler::Sampler(const Mesh& mesh) : field_(std::make_unique<HopField>(mesh)) {}
+Sampler::Sampler(const Mesh& mesh) : field_(std::make_unique<EdgeCountField>(mesh)) {}
 Sampler::~Sampler() = default;
 
 std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint64_t seed) {
   std::vector<Index> samples;
   if (part.vertices.empty()) return samples;
-  HopField& field = *field_;
+  EdgeCountField& field = *field_;
   field.enter(part);
   // One sample in each piece, the first at random.
   std::mt19937_64 random(seed);
   samples.push_back(part.vertices[random() % part.vertices.size()]);
   field.grow({samples.back()}, anywhere);
   for (Index v : part.vertices) {
-    if (field.hops(v) != far) continue;
+    if (field.edge_count(v) != far) continue;
     samples.push_back(v);
     field.grow({v}, anywhere);
   }
   FarthestFirst queue;
-  for (Index v : part.vertices) queue.add(v, field.hops(v));
+  for (Index v : part.vertices) queue.add(v, field.edge_count(v));
   while (static_cast<Index>(samples.size()) < count) {
-    const Index v = queue.take([&](Index u) { return field.hops(u); });
-    if (v == no_index || field.hops(v) == 0) break;
+    const Index v = queue.take([&](Index u) { return field.edge_count(u); });
+    if (v == no_index || field.edge_count(v) == 0) break;
     samples.push_back(v);
     field.grow({v}, anywhere);
   }
@@ -151,9 +151,9 @@ std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint6
     // The vertex deepest inside a cell; the present sample stays where no other is deeper.
     std::vector<Index> deepest(samples);
     for (Index v : part.vertices) {
-      if (field.hops(v) == far) continue;
+      if (field.edge_count(v) == far) continue;
       Index& best = deepest[field.cell(v)];
-      if (field.hops(best) == far || field.hops(v) > field.hops(best)) best = v;
+      if (field.edge_count(best) == far || field.edge_count(v) > field.edge_count(best)) best = v;
     }
     samples = deepest;
   }

@@ -32,8 +32,8 @@ class Sampler {
   std::vector<Index> spread(const MeshPart& part, Index count, std::uint64_t seed);
 
  private:
-  class HopField;
-  std::unique_ptr<HopField> field_;
+  class EdgeCountField;
+  std::unique_ptr<EdgeCountField> field_;
 };
 
 }  // namespace vorogeo

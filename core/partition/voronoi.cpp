@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <vector>
 
 #include "support/checkpoint.h"
 
@@ -11,6 +13,10 @@ namespace vorogeo {
 namespace {
 
 constexpr int smoothing_rounds = 8;
+
+/// Outliers of one group that are kept inside one patch; their faces are then about as many as those of half
+/// a second-layer patch.
+constexpr Index most_kept_inside = 200;
 
 /// The label two corners share, otherwise that of the corner nearest to its sample.
 Index face_label(const Front& front, const std::array<Index, 3>& vertices) {
@@ -25,10 +31,36 @@ Index face_label(const Front& front, const std::array<Index, 3>& vertices) {
   return label[nearest];
 }
 
+/// Gives the faces at each group of outliers one label: the most frequent one among them.
+void keep_outliers_inside(const Mesh& mesh, const Outliers& outliers, std::span<const Index> faces,
+                          std::span<Index> label) {
+  if (outliers.count == 0) return;
+  // Outliers of one face share an edge, so they are in one group.
+  auto group_of_face = [&](Index f) {
+    for (Index v : mesh.face_vertices(f)) {
+      const Index group = outliers.group_of(v);
+      if (group != no_index) return outliers.group_size[group] <= most_kept_inside ? group : no_index;
+    }
+    return no_index;
+  };
+  std::map<Index, std::vector<Index>> star;
+  for (Index f : faces) {
+    const Index group = group_of_face(f);
+    if (group != no_index) star[group].push_back(f);
+  }
+  for (const auto& [group, own_faces] : star) {
+    std::map<Index, Index> uses;
+    for (Index f : own_faces) ++uses[label[f]];
+    const auto most = std::max_element(uses.begin(), uses.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (Index f : own_faces) label[f] = most->first;
+  }
+}
+
 }  // namespace
 
 void label_voronoi_faces(Front& front, const Mesh& mesh, const MeshPart& part, std::span<const Index> faces,
-                         std::span<const Index> samples, std::span<Index> label) {
+                         std::span<const Index> samples, const Outliers& outliers, std::span<Index> label) {
   front.grow(samples, part.face_allowed);
   for (Index f : faces) label[f] = face_label(front, mesh.face_vertices(f));
 
@@ -53,6 +85,7 @@ void label_voronoi_faces(Front& front, const Mesh& mesh, const MeshPart& part, s
     }
     if (!changed) break;
   }
+  keep_outliers_inside(mesh, outliers, faces, label);
 }
 
 }  // namespace vorogeo

@@ -1,8 +1,10 @@
 // Items in approximate order of distance: a ring of buckets of equal width, and an overflow list behind it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "support/types.h"
@@ -10,19 +12,26 @@
 namespace vorogeo {
 
 /// Queue of items 0..count-1, each at most once, in its lowest bucket. The propagation corrects itself, so
-/// the order within a bucket only matters for speed. Last in, first out lets fewer windows meet; but where a
-/// bucket is much wider than the edges it would follow one chain of short steps (round a long spike, say)
-/// almost for ever, so a bucket from which many items have been taken goes on first in, first out.
+/// the order within a bucket matters for speed only. Last in, first out creates fewer windows; but where a
+/// bucket is much wider than the edges, it would follow one chain of short steps (around a long spike, say)
+/// almost for ever, so a bucket from which many items have been taken continues first in, first out.
+///
+/// Keys may lie further apart than any width suits. So a run counts the empty buckets it passes and the items
+/// it looks at in the overflow list; where these outnumber the items pushed many times, buckets become twice
+/// as wide. That can happen no more often than a key has bits, and between two times the work is a constant
+/// for each item pushed: every run costs O(pushes), whatever the keys.
 class BucketQueue {
  public:
   void resize(std::size_t count) { bucket_of_.assign(count, none); }
 
   /// Empties the queue and sets the width of a bucket.
-  void start(double width) {
+  void reset(double width) {
     clear();
     per_width_ = width > 0.0 ? 1.0 / width : 1.0;
     width_ = width > 0.0 ? width : 1.0;
     current_ = 0;
+    idle_ = 0;
+    most_idle_ = least_idle;
   }
 
   void push(Index item, double key) {
@@ -30,6 +39,7 @@ class BucketQueue {
     const auto bucket = std::max(current_, static_cast<std::int64_t>(scaled));
     if (bucket_of_[item] <= bucket) return;
     bucket_of_[item] = bucket;
+    most_idle_ += idle_per_push;
     if (bucket < current_ + ring_size) {
       ring_[bucket % ring_size].push_back(item);
       ++in_ring_;
@@ -62,12 +72,13 @@ class BucketQueue {
       }
       leave_bucket();
       ++current_;
-      // An item of the overflow may belong here by now.
+      ++idle_;
+      // The ring has moved on: items of the overflow may fit into it.
       if (current_ >= overflow_check_ && !overflow_.empty()) refill();
     }
   }
 
-  /// Everything still in the queue has at least this key, up to changes of the items already taken.
+  /// A lower bound of all keys in the queue, unless an item taken earlier pushes a smaller one.
   double lower_bound() const { return static_cast<double>(current_) * width_; }
 
   void clear() {
@@ -85,7 +96,10 @@ class BucketQueue {
 
  private:
   static constexpr std::int64_t ring_size = 1024;
+  /// Items taken last in, first out from one bucket before it continues in order of arrival.
   static constexpr std::size_t most_last_first = 1 << 14;
+  static constexpr std::int64_t idle_per_push = 32;
+  static constexpr std::int64_t least_idle = 64 * ring_size;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
 
   void leave_bucket() {
@@ -94,9 +108,29 @@ class BucketQueue {
     taken_ = 0;
   }
 
+  /// Makes buckets twice as wide. \pre The ring is empty.
+  void widen() {
+    std::size_t kept = 0;
+    current_ /= 2;
+    // An item that was pushed again lower stands in the list twice: its number is halved once.
+    for (Index item : overflow_) {
+      if (bucket_of_[item] != none) overflow_[kept++] = item;
+    }
+    overflow_.resize(kept);
+    std::sort(overflow_.begin(), overflow_.end());
+    overflow_.erase(std::unique(overflow_.begin(), overflow_.end()), overflow_.end());
+    for (Index item : overflow_) bucket_of_[item] /= 2;
+    per_width_ *= 0.5;
+    width_ *= 2.0;
+    idle_ = 0;
+    most_idle_ = least_idle + idle_per_push * static_cast<std::int64_t>(overflow_.size());
+  }
+
   /// Moves what fits from the overflow into the ring; false if nothing is left anywhere.
   bool refill() {
+    idle_ += static_cast<std::int64_t>(overflow_.size());
     if (in_ring_ == 0) {
+      if (idle_ > most_idle_) widen();
       std::int64_t least = none;
       for (Index item : overflow_) least = std::min(least, bucket_of_[item]);
       if (least == none) {
@@ -126,6 +160,8 @@ class BucketQueue {
   std::vector<Index> overflow_;
   std::int64_t current_ = 0;
   std::int64_t overflow_check_ = ring_size / 2;
+  std::int64_t idle_ = 0;       ///< empty buckets passed and overflow items looked at since it was widened
+  std::int64_t most_idle_ = 0;  ///< where it is widened
   std::size_t in_ring_ = 0;
   std::size_t first_ = 0;  ///< first item left in the current bucket
   std::size_t taken_ = 0;  ///< items taken from the current bucket

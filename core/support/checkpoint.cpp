@@ -1,11 +1,9 @@
-// The watches of a thread as a list on its stack.
+// The watches of a thread, innermost first, as a list through its stack.
 #include "support/checkpoint.h"
 
 namespace vorogeo {
 
 namespace {
-
-constexpr auto report_interval = std::chrono::milliseconds(30);
 
 thread_local Watch* innermost = nullptr;
 

@@ -6,16 +6,22 @@
 #include <string>
 
 #include "support/progress.h"
+#include "support/types.h"
 
 namespace vorogeo {
 
-/// Reports for the innermost Watch of this thread if a report is due, and leaves the computation if it is to
-/// stop. Costs a look at the clock: call it every few thousand elements. Does nothing outside a Watch.
+/// Time between two reports of a computation.
+inline constexpr auto report_interval = std::chrono::milliseconds(30);
+/// Elements between two checkpoints of a loop that does little for each.
+inline constexpr Index elements_per_checkpoint = 1 << 13;
+
+/// Lets the innermost Watch of this thread report, if a report is due; the report may cancel the computation.
+/// Costs one reading of the clock: call it every few thousand elements. Does nothing outside a Watch.
 /// \throw Cancelled.
 void checkpoint();
 
-/// While it lives, checkpoints of this thread report to a Progress. Watches nest; one without a function to
-/// report to leaves the checkpoints to the one around it.
+/// As long as it lives, checkpoints of this thread report to its Progress. Watches nest; one whose Progress
+/// has no function passes checkpoints on to the enclosing one.
 class Watch {
  public:
   /// Reports at once. `activity` is what is being done.

@@ -1,4 +1,4 @@
-// One source, compiled for several instruction sets; the loader picks the best that the machine has.
+// Marks a function to be compiled for several instruction sets; the loader picks the best one of the machine.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

@@ -51,13 +51,13 @@ std::string in_units(double bytes) {
 
 std::int64_t available_memory_bytes() { return std::min(system_available(), group_available()); }
 
-void require_memory(double needed, std::int64_t most_bytes, const std::string& what,
+void require_memory(double needed, std::int64_t max_bytes, const std::string& what,
                     const std::string& advice) {
-  const std::int64_t most = most_bytes > 0 ? most_bytes : available_memory_bytes();
-  if (needed <= static_cast<double>(most)) return;
+  const std::int64_t limit = max_bytes > 0 ? max_bytes : available_memory_bytes();
+  if (needed <= static_cast<double>(limit)) return;
   throw NotEnoughMemory(what + " takes " + in_units(needed) + ", more than the " +
-                        in_units(static_cast<double>(most)) +
-                        (most_bytes > 0 ? " allowed. " : " of memory available. ") + advice);
+                        in_units(static_cast<double>(limit)) +
+                        (max_bytes > 0 ? " allowed. " : " of memory available. ") + advice);
 }
 
 }  // namespace vorogeo

@@ -23,7 +23,6 @@ int resolve_thread_count(int requested) {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto report_interval = std::chrono::milliseconds(30);
 
 /// What the workers of one parallel_for share.
 struct Shared {
@@ -37,7 +36,7 @@ struct Shared {
 
   void fail(std::exception_ptr error) {
     std::lock_guard lock(mutex);
-    // Before the others stop, whose leaving is no failure of its own.
+    // The first error counts: what the others throw when they are stopped is its consequence.
     if (!failure) failure = std::move(error);
     stop = true;
   }
@@ -47,7 +46,7 @@ struct Shared {
 
 void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
                   const std::function<void(std::size_t item, int worker)>& body) {
-  // Before any thread starts: the caller hears what is being done, and may stop it.
+  // Before any thread is started, so that the caller can cancel at no cost.
   if (progress) progress.report(0.0, activity);
   Shared shared;
   auto work = [&](int worker, auto&& after_item) {
@@ -87,7 +86,7 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
         shared.finished.notify_one();
       });
     } catch (const std::system_error&) {
-      // The system has no thread left: the others do the work.
+      // The system has no thread left: those that are running do the work.
       std::lock_guard lock(shared.mutex);
       --shared.running;
       break;
@@ -107,7 +106,7 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
     if (Clock::now() - last_report >= report_interval) report();
   };
   {
-    // Without a progress of its own, its checkpoints are those of a watch around it.
+    // Without a progress, checkpoints go to the enclosing watch.
     std::optional<Watch> watch;
     if (progress) {
       watch.emplace([&] {

@@ -20,7 +20,7 @@ class Progress {
   Progress() = default;
   explicit Progress(ProgressFunction function) : function_(std::move(function)) {}
 
-  /// Whether anyone is told.
+  /// Whether there is a function to report to.
   explicit operator bool() const { return static_cast<bool>(function_); }
 
   /// Reports `fraction` of this span. \throw Cancelled if the caller wishes to stop.

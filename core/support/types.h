@@ -1,4 +1,4 @@
-// Element indices shared by every room of the core.
+// The index type, and the values for "none" and "unreachable", of every room of the core.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,7 @@ inline constexpr Index no_index = -1;
 
 /// Distance of a point that no path reaches.
 inline constexpr double unreachable = std::numeric_limits<double>::infinity();
+/// The same in the precision of searches and tables.
+inline constexpr float unreachable_float = std::numeric_limits<float>::infinity();
 
 }  // namespace vorogeo

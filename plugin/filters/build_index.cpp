@@ -6,11 +6,11 @@
 #include "filters/help.h"
 #include "filters/index_file_name.h"
 #include "filters/rows.h"
-#include "index_cache.h"
-#include "index_of_layer.h"
-#include "layer_mesh.h"
-#include "parameters.h"
-#include "ticking.h"
+#include "host/ticking.h"
+#include "layers/index_cache.h"
+#include "layers/index_of_layer.h"
+#include "layers/layer_mesh.h"
+#include "layers/parameters.h"
 
 namespace vorogeo::plugin {
 

@@ -4,13 +4,13 @@
 #include <iomanip>
 #include <sstream>
 
-#include "end_points.h"
+#include "field/geodesic_query.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "logged_length.h"
-#include "query/geodesic_query.h"
-#include "query/path_query.h"
+#include "host/logged_length.h"
+#include "layers/end_points.h"
+#include "layers/index_of_layer.h"
+#include "path/path_query.h"
 
 namespace vorogeo::plugin {
 

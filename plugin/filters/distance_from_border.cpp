@@ -1,8 +1,8 @@
 // Filter: distance of every vertex from the nearest border of the surface.
-#include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
+#include "layers/distance_field.h"
+#include "layers/index_of_layer.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

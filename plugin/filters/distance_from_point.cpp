@@ -1,10 +1,10 @@
 // Filters: distance of every vertex from a given point, from the index or exact.
 
-#include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "start_vertex.h"
+#include "layers/distance_field.h"
+#include "layers/index_of_layer.h"
+#include "layers/start_vertex.h"
 
 namespace vorogeo::plugin {
 
@@ -45,10 +45,6 @@ QString help_on_start() {
          "or at the <b>Start vertex</b> if one is named by its number, which is exact; the log says where "
          "and how "
          "far that is from the point.</p>";
-}
-
-FilterPlugin::FilterClass field_class() {
-  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Filters: distance of every vertex from the nearest selected vertex, from the index or exact.
-#include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "selected_vertices.h"
+#include "layers/distance_field.h"
+#include "layers/selected_vertices.h"
 
 namespace vorogeo::plugin {
 
@@ -19,10 +19,6 @@ Results index_distances_from_selection(FilterCall& call) {
 }
 Results exact_distances_from_selection(FilterCall& call) {
   return distances_from_selection(call, Method::exact);
-}
-
-FilterPlugin::FilterClass field_class() {
-  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "distance_field.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "parameters.h"
-#include "query/curve_sources.h"
-#include "source_layer.h"
+#include "layers/distance_field.h"
+#include "layers/index_of_layer.h"
+#include "layers/parameters.h"
+#include "layers/source_layer.h"
 #include "support/error.h"
+#include "tasks/curve_sources.h"
 
 namespace vorogeo::plugin {
 
@@ -127,10 +127,6 @@ QString help_on_curves() {
          "short and at most half the spacing too long, at a distance d much larger than the spacing at most "
          "about "
          "spacing<sup>2</sup> / (8 d). ";
-}
-
-FilterPlugin::FilterClass field_class() {
-  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
 }
 
 }  // namespace

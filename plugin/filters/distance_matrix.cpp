@@ -1,19 +1,20 @@
 // Filters: distances between all points given, and those of pairs within a radius.
-#include "query/distance_matrix.h"
+#include "tasks/distance_matrix.h"
 
+#include <optional>
 #include <string>
 
 #include "filters/help.h"
+#include "filters/npy_file.h"
+#include "filters/output_file.h"
 #include "filters/rows.h"
-#include "new_layer.h"
-#include "output_file.h"
-#include "parameters.h"
-#include "query/neighbors.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
+#include "layers/task_points.h"
+#include "layers/team_of_layer.h"
 #include "support/error.h"
 #include "support/memory.h"
-#include "support/npy_file.h"
-#include "task_points.h"
-#include "team_of_layer.h"
+#include "tasks/neighbors.h"
 
 namespace vorogeo::plugin {
 
@@ -36,11 +37,13 @@ Results distance_matrix_of_selection(FilterCall& call) {
                  "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
                  "Give fewer points, or use the numpy interface, which can write it to a file directly.");
   const auto file = output_file(call);
+  std::optional<NpyFile> output;
+  if (!file.empty()) output.emplace(file, k, k);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   std::vector<double> matrix(k * k);
   distance_matrix(found.team, points.points, MatrixMethod::automatic, matrix, found.progress);
-  if (!file.empty()) {
-    write_npy(file, k, k, matrix);
+  if (output) {
+    output->finish(matrix);
     call.log("Distance matrix: written to " + file.string());
   }
   call.log("Distance matrix of " + std::to_string(k) + " " + points.what);
@@ -83,7 +86,7 @@ Results pairs_of_selection(FilterCall& call) {
     }
   }
   if (!file.empty()) {
-    write_npy(file, distance.size(), 3, table);
+    NpyFile(file, distance.size(), 3).finish(table);
     call.log("Pairs within the radius: written to " + file.string());
   }
   call.log(std::to_string(distance.size()) + " pairs of " + std::to_string(points.size()) + " " +

@@ -1,14 +1,14 @@
 // Filters: select a geodesic disk, and bound the geodesic diameter and radius.
-#include "query/extent.h"
+#include "tasks/extent.h"
 
 #include <string>
 
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "logged_length.h"
-#include "parameters.h"
-#include "task_points.h"
-#include "team_of_layer.h"
+#include "host/logged_length.h"
+#include "layers/parameters.h"
+#include "layers/task_points.h"
+#include "layers/team_of_layer.h"
 
 namespace vorogeo::plugin {
 

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <sstream>
 
-#include "end_points.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "logged_length.h"
-#include "new_layer.h"
-#include "parameters.h"
-#include "query/path_query.h"
-#include "ticking.h"
+#include "host/logged_length.h"
+#include "host/ticking.h"
+#include "layers/end_points.h"
+#include "layers/index_of_layer.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
+#include "path/path_query.h"
 
 namespace vorogeo::plugin {
 

@@ -7,10 +7,10 @@
 #include "filters/help.h"
 #include "filters/index_file_name.h"
 #include "filters/rows.h"
-#include "index_cache.h"
-#include "index_of_layer.h"
+#include "host/ticking.h"
+#include "layers/index_cache.h"
+#include "layers/index_of_layer.h"
 #include "support/error.h"
-#include "ticking.h"
 
 namespace vorogeo::plugin {
 

@@ -1,5 +1,5 @@
 // Filter: lines of equal vertex quality as a polyline layer.
-#include "query/isolines.h"
+#include "tasks/isolines.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "logged_length.h"
-#include "new_layer.h"
-#include "parameters.h"
+#include "host/logged_length.h"
+#include "layers/index_of_layer.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
+#include "field/geodesic_query.h"
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "host_methods.h"
-#include "index_of_layer.h"
-#include "parameters.h"
-#include "query/geodesic_query.h"
-#include "start_vertex.h"
+#include "host/host_methods.h"
+#include "host/ticking.h"
+#include "layers/index_of_layer.h"
+#include "layers/parameters.h"
+#include "layers/start_vertex.h"
 #include "support/error.h"
-#include "ticking.h"
+#include "tasks/field_difference.h"
 
 namespace vorogeo::plugin {
 
@@ -110,47 +111,6 @@ MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::s
   throw InvalidInput("This method is not known.");
 }
 
-/// Signed relative differences of the vertices that both methods gave a distance, and their figures.
-struct Difference {
-  std::vector<double> relative;  ///< NaN where there is nothing to compare
-  int compared = 0;
-  int one_only = 0;  ///< vertices with a distance by one method only
-  double bias = 0.0;
-  double mean = 0.0;
-  double rms = 0.0;
-  double p99 = 0.0;
-  double max = 0.0;
-};
-
-Difference difference_of(const std::vector<double>& values, const std::vector<double>& reference) {
-  Difference result;
-  std::vector<double> sizes;
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    const bool both = std::isfinite(values[v]) && std::isfinite(reference[v]);
-    if (std::isfinite(values[v]) != std::isfinite(reference[v])) ++result.one_only;
-    if (!both || !(reference[v] > 0.0)) {
-      result.relative.push_back(std::nan(""));
-      continue;
-    }
-    const double error = (values[v] - reference[v]) / reference[v];
-    result.relative.push_back(error);
-    result.bias += error;
-    result.mean += std::abs(error);
-    result.rms += error * error;
-    sizes.push_back(std::abs(error));
-  }
-  result.compared = static_cast<int>(sizes.size());
-  if (sizes.empty()) return result;
-  const auto count = static_cast<double>(sizes.size());
-  result.bias /= count;
-  result.mean /= count;
-  result.rms = std::sqrt(result.rms / count);
-  std::sort(sizes.begin(), sizes.end());
-  result.p99 = sizes[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1];
-  result.max = sizes.back();
-  return result;
-}
-
 /// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
 /// scientific visualization" (2009), between its end colours.
 vcg::Color4b diverging_color(double t) {
@@ -169,7 +129,7 @@ vcg::Color4b diverging_color(double t) {
 /// Dark grey: vertices with nothing to compare.
 vcg::Color4b color_not_compared() { return {90, 90, 90, 255}; }
 
-void write_difference(FilterCall& call, const LayerMesh& layer_mesh, const Difference& difference) {
+void write_difference(FilterCall& call, const LayerMesh& layer_mesh, const FieldDifference& difference) {
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   const double range = difference.p99 > 0.0 ? difference.p99 : 1.0;
   for (std::size_t v = 0; v < difference.relative.size(); ++v) {
@@ -180,7 +140,7 @@ void write_difference(FilterCall& call, const LayerMesh& layer_mesh, const Diffe
   }
 }
 
-void log_difference(FilterCall& call, const Difference& d, const std::string& method,
+void log_difference(FilterCall& call, const FieldDifference& d, const std::string& method,
                     const std::string& reference, const MethodField& a, const MethodField& b) {
   std::ostringstream text;
   text.precision(3);
@@ -206,7 +166,7 @@ Results compare_methods(FilterCall& call) {
   const MethodField b =
       field_of(call, layer_mesh, mesh, start.vertex, reference, call.progress.part(0.0, 0.5));
   const MethodField a = field_of(call, layer_mesh, mesh, start.vertex, method, call.progress.part(0.5, 1.0));
-  const Difference difference = difference_of(a.distances, b.distances);
+  const FieldDifference difference = difference_of(a.distances, b.distances);
   call.progress.report(1.0, "Writing quality and colours");
   write_difference(call, layer_mesh, difference);
   const QStringList names = method_names();

@@ -3,18 +3,18 @@
 #include <string>
 
 #include "filters/help.h"
+#include "filters/npy_file.h"
+#include "filters/output_file.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "new_layer.h"
-#include "output_file.h"
-#include "parameters.h"
-#include "query/neighbors.h"
-#include "source_layer.h"
+#include "layers/index_of_layer.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
+#include "layers/source_layer.h"
+#include "layers/task_points.h"
+#include "layers/team_of_layer.h"
 #include "support/error.h"
 #include "support/memory.h"
-#include "support/npy_file.h"
-#include "task_points.h"
-#include "team_of_layer.h"
+#include "tasks/neighbors.h"
 
 namespace vorogeo::plugin {
 
@@ -56,7 +56,7 @@ Results nearest_points(FilterCall& call) {
     table.insert(table.end(), {double(of_query.back()), place.back(), nearest.distance[i]});
   }
   if (!file.empty()) {
-    write_npy(file, place.size(), 3, table);
+    NpyFile(file, place.size(), 3).finish(table);
     call.log("Nearest points: written to " + file.string());
   }
   call.log("The " + std::to_string(count) + " nearest of " + std::to_string(set.points.size()) +

@@ -3,9 +3,9 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "index_of_layer.h"
-#include "parameters.h"
-#include "patch_coloring.h"
+#include "layers/index_of_layer.h"
+#include "layers/parameters.h"
+#include "partition/patch_coloring.h"
 
 namespace vorogeo::plugin {
 

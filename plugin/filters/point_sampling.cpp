@@ -3,13 +3,13 @@
 
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "logged_length.h"
-#include "new_layer.h"
-#include "parameters.h"
-#include "query/lloyd.h"
-#include "query/spread_points.h"
-#include "task_points.h"
-#include "team_of_layer.h"
+#include "host/logged_length.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
+#include "layers/task_points.h"
+#include "layers/team_of_layer.h"
+#include "tasks/lloyd.h"
+#include "tasks/spread_points.h"
 
 namespace vorogeo::plugin {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "filter_row.h"
+#include "host/filter_row.h"
 
 namespace vorogeo::plugin {
 

@@ -1,16 +1,16 @@
 // Filter: geodesic Voronoi regions of points, as colours, quality and a layer of borders.
-#include "query/voronoi_regions.h"
+#include "tasks/voronoi_regions.h"
 
 #include <string>
 
 #include "filters/help.h"
 #include "filters/rows.h"
-#include "logged_length.h"
-#include "new_layer.h"
-#include "parameters.h"
-#include "patch_coloring.h"
-#include "task_points.h"
-#include "team_of_layer.h"
+#include "host/logged_length.h"
+#include "layers/new_layer.h"
+#include "layers/parameters.h"
+#include "layers/task_points.h"
+#include "layers/team_of_layer.h"
+#include "partition/patch_coloring.h"
 
 namespace vorogeo::plugin {
 

@@ -21,14 +21,14 @@ namespace {
 class IndexHandle {
  public:
   IndexHandle(std::shared_ptr<const GeodesicIndex> index, std::size_t input_faces, int threads)
-      : pool_(std::move(index), threads), input_faces_(input_faces) {}
+      : pool_(std::make_shared<QueryPool>(std::move(index), threads)), input_faces_(input_faces) {}
 
-  const GeodesicIndex& index() const { return pool_.index(); }
-  HeldIndex held() const { return {pool_.shared_index(), pool_.threads(), input_faces_}; }
+  const GeodesicIndex& index() const { return pool_->index(); }
+  HeldIndex held() const { return {pool_->shared_index(), pool_, pool_->threads(), input_faces_}; }
 
   double distance(Index source, Index target) {
     nb::gil_scoped_release release;
-    return pool_.lend([&](GeodesicQuery& query) { return query.distance(source, target); });
+    return pool_->lend([&](GeodesicQuery& query) { return query.distance(source, target); });
   }
 
   DoubleArray distances(const IdArray& sources, const IdArray& targets) {
@@ -36,7 +36,7 @@ class IndexHandle {
     const auto to = ids_of(targets);
     std::vector<double> values(from.size());
     auto fill = [&](std::size_t begin, std::size_t end) {
-      pool_.lend([&](GeodesicQuery& query) {
+      pool_->lend([&](GeodesicQuery& query) {
         for (std::size_t i = begin; i < end; ++i) values[i] = query.distance(from[i], to[i]);
         return true;
       });
@@ -49,7 +49,7 @@ class IndexHandle {
       ProgressBridge bridge{nb::handle(Py_None)};
       bridge.run([&](const Progress& progress) {
         const std::size_t count = (values.size() + pairs_at_once - 1) / pairs_at_once;
-        parallel_for(count, pool_.threads(), progress, "Distances", [&](std::size_t item, int) {
+        parallel_for(count, pool_->threads(), progress, "Distances", [&](std::size_t item, int) {
           fill(item * pairs_at_once, std::min(values.size(), (item + 1) * pairs_at_once));
         });
       });
@@ -61,7 +61,7 @@ class IndexHandle {
     std::vector<double> values;
     {
       nb::gil_scoped_release release;
-      values = pool_.lend(
+      values = pool_->lend(
           [&](GeodesicQuery& query) { return query.distance_field(ids_of(sources), max_distance); });
     }
     return to_numpy(std::move(values));
@@ -102,7 +102,7 @@ class IndexHandle {
   }
 
  private:
-  QueryPool pool_;
+  std::shared_ptr<QueryPool> pool_;
   std::size_t input_faces_;
 };
 

@@ -6,12 +6,14 @@
 #include <memory>
 
 #include "index/geodesic_index.h"
+#include "query_pool.h"
 
 namespace vorogeo::python {
 
 /// What a Python object of the class _core.Index holds.
 struct HeldIndex {
   std::shared_ptr<const GeodesicIndex> index;
+  std::shared_ptr<QueryPool> pool;
   int threads;              ///< 0: one per core
   std::size_t input_faces;  ///< rows of the faces that were given
 };

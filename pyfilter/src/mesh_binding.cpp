@@ -58,11 +58,25 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
   findings["non_manifold_edges"] = finding(report.non_manifold_edges);
   findings["non_manifold_vertices"] = finding(report.non_manifold_vertices);
   findings["inconsistent_edges"] = finding(report.inconsistent_edges);
+  findings["outliers"] = finding(report.outliers);
+  d["outlier_ratio"] = report.outlier_ratio;
   d["first_non_manifold_edge"] =
       nb::make_tuple(report.first_non_manifold_edge[0], report.first_non_manifold_edge[1]);
   d["border_edges"] = report.border_edges;
+  nb::list component_vertices;
+  for (const MeshComponent& component : report.component_sizes) component_vertices.append(component.vertices);
   d["components"] = report.components;
+  d["component_vertices"] = nb::tuple(component_vertices);
+  d["border_loops"] = report.border_loops.count;
+  d["longest_border_loop"] = report.border_loops.longest_length;
+  findings["near_borders"] = nb::make_tuple(report.near_borders.count, report.near_borders.first);
+  d["nearest_borders"] = nb::make_tuple(report.near_borders.closest[0], report.near_borders.closest[1]);
+  d["near_border_gaps"] = nb::make_tuple(report.near_borders.least, report.near_borders.greatest);
+  d["mean_edge_length"] = report.mean_edge_length;
+  d["longest_edge_length"] = report.longest_edge_length;
   d["usable"] = report.usable();
+  d["usable_by_index"] = report.usable_by_index();
+  d["summary"] = report.summary();
   d["sentences"] = nb::tuple(sentences);
   return d;
 }

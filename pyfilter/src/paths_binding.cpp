@@ -7,13 +7,12 @@
 #include "arrays.h"
 #include "index_binding.h"
 #include "mesh/surface_locator.h"
+#include "path/path_query.h"
 #include "point_arrays.h"
 #include "progress_bridge.h"
-#include "query/curve_sources.h"
-#include "query/landmark_fields.h"
-#include "query/path_query.h"
-#include "query/source_field.h"
 #include "support/parallel.h"
+#include "tasks/curve_sources.h"
+#include "tasks/landmark_fields.h"
 
 namespace vorogeo::python {
 
@@ -89,9 +88,8 @@ class Paths {
       nb::gil_scoped_release release;
       std::vector<ExactSource> sources;
       for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets.data()[i]});
-      const std::lock_guard lock(field_mutex_);
-      if (!field_) field_ = std::make_unique<SourceField>(held_.index, held_.threads);
-      result = field_->field(sources, max_distance);
+      result =
+          held_.pool->lend([&](GeodesicQuery& query) { return query.labelled_field(sources, max_distance); });
     }
     return nb::make_tuple(to_numpy(std::move(result.distance)), to_numpy(std::move(result.source)));
   }
@@ -187,8 +185,6 @@ class Paths {
   std::vector<std::unique_ptr<PathQuery>> queries_;
   std::shared_ptr<const ExactLandmarks> landmarks_;
   std::unique_ptr<SurfaceLocator> locator_;
-  std::mutex field_mutex_;
-  std::unique_ptr<SourceField> field_;
 };
 
 }  // namespace

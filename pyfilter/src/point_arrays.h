@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arrays.h"
-#include "query/point_list.h"
+#include "mesh/point_list.h"
 #include "support/error.h"
 
 namespace vorogeo::python {

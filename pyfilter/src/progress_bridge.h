@@ -18,8 +18,9 @@ namespace nb = nanobind;
 /// Runs a computation without the GIL; takes it only to report.
 ///
 /// The Python function is called with (fraction, text) when the text changes, at the end, and at most
-/// fifty times a second between; the fraction never falls. A result of False cancels. An exception of the
-/// function, or Ctrl-C, stops the computation and is raised unchanged.
+/// fifty times a second between; the fraction never falls. A result of False (Python's or numpy's) cancels;
+/// any other, 0 and None as well, goes on. An exception of the function, or Ctrl-C, stops the computation and
+/// is raised unchanged.
 class ProgressBridge {
  public:
   /// `function`: a callable, or None for Ctrl-C alone. Both `function` and this object outlive the run.
@@ -58,14 +59,20 @@ class ProgressBridge {
       if (PyErr_CheckSignals() != 0) throw nb::python_error();
       if (function_.is_none()) return true;
       const nb::object answer = function_(fraction_, activity_);
-      if (answer.is_none()) return true;
-      const int truth = PyObject_IsTrue(answer.ptr());
-      if (truth < 0) throw nb::python_error();
-      return truth != 0;
+      return !is_false(answer);
     } catch (...) {
       failure_ = std::current_exception();
       return false;
     }
+  }
+
+  /// Comparisons of numpy's numbers give numpy's False, which prints as "False".
+  static bool is_false(nb::handle answer) {
+    if (answer.ptr() == Py_False || answer.ptr() == Py_True || answer.is_none()) {
+      return answer.ptr() == Py_False;
+    }
+    const nb::object numpy_bool = nb::module_::import_("numpy").attr("bool_");
+    return nb::isinstance(answer, numpy_bool) && !nb::cast<bool>(nb::bool_(answer));
   }
 
   nb::handle function_;

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "query/geodesic_query.h"
+#include "field/geodesic_query.h"
 
 namespace vorogeo::python {
 

@@ -1,11 +1,11 @@
 // The functions of _core for what is built on distance fields.
 #include "arrays.h"
 #include "point_arrays.h"
-#include "query/extent.h"
-#include "query/isolines.h"
-#include "query/lloyd.h"
-#include "query/spread_points.h"
-#include "query/voronoi_regions.h"
+#include "tasks/extent.h"
+#include "tasks/isolines.h"
+#include "tasks/lloyd.h"
+#include "tasks/spread_points.h"
+#include "tasks/voronoi_regions.h"
 #include "tasks_binding.h"
 #include "team_call.h"
 

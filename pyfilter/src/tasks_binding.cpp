@@ -3,9 +3,9 @@
 
 #include "arrays.h"
 #include "point_arrays.h"
-#include "query/distance_matrix.h"
-#include "query/neighbors.h"
 #include "support/memory.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/neighbors.h"
 #include "team_call.h"
 
 namespace vorogeo::python {

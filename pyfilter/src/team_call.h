@@ -3,7 +3,7 @@
 
 #include "index_binding.h"
 #include "progress_bridge.h"
-#include "query/field_team.h"
+#include "tasks/field_team.h"
 
 namespace vorogeo::python {
 

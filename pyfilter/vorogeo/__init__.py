@@ -8,7 +8,7 @@ this package also loads the VoroGeo filters into it and binds them as methods of
 from importlib.metadata import version as _version
 
 from ._output import matrix_bytes
-from .errors import Cancelled, Error, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
+from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
 from .exact import exact_distance_field
 from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
@@ -36,6 +36,7 @@ __all__ = [
     "Error",
     "Extent",
     "FarthestSamples",
+    "FileError",
     "GeodesicIndex",
     "GeodesicPath",
     "IndexFileError",

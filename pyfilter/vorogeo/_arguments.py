@@ -72,7 +72,7 @@ def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
 
 
 def unchecked_faces(value: ArrayLike) -> NDArray[np.int32]:
-    """Faces as contiguous int32 of shape (m, 3); entries that are no vertex index become -1 or the largest int32."""
+    """Faces as contiguous int32 of shape (m, 3); entries that int32 cannot hold become -1 or the largest int32."""
     array = _face_array(value)
     wide = array.astype(np.uint64 if array.dtype.kind == "u" else np.int64)
     wide[wide > _INT32.max] = _INT32.max
@@ -203,12 +203,12 @@ def file_path(value: str | os.PathLike[str]) -> str:
 
 
 def id_list(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
-    """Any number of vertex ids, also none, as int32 of shape (k,)."""
+    """Any number of vertex ids, possibly none, as int32 of shape (k,)."""
     return np.atleast_1d(vertex_ids(name, value, vertex_count))
 
 
 def length(name: str, value: Any) -> float:
-    """A length of 0 or more; infinity is one."""
+    """A length of 0 or more; infinity is allowed."""
     wanted = "a length of 0 or more in the unit of the vertices"
     number = real(name, value, wanted)
     if number < 0:
@@ -222,7 +222,7 @@ def byte_limit(value: int | None) -> int:
 
 
 def choice(name: str, value: str, choices: tuple[str, ...]) -> int:
-    """The place of a word among those allowed."""
+    """The position of a word among those allowed."""
     if value not in choices:
         raise InvalidInput(f"{name}: {value!r} is unknown; give one of {', '.join(map(repr, choices))}.")
     return choices.index(value)
@@ -252,7 +252,7 @@ def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 
 def face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
-    """Rows of faces as contiguous int32 of shape (k,), none negative; the core knows how many there are."""
+    """Rows of faces as contiguous int32 of shape (k,), none negative; the core checks the upper limit."""
     wanted = "rows of the faces (integers)"
     array = np.atleast_1d(_array(name, value, wanted))
     if array.size == 0:
@@ -266,7 +266,7 @@ def face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
 
 
 def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:
-    """Start offsets of so many sources as float64 of shape (count,), finite and not negative; zeros for None."""
+    """Offsets of the sources as float64 of shape (count,), finite and not negative; zeros for None."""
     if value is None:
         return np.zeros(count)
     wanted = f"{count} lengths of 0 or more, one for each source"

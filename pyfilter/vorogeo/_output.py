@@ -1,11 +1,11 @@
-"""Where a large result goes: into memory after a check that it fits, or into a .npy file that is mapped."""
+"""Where a large result goes: into memory, if it fits, or into a memory-mapped .npy file."""
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,7 +40,19 @@ def require_memory(what: str, needed: float, max_bytes: int | None, advice: str)
 
 @contextmanager
 def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Iterator[NDArray[np.float64]]:
-    """An array of float64 to fill in the block: new, given, or mapped to a file that appears whole or not at all."""
+    """An array of float64 to fill in the block: new, given, or mapped to a file that appears whole or not at all.
+
+    The file's space is taken first: writing to mapped memory on a full disk would kill the process.
+
+    Raises
+    ------
+    InvalidInput
+        If `out` has a wrong shape or type, or names a folder, a device or a pipe, or a file in no folder.
+    FileError
+        (an OSError) If the disk is full or the file may not be written.
+    NotEnoughMemory
+        If the array does not fit into memory.
+    """
     if out is None:
         require_memory(
             f"The matrix of {rows} x {columns} distances", matrix_bytes(rows, columns), max_bytes,
@@ -57,19 +69,23 @@ def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Itera
             raise InvalidInput("out: is read-only; give an array that can be written, or the name of a file.")
         yield out
     else:
-        file = Path(check.file_path(out))
-        if file.is_dir() or not file.absolute().parent.is_dir():
-            raise InvalidInput(f"out: {file} is not in a folder that exists, or is one itself; name another file.")
-        part = file.with_name(f"{file.name}.{os.getpid()}.part")
+        head = _head(rows, columns)
+        file = _core.OutputFile.make(check.file_path(out), "out: the file", head, matrix_bytes(rows, columns))
         try:
             if rows * columns == 0:
-                np.save(part.open("wb"), np.empty((rows, columns)))
-                array = np.empty((rows, columns))
+                yield np.empty((rows, columns))
             else:
-                array = np.lib.format.open_memmap(part, mode="w+", dtype=np.float64, shape=(rows, columns))
-            yield array
-            if isinstance(array, np.memmap):
+                array = np.memmap(file.temporary, np.float64, "r+", len(head), (rows, columns))
+                yield array
                 array.flush()
-            os.replace(part, file)
+            file.finish()
         finally:
-            part.unlink(missing_ok=True)
+            file.discard()
+
+
+def _head(rows: int, columns: int) -> bytes:
+    """What a .npy file of this matrix begins with."""
+    head = io.BytesIO()
+    dtype = np.lib.format.dtype_to_descr(np.dtype(np.float64))
+    np.lib.format.write_array_header_1_0(head, {"descr": dtype, "fortran_order": False, "shape": (rows, columns)})
+    return head.getvalue()

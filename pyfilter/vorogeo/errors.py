@@ -9,8 +9,12 @@ class InvalidInput(Error, ValueError):
     """An argument or a mesh that cannot be used."""
 
 
-class IndexFileError(Error, OSError):
-    """An index file that is missing, truncated, damaged, of another version or of another mesh."""
+class FileError(Error, OSError):
+    """A file that cannot be written: no room, no permission."""
+
+
+class IndexFileError(FileError):
+    """An index file that cannot be written; or one that is missing, truncated, damaged, of another version or mesh."""
 
 
 class Cancelled(Error):
@@ -18,7 +22,7 @@ class Cancelled(Error):
 
 
 class NotEnoughMemory(Error, MemoryError):
-    """A result that needs more memory than there is, found out before it is taken."""
+    """A result that needs more memory than there is; raised before it is allocated."""
 
 
 class PluginError(Error, RuntimeError):

@@ -38,19 +38,19 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     threads : int, optional
         Threads of the build and of each field; None is one per core. The results do not depend on it.
     seed : int, default 0
-        Start of the random numbers that place the patches, 0 to 2**64 - 1.
+        Seed of the random numbers that place the patches, 0 to 2**64 - 1.
     progress : callable or bool, optional
         Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never falls; a result of
         False cancels. True shows a tqdm bar.
     memory_budget : int, optional
-        MiB that the index may take; None is 4096. If its tables fit they are kept, else it is a pruned graph,
-        smaller and slower; `statistics.form` says which.
+        MiB that the index may take; None is 4096. It is made of tables if they fit, otherwise of a pruned graph, which
+        is smaller and slower; `statistics.form` says which.
 
     Raises
     ------
     InvalidInput
         (a ValueError) If an argument has a wrong shape, type or range, naming the element, or if the index does
-        not fit the memory budget, naming the least that it takes.
+        not fit the memory budget, naming the least budget that is enough.
     Cancelled
         If `progress` returned False.
     MemoryError
@@ -94,7 +94,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     def load(
         cls, file: str | os.PathLike[str], vertices: ArrayLike, faces: ArrayLike, threads: int | None = None
     ) -> GeodesicIndex:
-        """Read an index that was saved for this very mesh.
+        """Read an index that was saved for exactly this mesh.
 
         Parameters
         ----------
@@ -127,12 +127,14 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         self._statistics = IndexStatistics(**handle.statistics())
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Write the index, without the mesh, to a file, which appears whole or not at all.
+        """Write the index, without the mesh, to a file.
+
+        An old file of this name stays until the new one is whole; a symbolic link is followed.
 
         Raises
         ------
         IndexFileError
-            (an OSError) If it cannot be written.
+            (an OSError) If it cannot be written: a full disk, no permission, a folder, a device or a pipe.
         """
         self._handle.save(check.file_path(file))
 
@@ -221,8 +223,8 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         distance : ndarray of float64, shape (n,)
             In the unit of the vertices; infinity where no source can be reached.
         label : ndarray of int32, shape (n,)
-            Only if `return_labels`: the place of the nearest source in `sources`, -1 where there is none. Of sources
-            that are nearly equally near, either.
+            Only if `return_labels`: the position of the nearest source in `sources`, -1 where there is none. Of sources
+            at nearly the same distance, any.
 
         Raises
         ------

@@ -17,14 +17,14 @@ from .progress import ProgressFunction, reporter
 from .results import IndexStatistics, SparseDistances
 
 _METHODS = ("auto", "pairs", "fields")
-_ENTRY_BYTES = 28  # while the matrix is put together; 12 in the end
+_ENTRY_BYTES = 28  # while the matrix is assembled; 12 in the result
 _SAMPLES = 16
 
 
 class Matrices:
     """The methods of `GeodesicIndex` that answer many questions in one call.
 
-    Points are vertex ids, `SurfacePoints` or lists of both, none of them as well; ``k`` is how many there are.
+    Points are vertex ids, `SurfacePoints` or lists of both, possibly empty; ``k`` is how many there are.
     """
 
     __slots__ = ()
@@ -43,7 +43,7 @@ class Matrices:
         Parameters
         ----------
         sources, targets : k points each
-            No pair at all is allowed.
+            May be empty.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -85,14 +85,14 @@ class Matrices:
         others : m points, optional
             Of the columns.
         method : {"auto", "pairs", "fields"}
-            "pairs": the values of `distance`. "fields": read from a field of each point; without `others`, of one point
-            of each pair, so that the matrix is symmetric. Both approximate one number; for points in faces "pairs" is
-            the more accurate. "auto": what is faster for this size.
+            "pairs": the values of `distance`. "fields": read from the field of each point; without `others`, of one
+            point of each pair, so that the matrix is symmetric. Both approximate the same distances; for points in
+            faces "pairs" is more accurate. "auto": whichever should be faster for this size.
         out : str, path or ndarray, optional
-            A file to write as .npy, which appears whole or not at all, or an array of float64 and the shape of the
-            result. For a file the result is mapped, so that it may be larger than the memory.
+            A file to write as .npy, or an array of float64 and the shape of the result. A file is mapped, so it may be
+            larger than the memory; its space is taken first, and an old one stays until it is whole.
         max_bytes : int, optional
-            What the result may take in memory; None is what is available. `vorogeo.matrix_bytes` says it beforehand.
+            What the result may take in memory; None is what is available. `vorogeo.matrix_bytes` says what it takes.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -104,7 +104,10 @@ class Matrices:
         Raises
         ------
         InvalidInput
-            (a ValueError) If an argument has a wrong shape, type or range.
+            (a ValueError) If an argument has a wrong shape, type or range, or `out` names no plain file in a folder
+            that exists.
+        FileError
+            (an OSError) If the file cannot be written, such as on a full disk; nothing was computed.
         NotEnoughMemory
             (a MemoryError) If the result does not fit; nothing was computed.
         Cancelled
@@ -134,7 +137,7 @@ class Matrices:
         max_bytes: int | None = None,
         progress: ProgressFunction | bool | None = None,
     ) -> NDArray[np.float64]:
-        """The distance field of each source on its own; `distance_field` is that of the nearest of several.
+        """The distance field of each single source; `distance_field` is the one of the nearest of several.
 
         Parameters
         ----------
@@ -147,11 +150,11 @@ class Matrices:
         Returns
         -------
         ndarray of float64, shape (k, n)
-            Infinity where no path leads.
+            Infinity where there is no path.
 
         Raises
         ------
-        InvalidInput, NotEnoughMemory, Cancelled
+        InvalidInput, FileError, NotEnoughMemory, Cancelled
             As for `distance_matrix`.
         """
         rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
@@ -185,7 +188,7 @@ class Matrices:
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
         max_bytes : int, optional
-            What may be taken; None is what is available. `pairs_within_bytes` estimates it.
+            Memory that may be used; None is what is available. `pairs_within_bytes` estimates it.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -206,8 +209,8 @@ class Matrices:
 
         Notes
         -----
-        Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others` that
-        of one point of each pair.
+        Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others`
+        they are read from the field of one point of each pair.
         """
         rows, reach, limit = self._rows("points", points), check.length("radius", radius), check.byte_limit(max_bytes)
         columns = rows if others is None else self._rows("others", others)
@@ -264,7 +267,7 @@ class Matrices:
         distances : ndarray of float64, shape (q, k)
             Nearest first; infinity where fewer can be reached.
         positions : ndarray of int32, shape (q, k)
-            Places in `points`, of equally near ones the first; -1 where fewer can be reached.
+            Positions in `points`, of equally near ones the first; -1 where fewer can be reached.
 
         Raises
         ------
@@ -290,7 +293,7 @@ class Matrices:
 
 
 def _reopened(result: NDArray[np.float64], out: Output) -> NDArray[np.float64]:
-    """The result, mapped anew if it went to a file: under its final name and read-only."""
+    """The result; if it went to a file, that file mapped read-only under its final name."""
     if out is None or isinstance(out, np.ndarray) or result.size == 0:
         return result
     mapped: NDArray[np.float64] = np.load(check.file_path(out), mmap_mode="r")

@@ -41,14 +41,37 @@ class MeshReport:
         Paths may turn there into any of the faces.
     inconsistent_edges : MeshFinding
         Between two faces of opposite orientation; without influence.
+    outliers : MeshFinding
+        Joined to the rest of their component only by edges of more than a hundred typical lengths.
+    outlier_ratio : float
+        The shortest of these edges, in typical lengths; 0 without outliers.
     first_non_manifold_edge : (int, int)
         Its vertices, or (-1, -1).
-    border_edges, components : int
-        Edges with one face; connected parts that have a face.
+    border_edges, border_loops : int
+        Edges with one face, and the closed lines that they form.
+    longest_border_loop : float
+        Length of the longest of these.
+    components : int
+        Connected parts that have a face.
+    component_vertices : tuple of int
+        How many vertices each has; the largest first.
+    near_borders : MeshFinding
+        Border vertices close to another border, or another part of theirs, that no short path leads to: nearer than
+        a tenth of the border edges there, with no path along edges shorter than one and a half of these.
+    nearest_borders : (int, int)
+        The closest two vertices of these, or (-1, -1).
+    near_border_gaps : (float, float)
+        The least and the greatest distance of such vertices from their nearest neighbour across the gap.
+    mean_edge_length, longest_edge_length : float
     usable : bool
         Whether distances can be computed on the mesh.
+    usable_by_index : bool
+        Whether also an index can be built, memory permitting: it takes lengths between 1e-28 and 1e28, the exact
+        solver between 1e-60 and 1e60.
     sentences : tuple of str
-        One sentence for each finding that is not zero, naming its first element.
+        One sentence for each finding that may surprise, naming its first element.
+    summary : str
+        Sizes, components and borders in one sentence.
     """
 
     vertices: int
@@ -63,14 +86,26 @@ class MeshReport:
     non_manifold_edges: MeshFinding
     non_manifold_vertices: MeshFinding
     inconsistent_edges: MeshFinding
+    outliers: MeshFinding
+    outlier_ratio: float
     first_non_manifold_edge: tuple[int, int]
     border_edges: int
+    border_loops: int
+    longest_border_loop: float
     components: int
+    component_vertices: tuple[int, ...]
+    near_borders: MeshFinding
+    nearest_borders: tuple[int, int]
+    near_border_gaps: tuple[float, float]
+    mean_edge_length: float
+    longest_edge_length: float
     usable: bool
+    usable_by_index: bool
     sentences: tuple[str, ...]
+    summary: str
 
     def __str__(self) -> str:
-        return "\n".join((f"{self.vertices} vertices, {self.faces} faces.", *self.sentences))
+        return "\n".join((self.summary, *self.sentences))
 
 
 def check_mesh(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:

@@ -16,6 +16,9 @@ from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
 from .results import IndexStatistics
 
+#: Beyond it a distance from the surface may be more than a float holds.
+_GREATEST_COORDINATE = 1e307
+
 
 @dataclass(frozen=True, repr=False)
 class GeodesicPath:
@@ -73,7 +76,7 @@ class Paths:
         Parameters
         ----------
         points : array_like, shape (3,) or (k, 3)
-            Finite positions.
+            Finite positions, of at most 1e307.
         max_distance : float, optional
             How far a point may be from the surface; None for any distance.
 
@@ -85,9 +88,16 @@ class Paths:
         Raises
         ------
         InvalidInput
-            (a ValueError) If a point is not finite or farther away than `max_distance`; names the point.
+            (a ValueError) If a point is not finite, above 1e307 or farther away than `max_distance`; names the point.
         """
         positions = check.positions("points", points)
+        too_far = np.abs(positions).max(axis=1, initial=0) > _GREATEST_COORDINATE
+        if too_far.any():
+            row = int(np.flatnonzero(too_far)[0])
+            raise InvalidInput(
+                f"points[{row}]: {positions[row].tolist()} is too far away for its distance to be a number; give "
+                f"coordinates of at most {_GREATEST_COORDINATE:g}."
+            )
         limit = check.max_distance(max_distance)
         faces, weights, distance = self._paths.snap(positions)
         if (distance > limit).any():
@@ -106,8 +116,8 @@ class Paths:
     ) -> GeodesicPath | list[GeodesicPath]:
         """Refined shortest path between two points, or of each of k pairs.
 
-        The way that the index gives is shortened to a geodesic: never shorter than the shortest path, and in most cases
-        that very path (``docs/paths.md`` has the errors).
+        The route of the index is shortened to a geodesic, which is never shorter than the shortest path, and in most
+        cases is that path (``docs/paths.md`` has the errors).
 
         Parameters
         ----------
@@ -119,8 +129,8 @@ class Paths:
         Returns
         -------
         GeodesicPath, or list of k GeodesicPath
-            One path if both are single ids or hold one surface point each. Without a way from one to the other a path
-            has no points and the length infinity.
+            One path if both are single ids or hold one surface point each. Where no path joins them, the result
+            has no points and infinite length.
 
         Raises
         ------
@@ -138,18 +148,18 @@ class Paths:
     ) -> GeodesicPath | list[GeodesicPath]:
         """Exact shortest path between two points, or of each of k pairs, without a field over the whole mesh.
 
-        From 1,000 pairs in one call on, paths with a proof are prepared as by `prepare_exact_paths` first, unless they
-        are already.
+        A call with 1,000 pairs or more that is to certify its paths begins with `prepare_exact_paths`, unless that was
+        called before.
 
         Parameters
         ----------
         source, target, progress
             As for `path`.
         certify : bool, default True
-            Whether to prove that no path is shorter, by bounds that rest on nothing but straight lines in space and on
-            what `prepare_exact_paths` computed. False: the search is kept in a corridor by the index less an error
-            margin, which is about twice as fast on large curved surfaces and hardly faster on others; on meshes of
-            needles a few answers are then too long.
+            Whether to prove that no path is shorter, by lower bounds from straight lines in space and from what
+            `prepare_exact_paths` computed. False: the distances of the index less an error margin serve as bounds,
+            which is about twice as fast on large curved surfaces and hardly faster on others; on meshes of needles a
+            few answers are then too long.
 
         Returns
         -------
@@ -164,7 +174,7 @@ class Paths:
         return self._find_paths(source, target, True, bool(certify), progress)
 
     def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
-        """Make all later exact paths with a proof faster, by exact distance fields of a few vertices.
+        """Make all later certified paths faster, by exact distance fields of a few vertices.
 
         The differences of these distances bound those of all pairs from below, much closer than straight lines in space
         do on a curved surface. It pays for many pairs: preparing takes as long as `landmarks` exact fields.
@@ -172,7 +182,7 @@ class Paths:
         Parameters
         ----------
         landmarks : int, default 32
-            Number of vertices, 1 to 32, spread over the component with most vertices.
+            Number of vertices, 1 to 32, spread over the component with the most vertices.
         progress : callable or bool, optional
             As for `path`.
 
@@ -186,7 +196,7 @@ class Paths:
         InvalidInput
             (a ValueError) If the number is out of range.
         Cancelled
-            If progress asked for it; later paths are then found as before.
+            If `progress` returned False; nothing is prepared then.
         """
         count = check.integer("landmarks", landmarks, 1, 32)
         with reporter(progress) as report:
@@ -214,7 +224,7 @@ class Paths:
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
 
     def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
-        """Sources as points, and the place in the list of the source that each belongs to; a curve is one source."""
+        """Sources as points, and for each the position of its source in the list; a curve is one source."""
         count = self._statistics.vertices
         if not point_lists.holds(sources, EdgeCurve):
             found = point_lists.rows("sources", sources, count)

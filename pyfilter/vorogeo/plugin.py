@@ -21,8 +21,8 @@ FILE_NAME = "libfilter_vorogeo.so"
 #: PyMeshLab releases whose filters this package supports, by the MeshLab version inside.
 SUPPORTED = {"2022.02": "2022.2.post4", "2025.07": "2025.7.post1"}
 
-#: Each filter of VoroGeo has one of these in its name, and no other filter has.
-_NAME_PARTS = ("vorogeo", "exact_geodesic_distance")
+#: The names of our filters contain one of these, and those of no other filter do.
+_NAME_PARTS = ("vorogeo", "exact_geodesic_distance", "geodesic_method_comparison")
 _NUMPY_PART = "The numpy functions of vorogeo work without it."
 _lock = threading.Lock()
 _loaded: tuple[str, ...] | None = None
@@ -57,8 +57,9 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
             names = _our_filters(pymeshlab)  # there already if the user has called pymeshlab.load_plugin
             if not names:
                 version = pymeshlab.pmeshlab.__version__
+                others = set(_filters(pymeshlab))
                 _load(pymeshlab, Path(file_path(file)) if file is not None else plugin_file(version))
-                names = _our_filters(pymeshlab)
+                names = tuple(name for name in _filters(pymeshlab) if name not in others)
             for name in names:
                 setattr(pymeshlab.MeshSet, name, _method(name))
             _loaded = names
@@ -123,8 +124,18 @@ def _import_pymeshlab() -> ModuleType:
 
 def _our_filters(pymeshlab: ModuleType) -> tuple[str, ...]:
     """Names of the filters of VoroGeo among those that PyMeshLab has at the moment."""
-    filter_list: Callable[[], list[str]] = getattr(pymeshlab, "filter_list", list)  # old releases do not have it
-    return tuple(name for name in filter_list() if any(part in name for part in _NAME_PARTS))
+    return tuple(name for name in _filters(pymeshlab) if any(part in name for part in _NAME_PARTS))
+
+
+def _is_made_of_a_menu(name: str) -> bool:
+    """Whether a name stands for the text of a menu: PyMeshLab 2022.2 lists these as well, with our mark at the end."""
+    return name.endswith("_vorogeo") and not name.endswith("_by_vorogeo")
+
+
+def _filters(pymeshlab: ModuleType) -> list[str]:
+    """Names of all filters that PyMeshLab has at the moment; none for old releases, which do not say."""
+    filter_list: Callable[[], list[str]] = getattr(pymeshlab, "filter_list", list)
+    return [name for name in filter_list() if not _is_made_of_a_menu(name)]
 
 
 def _load(pymeshlab: ModuleType, binary: Path) -> None:
@@ -135,7 +146,7 @@ def _load(pymeshlab: ModuleType, binary: Path) -> None:
     except pymeshlab.PyMeshLabException as error:
         raise PluginError(
             f"PyMeshLab {pymeshlab.pmeshlab.__version__} refuses {binary}: {str(error).strip()} "
-            "Repeat 'pip install ./pyfilter' in the VoroGeo project to build it anew."
+            "Repeat 'pip install ./pyfilter' in the VoroGeo project to rebuild it."
         ) from error
 
 

@@ -23,7 +23,8 @@ class SurfacePoints:
     faces : ndarray of int32, shape (k,)
         The face of each point: a row of the faces the index was built for.
     barycentric : ndarray of float64, shape (k, 3)
-        Weights of the three corners: not negative, sum 1. A zero weight puts a point on an edge, two at a vertex.
+        Weights of the three corners: not negative, sum 1; what is off by at most 1e-6, as in single precision, is
+        taken for rounding. A zero weight puts a point on an edge, two at a vertex.
     snap_distance : ndarray of float64, shape (k,), or None
         How far the points were from the surface, for those that `GeodesicIndex.snap` found.
     """
@@ -64,12 +65,12 @@ class SurfacePoints:
         return found
 
     def to_text(self) -> str:
-        """The points as the parameter `surface_points` of the filters takes them, for a layer with the same faces.
+        """The points as text for the parameter `surface_points` of the filters, on a layer with the same faces.
 
         Returns
         -------
         str
-            Such as "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": face and weights, without loss of precision.
+            For example "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": faces and weights, without loss of precision.
         """
         rows = zip(np.atleast_1d(self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
         return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)
@@ -77,16 +78,16 @@ class SurfacePoints:
 
 @dataclass(frozen=True, eq=False)
 class EdgeCurve:
-    """A curve along edges of the mesh, as one source of a field: every point of it is a source.
+    """A curve along edges of the mesh, as one source of a field: distances are from its nearest point.
 
     Parameters
     ----------
     vertices : array_like of int, shape (k,) or (k, 2)
-        Vertex ids that the curve passes one after another, each joined to the next by an edge; or the two ends of each
-        edge, in any order.
+        The vertices of the curve in order, each joined to the next by an edge; or the two ends of each edge, in any
+        order.
     spacing : float, optional
         The curve is replaced by points on it at most this far apart, vertices included; None is a quarter of the mean
-        edge. Distances are never too short and at most half of it too long, far away much less.
+        edge. Distances are never too short, and too long by at most half the spacing, far away by much less.
     """
 
     vertices: ArrayLike
@@ -117,7 +118,7 @@ def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
 
 
 def rows(name: str, value: Any, vertex_count: int) -> Rows:
-    """Points as arrays; a single one, and none, are allowed."""
+    """Points as arrays; a single point or none is allowed."""
     if isinstance(value, SurfacePoints):
         faces = check.face_ids(f"{name}.faces", np.atleast_1d(value.faces))
         weights = check.positions(f"{name}.barycentric", value.barycentric)
@@ -132,7 +133,7 @@ def rows(name: str, value: Any, vertex_count: int) -> Rows:
 
 
 def joined(parts: list[Rows]) -> Rows:
-    """One list after another."""
+    """The lists, concatenated."""
     filled = [
         part
         if len(part[1]) == len(part[0])
@@ -156,7 +157,7 @@ def handed_over(found: Rows) -> _core.Points:
 
 
 def given(name: str, value: Any, vertex_count: int) -> _core.Points:
-    """Checked points as the core takes them; at least none."""
+    """Checked points as the core takes them; may be empty."""
     return handed_over(rows(name, value, vertex_count))
 
 

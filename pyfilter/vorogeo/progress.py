@@ -8,7 +8,8 @@ from typing import Any, TypeAlias
 
 from .errors import InvalidInput
 
-ProgressFunction: TypeAlias = Callable[[float, str], bool | None]
+#: Gets the fraction done and what is being done; a result of False cancels, any other (None, 0) goes on.
+ProgressFunction: TypeAlias = Callable[[float, str], object]
 
 
 @contextmanager

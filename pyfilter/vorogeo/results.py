@@ -1,4 +1,4 @@
-"""What an index says of itself, and what its tasks return: plain numpy arrays, as PyVista and polyscope take them."""
+"""Statistics of an index, and the results of its tasks: plain numpy arrays, as PyVista and polyscope take them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Polylines:
     Attributes
     ----------
     points : ndarray of float64, shape (p, 3)
-        Positions; lines that go on from face to face share their points.
+        Positions; lines share their points from face to face.
     edges : ndarray of int32, shape (q, 2)
         Rows of `points` that are joined.
     """
@@ -61,7 +61,7 @@ class Isolines(Polylines):
 
 @dataclass(frozen=True)
 class VoronoiRegions:
-    """Geodesic Voronoi regions of k points; a region is the place of its point in the list, -1 is none.
+    """Geodesic Voronoi regions of k points; a region is named by the position of its point in the list, -1 is none.
 
     Attributes
     ----------
@@ -94,7 +94,7 @@ class FarthestSamples:
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        The samples, in the order in which they were taken; -1 for a start that is no vertex.
+        The samples in order; -1 for a start that is no vertex.
     radius : ndarray of float64, shape (k,)
         Distance of each from the ones before it; infinity for the first of a component.
     distance : ndarray of float64, shape (n,)
@@ -163,7 +163,7 @@ class RelaxedPoints:
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        Where each point ended, in the order given; -1 for one that stayed where no vertex is.
+        Where each point ended, in the order given; -1 for one that stayed inside a face.
     energy : ndarray of float64, shape (rounds + 1,)
         Integral over the surface of the squared distance from the nearest point, at first and after each round.
     points : SurfacePoints, k points
@@ -198,7 +198,7 @@ class IndexStatistics:
     delta : float
         Relative average error that pruning was allowed to add.
     seed : int
-        Start of the random numbers that placed the patches.
+        Seed of the random numbers that placed the patches.
     """
 
     vertices: int

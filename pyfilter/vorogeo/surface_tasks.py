@@ -1,4 +1,4 @@
-"""What is built on distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation."""
+"""Tasks made of distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _INTERPOLATIONS = ("linear", "distance")
 
 
 class SurfaceTasks(Paths):
-    """The methods of `GeodesicIndex` that build on distance fields.
+    """The methods of `GeodesicIndex` that are made of distance fields.
 
     Points are vertex ids, `SurfacePoints` or lists of both, `progress` is as for the constructor, and errors are
     `InvalidInput` for arguments and `Cancelled` if `progress` returned False. With ``exact=True`` distances come from
-    exact propagation instead of the index: slower, and without its errors.
+    exact propagation instead of the index: slower, but without errors.
     """
 
     __slots__ = ()
@@ -67,8 +67,8 @@ class SurfaceTasks(Paths):
         levels : int or array_like of float, shape (l,)
             The values; an integer stands for that many, evenly spaced between the least and the greatest of the field.
         interpolation : {"distance", "linear"}
-            "distance": along an edge as distances from a point run in the plane, exact where the surface is flat;
-            linear where the values differ by more than the edge's length. "linear": for any field.
+            "distance": along an edge, values run as distances from a point in the plane do, which is exact where the
+            surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
 
         Returns
         -------
@@ -105,7 +105,7 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         count : int, optional
-            How many samples; fewer are found if there are no more vertices.
+            How many samples; fewer if there are no more vertices.
         radius : float, default 0
             Stop as soon as every vertex is at most this far from a sample. Give this, or `count`, or both.
         start : points, optional
@@ -124,14 +124,15 @@ class SurfaceTasks(Paths):
         -----
         Complexity: a field for each sample, bounded by the covering radius so far.
         """
-        most = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
+        limit = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
         reach = check.length("radius", radius)
         if count is None and reach == 0:
             raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
         first = point_lists.given("start", start, self._statistics.vertices)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         with reporter(progress) as report:
-            rows, gaps, distance, covered = _core.sample_farthest(self._handle, most, reach, first, seed, exact, report)
+            found = _core.sample_farthest(self._handle, limit, reach, first, seed, exact, report)
+        rows, gaps, distance, covered = found
         return FarthestSamples(rows[0], gaps, distance, covered, surface_points(*rows))
 
     def sample_poisson_disk(
@@ -144,7 +145,7 @@ class SurfaceTasks(Paths):
         radius : float
             Least distance of two samples, above 0.
         seed : int, default 0
-            Start of the random numbers.
+            Seed of the random numbers.
         exact, progress
             As for the class.
 
@@ -170,7 +171,7 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         sources : k points, k >= 1
-            Also an `EdgeCurve`, or lists with some.
+            Or an `EdgeCurve`, or a list that contains some.
         radius : float
             0 or more.
         exact : bool
@@ -215,7 +216,7 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         start : int, optional
-            A vertex of the component; None is the one with most vertices.
+            A vertex of the component; None is the component with the most vertices.
         fields : int, default 20
             Distance fields that may be computed, at least 2; more bring the bounds closer.
         exact, progress
@@ -231,9 +232,9 @@ class SurfaceTasks(Paths):
         """
         last = max(self._statistics.vertices - 1, 0)
         first = -1 if start is None else check.integer("start", start, 0, last)
-        most = check.integer("fields", fields, 2, 2**31 - 1)
+        limit = check.integer("fields", fields, 2, 2**31 - 1)
         with reporter(progress) as report:
-            return Extent(*_core.extent(self._handle, first, most, exact, report))
+            return Extent(*_core.extent(self._handle, first, limit, exact, report))
 
     def relax(
         self,
@@ -247,9 +248,9 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         points : k points, k >= 1
-            Anywhere on the surface; they move to vertices. Repeated ones stay where they are.
+            Anywhere on the surface; they move to vertices. One that repeats another waits until that has moved.
         rounds : int, default 10
-            At most this many; it ends before if no point finds a better vertex.
+            At most this many; fewer if no point finds a better vertex.
         exact, progress
             As for the class.
 
@@ -263,7 +264,7 @@ class SurfaceTasks(Paths):
         fields for each point and round, bounded by the size of the regions.
         """
         chosen = point_lists.some("points", points, self._statistics.vertices)
-        most = check.integer("rounds", rounds, 0, 2**31 - 1)
+        limit = check.integer("rounds", rounds, 0, 2**31 - 1)
         with reporter(progress) as report:
-            rows, energy = _core.relax(self._handle, chosen, most, exact, report)
+            rows, energy = _core.relax(self._handle, chosen, limit, exact, report)
         return RelaxedPoints(rows[0], energy, surface_points(*rows))

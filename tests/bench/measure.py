@@ -25,7 +25,7 @@ PROGRAMS = meshes.ROOT / "build" / "bench" / "tests" / "bench"
 
 @dataclass
 class Limits:
-    """What a method may take: seconds of all cores until nothing further is begun, and until it is ended."""
+    """What a method may take: seconds of all cores until no further query is begun, and until it is killed."""
 
     budget: float = 20.0
     limit: float = 300.0
@@ -86,7 +86,7 @@ def run(name: str, task: Task, limits: Limits) -> Result:
 
 
 def stream(command: list[str], limit: float, take: Any) -> tuple[int | str, str, int]:
-    """Run a program, hand on its lines as they come; its status or "limit", its last error, peak resident bytes.
+    """Run a program and pass on its lines as they come; return its status or "limit", last error, peak resident bytes.
 
     The limit is one of processor time, so that other work on the machine does not bring it nearer.
     """
@@ -124,7 +124,7 @@ def stream(command: list[str], limit: float, take: Any) -> tuple[int | str, str,
 
 @dataclass
 class Line:
-    """One measurement of core_bench: seconds on the wall's clock, and of all cores together; or another quantity."""
+    """One measurement of core_bench: seconds of wall clock and of processor time, or another quantity."""
 
     values: list[float]
     cpu: list[float] = field(default_factory=list)

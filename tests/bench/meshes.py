@@ -60,7 +60,7 @@ def resized(file: Path, size: str) -> Path:
 
 
 def write_raw(mesh: Mesh, file: Path) -> Path:
-    """The file that mesh_file.h describes."""
+    """Write the raw file that mesh_file.h describes."""
     file.parent.mkdir(parents=True, exist_ok=True)
     vertices, faces = mesh
     with file.open("wb") as stream:
@@ -71,7 +71,7 @@ def write_raw(mesh: Mesh, file: Path) -> Path:
 
 
 def read_raw(file: Path) -> Mesh:
-    """What `write_raw` wrote."""
+    """Read a file of `write_raw`."""
     data = np.fromfile(file, np.uint8)
     n, m = data[:16].view(np.int64).tolist()
     vertices = data[16 : 16 + 24 * n].view(np.float64).reshape(n, 3)

@@ -1,7 +1,7 @@
 """The methods that are measured: VoroGeo and public packages, all with the same interface.
 
 A method is made from `vertices` (n, 3) and `faces` (m, 3), which is its set-up. `field(source)` gives the distances of
-all vertices, `pair(source, target)` that of two, by whatever the package offers for it; both from and to numpy.
+all vertices, `pair(source, target)` that of two, by the best that the package offers for it; both with numpy arrays.
 """
 
 from __future__ import annotations

@@ -18,9 +18,9 @@
 
 #include "exact/exact_solver.h"
 #include "mesh_file.h"
-#include "query/landmark_fields.h"
-#include "query/path_query.h"
+#include "path/path_query.h"
 #include "support/parallel.h"
+#include "tasks/landmark_fields.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ std::shared_ptr<const vorogeo::GeodesicIndex> index_of(const std::shared_ptr<con
     try {
       return vorogeo::GeodesicIndex::load(file, mesh);
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "paths_bench: %s: building anew\n", error.what());
+      std::fprintf(stderr, "paths_bench: %s: building it again\n", error.what());
     }
   }
   auto index = vorogeo::GeodesicIndex::build(mesh, {});

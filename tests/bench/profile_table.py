@@ -46,7 +46,7 @@ def main() -> None:
 
 
 def longest(shares: dict[str, float]) -> list[tuple[str, float]]:
-    """The greatest shares and the rest, as many for every table."""
+    """The largest shares and the rest; all tables have as many rows."""
     ordered = sorted(((share, place) for place, share in shares.items() if share >= LEAST), reverse=True)[:SHOWN]
     shown = [(place if " " in place and "(" not in place else f"`{place}`", share) for share, place in ordered]
     shown.append(("all others", 100 - sum(share for share, _ in ordered)))

@@ -16,8 +16,8 @@ Ids = NDArray[np.int64]
 
 
 def sources_of(mesh: meshes.Mesh, count: int) -> list[int]:
-    """Random vertices that have a face."""
-    return np.random.default_rng(0).choice(np.unique(mesh[1]), count).tolist()
+    """The same random vertices in every run."""
+    return with_face(mesh, count, np.random.default_rng(0)).tolist()
 
 
 def patches_of(mesh: meshes.Mesh, index_file: Path) -> NDArray[np.int32]:

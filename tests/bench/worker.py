@@ -79,7 +79,7 @@ def measure_many(method: Any, pairs: np.ndarray) -> None:
 
 
 def timed(run: Callable[[], Any]) -> tuple[Any, float, float]:
-    """Result of a call, its seconds on the wall's clock, and those of all cores together."""
+    """Result of a call, and its seconds of wall clock and of processor time."""
     start, cpu = time.perf_counter(), time.process_time()
     result = run()
     return result, time.perf_counter() - start, time.process_time() - cpu

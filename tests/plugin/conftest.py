@@ -31,11 +31,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture
-def shared_mesh():
-    """Path of a mesh in the shared folder; skips where there is none."""
+def real_mesh():
+    """Path of a mesh that PyMeshLab brings ("cow.obj") or of one in the shared folder; skips where there is none."""
 
     def path(name: str) -> str:
-        file = MESHES / f"{name}.ply"
+        samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
+        file = samples / name if "." in name else MESHES / f"{name}.ply"
         if not file.is_file():
             pytest.skip(f"there is no {file}")
         return str(file)

@@ -1,5 +1,5 @@
 // The plugin's cache of indexes: found by the whole mesh; bounded in number and in memory.
-#include "index_cache.h"
+#include "layers/index_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -145,7 +145,7 @@ def test_index_file_in_a_folder_that_does_not_exist(tmp_path):
 
 def test_index_file_that_is_a_folder(tmp_path):
     ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "is a folder. Name a file in it"):
+    with fails_and_changes_nothing(ms, "is a folder; name a file in it"):
         ms.apply_filter(INDEX, index_file=str(tmp_path))
 
 

@@ -40,10 +40,10 @@ def test_random_terrain_agrees_with_pygeodesic(source, height, seed):
     np.testing.assert_allclose(field(ms), exact_distances(vertices, faces, [source]), rtol=1e-9)
 
 
-@pytest.mark.parametrize("name", ["spot", "fandisk", "homer"])
-def test_real_meshes_agree_with_pygeodesic(shared_mesh, name):
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk", "homer"])
+def test_real_meshes_agree_with_pygeodesic(real_mesh, name):
     ms = mesh_set(np.zeros((1, 3)))
-    load(ms, shared_mesh(name))
+    load(ms, real_mesh(name))
     vertices, faces = arrays(ms)
     source = len(vertices) // 3
     result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)

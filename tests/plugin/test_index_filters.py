@@ -25,10 +25,10 @@ from support import (
 )
 
 
-@pytest.mark.parametrize("name", ["fandisk", "rocker_arm", "homer"])
-def test_field_of_real_meshes_is_close_to_exact(shared_mesh, name):
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "fandisk", "rocker_arm", "homer"])
+def test_field_of_real_meshes_is_close_to_exact(real_mesh, name):
     ms = mesh_set(np.zeros((1, 3)))
-    load(ms, shared_mesh(name))
+    load(ms, real_mesh(name))
     vertices, faces = arrays(ms)
     for source in (17, len(vertices) // 2):
         ms.apply_filter(FROM_POINT, vertex_index=source)
@@ -140,10 +140,10 @@ def test_index_file_is_written(tmp_path):
     assert result["vertices"] == 642
 
 
-@pytest.mark.parametrize("name", ["greek_helmet", "office_chair", "cow"])
-def test_meshes_with_components_borders_and_non_manifold_edges(shared_mesh, name):
+@pytest.mark.parametrize("name", ["cow.obj", "greek_helmet", "office_chair"])
+def test_meshes_with_components_borders_and_non_manifold_edges(real_mesh, name):
     ms = mesh_set(np.zeros((1, 3)))
-    load(ms, shared_mesh(name))
+    load(ms, real_mesh(name))
     exact_result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=100)
     exact = field(ms).copy()
     result = ms.apply_filter(FROM_POINT, vertex_index=100)

@@ -1,4 +1,4 @@
-"""Meshes for the tests: shapes whose distances have a formula, and the shared test meshes."""
+"""Meshes for the tests: shapes whose distances have a formula, those that PyMeshLab brings, and the shared ones."""
 
 from __future__ import annotations
 
@@ -63,6 +63,20 @@ def side_by_side(first: Mesh, second: Mesh, gap: float = 10.0) -> Mesh:
     return vertices, np.vstack([first[1], second[1] + len(first[0])]).astype(np.int32)
 
 
+def real_mesh(name: str) -> Mesh:
+    """A mesh that PyMeshLab brings ("cow.obj") or a shared one ("spot"), without which the test is skipped."""
+    return packaged(name) if "." in name else shared(name)
+
+
+def packaged(name: str) -> Mesh:
+    """One of the sample meshes in the package pymeshlab, so that every clone has them."""
+    pymeshlab = pytest.importorskip("pymeshlab")
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(str(Path(pymeshlab.__file__).parent / "tests" / "sample_meshes" / name))
+    mesh = mesh_set.current_mesh()
+    return mesh.vertex_matrix(), mesh.face_matrix().astype(np.int32)
+
+
 def shared(name: str) -> Mesh:
     """One of the shared test meshes; skips the test where the folder is missing."""
     file = SHARED / f"{name}.ply"
@@ -71,8 +85,10 @@ def shared(name: str) -> Mesh:
     data = file.read_bytes()
     header, body = data.split(b"end_header\n", 1)
     counts = [int(line.split()[-1]) for line in header.decode().splitlines() if line.startswith("element")]
-    vertices = np.frombuffer(body, "<f4", 3 * counts[0]).reshape(-1, 3).astype(float)
-    rows = np.frombuffer(body, np.dtype([("size", "u1"), ("ids", "<i4", 3)]), counts[1], 12 * counts[0])
+    real = np.dtype("<f8" if b"property double x" in header else "<f4")
+    vertices = np.frombuffer(body, real, 3 * counts[0]).reshape(-1, 3).astype(float)
+    offset = 3 * real.itemsize * counts[0]
+    rows = np.frombuffer(body, np.dtype([("size", "u1"), ("ids", "<i4", 3)]), counts[1], offset)
     assert (rows["size"] == 3).all()
     return vertices, np.ascontiguousarray(rows["ids"])
 

@@ -95,7 +95,8 @@ def test_a_run_without_peers_gives_all_tables(tmp_path: Path, monkeypatch: pytes
         assert len(lines) > 2
         assert len({line.count("|") for line in lines}) == 1
     assert "VoroGeo, exact" in tables.fields(result)
-    assert len(pages.figures_row(result)) == len(pages.ROWS_HEADING.split("|"))
+    assert len(pages.costs_row(result)) == len(pages.COSTS_HEADING.split("|"))
+    assert len(pages.errors_row(result)) == len(pages.ERRORS_HEADING.split("|"))
 
 
 def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measure.Lines, int]:

@@ -6,7 +6,7 @@ import vorogeo
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sample_meshes import bent_grid, cube, plane_grid, prism, prism_distances, shared, side_by_side
+from sample_meshes import bent_grid, cube, plane_grid, prism, prism_distances, real_mesh, side_by_side
 
 
 @settings(max_examples=25, deadline=None)
@@ -31,10 +31,10 @@ def test_cube_corners():
     np.testing.assert_allclose(field, np.sqrt([0, 1, 2, 5])[corner_sums], rtol=1e-14)
 
 
-@pytest.mark.parametrize("name", ["spot", "fandisk"])
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk"])
 def test_equals_pygeodesic(name):
     geodesic = pytest.importorskip("pygeodesic.geodesic")
-    vertices, faces = shared(name)
+    vertices, faces = real_mesh(name)
     reference, _ = geodesic.PyGeodesicAlgorithmExact(vertices, faces).geodesicDistances(np.array([11, 1234]))
     field = vorogeo.exact_distance_field(vertices, faces, [11, 1234])
     np.testing.assert_allclose(field, reference, rtol=1e-9, atol=1e-12)

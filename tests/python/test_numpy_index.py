@@ -8,7 +8,7 @@ import vorogeo
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sample_meshes import bent_grid, cube, plane_grid, shared, side_by_side
+from sample_meshes import bent_grid, cube, plane_grid, real_mesh, side_by_side
 
 GRID = bent_grid(60, 45)
 
@@ -32,10 +32,10 @@ def test_plane_field_is_euclidean():
     assert errors.max() <= 0.05
 
 
-@pytest.mark.parametrize("name", ["spot", "rocker_arm"])
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "rocker_arm"])
 def test_field_is_near_pygeodesic(name):
     geodesic = pytest.importorskip("pygeodesic.geodesic")
-    vertices, faces = shared(name)
+    vertices, faces = real_mesh(name)
     index = vorogeo.GeodesicIndex(vertices, faces)
     reference, _ = geodesic.PyGeodesicAlgorithmExact(vertices, faces).geodesicDistances(np.array([1500]))
     errors = relative_errors(index.distance_field(1500), reference)

@@ -62,6 +62,39 @@ def test_components_borders_and_isolated_vertices():
     assert report.isolated_vertices == vorogeo.MeshFinding(1, 20)
 
 
+def test_component_sizes_and_border_loops():
+    report = check(*side_by_side(plane_grid(4, 3), cube()))
+    assert report.component_vertices == (12, 8)
+    assert report.border_loops == 1
+    assert report.longest_border_loop == pytest.approx(4.0)
+    assert str(report).startswith("20 vertices, 24 faces, 2 components, 1 border loop (10 edges, 4 long, at vertex 0).")
+    assert any("of 12 and 8 vertices" in sentence for sentence in report.sentences)
+
+
+def test_gap_between_borders():
+    vertices, faces = side_by_side(plane_grid(4, 3), plane_grid(4, 3), gap=1.001)
+    report = check(vertices, faces)
+    assert report.near_borders == vorogeo.MeshFinding(6, 3)
+    assert report.nearest_borders in {(3, 12), (7, 16), (11, 20)}
+    assert report.near_border_gaps == pytest.approx((0.001, 0.001))
+    assert any("0.001 apart" in sentence for sentence in report.sentences)
+    assert check().near_borders == vorogeo.MeshFinding(0, -1)
+
+
+@pytest.mark.parametrize(
+    ("scale", "usable", "by_index"), [(1e30, True, False), (1e-300, False, False), (1, True, True)]
+)
+def test_scale(scale, usable, by_index):
+    vertices = scale * VERTICES
+    report = check(vertices)
+    assert (report.usable, report.usable_by_index) == (usable, by_index)
+    assert any("multiply the coordinates" in sentence for sentence in report.sentences) == (not by_index)
+    assert report.longest_edge_length == pytest.approx(np.sqrt(2) * scale, rel=0.2)
+    if not by_index:
+        with pytest.raises(vorogeo.InvalidInput, match="scale the mesh, for example by"):
+            vorogeo.GeodesicIndex(vertices, FACES)
+
+
 def test_no_faces_is_not_usable():
     assert not check(faces=np.empty((0, 3), dtype=int)).usable
 

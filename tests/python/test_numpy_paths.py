@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, plane_grid, shared, side_by_side
+from sample_meshes import bent_grid, plane_grid, real_mesh, side_by_side
 
 
 def positions_of(vertices, faces, points):
@@ -48,9 +48,9 @@ def test_paths_in_the_plane_are_straight():
     assert index.distance(points[0], points[20]) == pytest.approx(straight[0], rel=1e-9)
 
 
-@pytest.mark.parametrize("name", ["spot", "fandisk", "gears"])
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk", "gears"])
 def test_prepared_exact_paths_have_the_exact_length(name):
-    vertices, faces = shared(name)
+    vertices, faces = real_mesh(name)
     index = vorogeo.GeodesicIndex(vertices, faces)
     sources, targets = np.random.default_rng(4).integers(0, len(vertices), size=(2, 100))
     before = index.exact_path(sources, targets)
@@ -87,9 +87,9 @@ def test_the_number_of_landmarks_is_checked():
     assert index.exact_path(0, 50).certified
 
 
-@pytest.mark.parametrize("name", ["spot", "fandisk", "gears"])
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk", "gears"])
 def test_exact_paths_have_the_exact_length(name):
-    vertices, faces = shared(name)
+    vertices, faces = real_mesh(name)
     index = vorogeo.GeodesicIndex(vertices, faces)
     field = vorogeo.exact_distance_field(vertices, faces, 17)
     targets = np.random.default_rng(2).choice(np.flatnonzero(np.isfinite(field) & (field > 0)), 60)

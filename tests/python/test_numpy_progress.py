@@ -44,7 +44,7 @@ def test_false_cancels():
     assert len(calls) == 2
 
 
-@pytest.mark.parametrize("answer", [True, None, 1, "go on"])
+@pytest.mark.parametrize("answer", [True, None, 1, "go on", 0, 0.0, "", (), np.int8(0), np.bool_(True)])
 def test_other_answers_go_on(answer):
     expected = vorogeo.GeodesicIndex(*MESH).distance_field(0)
     index = vorogeo.GeodesicIndex(*MESH, progress=lambda fraction, text: answer)

@@ -16,8 +16,9 @@ import vorogeo
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
+from test_numpy_paths import check_path
 
-from sample_meshes import Mesh, shared
+from sample_meshes import Mesh, real_mesh
 
 SOURCE = 1500
 #: Vertices whose faces fall apart into two fans: paths of VoroGeo may pass through them, those of pygeodesic not.
@@ -27,6 +28,9 @@ NON_MANIFOLD_EDGES = ["office_chair", "dragon_raw"]
 #: Meshes that may take it too long, and how many seconds these get.
 LARGE = ["igea", "dragon_raw"]
 SECONDS_FOR_LARGE = 20
+#: The same for meshes with needles, and of how many distances where it errs paths are traced.
+SECONDS_FOR_NEEDLES = 60
+PROVED = 3
 
 CHILD = """
 import sys
@@ -85,12 +89,13 @@ def assert_equal_fields(field: NDArray[np.float64], reference: NDArray[np.float6
 @pytest.mark.parametrize(
     "name",
     [
+        "bunny10k_textured.obj", "bunny.obj",
         "spot", "office_chair", "greek_helmet", "casting", "homer", "fandisk", "gears", "rocker_arm", "mountain",
         "bunny", "nefertiti", "dragon_raw", "igea",
     ],
 )  # fmt: skip
 def test_equals_pygeodesic(name, tmp_path):
-    mesh = shared(name)
+    mesh = real_mesh(name)
     try:
         reference = pygeodesic_field(mesh, SOURCE, tmp_path, SECONDS_FOR_LARGE if name in LARGE else 240)
     except PygeodesicFailedError as why:
@@ -100,9 +105,30 @@ def test_equals_pygeodesic(name, tmp_path):
     assert_equal_fields(vorogeo.exact_distance_field(*mesh, SOURCE), reference)
 
 
+@pytest.mark.parametrize("name", ["basket", "abc3", "city_lod1", "fsaverage5"])
+def test_equals_pygeodesic_or_a_path_proves_a_shorter_distance(name, tmp_path):
+    vertices, faces = real_mesh(name)
+    try:
+        reference = pygeodesic_field((vertices, faces), SOURCE, tmp_path, SECONDS_FOR_NEEDLES)
+    except PygeodesicFailedError as why:
+        pytest.skip(f"pygeodesic {why} on {name}")
+    field = vorogeo.exact_distance_field(vertices, faces, SOURCE)
+    np.testing.assert_array_equal(np.isinf(field), np.isinf(reference))
+    assert (field <= reference * (1 + 1e-9)).all()
+    shorter = np.flatnonzero(field < reference * (1 - 1e-9))
+    if len(shorter) == 0:
+        return
+    # pygeodesic errs on needles and non-manifold edges: a line over the surface with our length is the proof.
+    worst = shorter[np.argsort(field[shorter] / reference[shorter])[:PROVED]]
+    index = vorogeo.GeodesicIndex(vertices, faces)
+    for target, path in zip(worst, index.exact_path(np.full(len(worst), SOURCE), worst), strict=True):
+        check_path(vertices, faces, path)
+        assert path.length == pytest.approx(field[target], rel=1e-9)
+
+
 @pytest.mark.parametrize("name", NON_MANIFOLD_VERTEX)
 def test_is_at_most_pygeodesic_where_fans_meet_and_equal_once_they_are_split(name, tmp_path):
-    vertices, faces = shared(name)
+    vertices, faces = real_mesh(name)
     field = vorogeo.exact_distance_field(vertices, faces, SOURCE)
     reference = pygeodesic_field((vertices, faces), SOURCE, tmp_path, 240)
     assert (field <= reference * (1 + 1e-12)).all()

@@ -1,10 +1,17 @@
-// Tests that are too slow for the sanitizer build say so there and are skipped.
+// Tests that are too slow under sanitizers say so there and are skipped.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#ifdef VOROGEO_SMALL_TESTS
-#define VOROGEO_HEAVY_TEST() GTEST_SKIP() << "left out of the sanitizer build: too slow there"
-#else
-#define VOROGEO_HEAVY_TEST() static_cast<void>(0)
-#endif
+/// Part of the address sanitizer; nothing where the program is linked without it.
+extern "C" void __asan_init() __attribute__((weak));
+
+namespace vorogeo::test {
+
+/// Whether the core of this program is watched by sanitizers, which make it some ten times slower.
+inline bool sanitized() { return &__asan_init != nullptr; }
+
+}  // namespace vorogeo::test
+
+#define VOROGEO_HEAVY_TEST() \
+  if (vorogeo::test::sanitized()) GTEST_SKIP() << "left out under sanitizers: too slow there"

@@ -89,12 +89,12 @@ double ReferenceRouter::length(Index source, Index target) {
   open.insert(to.parents.begin(), to.parents.end());
   auto [found, added] = known_.try_emplace({source, open});
   if (added) {
-    found->second = dijkstra(data_.graph, from.starts, [&](const Arc& arc) {
-      return arc.in_first_layer() || open.contains(data_.partition.parent[arc.patch]);
+    found->second = dijkstra(data_.graph, from.seeds, [&](const Arc& arc) {
+      return arc.leg.in_first_layer() || open.contains(data_.partition.parent[arc.leg.patch()]);
     });
   }
   double least = unreachable;
-  for (const auto& start : to.starts) least = std::min(least, found->second[start.node] + start.distance);
+  for (const auto& start : to.seeds) least = std::min(least, found->second[start.node] + start.distance);
   return least;
 }
 

@@ -10,7 +10,7 @@
 
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
-#include "query/graph_route.h"
+#include "route/graph_route.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {
@@ -61,7 +61,7 @@ GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteE
 
 /// Plain Dijkstra over the arcs of a graph that `usable` lets through. Shape (nodes).
 template <class Usable>
-std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEnd::Start>& starts,
+std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEnd::Seed>& seeds,
                              Usable&& usable) {
   std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
   std::set<std::pair<double, Index>> queue;
@@ -71,7 +71,7 @@ std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEn
     distance[node] = value;
     queue.insert({value, node});
   };
-  for (const auto& start : starts) lower(start.node, start.distance);
+  for (const auto& start : seeds) lower(start.node, start.distance);
   while (!queue.empty()) {
     const auto [value, node] = *queue.begin();
     queue.erase(queue.begin());

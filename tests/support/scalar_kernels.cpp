@@ -2,4 +2,4 @@
 #define VOROGEO_NO_CLONES
 #define vorogeo vorogeo_scalar
 #include "index/crossing_gains.cpp"
-#include "support/min_plus.cpp"
+#include "index/min_plus.cpp"

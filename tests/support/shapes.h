@@ -77,6 +77,16 @@ Soup random_sphere(int vertices, unsigned seed);
 /// Torus with the given radii, around z.
 Soup torus(int around, int across, double major_radius, double minor_radius);
 
+// ---- parts as CAD programs triangulate them (machined.cpp)
+
+/// Plate [0, columns] x [0, rows] x [0, thickness] with a hole of random radius through each unit cell;
+/// circles of 16 to 64 points, in fans from the corners of the cells, and walls one face high. Closed, genus
+/// columns x rows.
+Soup drilled_plate(int columns, int rows, double thickness, unsigned seed);
+/// Toothed wheel with a bore, one face high; the end faces are needles from the teeth to an eighth as many
+/// points of the bore. `points_per_tooth` x `teeth` is a multiple of 8. Closed, genus 1.
+Soup gear(int teeth, int points_per_tooth, double height);
+
 // ---- defects (defects.cpp); indices of the vertices and faces that were there stay, unless said otherwise
 
 /// Both in one soup without joining them; the second's vertices and faces follow the first's.

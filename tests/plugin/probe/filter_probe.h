@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "host_api.h"
+#include "host/host_api.h"
 
 class FilterProbe : public QObject, public FilterPlugin {
   Q_OBJECT

@@ -1,0 +1,31 @@
+// One step from a point back towards the source, read off the envelope that a run left.
+#pragma once
+
+#include <array>
+#include <unordered_set>
+
+#include "exact/solver_state.h"
+
+namespace vorogeo {
+
+/// Vertices and edges: vertices are items [0, n), edges follow.
+using PassedItems = std::unordered_set<Index>;
+
+/// Where the straight way back from a point of a face leads: the best of all ways into that face.
+struct BackStep {
+  double distance = unreachable;  ///< of the point, by this way
+  Index source = no_index;        ///< the source itself, in this face
+  Index vertex = no_index;        ///< through this vertex
+  Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
+  double x = 0.0;
+};
+
+/// The best way to a point given by barycentric coordinates in `face`, but not over `avoided` items.
+/// Complexity: O(windows on the edges of the face).
+BackStep best_back_step(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
+                        const PassedItems& avoided = {});
+
+/// Barycentric coordinates in `face` of a source that lies in it or on one of its edges.
+std::array<double, 3> source_in_face(const ExactSolver::State& state, Index source, Index face);
+
+}  // namespace vorogeo

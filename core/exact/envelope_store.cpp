@@ -1,0 +1,69 @@
+// Room for the windows of an edge: blocks of a power of two in one pool, reused by size.
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "exact/envelope.h"
+#include "support/memory.h"
+
+namespace vorogeo {
+
+double WindowEnvelope::store() {
+  if (changed_) {
+    List& list = lists_[open_];
+    const std::size_t size = before_.size() + after_.size();
+    take_room(list, size);
+    list.size = static_cast<std::uint32_t>(size);
+    auto place = std::copy_n(before_.data(), before_.size(), pool_.begin() + list.offset);
+    for (std::size_t i = after_.size(); i > 0; --i) *place++ = after_.data()[i - 1];
+  }
+  open_ = no_index;
+  return least_;
+}
+
+void WindowEnvelope::take_room(List& list, std::size_t size) {
+  if (list.size_class != 0 && size <= std::size_t{1} << list.size_class) return;
+  if (list.size_class == 0) {
+    touched_.push_back(open_);
+  } else {
+    give_back(list);
+  }
+  list.size_class = static_cast<std::uint8_t>(std::max<int>(2, std::bit_width(size - 1)));
+  auto& free = free_[list.size_class];
+  if (free.empty()) {
+    if (pool_.size() + (std::size_t{1} << list.size_class) > std::numeric_limits<std::uint32_t>::max()) {
+      throw NotEnoughMemory(
+          "Exact distances on this mesh take more than 4294967295 windows at a time. Give a maximal "
+          "distance, or use a smaller mesh.");
+    }
+    list.offset = static_cast<std::uint32_t>(pool_.size());
+    pool_.resize(pool_.size() + (std::size_t{1} << list.size_class));
+  } else {
+    list.offset = free.back();
+    free.pop_back();
+  }
+}
+
+void WindowEnvelope::give_back(List& list) {
+  if (list.size_class != 0) free_[list.size_class].push_back(list.offset);
+}
+
+void WindowEnvelope::retire(Index edge) {
+  List& list = lists_[edge];
+  if (list.retired) return;
+  if (list.size_class == 0) touched_.push_back(edge);
+  give_back(list);
+  list = {};
+  list.retired = true;
+}
+
+void WindowEnvelope::clear() {
+  for (Index edge : touched_) lists_[edge] = {};
+  touched_.clear();
+  pool_.clear();
+  for (auto& blocks : free_) blocks.clear();
+  open_ = no_index;
+  made_ = 0;
+}
+
+}  // namespace vorogeo

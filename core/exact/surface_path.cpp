@@ -1,0 +1,88 @@
+// Lengths of steps by the sides of the face they lie in, which rounding hurts least.
+#include "exact/surface_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vorogeo {
+
+namespace {
+
+/// Of a step in a face, in lengths of its longest side: six weights and as many products are rounded.
+constexpr double step_rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+/// Weights that differ by less are the same but for rounding.
+constexpr double same_weight = 1e-9;
+
+using Weights = std::array<double, 3>;
+
+/// A face that holds both points, with the weights of both. no_index if there is none.
+Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, Weights& at_a,
+                  Weights& at_b) {
+  Index common = no_index;
+  // The point of fewer faces: round a vertex there may be any number.
+  const bool swapped = a.is_vertex() && !b.is_vertex();
+  for_each_face_at(mesh, swapped ? b : a, [&](Index face, const Weights& weights) {
+    if (common != no_index || !weights_in_face(mesh, swapped ? a : b, face, swapped ? at_a : at_b)) return;
+    common = face;
+    (swapped ? at_b : at_a) = weights;
+  });
+  return common;
+}
+
+}  // namespace
+
+bool MeasuredLength::agrees_with(double distance) const {
+  return std::abs(length - distance) <= path_tolerance * distance + rounding;
+}
+
+MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points) {
+  if (points.empty()) return {};
+  MeasuredLength sum{0.0, 0.0};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    Weights from{};
+    Weights to{};
+    const Index face = common_face(mesh, points[i], points[i + 1], from, to);
+    if (face == no_index) {
+      // A vertex without a face is as far from itself as any other point is.
+      if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;
+      return {};
+    }
+    const auto& corners = mesh.face_vertices(face);
+    Point step{};
+    double longest = 0.0;
+    for (int k : {1, 2}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        step[axis] += (to[k] - from[k]) * (mesh.position(corners[k])[axis] - mesh.position(corners[0])[axis]);
+      }
+      longest = std::max(longest, mesh.edge_length(mesh.edge_of(3 * face + (k == 1 ? 0 : 2))));
+    }
+    sum.length += std::hypot(step[0], step[1], step[2]);
+    sum.rounding += step_rounding * longest;
+  }
+  return sum;
+}
+
+bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  if (a.is_vertex() && b.is_vertex()) return a.vertex == b.vertex;
+  Weights at_a{};
+  Weights at_b{};
+  if (common_face(mesh, a, b, at_a, at_b) == no_index) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(at_a[k] - at_b[k]) > same_weight) return false;
+  }
+  return true;
+}
+
+bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,
+             double distance) {
+  if (path.points.empty() || !is_same_point(mesh, path.points.front(), first) ||
+      !is_same_point(mesh, path.points.back(), last)) {
+    return false;
+  }
+  const MeasuredLength measured = measured_length(mesh, path.points);
+  return measured.agrees_with(distance) && measured.agrees_with(path.length);
+}
+
+}  // namespace vorogeo

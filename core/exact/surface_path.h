@@ -1,0 +1,42 @@
+// Paths over a surface, and whether one is what it says.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// A path over the surface: consecutive points share a face; each lies on a vertex, an edge or in a face.
+struct SurfacePath {
+  std::vector<SurfacePoint> points;
+  double length = 0.0;
+};
+
+/// Lengths of paths agree if they differ by no more than this (relative), and by what rounding of the weights
+/// of their points allows.
+inline constexpr double path_tolerance = 1e-9;
+
+/// A length measured along points.
+struct MeasuredLength {
+  double length = unreachable;
+  double rounding = 0.0;  ///< how far it may be off, as weights in a face are rounded
+
+  bool agrees_with(double distance) const;
+};
+
+/// The sum of the straight steps between consecutive points, each in a face that holds both ends.
+/// `unreachable` if there is no point or two share no face. Complexity: O(points) for each face at a point.
+MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points);
+
+/// Whether two points are the same one but for rounding of their weights. Points at the same place in space,
+/// on two sides of a slit say, are not.
+bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
+/// Whether a path runs from `first` to `last`, every two consecutive points share a face, and its steps sum
+/// to `distance` and to what it says its length is.
+bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,
+             double distance);
+
+}  // namespace vorogeo

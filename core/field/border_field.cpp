@@ -1,0 +1,171 @@
+// From the seeds to the border nodes of the whole mesh.
+#include "field/border_field.h"
+
+#include <algorithm>
+
+#include "index/min_plus.h"
+
+namespace vorogeo {
+
+BorderField::BorderField(const IndexData& data)
+    : data_(data),
+      search_(data.second),
+      distance_(data.second.node_count(), unreachable),
+      predecessor_(data.second.node_count(), no_index),
+      first_distance_(data.first.node_count(), unreachable),
+      first_predecessor_(data.first.node_count(), no_index),
+      is_seed_parent_(data.first.patch_count, 0) {}
+
+void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
+  max_distance_ = max_distance;
+  search_.reset();
+  std::fill(is_seed_parent_.begin(), is_seed_parent_.end(), 0);
+  Index parents = 0;
+  for (const Seed& seed : seeds) {
+    search_.add(seed.node, seed.distance, seed.wave);
+    for (const PatchRow& at : data_.second.patches_of(seed.node)) {
+      std::uint8_t& is_parent = is_seed_parent_[data_.partition.parent[at.patch]];
+      if (is_parent == 0) ++parents;
+      is_parent = 1;
+    }
+  }
+  // With sources nearly everywhere the tables save nothing.
+  searched_all_ = data_.transit_table.count == 0 || 2 * parents > data_.first.patch_count;
+  if (searched_all_) {
+    search_.run({}, max_distance);
+    for (Index node = 0; node < data_.second.node_count(); ++node) {
+      distance_[node] = search_.distance(node);
+      predecessor_[node] = search_.predecessor(node);
+    }
+    return;
+  }
+  allowed_.assign(data_.second.patch_count, 0);
+  for (Index p = 0; p < data_.first.patch_count; ++p) {
+    if (!is_seed_parent_[p]) continue;
+    for (Index child : data_.children(p)) allowed_[child] = 1;
+  }
+  search_.run(allowed_, max_distance);
+  cross_transit_table();
+}
+
+void BorderField::cross_transit_table() {
+  const Index count = data_.first.node_count();
+  rows_.clear();
+  lowest_ = unreachable;
+  for (Index node = 0; node < count; ++node) {
+    const auto patches = data_.first.patches_of(node);
+    const bool beside_start = std::any_of(patches.begin(), patches.end(),
+                                          [&](const PatchRow& at) { return is_seed_parent_[at.patch] != 0; });
+    const double distance = search_.distance(data_.second_node[node]);
+    if (!beside_start || !(distance <= max_distance_)) continue;
+    rows_.push_back(node);
+    lowest_ = std::min(lowest_, distance);
+  }
+  least_.assign(count, std::numeric_limits<float>::infinity());
+  least_row_.assign(count, no_index);
+  scan_transit_table();
+  for (Index begin = 0; begin < count; begin += Crossings::capacity) {
+    cross_rows(begin, std::min(Crossings::capacity, count - begin));
+  }
+}
+
+/// Least sums over rows_. Most cells of the table are passed over by their least distance.
+void BorderField::scan_transit_table() {
+  const TransitTable& table = data_.transit_table;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  bases_.clear();
+  for (Index row : rows_) {
+    const Index group = table.group_of[row];
+    if (bases_.empty() || bases_.back().group != group) {
+      bases_.push_back({group, infinite, {}});
+      std::fill(std::begin(bases_.back().base), std::end(bases_.back().base), infinite);
+    }
+    GroupBase& at = bases_.back();
+    const auto base = static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
+    at.base[row - table.group_begin[group]] = base;
+    at.least = std::min(at.least, base);
+  }
+  std::sort(bases_.begin(), bases_.end(), [](const GroupBase& a, const GroupBase& b) {
+    return a.least < b.least || (a.least == b.least && a.group < b.group);
+  });
+  worst_.assign(table.group_count(), infinite);
+  for (const GroupBase& from : bases_) {
+    const float* least = table.least_from(from.group);
+    for (Index to = 0; to < table.group_count(); ++to) {
+      if (!(from.least + least[to] < worst_[to])) continue;
+      const Index begin = table.group_begin[to];
+      worst_[to] = relax_by_cell(table.cell(from.group, to), table.size(from.group), table.size(to),
+                                 from.base, least[to], table.unit, table.group_begin[from.group],
+                                 least_.data() + begin, least_row_.data() + begin);
+    }
+  }
+}
+
+/// Distances of the first-layer nodes [begin, begin + count), unfolded at the row of the least sum.
+void BorderField::cross_rows(Index begin, Index count) {
+  Crossings crossings{};
+  for (Index k = 0; k < count; ++k) {
+    const Index row = least_row_[begin + k];
+    if (row == no_index) continue;
+    const Index column = begin + k;
+    crossings.source[k] = static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
+    crossings.target[k] = data_.transit_table.distance(row, column);
+    int used = 0;
+    for (const BorderEdges::Edge& edge : data_.first.edges.at(row)) {
+      if (edge.node == no_index || used == 2) break;
+      const double distance = search_.distance(data_.second_node[edge.node]);
+      if (distance == unreachable ||
+          !BoundaryDijkstra::may_share_wave(search_.predecessor(data_.second_node[row]),
+                                            search_.predecessor(data_.second_node[edge.node]))) {
+        continue;
+      }
+      auto& side = crossings.side[used++];
+      side.source[k] = static_cast<float>(distance - lowest_);
+      side.target[k] = data_.transit_table.distance(edge.node, column);
+      side.length[k] = edge.length;
+    }
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings, static_cast<float>(lowest_), gain);
+  for (Index k = 0; k < count; ++k) {
+    const Index node = begin + k;
+    const Index name = data_.second_node[node];
+    const Index row = least_row_[node];
+    double distance = search_.distance(name);
+    Index predecessor = search_.predecessor(name);
+    if (row != no_index && row != node) {
+      const float above = crossings.source[k] + crossings.target[k] - gain[k];
+      const double through = lowest_ + static_cast<double>(above);
+      if (through < distance) {
+        distance = through;
+        predecessor = data_.second_node[row];
+      }
+    }
+    first_distance_[node] = distance_[name] = distance;
+    first_predecessor_[node] = predecessor_[name] = predecessor;
+  }
+}
+
+void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
+  if (searched_all_) return;
+  const PatchLayer& first = data_.first;
+  const auto nodes = first.nodes(first_layer_patch);
+  const auto members = first.members(first_layer_patch);
+  const bool reached = std::any_of(nodes.begin(), nodes.end(),
+                                   [&](Index node) { return first_distance_[node] <= max_distance_; });
+  std::span<const double> found;
+  if (reached) {
+    found = sweep.sweep(first, {first_distance_, first_predecessor_}, first_layer_patch);
+  }
+  const auto rows = sweep.crossing_rows();
+  for (std::size_t i = nodes.size(); i < members.size(); ++i) {
+    const Index node = data_.second.vertex_node[members[i]];
+    distance_[node] = search_.distance(node);
+    predecessor_[node] = search_.predecessor(node);
+    if (!reached || !(found[i] < distance_[node])) continue;
+    distance_[node] = found[i];
+    predecessor_[node] = data_.second_node[nodes[rows[i]]];
+  }
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,66 @@
+// Distances of all second-layer border nodes from some seeds: from table to table where there is a node
+// table, by search where there is none.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "field/field_sweep.h"
+#include "index/boundary_dijkstra.h"
+#include "index/index_data.h"
+
+namespace vorogeo {
+
+/// One object belongs to one caller; fill() may run on several threads, for different patches.
+///
+/// A search over the second layer stays in the first-layer patches of the seeds; from the border of these
+/// the transit table leads to all first-layer nodes, also to those of the same border by ways outside; the
+/// table of each first-layer patch leads to the second-layer nodes in it. Every step takes the least sum and
+/// unfolds the crossing there.
+class BorderField {
+ public:
+  explicit BorderField(const IndexData& data);
+
+  struct Seed {
+    Index node;
+    double distance;
+    Index wave;  ///< number of the source
+  };
+  /// Distances of the first-layer nodes. Distances above max_distance need not be found.
+  void reset(std::span<const Seed> seeds, double max_distance = unreachable);
+  /// Distances of the second-layer nodes in a first-layer patch, after start().
+  void fill(Index first_layer_patch, FieldSweep& sweep);
+
+  /// After fill(): those of the second layer.
+  BorderDistances border() const { return {distance_, predecessor_}; }
+
+ private:
+  void cross_transit_table();
+  void scan_transit_table();
+  void cross_rows(Index begin, Index count);
+
+  const IndexData& data_;
+  BoundaryDijkstra search_;
+  std::vector<double> distance_;  ///< by second-layer node
+  std::vector<Index> predecessor_;
+  std::vector<double> first_distance_;
+  std::vector<Index> first_predecessor_;
+  std::vector<Index> rows_;  ///< first-layer nodes around the seeds
+  /// Distances of the nodes of a group above the lowest, infinite for those that are not in rows_.
+  struct GroupBase {
+    Index group;
+    float least;
+    float base[TransitTable::group_size];
+  };
+  std::vector<GroupBase> bases_;
+  std::vector<float> worst_;  ///< greatest of least_, by group
+  std::vector<float> least_;
+  std::vector<Index> least_row_;
+  std::vector<std::uint8_t> allowed_;
+  std::vector<std::uint8_t> is_seed_parent_;
+  double max_distance_ = unreachable;
+  double lowest_ = 0.0;
+  bool searched_all_ = false;
+};
+
+}  // namespace vorogeo

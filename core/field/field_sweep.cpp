@@ -1,0 +1,157 @@
+// Columns are taken 32 at a time: least sums in integers, then the distances at the crossings in single
+// precision.
+#include "field/field_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "index/min_plus.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr double lowest_base = -32768.0;
+constexpr std::int16_t greatest_least = -2;
+
+static_assert(Crossings::capacity == PatchLayer::tile_width);
+
+}  // namespace
+
+void FieldSweep::look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row) {
+  Beside& beside = beside_[row];
+  beside.known = true;
+  const auto nodes = layer.nodes(patch);
+  const Index predecessor = border.predecessor[nodes[row]];
+  int count = 0;
+  for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
+    if (count == 2) break;
+    const Index node = nodes[next.row];
+    if (border.distance[node] == unreachable) continue;
+    if (!BoundaryDijkstra::may_share_wave(predecessor, border.predecessor[node])) continue;
+    beside.row[count] = next.row;
+    beside.length[count] = next.length;
+    ++count;
+  }
+}
+
+void FieldSweep::scan_tiles(const PatchLayer& layer, Index patch, Index column, int count) {
+  std::int16_t least[PatchLayer::tile_width];
+  std::int16_t best[PatchLayer::tile_width];
+  least_tile_sums(base_.data(), layer.tile(patch, column / PatchLayer::tile_width), layer.border_size(patch),
+                  least, best);
+  for (int k = 0; k < count; ++k) row_[k] = least[k] <= greatest_least ? best[k] : no_index;
+}
+
+void FieldSweep::scan_lines(const PatchLayer& layer, Index patch, Index column, int count) {
+  const Index rows = layer.border_size(patch);
+  for (int k = 0; k < count; ++k) {
+    const std::uint16_t* line = layer.line(patch, column + k);
+    const std::int16_t least = least_entry_sum(base_.data(), line, rows);
+    row_[k] = least <= greatest_least ? first_entry_sum(base_.data(), line, rows, least) : no_index;
+  }
+}
+
+void FieldSweep::scan_one_by_one(const PatchLayer& layer, Index patch, Index column, int count) {
+  for (int k = 0; k < count; ++k) {
+    row_[k] = no_index;
+    double least = unreachable;
+    for (Index row = 0; row < layer.border_size(patch); ++row) {
+      const double sum = static_cast<double>(above_[row]) + layer.distance(patch, row, column + k);
+      if (sum >= least) continue;
+      least = sum;
+      row_[k] = row;
+    }
+  }
+}
+
+void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column,
+                       int count) {
+  const bool tiles = layer.order == TableOrder::tiles;
+  const auto rows = static_cast<std::size_t>(layer.border_size(patch));
+  const std::uint16_t* entries =
+      tiles ? layer.tile(patch, column / PatchLayer::tile_width) : layer.line(patch, column);
+  // From one row or column to the next.
+  const std::size_t row_step = tiles ? PatchLayer::tile_width : 1;
+  const std::size_t column_step = tiles ? 1 : rows;
+  const float unit = layer.unit[patch];
+  for (int k = 0; k < Crossings::capacity; ++k) {
+    if (k >= count || row_[k] == no_index) {
+      crossings_.source[k] = crossings_.target[k] = 0.0f;
+      for (auto& side : crossings_.side) side.source[k] = side.target[k] = side.length[k] = 0.0f;
+      continue;
+    }
+    const Index row = row_[k];
+    if (!beside_[row].known) look_beside(layer, border, patch, row);
+    const Beside& beside = beside_[row];
+    const std::uint16_t* of_column = entries + k * column_step;
+    crossings_.source[k] = above_[row];
+    const float offset = layer.offset_of(patch, column + k);
+    crossings_.target[k] = offset + unit * static_cast<float>(of_column[row * row_step]);
+    for (int s : {0, 1}) {
+      auto& side = crossings_.side[s];
+      const Index other = beside.row[s] == no_index ? row : beside.row[s];
+      const std::uint16_t entry = of_column[other * row_step];
+      side.source[k] = above_[other];
+      side.target[k] = offset + unit * static_cast<float>(entry);
+      side.length[k] = entry == PatchLayer::infinite_entry ? 0.0f : beside.length[s];
+    }
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings_, static_cast<float>(lowest_), gain);
+  for (int k = 0; k < count; ++k) {
+    crossing_row_[column + k] = row_[k];
+    if (row_[k] == no_index) continue;
+    const float above = crossings_.source[k] + crossings_.target[k] - gain[k];
+    result_[column + k] = lowest_ + static_cast<double>(above);
+  }
+}
+
+std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderDistances& border,
+                                          Index patch) {
+  const auto nodes = layer.nodes(patch);
+  const Index rows = layer.border_size(patch);
+  const Index columns = layer.member_count(patch);
+  result_.assign(columns, unreachable);
+  crossing_row_.assign(columns, no_index);
+  // Sums are formed above the least border distance, so that they need few digits far from the source.
+  lowest_ = unreachable;
+  for (Index row = 0; row < rows; ++row) lowest_ = std::min(lowest_, border.distance[nodes[row]]);
+  if (lowest_ == unreachable) return result_;
+  above_.resize(rows);
+  base_.resize(rows);
+  beside_.assign(rows, {});
+  for (Index row = 0; row < rows; ++row) {
+    const double above = border.distance[nodes[row]] - lowest_;
+    above_[row] = static_cast<float>(above);
+    // A row that is higher than the greatest entry is of no use in a complete table: from the lowest row no
+    // member is that far.
+    const double units = above > 0.0 ? above / layer.unit[patch] : 0.0;
+    base_[row] = units <= PatchLayer::greatest_entry
+                     ? static_cast<std::int16_t>(lowest_base + std::nearbyint(units))
+                     : std::int16_t{0};
+  }
+  const bool in_integers = layer.complete[patch] != 0 && rows <= std::numeric_limits<std::int16_t>::max();
+  // Tiles begin among the border nodes, which keep their own distances.
+  const Index begin =
+      layer.order == TableOrder::tiles ? rows / PatchLayer::tile_width * PatchLayer::tile_width : rows;
+  for (Index column = begin; column < columns; column += Crossings::capacity) {
+    const int count = std::min(Crossings::capacity, columns - column);
+    if (!in_integers) {
+      scan_one_by_one(layer, patch, column, count);
+    } else if (layer.order == TableOrder::tiles) {
+      scan_tiles(layer, patch, column, count);
+    } else {
+      scan_lines(layer, patch, column, count);
+    }
+    cross(layer, border, patch, column, count);
+  }
+  for (Index row = 0; row < rows; ++row) {
+    result_[row] = border.distance[nodes[row]];
+    crossing_row_[row] = no_index;
+  }
+  return result_;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,57 @@
+// One bounded run of the solver.
+#include "field/near_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorogeo {
+
+NearField::NearField(const IndexData& data) : data_(data), is_near_(data.second.patch_count, 0) {}
+
+ExactSolver& NearField::solver() {
+  if (!solver_) solver_.emplace(data_.geometry);
+  return *solver_;
+}
+
+Halo& NearField::halo() {
+  if (!halo_) halo_.emplace(*data_.work.mesh, data_.first_face);
+  return *halo_;
+}
+
+void NearField::clear() {
+  for (Index p : patches_) is_near_[p] = 0;
+  patches_.clear();
+}
+
+void NearField::add(Index patch) {
+  if (is_near_[patch] != 0) return;
+  patches_.push_back(patch);
+  is_near_[patch] = 1;
+}
+
+void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+  targets_.clear();
+  for (Index p : patches_) {
+    const auto members = data_.second.members(p);
+    targets_.insert(targets_.end(), members.begin(), members.end());
+  }
+  around_.clear();
+  for (const ExactSource& one : sources) {
+    for_each_face_at(*data_.work.mesh, one.point,
+                     [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
+  }
+  halo().surround(patches_, growth);
+  const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
+  const double members = static_cast<double>(targets_.size()) / patches;
+  halo_->widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
+               static_cast<std::size_t>(most_faces * members * static_cast<double>(sources.size())));
+  ExactLimits limits;
+  limits.face_allowed = halo_->mask();
+  limits.targets = targets_;
+  limits.distances_only = distances_only;
+  limits.max_distance = max_distance;
+  solver().run(sources, limits);
+  certain_ = std::min(solver_->settled_distance(), solver_->barrier_distance());
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,83 @@
+// Exact distances around sources: where the tables would be least accurate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/index_data.h"
+#include "partition/halo.h"
+
+namespace vorogeo {
+
+/// Propagation inside the second-layer patches of the sources and a halo around patches and sources. Keeps
+/// its memory from run to run; one object belongs to one thread.
+class NearField {
+ public:
+  /// Growth of the halo around the patches, for paths that leave them; on needles these go further than
+  /// elsewhere.
+  static constexpr double growth = 2.5;
+  /// Rings of faces around the sources, relative to the square root of the members of a patch: over a border
+  /// close to a source, the largest errors would lie in the next patch.
+  static constexpr double reach = 0.7;
+  /// No further ring from so many faces a source on, relative to the members of a patch: rings of even faces
+  /// have about three, those at fans of needles may have any number.
+  static constexpr double most_faces = 8.0;
+  /// Inside the patches the solver's distance holds, unless a way outside the halo is shorter by more than
+  /// repaired crossings can err: then the distance by the tables is below this part of it.
+  static constexpr double shorter_outside = 0.99;
+
+  explicit NearField(const IndexData& data);
+
+  /// Forgets the patches.
+  void clear();
+  /// Adds a patch that is to be exact, unless it was added before.
+  void add(Index patch);
+  /// Solves from the sources (of the work mesh) as far as all vertices of the patches are reached.
+  /// `distances_only`: as in ExactLimits.
+  void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+
+  /// Whether a face of the work mesh is in one of the patches.
+  bool inside(Index face) const { return is_near_[data_.work.second_layer[face]] != 0; }
+  /// After run(): whether an exact distance takes the place of that by the tables. It does up to where no
+  /// path has left the halo; beyond, if it is shorter, or inside the patches unless that by the tables is
+  /// much shorter.
+  bool holds(double exact, double by_tables, bool is_inside) const {
+    return exact < unreachable &&
+           (exact <= certain_ || exact <= by_tables || (is_inside && by_tables >= shorter_outside * exact));
+  }
+  /// Calls visit(vertex, distance) for the work vertices in patches and halo where holds() says so.
+  /// `by_tables(vertex)` gives the other distance. A vertex may be visited again.
+  template <class ByTables, class Visit>
+  void for_each_held(ByTables&& by_tables, Visit&& visit) const {
+    for (Index face : halo_->faces()) {
+      const bool is_inside = inside(face);
+      for (Index v : data_.work.mesh->face_vertices(face)) {
+        const double exact = solver_->distance(v);
+        if (holds(exact, by_tables(v), is_inside)) visit(v, exact);
+      }
+    }
+  }
+
+  /// The solver and the faces it may enter, made when they are first asked for; for other runs between those
+  /// of the near field, too.
+  ExactSolver& solver();
+  Halo& halo();
+  /// After run().
+  const ExactSolver& solver() const { return *solver_; }
+  const Halo& halo() const { return *halo_; }
+
+ private:
+  const IndexData& data_;
+  std::optional<ExactSolver> solver_;
+  std::optional<Halo> halo_;
+  std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
+  std::vector<Index> patches_;
+  std::vector<Index> targets_;
+  std::vector<Index> around_;  ///< faces at the sources
+  double certain_ = 0.0;
+};
+
+}  // namespace vorogeo

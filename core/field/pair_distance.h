@@ -1,0 +1,39 @@
+// The distance of two vertices: exact where they are near, unfolded along the shortest route where not.
+#pragma once
+
+#include <vector>
+
+#include "field/near_field.h"
+#include "route/route_unfolding.h"
+#include "route/router.h"
+
+namespace vorogeo {
+
+/// Pairs of work vertices of one index. One object belongs to one thread.
+class PairDistance {
+ public:
+  /// `near` lends its solver; both must outlive the object.
+  PairDistance(const IndexData& data, NearField& near);
+
+  /// Distance of two different work vertices of one component. The vertex with the smaller number counts as
+  /// the source, which makes the answer symmetric to the last bit.
+  double distance(Index a, Index b);
+
+ private:
+  double bound_by_tables(Index source, Index target);
+  double distance_nearby(Index source, Index target, double bound);
+  double route_length(Index source, Index target);
+
+  const IndexData& data_;
+  NearField& near_;
+  Router router_;
+  RouteUnfolder unfolder_;
+  RouteEnd from_;
+  RouteEnd to_;
+  GraphRoute route_;
+  std::vector<Index> patches_;  ///< of both ends, if they touch
+  std::vector<float> source_column_;
+  std::vector<float> target_column_;
+};
+
+}  // namespace vorogeo

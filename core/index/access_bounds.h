@@ -1,0 +1,61 @@
+// Least distances between pieces of the borders of the two layers, and between those of the first layer: most
+// of the first-layer tables and of the transit table need then not be read for two points.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "index/patch_layer.h"
+#include "index/transit_table.h"
+
+namespace vorogeo {
+
+struct IndexData;
+
+/// A group of the transit table, as rows of a first-layer patch.
+struct GroupRows {
+  Index group;
+  Index row;  ///< of its first node
+};
+
+/// For each second-layer patch, each node on its border and each group of the transit table on the border of
+/// the first-layer patch around it: the least of the distances between them, rounded down to a multiple of
+/// `step` entries of the first-layer table, in 8 bits. And for each two first-layer patches and each two
+/// groups on their borders the least distance, rounded down to 15 bits. Both follow from the tables; empty in
+/// an index in the form of a graph.
+struct AccessBounds {
+  /// Table entries that a bound of 1 stands for: the greatest entry gives 254.
+  static constexpr std::uint16_t step = 129;
+  static constexpr std::uint8_t infinite_entry = 255;
+  /// Bounds between borders; also those of infinite distances and behind the last group.
+  static constexpr std::int16_t greatest_between = 16383;
+
+  std::vector<std::vector<GroupRows>> groups;  ///< by first-layer patch
+  std::vector<std::size_t> begin;              ///< by second-layer patch, into least
+  std::vector<std::uint8_t> least;             ///< by second-layer patch, group and row of that patch
+  float unit_between = 0.0f;                   ///< distance of a bound of 1 between borders
+  std::vector<std::size_t> between_begin;      ///< by pair, into least_between
+  std::vector<std::int16_t> least_between;     ///< by pair, groups of the first, groups of the second
+
+  /// Bounds of the border nodes of a second-layer patch, for the first group; group by group.
+  const std::uint8_t* of_patch(Index patch) const { return least.data() + begin[patch]; }
+  /// Groups of a first-layer patch, filled up for scans.
+  Index width(Index patch) const;
+  /// Bounds between two first-layer patches, p <= q. Shape (groups of p, width(q)).
+  const std::int16_t* between(Index p, Index q) const {
+    return least_between.data() + between_begin[pair_of(p, q)];
+  }
+  static std::size_t pair_of(Index p, Index q) {
+    return static_cast<std::size_t>(q) * (static_cast<std::size_t>(q) + 1) / 2 + static_cast<std::size_t>(p);
+  }
+  std::size_t memory_bytes() const;
+};
+
+/// Memory that they take for an index that is laid out, in bytes.
+std::int64_t access_bounds_bytes(const IndexData& data);
+
+/// \pre The first layer and the transit table are filled. Complexity: that of reading the first-layer tables,
+/// and a number for each two groups.
+AccessBounds make_access_bounds(const IndexData& data);
+
+}  // namespace vorogeo

@@ -1,0 +1,38 @@
+// What follows from the layout of both layers together.
+#include "index/index_data.h"
+
+#include "partition/halo.h"
+
+namespace vorogeo {
+
+void IndexData::link_layers() {
+  parent_column.assign(second.border_node.size(), no_index);
+  std::vector<Index> column(work.mesh->vertex_count(), no_index);
+  Index last_parent = no_index;
+  // Patches of one parent are consecutive.
+  for (Index p = 0; p < second.patch_count; ++p) {
+    const Index parent = partition.parent[p];
+    if (parent != last_parent) {
+      const auto members = first.members(parent);
+      for (std::size_t i = 0; i < members.size(); ++i) column[members[i]] = static_cast<Index>(i);
+      last_parent = parent;
+    }
+    const auto nodes = second.nodes(p);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      parent_column[second.border_begin[p] + i] = column[second.node_vertex[nodes[i]]];
+    }
+  }
+
+  const Mesh& mesh_of_work = *work.mesh;
+  first_face = first_faces(work.second_layer, second.patch_count);
+  first_child = first_faces(partition.parent, first.patch_count);
+  second_node.reserve(first.node_count());
+  for (Index vertex : first.node_vertex) second_node.push_back(second.vertex_node[vertex]);
+  node_position.reserve(second.node_count());
+  for (Index vertex : second.node_vertex) node_position.push_back(mesh_of_work.position(vertex));
+  for (Index e = 0; e < mesh_of_work.edge_count() && !has_branches; ++e) {
+    has_branches = mesh_of_work.edge_face_count(e) > 2;
+  }
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,61 @@
+// How an index is built, and what it holds and cost.
+#pragma once
+
+#include <cstdint>
+
+#include "support/types.h"
+
+namespace vorogeo {
+
+/// What an index holds for routes between far points; all questions are answered in either form.
+enum class IndexForm : std::uint8_t {
+  automatic,  ///< as an option: tables if delta is 0 and they fit the memory budget, else the graph
+  tables,     ///< first-layer tables and the transit table: fast
+  graph       ///< a pruned graph that is searched (A*): small
+};
+
+/// Name of a form that was built: "tables" or "graph".
+const char* to_string(IndexForm form);
+
+/// Memory that an index may take unless another budget is given, in MiB.
+inline constexpr std::int64_t default_memory_budget = 4096;
+
+/// How an index is built.
+struct IndexOptions {
+  /// First-layer patches of the whole mesh; 0: chosen from the number of vertices.
+  Index first_layer_patches = 0;
+  /// Second-layer patches in one first-layer patch (on average); 0: chosen.
+  Index second_layer_patches = 0;
+  /// Relative average error that pruning of arcs may add; 0 loses nothing. In [0, 1). Above 0 it asks for the
+  /// form of a graph, as tables have no arcs to prune.
+  double delta = 0.0;
+  /// Worker threads; 0: one per core. The result does not depend on it.
+  int threads = 0;
+  /// Start of the random numbers that place the patches.
+  std::uint64_t seed = 0;
+  /// Memory the index may take beside the mesh, in MiB; 0: default_memory_budget. It chooses the form.
+  std::int64_t memory_budget = 0;
+  IndexForm form = IndexForm::automatic;
+};
+
+/// What an index holds and what it cost.
+struct IndexStatistics {
+  Index vertices = 0;
+  Index faces = 0;
+  Index components = 0;
+  Index first_layer_patches = 0;
+  Index second_layer_patches = 0;
+  Index first_layer_border_vertices = 0;
+  Index second_layer_border_vertices = 0;
+  IndexForm form = IndexForm::tables;
+  /// Pairs of border vertices of one patch, of both layers.
+  std::int64_t arcs_before_pruning = 0;
+  /// Those that are arcs of the graph; in the form of tables, all.
+  std::int64_t arcs = 0;
+  std::int64_t bytes = 0;  ///< held beside the mesh itself: tables, graph, work mesh
+  double seconds = 0.0;    ///< build time; 0 for an index that was loaded
+  double delta = 0.0;
+  std::uint64_t seed = 0;
+};
+
+}  // namespace vorogeo

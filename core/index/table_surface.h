@@ -1,0 +1,31 @@
+// The surface on which tables are solved: the user's mesh sorted by patch, with the points on border edges as
+// points.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "exact/exact_geometry.h"
+#include "exact/exact_solver.h"
+#include "index/work_mesh.h"
+
+namespace vorogeo {
+
+/// Splitting an edge in the work mesh makes fans of needles of the faces beside it, which every run would
+/// have to cross. Here the faces are whole, and the vertices that the work mesh adds are points of edges.
+struct TableSurface {
+  std::shared_ptr<const ExactGeometry> geometry;
+  std::vector<Index> second_layer;  ///< second-layer patch by face, ascending
+  std::vector<Index> vertex;        ///< by work vertex; no_index for a point on an edge
+  /// The vertices that the work mesh adds, in the order of WorkMesh::edge_points.
+  std::vector<EdgePoint> edge_point;
+
+  /// Index into edge_point of a work vertex that is none of `vertex`.
+  static Index edge_point_of(const WorkMesh& work, Index work_vertex);
+};
+
+/// Complexity: O(faces). \throw Cancelled.
+TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
+                                const std::shared_ptr<const ExactGeometry>& work_geometry);
+
+}  // namespace vorogeo

@@ -1,0 +1,68 @@
+// Distances between all first-layer nodes: far pairs are then read instead of searched.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "index/patch_layer.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// A symmetric table over the nodes of the first layer; empty in an index in the form of a graph.
+///
+/// Nodes that follow one another along a border between the same patches make groups of up to eight. Of two
+/// groups the table keeps the least distance between them, a lower bound that most searches can stop at, and
+/// for each pair of nodes by how many units its distance is above that, in 16 bits. Those of two groups, a
+/// *cell*, are next to each other in memory.
+struct TransitTable {
+  static constexpr Index group_size = 8;
+  static constexpr std::uint16_t greatest_entry = 65534;
+  static constexpr std::uint16_t infinite_entry = 65535;  ///< the entry for an infinite distance
+
+  Index count = 0;                   ///< nodes; 0: there is no table
+  std::vector<Index> group_begin;    ///< first node, by group; then count
+  std::vector<Index> group_of;       ///< by node
+  float unit = 0.0f;                 ///< distance of an entry of 1
+  std::vector<float> least;          ///< shape (groups, groups)
+  std::vector<std::uint16_t> entry;  ///< by cell
+
+  Index group_count() const { return static_cast<Index>(group_begin.size()) - 1; }
+  Index size(Index group) const { return group_begin[group + 1] - group_begin[group]; }
+  /// Least distances of a group from all groups.
+  const float* least_from(Index group) const {
+    return least.data() + static_cast<std::size_t>(group) * group_count();
+  }
+  /// Entries of the nodes of two groups. Shape (size(a), size(b)).
+  const std::uint16_t* cell(Index a, Index b) const { return entry.data() + cell_begin(a, b); }
+  std::size_t cell_begin(Index a, Index b) const {
+    return static_cast<std::size_t>(group_begin[a]) * count +
+           static_cast<std::size_t>(size(a)) * group_begin[b];
+  }
+  float distance(Index a, Index b) const {
+    const Index group_a = group_of[a];
+    const Index group_b = group_of[b];
+    const std::uint16_t found =
+        cell(group_a, group_b)[(a - group_begin[group_a]) * size(group_b) + (b - group_begin[group_b])];
+    return found == infinite_entry ? std::numeric_limits<float>::infinity()
+                                   : least_from(group_a)[group_b] + unit * static_cast<float>(found);
+  }
+  std::size_t memory_bytes() const {
+    return entry.size() * sizeof(entry[0]) + least.size() * sizeof(least[0]) +
+           (group_begin.size() + group_of.size()) * sizeof(Index);
+  }
+};
+
+/// Memory that the table of a laid out layer takes, in bytes.
+std::int64_t transit_table_bytes(const PatchLayer& first);
+
+/// A table without distances: the groups of the nodes, which follow from the layer alone.
+TransitTable group_nodes(const PatchLayer& first);
+
+/// Fills the table by a search over the first layer from each of its nodes, most of them over a corridor
+/// only. Takes no memory beside the table but for a few rows. Complexity: O(nodes^2 (w + b / 16)), where b
+/// nodes are on the border of a patch and w of these in the corridor.
+TransitTable make_transit_table(const PatchLayer& first, int threads, const Progress& progress);
+
+}  // namespace vorogeo

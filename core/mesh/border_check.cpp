@@ -1,0 +1,270 @@
+// Loops by joining border edges at their vertices; near borders by a tree of boxes over the border vertices
+// and short walks along edges.
+#include "mesh/border_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+
+namespace vorogeo {
+
+namespace {
+
+/// Borders count as near each other below this share of their edges.
+constexpr double near_share = 0.1;
+/// They count as joined by a path along edges of at most so many border edges: one leads round the end of a
+/// slit with two sides of one edge each, whose length is 2.
+constexpr double joined_edges = 1.5;
+/// What one vertex looks at, so that dense heaps of border vertices and vertices with thousands of edges cost
+/// no more than their number. A walk that ends early counts as a path found: no alarm without proof.
+constexpr int most_neighbours = 1024;
+constexpr int most_steps = 4096;
+
+/// Sets of numbers that are joined step by step.
+class Joined {
+ public:
+  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index root(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(Index i, Index j) { parent_[root(i)] = root(j); }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// Border vertices in boxes that are split at the median of their longest side.
+class VertexTree {
+ public:
+  VertexTree(const Mesh& mesh, std::vector<Index> vertices) : mesh_(mesh), order_(std::move(vertices)) {
+    if (!order_.empty()) build(0, static_cast<Index>(order_.size()));
+  }
+
+  /// Calls visit(vertex) for vertices at most as far from a point as visit returned last, `reach` to begin
+  /// with; stops when it has been called `most` times.
+  template <class Visit>
+  void visit_near(const Point& point, double reach, int most, Visit&& visit) const {
+    std::vector<Index> open{0};
+    while (!open.empty()) {
+      const Index id = open.back();
+      const Box& box = boxes_[id];
+      open.pop_back();
+      double square = 0.0;
+      for (int k = 0; k < 3; ++k) {
+        const double outside = std::max({0.0, box.low[k] - point[k], point[k] - box.high[k]});
+        square += outside * outside;
+      }
+      if (!(square <= reach * reach)) continue;
+      if (box.second != no_index) {
+        open.push_back(box.second);
+        open.push_back(id + 1);
+        continue;
+      }
+      for (Index i = box.begin; i < box.end; ++i) {
+        if (distance_between(mesh_.position(order_[i]), point) > reach) continue;
+        if (most-- == 0) return;
+        reach = visit(order_[i]);
+      }
+    }
+  }
+
+ private:
+  struct Box {
+    Point low;
+    Point high;
+    Index begin;
+    Index end;
+    Index second = no_index;  ///< the second half; the first follows its whole; no_index: a leaf
+  };
+
+  Index build(Index begin, Index end) {
+    constexpr Index most_in_leaf = 8;
+    const auto id = static_cast<Index>(boxes_.size());
+    Box box{mesh_.position(order_[begin]), mesh_.position(order_[begin]), begin, end};
+    for (Index i = begin; i < end; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], mesh_.position(order_[i])[k]);
+        box.high[k] = std::max(box.high[k], mesh_.position(order_[i])[k]);
+      }
+    }
+    boxes_.push_back(box);
+    if (end - begin <= most_in_leaf) return id;
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+      if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
+    }
+    const Index middle = begin + (end - begin) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](Index u, Index v) { return mesh_.position(u)[axis] < mesh_.position(v)[axis]; });
+    build(begin, middle);
+    const Index second = build(middle, end);
+    boxes_[id].second = second;
+    return id;
+  }
+
+  const Mesh& mesh_;
+  std::vector<Index> order_;
+  std::vector<Box> boxes_;
+};
+
+/// Which vertices paths along edges lead to from a vertex, up to a length.
+class Walk {
+ public:
+  explicit Walk(const Mesh& mesh) : mesh_(mesh), distance_(mesh.vertex_count(), unreachable) {}
+
+  /// \return whether the walk ended by itself.
+  bool run(Index start, double length) {
+    for (Index v : seen_) distance_[v] = unreachable;
+    seen_.clear();
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    int steps = 0;
+    auto reach = [&](Index vertex, double distance) {
+      if (distance > length || distance >= distance_[vertex]) return;
+      if (distance_[vertex] == unreachable) seen_.push_back(vertex);
+      distance_[vertex] = distance;
+      open.emplace(distance, vertex);
+    };
+    reach(start, 0.0);
+    while (!open.empty()) {
+      const auto [distance, vertex] = open.top();
+      open.pop();
+      if (distance > distance_[vertex]) continue;
+      for (Index h : mesh_.corners(vertex)) {
+        if (++steps > most_steps) return false;
+        const Index before = Mesh::previous_in_face(h);
+        reach(mesh_.head(h), distance + mesh_.edge_length(mesh_.edge_of(h)));
+        reach(mesh_.tail(before), distance + mesh_.edge_length(mesh_.edge_of(before)));
+      }
+    }
+    return true;
+  }
+  bool reached(Index vertex) const { return distance_[vertex] != unreachable; }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<double> distance_;
+  std::vector<Index> seen_;
+};
+
+/// Mean length of the border edges at each vertex; 0 where there is none.
+std::vector<double> border_edge_lengths(const Mesh& mesh) {
+  std::vector<double> sum(mesh.vertex_count(), 0.0);
+  std::vector<Index> count(mesh.vertex_count(), 0);
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (!mesh.is_border_edge(edge)) continue;
+    for (Index v : mesh.edge_vertices(edge)) {
+      sum[v] += mesh.edge_length(edge);
+      ++count[v];
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= std::max<Index>(count[v], 1);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Index> face_groups(const Mesh& mesh, Index vertex) {
+  const auto corners = mesh.corners(vertex);
+  std::vector<std::pair<Index, Index>> place;  // of each corner among them, by half-edge
+  for (std::size_t i = 0; i < corners.size(); ++i) place.emplace_back(corners[i], static_cast<Index>(i));
+  std::sort(place.begin(), place.end());
+  auto place_of = [&](Index corner) {
+    return std::lower_bound(place.begin(), place.end(), std::pair{corner, Index{0}})->second;
+  };
+  Joined groups(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (Index side : {corners[i], Mesh::previous_in_face(corners[i])}) {
+      const Index next = mesh.next_around_edge(side);
+      groups.join(static_cast<Index>(i),
+                  place_of(mesh.tail(next) == vertex ? next : Mesh::next_in_face(next)));
+    }
+  }
+  std::vector<Index> result(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) result[i] = groups.root(static_cast<Index>(i));
+  return result;
+}
+
+BorderLoops find_border_loops(const Mesh& mesh) {
+  Joined loops(mesh.edge_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (!mesh.is_border(v)) continue;
+    const auto corners = mesh.corners(v);
+    const std::vector<Index> group = face_groups(mesh, v);
+    std::vector<Index> edge_of_group(corners.size(), no_index);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (Index side : {corners[i], Mesh::previous_in_face(corners[i])}) {
+        const Index edge = mesh.edge_of(side);
+        if (!mesh.is_border_edge(edge)) continue;
+        Index& first = edge_of_group[group[i]];
+        if (first == no_index) first = edge;
+        loops.join(edge, first);
+      }
+    }
+  }
+  std::vector<double> length(mesh.edge_count(), 0.0);
+  std::vector<Index> edges(mesh.edge_count(), 0);
+  BorderLoops result;
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (!mesh.is_border_edge(edge)) continue;
+    const Index loop = loops.root(edge);
+    length[loop] += mesh.edge_length(edge);
+    result.count += edges[loop]++ == 0;
+  }
+  Index longest = no_index;
+  for (Index loop = 0; loop < mesh.edge_count(); ++loop) {
+    if (edges[loop] > 0 && (longest == no_index || length[loop] > length[longest])) longest = loop;
+  }
+  if (longest == no_index) return result;
+  result.longest_length = length[longest];
+  result.longest_edges = edges[longest];
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (!mesh.is_border_edge(edge) || loops.root(edge) != longest) continue;
+    const Index v = mesh.edge_vertices(edge)[0];
+    if (result.longest_vertex == no_index || v < result.longest_vertex) result.longest_vertex = v;
+  }
+  return result;
+}
+
+NearBorders find_near_borders(const Mesh& mesh) {
+  const std::vector<double> edge = border_edge_lengths(mesh);
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (edge[v] > 0.0) vertices.push_back(v);
+  }
+  NearBorders result;
+  if (vertices.empty()) return result;
+  const VertexTree tree(mesh, vertices);
+  Walk walk(mesh);
+  for (const Index u : vertices) {
+    double least = near_share * edge[u];
+    Index nearest = no_index;
+    bool walked = false;
+    bool ended = false;
+    tree.visit_near(mesh.position(u), least, most_neighbours, [&](Index v) {
+      const double distance = distance_between(mesh.position(u), mesh.position(v));
+      if (v == u || distance > near_share * edge[v] || (nearest != no_index && distance >= least))
+        return least;
+      if (mesh.component(u) == mesh.component(v)) {
+        if (!walked) ended = walk.run(u, joined_edges * edge[u]);
+        walked = true;
+        if (!ended || walk.reached(v)) return least;
+      }
+      nearest = v;
+      least = distance;
+      return least;
+    });
+    if (nearest == no_index) continue;
+    if (result.count++ == 0) result.first = u;
+    if (result.closest[0] == no_index || least < result.least) {
+      result.least = least;
+      result.closest = {u, nearest};
+    }
+    result.greatest = std::max(result.greatest, least);
+  }
+  return result;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,26 @@
+// Which edge lengths the computations of the core can hold, and what to multiply the coordinates of others
+// by.
+#pragma once
+
+namespace vorogeo {
+
+/// Least mean length and greatest length of the edges of a mesh.
+struct LengthLimits {
+  double least_mean;
+  double greatest;
+
+  /// A mesh whose edges are all of length 0 passes.
+  bool allow(double mean, double longest) const {
+    return longest == 0.0 || (longest <= greatest && mean >= least_mean);
+  }
+};
+
+/// Areas are products of four lengths: beyond these they leave the range of doubles.
+inline constexpr LengthLimits exact_lengths{1e-60, 1e60};
+/// Tables hold single precision: distances across the mesh have to stay far from its ends.
+inline constexpr LengthLimits index_lengths{1e-28, 1e28};
+
+/// The power of ten that brings mean and longest edge closest to 1 when coordinates are multiplied by it.
+double factor_to_unit(double mean, double longest);
+
+}  // namespace vorogeo

@@ -1,0 +1,40 @@
+// Angles and areas of faces, by the cross product of two sides.
+#include <cmath>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+namespace {
+
+Point from_to(const Point& a, const Point& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
+
+double scalar_product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double cross_length(const Point& a, const Point& b) {
+  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+}
+
+}  // namespace
+
+double Mesh::corner_angle(Index halfedge) const {
+  const Point& corner = positions_[tail(halfedge)];
+  const Point to_next = from_to(corner, positions_[head(halfedge)]);
+  const Point to_previous = from_to(corner, positions_[apex(halfedge)]);
+  return std::atan2(cross_length(to_next, to_previous), scalar_product(to_next, to_previous));
+}
+
+double Mesh::face_area(Index face) const {
+  // Over the two shorter sides: beside them the rounding of a product is small, also in needles.
+  int longest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (edge_length_[halfedge_edge_[3 * face + i]] > edge_length_[halfedge_edge_[3 * face + longest]])
+      longest = i;
+  }
+  const Index opposite = 3 * face + longest;
+  const Point& corner = positions_[apex(opposite)];
+  return 0.5 * cross_length(from_to(corner, positions_[tail(opposite)]),
+                            from_to(corner, positions_[head(opposite)]));
+}
+
+}  // namespace vorogeo

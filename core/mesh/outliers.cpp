@@ -1,0 +1,87 @@
+// Pieces of a component that short edges hold together; the small ones beside a large one are outliers.
+#include "mesh/outliers.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "support/checkpoint.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Disjoint sets of vertices.
+class VertexSets {
+ public:
+  explicit VertexSets(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index root(Index v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+  void join(Index a, Index b) {
+    const auto [low, high] = std::minmax({root(a), root(b)});
+    parent_[high] = low;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+constexpr Index edges_per_checkpoint = 1 << 13;
+
+}  // namespace
+
+Outliers find_outliers(const Mesh& mesh) {
+  Outliers result;
+  const double longest = outlier_edges * mesh.typical_edge_length();
+  if (!(mesh.longest_edge_length() > longest)) return result;
+  VertexSets pieces(mesh.vertex_count());
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % edges_per_checkpoint == 0) checkpoint();
+    const auto [a, b] = mesh.edge_vertices(e);
+    if (mesh.edge_length(e) <= longest) pieces.join(a, b);
+  }
+  std::vector<Index> size(mesh.vertex_count(), 0);
+  std::vector<Index> component_size(mesh.component_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    ++size[pieces.root(v)];
+    ++component_size[mesh.component(v)];
+  }
+  std::vector<std::uint8_t> has_rest(mesh.component_count(), 0);
+  auto is_rest = [&](Index v) {
+    return size[pieces.root(v)] >= least_rest * component_size[mesh.component(v)];
+  };
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (is_rest(v)) has_rest[mesh.component(v)] = 1;
+  }
+  std::vector<std::uint8_t> is_outlier(mesh.vertex_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    is_outlier[v] = has_rest[mesh.component(v)] != 0 && !is_rest(v) ? 1 : 0;
+    if (is_outlier[v] != 0 && result.count++ == 0) result.first = v;
+  }
+  if (result.count == 0) return result;
+
+  double shortest = mesh.longest_edge_length();
+  VertexSets groups(mesh.vertex_count());
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    if (is_outlier[a] != 0 && is_outlier[b] != 0) groups.join(a, b);
+    if (is_outlier[a] != is_outlier[b]) shortest = std::min(shortest, mesh.edge_length(e));
+  }
+  result.least_ratio = shortest / mesh.typical_edge_length();
+  result.group.assign(mesh.vertex_count(), no_index);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (is_outlier[v] == 0) continue;
+    // The root is the first vertex of its group.
+    const Index root = groups.root(v);
+    if (root == v) {
+      result.group[v] = static_cast<Index>(result.group_size.size());
+      result.group_size.push_back(0);
+    }
+    result.group[v] = result.group[root];
+    ++result.group_size[result.group[v]];
+  }
+  return result;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,89 @@
+// Rings of faces grown around patches.
+#include "partition/halo.h"
+
+#include <algorithm>
+
+namespace vorogeo {
+
+namespace {
+
+/// Where a ring is broken off: it is at most this much more than asked for, by far wider than the rings of
+/// meshes without hubs.
+std::size_t broken_off(std::size_t wanted) {
+  constexpr std::size_t least_room = 1000;
+  return 2 * wanted + least_room;
+}
+
+}  // namespace
+
+std::vector<Index> first_faces(std::span<const Index> label, Index patch_count) {
+  std::vector<Index> begin(patch_count + 1, 0);
+  for (Index patch : label) ++begin[patch + 1];
+  for (Index p = 0; p < patch_count; ++p) begin[p + 1] += begin[p];
+  return begin;
+}
+
+Halo::Halo(const Mesh& mesh, std::span<const Index> face_begin)
+    : mesh_(mesh), face_begin_(face_begin), mask_(mesh.face_count(), 0), passed_(mesh.vertex_count(), 0) {}
+
+template <class Visit>
+std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t most,
+                           Visit&& visit) {
+  const std::size_t end = list.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    for (Index v : mesh_.face_vertices(list[i])) {
+      if (passed_[v] == turn_) continue;
+      passed_[v] = turn_;
+      for (Index corner : mesh_.corners(v)) {
+        if (list.size() >= most) return end;
+        visit(Mesh::face_of(corner));
+      }
+    }
+  }
+  return end;
+}
+
+void Halo::forget_vertices() {
+  if (++turn_ != 0) return;
+  std::fill(passed_.begin(), passed_.end(), 0);
+  turn_ = 1;
+}
+
+void Halo::surround(std::span<const Index> patches, double growth) {
+  for (Index f : faces_) mask_[f] = 0;
+  faces_.clear();
+  for (Index p : patches) {
+    for (Index f = face_begin_[p]; f < face_begin_[p + 1]; ++f) {
+      mask_[f] = surrounded;
+      faces_.push_back(f);
+    }
+  }
+  const auto wanted = static_cast<std::size_t>(growth * static_cast<double>(faces_.size()));
+  forget_vertices();
+  std::size_t ring = 0;
+  while (ring < faces_.size() && faces_.size() < wanted) {
+    ring = for_ring(faces_, ring, broken_off(wanted), [&](Index f) {
+      if (mask_[f] != 0) return;
+      mask_[f] = surrounded;
+      faces_.push_back(f);
+    });
+  }
+}
+
+void Halo::widen(std::span<const Index> around, int rings, std::size_t most) {
+  ringed_.clear();
+  forget_vertices();
+  auto mark = [&](Index f) {
+    if ((mask_[f] & in_rings) != 0) return;
+    if (mask_[f] == 0) faces_.push_back(f);
+    mask_[f] |= in_rings;
+    ringed_.push_back(f);
+  };
+  for (Index f : around) mark(f);
+  std::size_t ring = 0;
+  for (int k = 0; k < rings && ring < ringed_.size() && ringed_.size() < most; ++k) {
+    ring = for_ring(ringed_, ring, broken_off(most), mark);
+  }
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,61 @@
+// The faces of some patches and a rim around them, as a mask for the exact solver.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+/// First face of each patch, then the number of faces. `label`: patch of each face, ascending, so that the
+/// faces of a patch are consecutive.
+std::vector<Index> first_faces(std::span<const Index> label, Index patch_count);
+
+/// The faces of some patches and a rim around them, as a mask for the exact solver.
+///
+/// A shortest path between points of the patches may leave them for a short way; the rim (halo) lets it.
+class Halo {
+ public:
+  /// `face_begin`: see first_faces(); must outlive the halo.
+  Halo(const Mesh& mesh, std::span<const Index> face_begin);
+
+  /// Faces of patches and rim together, relative to those of the patches alone: enough for paths between
+  /// points of the patches.
+  static constexpr double default_growth = 1.5;
+
+  /// Marks the patches and a rim around them; earlier marks are taken back. A ring of faces is taken whole,
+  /// unless that would make the rim much larger than asked for: at the hub of a fan of needles a ring may be
+  /// most of the mesh. Complexity: O(faces marked), and of the faces at a vertex that ends the rim.
+  void surround(std::span<const Index> patches, double growth = default_growth);
+  /// Marks also what is within some rings of faces around the given faces, up to about `most` faces: the last
+  /// ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as there.
+  void widen(std::span<const Index> around, int rings, std::size_t most);
+  /// Not 0 for the marked faces. Shape (faces).
+  std::span<const std::uint8_t> mask() const { return mask_; }
+  /// The marked faces.
+  std::span<const Index> faces() const { return faces_; }
+
+ private:
+  /// Calls visit(face) for the faces at the vertices of faces list[begin ...], all of them or until the list
+  /// has `most` faces; returns where those end that the list had at first.
+  template <class Visit>
+  std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t most, Visit&& visit);
+  /// From here on all vertices count as not passed.
+  void forget_vertices();
+
+  const Mesh& mesh_;
+  std::span<const Index> face_begin_;  ///< by patch
+  // Bits of the mask.
+  static constexpr std::uint8_t surrounded = 1;
+  static constexpr std::uint8_t in_rings = 2;
+  std::vector<std::uint8_t> mask_;
+  std::vector<Index> faces_;
+  std::vector<Index> ringed_;
+  /// By vertex: the turn in which its faces were visited, so that those at a hub are visited once.
+  std::vector<std::uint32_t> passed_;
+  std::uint32_t turn_ = 0;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,48 @@
+// Lower bounds of the distance to one point, from the index: they keep exact propagation in a corridor.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "field/border_field.h"
+#include "route/graph_route.h"
+
+namespace vorogeo {
+
+/// The largest error that the index is assumed to make: this part of the distance plus this part of the mean
+/// edge (a single crossing of a border errs by a part of an edge, however long the distance). About twice the
+/// largest error measured on shortest paths (docs/paths.md). It is not proven, so what rests on it is not
+/// certified.
+inline constexpr double index_margin = 0.003;
+inline constexpr double index_margin_in_edges = 0.5;
+
+/// Fills in lower bounds for the vertices on paths of at most a given length between two points.
+///
+/// The distances of the border nodes from the target come from the tables; each patch that neither they nor
+/// the landmarks exclude is swept. In the patches around the target, where the index is least accurate, the
+/// bound is 0: the straight line in space is used there. One object belongs to one thread.
+class RemainingBounds {
+ public:
+  explicit RemainingBounds(const IndexData& data);
+
+  /// For work vertices; infinity where no such path can pass. Valid until the next call. Complexity: that of
+  /// the second-layer tables of the patches passed.
+  std::span<const double> fill(const RouteEnd& source, const RouteEnd& target,
+                               std::span<const Index> target_patches, double length);
+  /// Patches swept in the last call, for measurements.
+  std::size_t patches() const { return swept_.size(); }
+
+ private:
+  void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);
+
+  const IndexData& data_;
+  BorderField borders_;
+  std::vector<BorderField::Seed> seeds_;
+  FieldSweep sweep_;
+  std::vector<double> bound_;
+  std::vector<std::uint8_t> allowed_;
+  std::vector<std::uint8_t> is_near_;
+  std::vector<Index> swept_;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,57 @@
+// Exact propagation from one end of a path to the other, within whatever bounds are known.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "exact/exact_landmarks.h"
+#include "exact/exact_solver.h"
+#include "index/local_tables.h"
+#include "path/exact_pair.h"
+#include "path/path_ends.h"
+
+namespace vorogeo {
+
+/// A path and what is known of it. Without points, and infinitely long, if none was found.
+struct FoundPath {
+  SurfacePath path{{}, unreachable};
+  /// The distance that exact propagation gave, where nothing but proven bounds limited it; else unreachable.
+  double distance = unreachable;
+
+  /// The shorter path of both, and what either knows of the distance.
+  void join(FoundPath other);
+};
+
+/// Paths over the work mesh of an index, each by one or two runs of the exact solver. Each run ends: the
+/// solver hands a window on only where it shortens a distance by more than rounding. Holds scratch memory:
+/// one object belongs to one thread.
+class ExactSearch {
+ public:
+  explicit ExactSearch(const IndexData& data);
+
+  /// Paths shorter than `most`, over the faces allowed (ExactLimits::face_allowed; empty: all).
+  FoundPath within(const PathEnd& from, const PathEnd& to, double most,
+                   std::span<const std::uint8_t> face_allowed = {});
+  /// The same with the bounds of the landmarks, if there are any.
+  FoundPath between_landmarks(const PathEnd& from, const PathEnd& to, double most);
+  /// The same with the bounds that the index gives, which are not proven.
+  FoundPath by_index(const PathEnd& from, const PathEnd& to, double most);
+  /// Ends in one patch or in patches that touch: first in these patches and their halo; if a path could have
+  /// left them, everywhere. `estimate`: an upper bound of the distance, if the tables are right.
+  FoundPath nearby(const PathEnd& from, const PathEnd& to, double estimate);
+  /// Without any bound: what is left where a bound went wrong.
+  FoundPath everywhere(const PathEnd& from, const PathEnd& to);
+
+  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) { landmarks_ = std::move(landmarks); }
+
+ private:
+  FoundPath run(const PathEnd& from, const PathEnd& to, ExactLimits limits);
+
+  const IndexData& data_;
+  ExactSolver solver_;
+  Halo halo_;
+  RemainingBounds bounds_;
+  std::shared_ptr<const ExactLandmarks> landmarks_;
+};
+
+}  // namespace vorogeo

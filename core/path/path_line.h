@@ -1,0 +1,110 @@
+// A strip of faces unfolded piece by piece, and the shortest line in it.
+#pragma once
+
+#include <vector>
+
+#include "exact/exact_geometry.h"
+#include "path/path_funnel.h"
+#include "path/path_strip.h"
+
+namespace vorogeo {
+
+/// From one face of a strip to the next.
+struct UnfoldedCrossing {
+  Index exit;   ///< half-edge of the face that is left
+  Index entry;  ///< half-edge of the face that is entered, on the same edge
+  Index left;   ///< ends of the edge as one sees them going from source to target
+  Index right;
+  double along;  ///< third corner of the face entered, in lengths of the edge: from left to right
+  double aside;  ///< and beyond the edge
+  double ahead;  ///< of an edge of no length, which has no direction: how far away it is, in any one
+  PlanePoint at_left;
+  PlanePoint at_right;
+
+  /// The third corner, in the plane of the two ends.
+  PlanePoint apex() const {
+    const double ux = at_right[0] - at_left[0];
+    const double uy = at_right[1] - at_left[1];
+    return {at_left[0] + ux * along - uy * aside + ahead, at_left[1] + uy * along + ux * aside};
+  }
+};
+
+inline Index size_of(const std::vector<UnfoldedCrossing>& crossings) {
+  return static_cast<Index>(crossings.size());
+}
+
+/// Source, target, and each vertex at which the line bends. The crossings up to `last` are unfolded into the
+/// plane of what comes before, those behind into the plane of what follows; the last one is known in both.
+struct Joint {
+  Index vertex = no_index;  ///< no_index for source and target
+  bool left = true;         ///< on which side of the strip the vertex is
+  bool settled = false;     ///< the other side is not shorter
+  bool is_seam = false;     ///< the two planes are not the same
+  Index first = 0;          ///< crossings that end in the vertex
+  Index last = 0;
+  PlanePoint in{};        ///< the vertex in the plane before
+  PlanePoint other_in{};  ///< and the other end of the last crossing
+  PlanePoint out{};       ///< the same in the plane behind
+  PlanePoint other_out{};
+};
+
+/// The line can be changed a stretch at a time: only what lies between two joints that stay is unfolded and
+/// pulled tight again.
+class PathLine {
+ public:
+  explicit PathLine(const ExactGeometry& geometry) : geometry_(&geometry) {}
+
+  /// Takes over the line of another one on the same mesh.
+  void assign(const PathLine& other);
+  /// Takes over a strip and pulls the line tight. Complexity: O(faces).
+  void assign(const FaceStrip& strip);
+
+  const std::vector<UnfoldedCrossing>& crossings() const { return crossings_; }
+  /// In order, with source and target.
+  const std::vector<Joint>& joints() const { return joints_; }
+  const SurfacePoint& source() const { return source_; }
+  const SurfacePoint& target() const { return target_; }
+  double length() const;
+  /// By how much the line turns towards the vertex of a joint; negative if it is bent for nothing.
+  double turn(std::size_t joint) const;
+  /// All crossings around `at` that end in its vertex on its side.
+  void find_range(Index at, Joint& joint) const;
+
+  /// What to do about a joint: the line stays bent there, or it is pulled tight between the joints around it;
+  /// `flip`: and the strip is moved to the other side of the vertex.
+  enum class Change : std::uint8_t { keep, release, flip };
+  /// Changes the joints as said, one `changes` entry for each; joints too close to a flip are released.
+  /// \return the number of flips done. Complexity: O(crossings) copying, unfolding of changed pieces.
+  int change(std::vector<Change>& changes);
+  /// Moves the strip to the other side of a vertex that is not a joint but between `piece` and the next one.
+  bool flip_beside(std::size_t piece, const Joint& beside);
+  void settle(std::size_t joint) { joints_[joint].settled = true; }
+
+ private:
+  UnfoldedCrossing crossing_at(Index exit, Index entry, Index left, Index right) const;
+  void push(const UnfoldedCrossing& crossing);
+  void copy(Index begin, Index end);
+  bool push_other_side(const Joint& joint);
+  Index trim_ends();
+  void release_neighbours(std::vector<Change>& changes) const;
+  int rebuild(std::vector<Change>& changes);
+  void extend(Joint& joint);
+  void pull(Joint& from, Joint& to);
+
+  const ExactGeometry* geometry_;
+  SurfacePoint source_;
+  SurfacePoint target_;
+  Index first_face_ = no_index;
+  std::vector<UnfoldedCrossing> crossings_;
+  std::vector<Joint> joints_;
+
+  // While it is changed.
+  Funnel funnel_;
+  std::vector<UnfoldedCrossing> next_;
+  std::vector<Joint> next_joints_;
+  std::vector<HalfedgePair> passed_;
+  Index fixed_ = 0;         ///< crossings of next_ that belong to a joint that stays
+  bool disturbed_ = false;  ///< one of them was taken out
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,33 @@
+// The faces around a path.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "path/path_line.h"
+
+namespace vorogeo {
+
+/// How uneven the surface along a strip is: the mean of what the angles at its vertices miss or have in
+/// excess of 2 pi, and no vertex counts for more than a crease does. Complexity: O(crossings).
+double roughness(const Mesh& mesh, const PathLine& line);
+
+/// Marks the faces of a strip and of some rings of vertices around it. One object belongs to one thread.
+class PathNeighbourhood {
+ public:
+  explicit PathNeighbourhood(const Mesh& mesh)
+      : mesh_(mesh), face_(mesh.face_count(), 0), vertex_(mesh.vertex_count(), 0) {}
+
+  /// \return 1 for each face of the corridor, 0 for the others; valid until the next call. Complexity: that
+  /// of the corridor and of the last one.
+  std::span<const std::uint8_t> surround(const PathLine& line, int rings);
+
+ private:
+  const Mesh& mesh_;
+  std::vector<std::uint8_t> face_;
+  std::vector<std::uint8_t> vertex_;
+  std::vector<Index> faces_;     ///< marked
+  std::vector<Index> vertices_;  ///< marked, ring by ring
+};
+
+}  // namespace vorogeo

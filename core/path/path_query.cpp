@@ -1,0 +1,226 @@
+// From end points to a path: near ends by propagation, the others through the index.
+#include "path/path_query.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "index/index_data.h"
+#include "index/work_points.h"
+#include "mesh/face_distance.h"
+#include "path/exact_search.h"
+#include "path/path_ends.h"
+#include "path/path_neighbourhood.h"
+#include "path/path_refine.h"
+#include "path/path_steps.h"
+#include "route/route_unfolding.h"
+#include "route/router.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// A length from the tables, this much longer, is an upper bound in spite of their precision.
+constexpr double estimate_slack = 1.0 + 1e-3;
+/// A refined path that is this much longer (relative) than the index's distance has probably taken a wrong
+/// way: exact propagation with the bounds of the index decides.
+constexpr double suspicious = 2e-4;
+/// Where to look for a shorter path beside the refined one: if it is longer than the index's distance by so
+/// much (relative) on an even surface, by less for each radian of roughness, but no less than that. Measured:
+/// on rough surfaces more paths have a shorter one close beside them, and the index's distance is itself
+/// longer (docs/paths.md).
+constexpr double doubtful_if_even = 2e-4;
+constexpr double doubtful_by_roughness = 1.8e-2;
+constexpr double least_doubtful = -1.5e-4;
+/// Such shorter paths hardly ever leave so many rings of vertices around the strip.
+constexpr int rings_beside = 2;
+
+}  // namespace
+
+struct PathQuery::State {
+  explicit State(std::shared_ptr<const GeodesicIndex> shared_index)
+      : index(std::move(shared_index)),
+        data(index->data()),
+        exact(data),
+        router(data),
+        refiner(*data.geometry),
+        surroundings(*data.work.mesh),
+        unfolder(data) {}
+
+  Index component(const SurfacePoint& point) const {
+    return data.mesh->component(point.is_vertex() ? point.vertex
+                                                  : data.mesh->face_vertices(point.face).front());
+  }
+  bool connected(const SurfacePoint& source, const SurfacePoint& target) const {
+    auto on_surface = [&](const SurfacePoint& p) {
+      return !p.is_vertex() || data.work.work_vertex[p.vertex] != no_index;
+    };
+    return on_surface(source) && on_surface(target) && component(source) == component(target);
+  }
+  GraphRoute route(const PathEnd& from, const PathEnd& to);
+  SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  void improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
+  FoundPath path(const PathEnd& from, const PathEnd& to, bool thorough);
+  SurfacePath as_asked(const SurfacePath& path, const SurfacePoint& source, const SurfacePoint& target) const;
+
+  std::shared_ptr<const GeodesicIndex> index;
+  const IndexData& data;
+  ExactSearch exact;
+  Router router;
+  PathRefiner refiner;
+  PathNeighbourhood surroundings;
+  FaceStrip strip;
+  RouteUnfolder unfolder;
+};
+
+PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
+    : state_(std::make_unique<State>(std::move(index))) {}
+PathQuery::~PathQuery() = default;
+PathQuery::PathQuery(PathQuery&&) noexcept = default;
+PathQuery& PathQuery::operator=(PathQuery&&) noexcept = default;
+const GeodesicIndex& PathQuery::index() const { return *state_->index; }
+void PathQuery::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
+  state_->exact.use_landmarks(std::move(landmarks));
+}
+
+GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
+  const RouteEnd a = route_end_of(data, from);
+  const RouteEnd b = route_end_of(data, to);
+  GraphRoute best;
+  router.route(a, b, best);
+  return best;
+}
+
+/// The way of the index, refined; without points if the tables do not lead all the way.
+SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
+  SurfacePath none;
+  none.length = unreachable;
+  if (way.length == unreachable) return none;
+  strip.source = from.point;
+  strip.target = to.point;
+  const PathChain chain = chain_of_route(data, way, from.vertex, to.vertex, from.patch(data), to.patch(data));
+  if (!strip_along_chain(data, chain, strip)) return none;
+  refiner.refine(strip);
+  SurfacePath path = refiner.path();
+  // Unfolded across edges of next to no length, a line may be out by any amount: its points are right still.
+  path.length = measured_length(*data.work.mesh, path.points).length;
+  return path.length < unreachable ? path : none;
+}
+
+/// The index's distance along a route; of points in faces from those of their corners. Unreachable where the
+/// tables of the route do not hold the corners.
+double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
+  const Mesh& mesh = *data.work.mesh;
+  auto between = [&](const PathEnd& end, auto&& of_vertex) {
+    if (end.point.is_vertex()) return of_vertex(end.point.vertex);
+    std::array<double, 3> corners{};
+    for (int i = 0; i < 3; ++i) corners[i] = of_vertex(mesh.face_vertices(end.point.face)[i]);
+    return distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
+  };
+  return between(from, [&](Index source) {
+    return between(to, [&](Index target) {
+      return unfolder.length(way, source, target, from.patch(data), to.patch(data));
+    });
+  });
+}
+
+/// Looks for a shorter path than the refined one where that may have taken a wrong way.
+void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found) {
+  const double doubtful = std::max(
+      least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner.line()));
+  if (found.path.length > expected * (1.0 + doubtful)) {
+    // Within a few rings the shortest path may be missed: what they prove is of no use.
+    const auto beside = surroundings.surround(refiner.line(), rings_beside);
+    found.join({exact.within(from, to, found.path.length, beside).path, unreachable});
+  }
+  if (found.path.length > expected * (1.0 + suspicious)) {
+    found.join(data.has_branches ? exact.between_landmarks(from, to, found.path.length)
+                                 : exact.by_index(from, to, found.path.length));
+  }
+}
+
+/// `thorough`: also look for shorter paths than the first one found.
+FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
+  FoundPath found;
+  const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
+  const double estimate = (from.beside + way.length + to.beside) * estimate_slack;
+  if (are_near(data, from, to)) {
+    found = exact.nearby(from, to, estimate);
+  } else {
+    found.path = path_by_chain(from, to, way);
+    if (found.path.points.empty()) {
+      // The tables did not lead all the way: exact, within the length that the graph gives.
+      found = exact.between_landmarks(from, to, estimate);
+    } else if (thorough) {
+      improve(from, to, expected_length(from, to, way), found);
+    }
+  }
+  // On faces without width, lengths may be off by more than the slack.
+  if (found.path.points.empty()) found = exact.everywhere(from, to);
+  return found;
+}
+
+/// The same path over the user's mesh, between the very points that were asked for, as long as its points
+/// say.
+SurfacePath PathQuery::State::as_asked(const SurfacePath& path, const SurfacePoint& source,
+                                       const SurfacePoint& target) const {
+  SurfacePath result = user_path(data, path);
+  if (result.points.empty()) return result;
+  if (is_same_point(*data.mesh, result.points.front(), source)) result.points.front() = source;
+  if (result.points.size() == 1) result.points.push_back(target);
+  if (is_same_point(*data.mesh, result.points.back(), target)) result.points.back() = target;
+  const MeasuredLength measured = measured_length(*data.mesh, result.points);
+  // Where they agree, the sum of the steps in the plane has seen less rounding.
+  if (!measured.agrees_with(result.length)) result.length = measured.length;
+  return result;
+}
+
+SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& target) {
+  State& state = *state_;
+  const SurfacePoint s = validated(*state.data.mesh, source);
+  const SurfacePoint t = validated(*state.data.mesh, target);
+  SurfacePath none;
+  none.length = unreachable;
+  if (!state.connected(s, t)) return none;
+  if (is_same_point(*state.data.mesh, s, t)) return {{s, t}, 0.0};
+  const PathEnd from = path_end(state.data, s);
+  const PathEnd to = path_end(state.data, t);
+  SurfacePath path = state.as_asked(state.path(from, to, true).path, s, t);
+  if (is_path(*state.data.mesh, path, s, t, path.length)) return path;
+  return state.as_asked(state.exact.everywhere(from, to).path, s, t);
+}
+
+ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
+  State& state = *state_;
+  const Mesh& mesh = *state.data.mesh;
+  const SurfacePoint s = validated(mesh, source);
+  const SurfacePoint t = validated(mesh, target);
+  ExactPath result;
+  result.path.length = unreachable;
+  result.certified = true;
+  if (!state.connected(s, t)) return result;
+  if (is_same_point(mesh, s, t)) return {{{s, t}, 0.0}, true};
+  const PathEnd from = path_end(state.data, s);
+  const PathEnd to = path_end(state.data, t);
+  FoundPath found = state.path(from, to, false);
+  if (found.distance == unreachable) {
+    const bool with_proof = certify || state.data.has_branches;
+    found.join(with_proof ? state.exact.between_landmarks(from, to, found.path.length)
+                          : state.exact.by_index(from, to, found.path.length));
+  }
+  result.path = state.as_asked(found.path, s, t);
+  result.certified = is_path(mesh, result.path, s, t, found.distance);
+  const bool meant_to_be_proven = certify || state.data.has_branches || found.distance < unreachable;
+  if (result.certified || (!meant_to_be_proven && is_path(mesh, result.path, s, t, result.path.length)))
+    return result;
+  // The bounds were wrong by more than rounding should be, or the path back was not found: without bounds.
+  found = state.exact.everywhere(from, to);
+  SurfacePath path = state.as_asked(found.path, s, t);
+  const bool is_whole = is_path(mesh, path, s, t, path.length);
+  result.certified = is_whole && is_path(mesh, path, s, t, found.distance);
+  if (result.certified || (is_whole && path.length < result.path.length)) result.path = std::move(path);
+  return result;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,58 @@
+// Shortest paths between two points of the surface, refined from the index or exact.
+#pragma once
+
+#include <memory>
+
+#include "exact/exact_landmarks.h"
+#include "exact/exact_solver.h"
+#include "index/geodesic_index.h"
+
+namespace vorogeo {
+
+/// A shortest path and what is known about it.
+struct ExactPath {
+  SurfacePath path;
+  /// Whether it is proven that no path is shorter (but for rounding), and the path passes is_path() for the
+  /// distance that was propagated: it runs between the points asked for, consecutive points share a face, and
+  /// its steps sum to that distance. Else the propagation was kept in a corridor by the index less an error
+  /// margin, or faces of no shape left no path of that length to be found.
+  bool certified = false;
+};
+
+/// Answers path queries on an index. Holds scratch memory: one object belongs to one thread.
+///
+/// Paths run from source to target over faces of the user's mesh; consecutive points share a face. Without a
+/// path (other component, a vertex without a face) a path has no points and its length is `unreachable`.
+class PathQuery {
+ public:
+  explicit PathQuery(std::shared_ptr<const GeodesicIndex> index);
+  ~PathQuery();
+  PathQuery(PathQuery&&) noexcept;
+  PathQuery& operator=(PathQuery&&) noexcept;
+
+  /// The refined path: the way that the index gives, shortened to a geodesic. Never shorter than the shortest
+  /// path but for rounding; in nearly all cases that path. Exact where the ends lie in one patch or in
+  /// patches that touch. \throw InvalidInput for a point that is not on the mesh. Complexity: that of a
+  /// two-point distance and of some tens of passes over the faces crossed; where it is doubtful, that of
+  /// exact propagation in the faces close to them.
+  SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
+
+  /// The shortest path, by exact propagation that the refined path's length and lower bounds of the rest keep
+  /// in a corridor. `certify`: use only proven lower bounds, the straight line in space and those of
+  /// landmarks, so that the answer is always certified. Without it the index's distance, less a margin that
+  /// is not proven, makes the corridor narrower: faster on large curved surfaces; on meshes of needles a few
+  /// answers are too long.
+  ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
+
+  /// Landmarks on the work mesh of the index (landmark_fields.h) make certified corridors narrower from now
+  /// on.
+  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
+
+  const GeodesicIndex& index() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,43 @@
+// Shortens a strip of faces until its line is locally shortest.
+#pragma once
+
+#include "exact/exact_solver.h"
+#include "path/path_line.h"
+
+namespace vorogeo {
+
+/// Pulls the line in a strip tight; where it bends at a vertex and the angle on the other side is below pi,
+/// the strip is moved to that side, until there is no such vertex: then the line is a geodesic. Then vertices
+/// of positive curvature near the line are tried on the other side, where the line would be shorter by the
+/// law of cosines; what shortens it is kept. One object belongs to one thread.
+class PathRefiner {
+ public:
+  explicit PathRefiner(const ExactGeometry& geometry) : mesh_(*geometry.mesh), line_(geometry) {}
+
+  /// \return the length of the line in the shortened strip.
+  double refine(const FaceStrip& strip);
+  /// The line last refined: points on edges, at vertices, and the two ends.
+  SurfacePath path() const;
+  const PathLine& line() const { return line_; }
+
+ private:
+  /// A vertex beside the line, between two joints, that may be passed on its other side.
+  struct Candidate {
+    double gain;
+    std::size_t piece;
+    Joint beside;
+  };
+  void straighten();
+  bool flip_bends();
+  bool try_other_sides();
+  void look_beside(std::size_t piece);
+
+  const Mesh& mesh_;
+  PathLine line_;
+  PathLine shortest_{line_};
+  std::vector<PathLine::Change> changes_;
+  std::vector<Candidate> candidates_;
+  std::vector<Index> tried_;
+};
+
+}  // namespace vorogeo

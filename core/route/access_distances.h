@@ -1,0 +1,84 @@
+// Distances of one point from the border of its first-layer patch, as far as they are asked for.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "index/bound_scans.h"
+#include "route/graph_route.h"
+
+namespace vorogeo {
+
+/// One end of a route and one of its first-layer patches: lower bounds for the groups of border nodes at
+/// once, the distances of a group when it is asked for. One object belongs to one thread.
+class AccessDistances {
+ public:
+  explicit AccessDistances(const IndexData& data) : data_(data) {}
+
+  /// Bounds for all groups; nothing to do if the end is that of the last call. Complexity: O(seeds x
+  /// groups), 32 at a time.
+  void reset(const RouteEnd& end, Index parent);
+
+  Index parent() const { return parent_; }
+  std::span<const GroupRows> groups() const { return data_.access_bounds.groups[parent_]; }
+  /// By group: a lower bound of its least distance; after refine() that distance, or the limit if that is
+  /// less.
+  std::span<const float> least() const { return least_; }
+  /// By group, filled up to AccessBounds::width: bounds before refine() in units of the bounds between
+  /// borders, rounded down.
+  std::span<const std::int16_t> bounds_to_border() const { return to_border_; }
+  /// Fetches what refine() will read.
+  void prefetch(std::size_t group, float limit);
+  /// Finds the distances of the rows of a group, as far as they are below `limit`, unless that was done
+  /// before.
+  void refine(std::size_t group, float limit);
+  /// After refine(): distances of the rows of a group.
+  const float* distances(std::size_t group) const { return distance_.data() + groups()[group].row; }
+  /// The start over which the distance of a row leads; the row's group must be refined.
+  Index seed_of(std::size_t group, Index row);
+
+ private:
+  /// Rows of a second-layer patch that seeds lie in, as lanes.
+  struct Part {
+    Index patch;
+    Index begin;  ///< first lane
+    Index rows;
+  };
+  std::uint8_t in_bounds(float distance) const;
+  std::vector<Part>::iterator add_part(Index patch);
+  void add_seed(Index lane, double distance, std::size_t place);
+  std::span<const Index> lanes_within(std::size_t group, std::uint8_t limit);
+  Index lanes_of(const Part& part) const { return (part.rows + byte_lanes - 1) / byte_lanes * byte_lanes; }
+  const std::uint8_t* bounds_of(const Part& part, std::size_t group) const {
+    return data_.access_bounds.of_patch(part.patch) + group * part.rows;
+  }
+  const std::uint16_t* piece(Index lane, std::size_t group) const {
+    return table_ + column_[lane] * static_cast<std::size_t>(table_rows_) + groups()[group].row;
+  }
+
+  const IndexData& data_;
+  Index vertex_ = no_index;  ///< of the end
+  Index parent_ = no_index;
+  float unit_ = 0.0f;
+  float bound_unit_ = 0.0f;
+  const std::uint16_t* table_ = nullptr;  ///< of the first-layer patch
+  Index table_rows_ = 0;
+  std::vector<Part> parts_;
+  // By lane: distance of the start there, also as a bound, its column in the table, and its place among the
+  // seeds of the end. Lanes without a start are infinitely far.
+  std::vector<float> seed_distance_;
+  std::vector<std::uint8_t> seed_bound_;
+  std::vector<Index> column_;
+  std::vector<Index> place_;
+  // By group.
+  std::vector<std::uint8_t> least_bound_;
+  std::vector<std::int16_t> to_border_;
+  std::vector<float> least_;
+  std::vector<float> refined_;   ///< up to where the distances are known
+  std::vector<float> distance_;  ///< by row
+  std::vector<std::uint8_t> flags_;
+  std::vector<Index> lanes_;
+};
+
+}  // namespace vorogeo

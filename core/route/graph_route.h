@@ -1,0 +1,85 @@
+// Shortest routes in the two-layer graph: bidirectional A* with landmarks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "index/index_data.h"
+
+namespace vorogeo {
+
+/// One end of a route: second-layer nodes with their distances from it, and the patch these lie in.
+struct RouteEnd {
+  struct Seed {
+    Index node;
+    double distance;
+  };
+  Index vertex = no_index;  ///< of the work mesh; no_index: not known
+  std::vector<Seed> seeds;
+  Index patch = no_index;      ///< second-layer patch of the seeds; no_index if the end is itself a node
+  std::vector<Index> parents;  ///< first-layer patches whose second-layer arcs may be used
+};
+
+/// The end of a route at a work vertex, in the place of what `end` was.
+void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
+
+/// Fetches what route_end will read.
+void prefetch_end(const IndexData& data, Index work_vertex);
+
+/// A shortest route: second-layer nodes in order, the leg between each two, and the whole length.
+struct GraphRoute {
+  double length = unreachable;
+  std::vector<Index> nodes;
+  std::vector<Leg> legs;  ///< one fewer than nodes
+};
+
+/// Searches the graph of one index. Second-layer arcs are used only near the ends (in their first-layer
+/// patches), first-layer arcs everywhere. One object belongs to one thread; a search seeds anew in O(1).
+///
+/// The potential of a node is half the difference of the landmark bounds to the two ends, which is consistent
+/// for both directions (Ikeda et al. 1994); the search stops when the two least keys sum to the length of the
+/// best route found, which then is a shortest one (Goldberg, Harrelson 2005).
+class GraphRouter {
+ public:
+  explicit GraphRouter(const IndexData& data);
+  /// The shortest route; one of length unreachable if there is none. Whether there is one. Each first-layer
+  /// arc, for whose patch there is no table, is replaced by a way over second-layer arcs.
+  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
+  /// The same with first-layer arcs as they stand.
+  bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
+  /// Nodes settled in the last search, for measurements.
+  std::size_t settled() const { return settled_; }
+
+ private:
+  struct NodeState {
+    std::uint32_t stamp = 0;
+    double distance[2];
+    double potential;
+    Index predecessor[2];
+    Leg leg[2];
+    bool done[2];
+  };
+  struct Entry {
+    double key;
+    Index node;
+    bool operator<(const Entry& other) const { return key > other.key; }
+  };
+
+  NodeState& touch(Index node);
+  void relax(int side, Index node, double distance, Index predecessor, Leg leg);
+  void settle(int side);
+  void append_path(Index from, Index to, GraphRoute& route);
+
+  const IndexData& data_;
+  std::vector<NodeState> state_;
+  std::vector<std::uint32_t> parent_open_;
+  std::uint32_t stamp_ = 0;
+  std::vector<Entry> heap_[2];
+  std::vector<double> end_landmarks_[2];
+  double best_ = unreachable;
+  Index meeting_ = no_index;
+  std::size_t settled_ = 0;
+  bool first_layer_ = true;  ///< whether first-layer arcs are used
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,62 @@
+// Routes inside first-layer patches, from second-layer patch to second-layer patch.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "route/graph_route.h"
+
+namespace vorogeo {
+
+/// Searches the second-layer tables of an index in the form of tables. A step is a turn of a whole patch:
+/// from those of its border nodes that were relaxed since its last turn, the least sums to all others, 32 at
+/// a time. Nodes are known to be too far from the target by the straight line in space, which also chooses
+/// the patch whose turn it is (A*). One object belongs to one thread; a search seeds anew in O(1).
+class PatchRouter {
+ public:
+  explicit PatchRouter(const IndexData& data);
+
+  /// Writes the shortest route inside the first-layer patches of the ends to `result` if it is shorter than
+  /// `below`, else leaves that as it was. Whether there is one. Of routes whose lengths differ by rounding of
+  /// table entries any may be found.
+  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// Turns in the last search, for measurements.
+  std::size_t turns() const { return turns_; }
+
+ private:
+  struct NodeState {
+    std::uint32_t stamp = 0;
+    float distance = 0.0f;     ///< from the source
+    float to_target = 0.0f;    ///< for seeds of the target: from there
+    float lower_bound = 0.0f;  ///< lower bound of the rest
+    Index predecessor = 0;     ///< node; no_index for a start of the source
+    Index patch = 0;           ///< through which it was reached
+  };
+  struct PatchState {
+    bool waits = false;
+    float key = 0.0f;         ///< least distance and bound of the rows that wait
+    std::vector<Index> rows;  ///< that wait for the next turn
+  };
+  void reset(const RouteEnd& source, const RouteEnd& target);
+  NodeState& touch(Index node);
+  void relax(Index node, float distance, Index predecessor, Index patch);
+  void wait(Index patch, Index row, float key);
+  void relax_patch(Index patch);
+  void write(GraphRoute& result) const;
+
+  const IndexData& data_;
+  std::vector<NodeState> node_;
+  std::vector<PatchState> patch_;
+  std::vector<std::uint32_t> parent_open_;
+  std::vector<std::uint8_t> row_waits_;  ///< by second.border_begin[patch] + row
+  std::vector<Index> waiting_;           ///< patches
+  std::uint32_t stamp_ = 0;
+  Index target_vertex_ = no_index;
+  float best_ = 0.0f;
+  Index meeting_ = no_index;
+  std::size_t turns_ = 0;
+  std::vector<Index> rows_;
+  std::vector<std::int16_t> base_;
+};
+
+}  // namespace vorogeo

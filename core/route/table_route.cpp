@@ -1,0 +1,182 @@
+// Bounds for all cells between the borders of two first-layer patches, then the cells that are left.
+#include "route/table_route.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "index/bound_scans.h"
+#include "index/min_plus.h"
+#include "support/prefetch.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Cells that are taken in the order of their bounds.
+constexpr std::size_t first_cells = 4;
+
+/// Bounds and distances are rounded in different ways, by far less than this.
+constexpr float rounding_slack = 1.000001f;
+
+}  // namespace
+
+/// A length in units of the bounds between borders, rounded down.
+std::int16_t TableRouter::in_bounds(float length) const {
+  constexpr float greatest = 32767.0f;
+  const float unit = data_.access_bounds.unit_between;
+  return static_cast<std::int16_t>(unit > 0.0f ? std::min(length * rounding_slack / unit, greatest)
+                                               : greatest);
+}
+
+/// What is left of the least sum of a group after the way to it.
+float TableRouter::rest(const AccessDistances& end, std::size_t group, std::int16_t least) const {
+  return data_.access_bounds.unit_between * static_cast<float>(least - end.bounds_to_border()[group]);
+}
+
+/// The best pair of rows in one cell, if it is better than what is known; its rows are left open.
+void TableRouter::look_into(AccessDistances& low, AccessDistances& high, const Candidate& candidate,
+                            Joint& best) {
+  const TransitTable& table = data_.transit_table;
+  const auto i = static_cast<std::size_t>(candidate.group[0]);
+  const auto j = static_cast<std::size_t>(candidate.group[1]);
+  const Index from = low.groups()[i].group;
+  const Index to = high.groups()[j].group;
+  const float offset = table.least_from(from)[to];
+  const float limit = best.length * rounding_slack;
+  low.refine(i, limit - rest(low, i, low_least_[i]));
+  if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
+  high.refine(j, limit - rest(high, j, high_least_[j]));
+  if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
+  ++cells_;
+  const float least = offset + least_in_cell(table.cell(from, to), table.size(from), table.size(to),
+                                             low.distances(i), high.distances(j), table.unit);
+  // Of equal sums the first, so that what was known before has no influence on the route.
+  const bool is_first = std::pair(i, j) < std::pair(best.group[0], best.group[1]);
+  if (!(least < best.length || (least == best.length && is_first))) return;
+  best = {least, {i, j}, {low.groups()[i].row, high.groups()[j].row}};
+}
+
+/// The sums of the best cell again, to find where the least one is; they may be rounded in another way here.
+void TableRouter::find_rows(const AccessDistances& low, const AccessDistances& high, Joint& best) const {
+  const TransitTable& table = data_.transit_table;
+  const GroupRows& from = low.groups()[best.group[0]];
+  const GroupRows& to = high.groups()[best.group[1]];
+  const float* before = low.distances(best.group[0]);
+  const float* beyond = high.distances(best.group[1]);
+  const std::uint16_t* entry = table.cell(from.group, to.group);
+  float found = unreachable_float;
+  for (Index i = 0; i < table.size(from.group); ++i) {
+    for (Index j = 0; j < table.size(to.group); ++j, ++entry) {
+      if (*entry == TransitTable::infinite_entry) continue;
+      const float sum = before[i] + table.unit * static_cast<float>(*entry) + beyond[j];
+      if (!(sum < found)) continue;
+      found = sum;
+      best.row[0] = from.row + i;
+      best.row[1] = to.row + j;
+    }
+  }
+}
+
+/// The best pair of rows for the two approaches; without rows if none is shorter than `length`.
+TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high, float length) {
+  const TransitTable& table = data_.transit_table;
+  const AccessBounds& bounds = data_.access_bounds;
+  const auto rows = static_cast<Index>(low.groups().size());
+  const auto columns = static_cast<Index>(high.groups().size());
+  const Index width = bounds.width(high.parent());
+  const std::int16_t* between = bounds.between(low.parent(), high.parent());
+  const std::int16_t* to_low = low.bounds_to_border().data();
+  const std::int16_t* to_high = high.bounds_to_border().data();
+  Joint best{length};
+  if (rows == 0 || columns == 0) return best;
+  low_least_.resize(rows);
+  high_least_.resize(width);
+  within_.resize(width);
+  least_short_sums(to_low, between, to_high, rows, width, low_least_.data(), high_least_.data());
+  const auto lowest = static_cast<Index>(std::ranges::min_element(low_least_) - low_least_.begin());
+  std::int16_t most = in_bounds(best.length);
+  if (low_least_[lowest] > most) return best;
+  // Calls visit(column, bound) where a row has a sum of at most `most`.
+  const auto for_each_within = [&](Index row, std::int16_t limit, auto&& visit) {
+    const std::int16_t* of_row = between + static_cast<std::size_t>(row) * width;
+    short_sums_within(of_row, to_high, width, static_cast<std::int16_t>(limit - to_low[row]), within_.data());
+    for_each_flag(within_.data(), width, [&](Index column) {
+      if (column >= columns) return;
+      visit(static_cast<std::int16_t>(column),
+            static_cast<std::int16_t>(to_low[row] + of_row[column] + to_high[column]));
+    });
+  };
+  Candidate likely{low_least_[lowest], {static_cast<std::int16_t>(lowest), 0}};
+  for_each_within(lowest, low_least_[lowest], [&](std::int16_t column, std::int16_t) {
+    likely.group[1] = std::max(likely.group[1], column);
+  });
+  look_into(low, high, likely, best);
+  candidates_.clear();
+  most = in_bounds(best.length);
+  for (Index row = 0; row < rows; ++row) {
+    if (low_least_[row] > most) continue;
+    for_each_within(row, most, [&](std::int16_t column, std::int16_t bound) {
+      candidates_.push_back({bound, {static_cast<std::int16_t>(row), column}});
+      // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
+      const auto* cell =
+          reinterpret_cast<const char*>(table.cell(low.groups()[row].group, high.groups()[column].group));
+      for (int line : {0, 64, 127}) prefetch_line(cell + line);
+    });
+  }
+  const float limit = best.length * rounding_slack;
+  for (Index row = 0; row < rows; ++row) {
+    if (low_least_[row] <= most) low.prefetch(row, limit - rest(low, row, low_least_[row]));
+  }
+  for (Index column = 0; column < columns; ++column) {
+    if (high_least_[column] <= most) high.prefetch(column, limit - rest(high, column, high_least_[column]));
+  }
+  // The most promising first: they save others.
+  const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
+  const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
+  std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.bound <= in_bounds(best.length)) look_into(low, high, candidate, best);
+  }
+  if (best.row[0] != no_index) find_rows(low, high, best);
+  return best;
+}
+
+bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
+  const PatchLayer& first = data_.first;
+  cells_ = 0;
+  if (data_.transit_table.count == 0) return false;
+  auto length = static_cast<float>(below);
+  bool found = false;
+  for (Index source_parent : source.parents) {
+    from_.reset(source, source_parent);
+    for (Index target_parent : target.parents) {
+      to_.reset(target, target_parent);
+      // The bounds between borders are kept for patches in the order of their numbers.
+      const std::size_t at_source = source_parent <= target_parent ? 0 : 1;
+      const Joint best = at_source == 0 ? join(from_, to_, length) : join(to_, from_, length);
+      if (best.row[0] == no_index) continue;
+      const std::size_t at_target = 1 - at_source;
+      found = true;
+      length = best.length;
+      result.length = static_cast<double>(best.length);
+      // The four nodes of the route; those that coincide appear once.
+      result.nodes.clear();
+      result.legs.clear();
+      auto go_on = [&](Leg leg, Index node) {
+        if (result.nodes.back() == node) return;
+        result.legs.push_back(leg);
+        result.nodes.push_back(node);
+      };
+      auto second_node = [&](Index parent, Index row) { return data_.second_node[first.nodes(parent)[row]]; };
+      result.nodes.push_back(source.seeds[from_.seed_of(best.group[at_source], best.row[at_source])].node);
+      go_on(Leg::through_first(source_parent), second_node(source_parent, best.row[at_source]));
+      go_on(Leg::by_transit_table(), second_node(target_parent, best.row[at_target]));
+      go_on(Leg::through_first(target_parent),
+            target.seeds[to_.seed_of(best.group[at_target], best.row[at_target])].node);
+    }
+  }
+  return found;
+}
+
+}  // namespace vorogeo

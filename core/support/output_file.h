@@ -1,0 +1,68 @@
+// A file that takes the place of its target only when it is whole; whatever stops the writer leaves the old
+// one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+/// A file that the system does not let us write: no room, no permission. The message names file and reason.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Where a file of this name is written: the name itself, or what a symbolic link leads to, which need not
+/// exist. `what` begins the messages ("The index file").
+/// \throw InvalidInput if that is a folder, a device or a pipe, or in a folder that does not exist; FileError
+/// if it may not be written to.
+std::filesystem::path output_target(const std::filesystem::path& file, const std::string& what);
+
+/// Writes to a temporary file beside the target and renames it at the end.
+///
+/// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. One that
+/// a killed process has left is therefore told from one in use, by any user of the folder, and is removed by
+/// whoever writes to the same target next. An existing target keeps its permissions; not thread-safe, but any
+/// number of writers may have the same target: the last to finish wins.
+class OutputFile {
+ public:
+  /// \throw as output_target, and FileError if no file can be made there.
+  OutputFile(const std::filesystem::path& file, std::string what);
+  ~OutputFile() { discard(); }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Takes the space of a file of so many bytes, so that memory mapped to it can be written without a signal.
+  /// File systems that cannot reserve space get zeros. \throw FileError if there is not enough; it says how
+  /// many bytes are needed.
+  void reserve(std::uint64_t bytes);
+  /// Appends. \throw FileError if the disk is full or fails.
+  void write(std::span<const std::byte> bytes);
+  /// Puts the file, safely on its disk, in the place of the target. \throw FileError if that fails.
+  void finish();
+  /// Removes the temporary unless finish() has succeeded.
+  void discard() noexcept;
+
+  /// The file that is written, for those who map it into memory; it ends with finish() or discard().
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+ private:
+  void remove_leftovers() const;
+  void create();
+  [[noreturn]] void fail(const std::string& how_far, int error) const;
+
+  std::filesystem::path file_;  ///< as the caller named it
+  std::string what_;
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;
+  std::uint64_t written_ = 0;
+};
+
+}  // namespace vorogeo

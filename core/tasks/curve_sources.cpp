@@ -1,0 +1,65 @@
+// Even subdivision of edges and segments.
+#include "tasks/curve_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr double max_points = 1e7;
+
+/// Number of pieces of a line, each at most `spacing` long.
+int pieces_of(double length, double spacing) {
+  if (!(spacing > 0.0)) {
+    throw InvalidInput("The spacing of points along a curve is " + std::to_string(spacing) +
+                       "; it must be a length above 0.");
+  }
+  const double pieces = std::ceil(length / spacing * (1.0 - 1e-12));
+  if (pieces > max_points)
+    throw InvalidInput("The spacing is too small: it makes more than ten million points.");
+  return std::max(1, static_cast<int>(pieces));
+}
+
+}  // namespace
+
+std::vector<Point> points_between(const Point& a, const Point& b, double spacing) {
+  const int pieces = pieces_of(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), spacing);
+  std::vector<Point> points;
+  for (int k = 1; k < pieces; ++k) {
+    const double t = static_cast<double>(k) / pieces;
+    points.push_back({std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)});
+  }
+  return points;
+}
+
+std::vector<ExactSource> sources_along_edges(const Mesh& mesh, std::span<const Index> edges, double spacing) {
+  std::vector<Index> vertices;
+  std::vector<ExactSource> sources;
+  double total = 0.0;
+  for (Index edge : edges) total += pieces_of(mesh.edge_length(edge), spacing);
+  if (total > max_points)
+    throw InvalidInput("The spacing is too small: it makes more than ten million points.");
+  for (Index edge : edges) {
+    const int pieces = pieces_of(mesh.edge_length(edge), spacing);
+    const Index h = mesh.edge_halfedge(edge);
+    vertices.insert(vertices.end(), {mesh.tail(h), mesh.head(h)});
+    for (int k = 1; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / pieces;
+      std::array<double, 3> weights{};
+      weights[h % 3] = 1.0 - t;
+      weights[Mesh::next_in_face(h) % 3] = t;
+      sources.push_back({SurfacePoint::in_face(Mesh::face_of(h), weights), 0.0});
+    }
+  }
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v), 0.0});
+  return sources;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,22 @@
+// Curves as sources: evenly spaced points along them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "exact/exact_solver.h"
+
+namespace vorogeo {
+
+/// Points along edges of the mesh, at most `spacing` apart, vertices included; each vertex once.
+///
+/// The distance from the nearest of them is never shorter than that from the edges themselves, and at most
+/// half the spacing longer; at a distance d much larger than the spacing, at most about spacing^2 / (8 d).
+/// \throw InvalidInput for a spacing that is not above 0, or if there would be more than ten million points.
+/// Complexity: O(points).
+std::vector<ExactSource> sources_along_edges(const Mesh& mesh, std::span<const Index> edges, double spacing);
+
+/// Points along a straight line in space, at most `spacing` apart, without its ends. \throw as above.
+std::vector<Point> points_between(const Point& a, const Point& b, double spacing);
+
+}  // namespace vorogeo

@@ -1,0 +1,149 @@
+// Matrices entry by entry or from fields, on all threads.
+#include "tasks/distance_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Pairs handed to a worker at a time.
+constexpr std::size_t pairs_at_once = 64;
+
+/// A field takes as long as this many pairs of random vertices (measured with 35,000 and 134,000 vertices).
+double pairs_per_field(const Mesh& mesh) { return std::max(16.0, mesh.vertex_count() / 340.0); }
+/// The same for points in faces, whose pairs are refined paths: 5 to 7 below 10,000 vertices, then 11 and 17.
+double paths_per_field(const Mesh& mesh) { return 4.0 + std::sqrt(mesh.vertex_count()) / 28.0; }
+
+bool use_fields(const FieldTeam& team, MatrixMethod method, bool only_vertices, double fields, double pairs) {
+  if (team.is_exact()) return true;
+  if (method != MatrixMethod::automatic) return method == MatrixMethod::fields;
+  return fields * (only_vertices ? pairs_per_field(team.mesh()) : paths_per_field(team.mesh())) < pairs;
+}
+
+void require_size(std::size_t actual, std::size_t wanted) {
+  if (actual != wanted) {
+    throw InvalidInput("The memory for the distances has " + std::to_string(actual) + " entries; it needs " +
+                       std::to_string(wanted) + ".");
+  }
+}
+
+/// Calls body(first, last, worker) for blocks of [0, count).
+template <class Body>
+void in_blocks(FieldTeam& team, std::size_t count, const Progress& progress, Body&& body) {
+  parallel_for((count + pairs_at_once - 1) / pairs_at_once, team.threads(), progress, "Distances of pairs",
+               [&](std::size_t item, int worker) {
+                 body(item * pairs_at_once, std::min(count, (item + 1) * pairs_at_once), worker);
+               });
+}
+
+}  // namespace
+
+void pair_distances(FieldTeam& team, const PointList& sources, const PointList& targets,
+                    std::span<double> distance, const Progress& progress) {
+  if (sources.size() != targets.size()) {
+    throw InvalidInput("There are " + std::to_string(sources.size()) + " sources and " +
+                       std::to_string(targets.size()) + " targets; pairs need as many of both.");
+  }
+  require_size(distance.size(), sources.size());
+  const PointList from = points_on(team.mesh(), sources, "Source");
+  const PointList to = points_on(team.mesh(), targets, "Target");
+  const auto order = team.order_of_pairs(from, to);
+  in_blocks(team, from.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::size_t i = order.empty() ? k : order[k];
+      distance[i] = team.distance(from[i], to[i], worker);
+    }
+  });
+}
+
+void distance_matrix(FieldTeam& team, const PointList& row_points, const PointList& column_points,
+                     MatrixMethod method, std::span<double> matrix, const Progress& progress) {
+  require_size(matrix.size(), row_points.size() * column_points.size());
+  const PointList rows = points_on(team.mesh(), row_points, "Row");
+  const PointList columns = points_on(team.mesh(), column_points, "Column");
+  const std::size_t width = columns.size();
+  const auto fewer = static_cast<double>(std::min(rows.size(), width));
+  const bool only_vertices = rows.only_vertices() && columns.only_vertices();
+  if (!use_fields(team, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
+    const auto row_order = team.order_of_points(rows);
+    const auto column_order = team.order_of_points(columns);
+    in_blocks(team, matrix.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
+      for (std::size_t k = first; k < last; ++k) {
+        const std::size_t i = row_order[k / width];
+        const std::size_t j = column_order[k % width];
+        matrix[i * width + j] = team.distance(rows[i], columns[j], worker);
+      }
+    });
+    return;
+  }
+  const bool from_rows = rows.size() <= width;
+  const PointList& sources = from_rows ? rows : columns;
+  const PointList& targets = from_rows ? columns : rows;
+  parallel_for(sources.size(), team.threads(), progress, "Distance fields",
+               [&](std::size_t source, int worker) {
+                 const auto found = team.distances(sources[source], targets, unreachable, worker);
+                 for (std::size_t i = 0; i < found.size(); ++i) {
+                   matrix[from_rows ? source * width + i : i * width + source] = found[i];
+                 }
+               });
+}
+
+void distance_matrix(FieldTeam& team, const PointList& given, MatrixMethod method, std::span<double> matrix,
+                     const Progress& progress) {
+  const std::size_t count = given.size();
+  require_size(matrix.size(), count * count);
+  const PointList points = points_on(team.mesh(), given, "Point");
+  const auto fields = static_cast<double>(count);
+  if (!use_fields(team, method, points.only_vertices(), fields, 0.5 * fields * (fields - 1.0))) {
+    const auto order = team.order_of_points(points);
+    // Row i ends at the diagonal: pairing the first row with the last, and so on, makes items of equal work.
+    parallel_for((count + 1) / 2, team.threads(), progress, "Distances of pairs",
+                 [&](std::size_t item, int worker) {
+                   for (std::size_t k : {item, count - 1 - item}) {
+                     const std::size_t i = order[k];
+                     for (std::size_t l = 0; l < k; ++l) {
+                       const std::size_t j = order[l];
+                       const double distance = team.distance(points[i], points[j], worker);
+                       matrix[i * count + j] = matrix[j * count + i] = distance;
+                     }
+                     matrix[i * count + i] = 0.0;
+                     if (item == count - 1 - item) break;
+                   }
+                 });
+    return;
+  }
+  parallel_for(count, team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
+    const auto found = team.distances(points[i], points, unreachable, worker);
+    for (std::size_t j = 0; j < count; ++j) {
+      if (points[j] == points[i]) {
+        matrix[i * count + j] = 0.0;
+      } else if (points[i] < points[j]) {
+        matrix[i * count + j] = matrix[j * count + i] = found[j];
+      }
+    }
+  });
+}
+
+void distance_fields(FieldTeam& team, const PointList& given, double max_distance, std::span<double> rows,
+                     const Progress& progress) {
+  const auto width = static_cast<std::size_t>(team.mesh().vertex_count());
+  require_size(rows.size(), given.size() * width);
+  const PointList sources = points_on(team.mesh(), given, "Source");
+  if (!(max_distance >= 0.0)) {
+    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
+                       "; it must be at least 0.");
+  }
+  parallel_for(sources.size(), team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
+    const auto field = team.field(sources[i], max_distance, worker);
+    std::copy(field.begin(), field.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * width));
+  });
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,41 @@
+// Many distances in one call: pairs, matrices between two sets of points, fields of many sources.
+#pragma once
+
+#include <span>
+
+#include "support/progress.h"
+#include "tasks/field_team.h"
+
+namespace vorogeo {
+
+/// How the entries of a matrix are found. Both ways approximate the same distances and agree within the
+/// errors of the index.
+enum class MatrixMethod {
+  automatic,  ///< whichever should be faster for the size of the matrix
+  pairs,      ///< the distance of two points (FieldTeam::distance), entry by entry
+  fields      ///< a field from each point of the shorter list
+};
+
+/// distance[i] of the pair (sources[i], targets[i]). \throw InvalidInput for a point that is not on the mesh
+/// or lists of different lengths, Cancelled.
+void pair_distances(FieldTeam& team, const PointList& sources, const PointList& targets,
+                    std::span<double> distance, const Progress& progress = {});
+
+/// Distances between all rows and columns, row by row: matrix[i * columns.size() + j]; `unreachable` where no
+/// path leads. Rows or columns may be empty. \throw InvalidInput for a point that is not on the mesh or a
+/// matrix of another size, Cancelled (the matrix is then filled in part).
+void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
+                     std::span<double> matrix, const Progress& progress = {});
+
+/// The matrix of one list with itself: symmetric to the last bit, zero on the diagonal and for repeated
+/// points. With fields, the value of a pair is read from the field of its smaller point
+/// (SurfacePoint::<=>).
+void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<double> matrix,
+                     const Progress& progress = {});
+
+/// The field of each source at all vertices in a row of n values; distances above max_distance are
+/// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or no number.
+void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<double> rows,
+                     const Progress& progress = {});
+
+}  // namespace vorogeo

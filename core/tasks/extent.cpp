@@ -1,0 +1,126 @@
+// Eccentricities of a few vertices, and bounds of all others by the triangle inequality.
+#include "tasks/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+Eccentricity eccentricity_in(const std::vector<double>& field) {
+  Eccentricity result{-1.0, no_index};
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (field[v] < unreachable && field[v] > result.distance) {
+      result = {field[v], static_cast<Index>(v)};
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& given, const Progress& progress) {
+  const PointList points = points_on(team.mesh(), given, "Point");
+  std::vector<Eccentricity> result(points.size());
+  parallel_for(points.size(), team.threads(), progress, "Eccentricities", [&](std::size_t i, int worker) {
+    result[i] = eccentricity_in(team.field(points[i], unreachable, worker));
+  });
+  return result;
+}
+
+Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress) {
+  const Mesh& mesh = team.mesh();
+  points_on(mesh, std::span(&start, 1), "Start");
+  if (max_fields < 2) throw InvalidInput("At least 2 fields are needed to bound a diameter; allow more.");
+  std::vector<Index> members;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.component(v) == mesh.component(start)) members.push_back(v);
+  }
+  std::vector<Bounds> bounds(mesh.vertex_count());
+  Extent result;
+  result.radius.upper = unreachable;
+  result.diameter.lower = -1.0;
+  Index next = start;
+  while (result.fields < max_fields) {
+    const auto field = team.field_on_all_threads(std::span(&next, 1));
+    const Eccentricity found = eccentricity_in(field);
+    ++result.fields;
+    if (found.distance > result.diameter.lower) {
+      result.diameter.lower = found.distance;
+      result.ends[0] = next;
+      result.ends[1] = found.farthest;
+    }
+    if (found.distance < result.radius.upper) {
+      result.radius.upper = found.distance;
+      result.centre = next;
+    }
+    for (Index v : members) {
+      Bounds& of = bounds[v];
+      of.lower = std::max({of.lower, field[v], found.distance - field[v]});
+      of.upper = std::min(of.upper, found.distance + field[v]);
+    }
+    bounds[next] = {found.distance, found.distance};
+    // Where may the diameter and the centre still be?
+    Index widest = start;
+    Index closest = start;
+    for (Index v : members) {
+      if (bounds[v].upper > bounds[widest].upper) widest = v;
+      if (bounds[v].lower < bounds[closest].lower) closest = v;
+    }
+    result.diameter.upper = std::max(result.diameter.lower, bounds[widest].upper);
+    result.radius.lower = std::min(result.radius.upper, bounds[closest].lower);
+    progress.report(static_cast<double>(result.fields) / max_fields, "Diameter and centre");
+    const bool diameter_known = result.diameter.upper <= result.diameter.lower;
+    const bool radius_known = result.radius.lower >= result.radius.upper;
+    if (diameter_known && radius_known) break;
+    if (result.fields == 1) {
+      next = found.farthest;  // the second sweep
+    } else if (radius_known || (!diameter_known && result.fields % 2 == 1)) {
+      next = widest;
+    } else {
+      next = closest;
+    }
+  }
+  return result;
+}
+
+Index first_vertex_of_largest_component(const Mesh& mesh) {
+  std::vector<Index> size(mesh.component_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) ++size[mesh.component(v)];
+  const auto largest = static_cast<Index>(std::max_element(size.begin(), size.end()) - size.begin());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.component(v) == largest) return v;
+  }
+  return no_index;
+}
+
+GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radius) {
+  const Mesh& mesh = team.mesh();
+  if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
+  const PointList sources = points_on(mesh, given, "Point");
+  if (!(radius >= 0.0)) {
+    throw InvalidInput("The radius is " + std::to_string(radius) +
+                       "; it must be a length of at least 0 in the unit of the mesh.");
+  }
+  const auto field = team.field_on_all_threads(sources, radius);
+  GeodesicDisk disk;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (field[v] == unreachable) continue;
+    disk.vertices.push_back(v);
+    disk.distance.push_back(field[v]);
+  }
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& corners = mesh.face_vertices(f);
+    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return field[v] < unreachable; })) {
+      disk.faces.push_back(f);
+    }
+  }
+  return disk;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,59 @@
+// How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "support/progress.h"
+#include "tasks/field_team.h"
+
+namespace vorogeo {
+
+/// The greatest finite distance of a vertex from a point, and that vertex (the first of equally far ones).
+struct Eccentricity {
+  double distance = 0.0;
+  Index farthest = no_index;
+};
+
+/// For each of the points, within its component. \throw InvalidInput for a point that is not on the mesh,
+/// Cancelled.
+/// Complexity: a field for each.
+std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& points,
+                                         const Progress& progress = {});
+
+/// A number known to lie between two bounds.
+struct Bounds {
+  double lower = 0.0;
+  double upper = unreachable;
+};
+
+/// The greatest and the least eccentricity of the vertices of a component.
+struct Extent {
+  Bounds diameter;
+  Index ends[2] = {no_index, no_index};  ///< vertices whose distance is the lower bound of the diameter
+  Bounds radius;
+  Index centre = no_index;  ///< a vertex whose eccentricity is the upper bound of the radius
+  Index fields = 0;         ///< how many were computed
+};
+
+/// Bounds from at most `max_fields` fields, in the component of `start`: a double sweep, then in
+/// turn the vertex whose eccentricity may still be the greatest and the one whose may still be the least; the
+/// triangle inequality bounds the eccentricities of all others (Takes, Kosters 2011). The bounds hold for the
+/// distances as computed and meet if enough fields are allowed. \throw InvalidInput for a start out of range
+/// or fewer than 2 fields, Cancelled.
+Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress = {});
+
+/// The first vertex of the component with the most vertices.
+Index first_vertex_of_largest_component(const Mesh& mesh);
+
+/// What lies within a radius of the nearest of some sources.
+struct GeodesicDisk {
+  std::vector<Index> vertices;   ///< ascending
+  std::vector<double> distance;  ///< of each
+  std::vector<Index> faces;      ///< with all three corners inside, ascending
+};
+
+/// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or no number.
+GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& sources, double radius);
+
+}  // namespace vorogeo

@@ -1,0 +1,49 @@
+// Farthest points by the index, one exact field for each.
+#include "tasks/landmark_fields.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/index_data.h"
+#include "support/error.h"
+#include "support/parallel.h"
+#include "tasks/extent.h"
+#include "tasks/spread_points.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Vertices of the user's mesh, the first at an end of the surface, then each the farthest from those before
+/// it.
+std::vector<Index> spread(const std::shared_ptr<const GeodesicIndex>& index, int count, int threads) {
+  FieldTeam team(index, threads);
+  const Index first = first_vertex_of_largest_component(*index->mesh());
+  const Index end = eccentricities(team, std::array{first}).front().farthest;
+  const FarthestStop stop{count, 0.0, index->mesh()->component(first)};
+  return sample_farthest(team, stop, std::array{end}).vertices;
+}
+
+}  // namespace
+
+std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const GeodesicIndex>& index,
+                                                   int count, int threads, const Progress& progress) {
+  if (count < 1 || count > ExactLandmarks::most) {
+    throw InvalidInput("The number of landmarks is " + std::to_string(count) + "; give 1 to " +
+                       std::to_string(ExactLandmarks::most) + ".");
+  }
+  const IndexData& data = index->data();
+  const auto vertices = spread(index, count, threads);
+  std::vector<std::vector<double>> fields(vertices.size());
+  parallel_for(vertices.size(), threads, progress, "Exact distances from landmarks", [&](std::size_t i, int) {
+    ExactSolver solver(data.geometry);
+    solver.run_from_vertices(std::array{data.work.work_vertex[vertices[i]]}, {.distances_only = true});
+    fields[i].resize(data.work.mesh->vertex_count());
+    for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) fields[i][v] = solver.distance(v);
+  });
+  return std::make_shared<const ExactLandmarks>(fields);
+}
+
+}  // namespace vorogeo

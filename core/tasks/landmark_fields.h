@@ -1,0 +1,19 @@
+// Landmarks for exact paths: spread by the index, measured by the exact solver.
+#pragma once
+
+#include <memory>
+
+#include "exact/exact_landmarks.h"
+#include "index/geodesic_index.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// Exact distances, on the index's work mesh, from `count` vertices that are far from each other, all in the
+/// component with the most vertices. \throw InvalidInput for a count that is not in 1 to
+/// ExactLandmarks::most, Cancelled. Complexity: an exact field for each, on `threads` threads (0: one per
+/// core).
+std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const GeodesicIndex>& index,
+                                                   int count, int threads = 0, const Progress& progress = {});
+
+}  // namespace vorogeo

@@ -1,0 +1,174 @@
+// Pairs within a radius from bounded fields; nearest points by ranking the distances of all fields.
+#include "tasks/neighbors.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <utility>
+
+#include "support/error.h"
+#include "support/memory.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+struct Entry {
+  Index column;
+  double distance;
+};
+
+void require_radius(double radius) {
+  if (!(radius >= 0.0)) {
+    throw InvalidInput("The radius is " + std::to_string(radius) +
+                       "; it must be a length of at least 0 in the unit of the mesh.");
+  }
+}
+
+/// Even with an infinite radius only what can be reached.
+bool is_within(double distance, double radius) { return distance <= radius && distance < unreachable; }
+
+/// Throws as soon as the entries found by all workers no longer fit.
+class EntryCounter {
+ public:
+  explicit EntryCounter(std::int64_t max_bytes)
+      : max_bytes_(max_bytes > 0 ? max_bytes : available_memory_bytes()) {}
+  void add(std::size_t entries) {
+    const auto all = static_cast<double>(entries_ += entries);
+    require_memory(sparse_bytes(all), max_bytes_, "The matrix of the pairs within the radius",
+                   "Give a smaller radius or fewer points.");
+  }
+
+ private:
+  std::int64_t max_bytes_;
+  std::atomic<std::size_t> entries_{0};
+};
+
+SparseDistances compressed(std::vector<std::vector<Entry>>& rows) {
+  SparseDistances result;
+  result.row_begin.reserve(rows.size() + 1);
+  result.row_begin.push_back(0);
+  for (const auto& row : rows) {
+    result.row_begin.push_back(result.row_begin.back() + static_cast<std::int64_t>(row.size()));
+  }
+  result.column.reserve(static_cast<std::size_t>(result.row_begin.back()));
+  result.distance.reserve(static_cast<std::size_t>(result.row_begin.back()));
+  for (auto& row : rows) {
+    for (const Entry& entry : row) {
+      result.column.push_back(entry.column);
+      result.distance.push_back(entry.distance);
+    }
+    row = {};
+  }
+  return result;
+}
+
+using Ranked = std::pair<double, Index>;  // distance, position in the set
+
+/// Puts an entry into its place among the nearest `count` found so far.
+void keep_nearest(std::vector<Ranked>& best, std::size_t count, Ranked entry) {
+  if (entry.first == unreachable) return;
+  if (best.size() == count && !(entry < best.back())) return;
+  best.insert(std::upper_bound(best.begin(), best.end(), entry), entry);
+  if (best.size() > count) best.pop_back();
+}
+
+}  // namespace
+
+double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(Index) + sizeof(double)); }
+
+SparseDistances pairs_within(FieldTeam& team, const PointList& given, double radius, std::int64_t max_bytes,
+                             const Progress& progress) {
+  const PointList points = points_on(team.mesh(), given, "Point");
+  require_radius(radius);
+  std::vector<std::vector<Entry>> upper(points.size());  // the pairs whose field is that of the row
+  EntryCounter counter(max_bytes);
+  parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
+               [&](std::size_t i, int worker) {
+                 const auto found = team.distances(points[i], points, radius, worker);
+                 for (std::size_t j = 0; j < points.size(); ++j) {
+                   if (points[j] < points[i] || (points[j] == points[i] && j <= i)) continue;
+                   if (is_within(found[j], radius)) upper[i].push_back({static_cast<Index>(j), found[j]});
+                 }
+                 upper[i].shrink_to_fit();
+                 counter.add(2 * upper[i].size());
+               });
+  std::vector<std::vector<Entry>> rows(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Entry& entry : upper[i]) {
+      rows[i].push_back(entry);
+      rows[entry.column].push_back({static_cast<Index>(i), entry.distance});
+    }
+    upper[i] = {};
+  }
+  for (auto& row : rows) {
+    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+  }
+  return compressed(rows);
+}
+
+SparseDistances pairs_within(FieldTeam& team, const PointList& row_points, const PointList& column_points,
+                             double radius, std::int64_t max_bytes, const Progress& progress) {
+  const PointList points = points_on(team.mesh(), row_points, "Point");
+  const PointList others = points_on(team.mesh(), column_points, "Other");
+  require_radius(radius);
+  std::vector<std::vector<Entry>> rows(points.size());
+  EntryCounter counter(max_bytes);
+  parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
+               [&](std::size_t i, int worker) {
+                 const auto found = team.distances(points[i], others, radius, worker);
+                 for (std::size_t j = 0; j < others.size(); ++j) {
+                   if (is_within(found[j], radius)) rows[i].push_back({static_cast<Index>(j), found[j]});
+                 }
+                 rows[i].shrink_to_fit();
+                 counter.add(rows[i].size());
+               });
+  return compressed(rows);
+}
+
+NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set_points, const PointList& query_points,
+                            std::size_t count, const Progress& progress) {
+  const PointList set = points_on(team.mesh(), set_points, "Point");
+  const PointList queries = points_on(team.mesh(), query_points, "Query");
+  std::vector<std::vector<Ranked>> best(queries.size());
+  const std::string activity = "Nearest points";
+  if (count == 0 || set.empty()) {
+    // Nothing to find: all entries stay empty.
+  } else if (queries.size() <= set.size()) {
+    parallel_for(queries.size(), team.threads(), progress, activity, [&](std::size_t q, int worker) {
+      const auto found = team.distances(queries[q], set, unreachable, worker);
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        keep_nearest(best[q], count, {found[i], static_cast<Index>(i)});
+      }
+    });
+  } else {
+    // Each worker ranks its share of the set; the merged ranking is the same for all shares.
+    std::vector<std::vector<std::vector<Ranked>>> of_worker(team.threads());
+    parallel_for(set.size(), team.threads(), progress, activity, [&](std::size_t i, int worker) {
+      auto& mine = of_worker[worker];
+      mine.resize(queries.size());
+      const auto found = team.distances(set[i], queries, unreachable, worker);
+      for (std::size_t q = 0; q < queries.size(); ++q) {
+        keep_nearest(mine[q], count, {found[q], static_cast<Index>(i)});
+      }
+    });
+    for (auto& ranks : of_worker) {
+      for (std::size_t q = 0; q < ranks.size(); ++q) {
+        for (const Ranked& entry : ranks[q]) keep_nearest(best[q], count, entry);
+      }
+    }
+  }
+  NearestOfSet result;
+  result.position.assign(queries.size() * count, no_index);
+  result.distance.assign(queries.size() * count, unreachable);
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    for (std::size_t i = 0; i < best[q].size(); ++i) {
+      result.distance[q * count + i] = best[q][i].first;
+      result.position[q * count + i] = best[q][i].second;
+    }
+  }
+  return result;
+}
+
+}  // namespace vorogeo

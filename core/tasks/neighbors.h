@@ -1,0 +1,48 @@
+// Neighbours by geodesic distance: all pairs within a radius, and the nearest of a set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "support/progress.h"
+#include "tasks/field_team.h"
+
+namespace vorogeo {
+
+/// A sparse matrix in compressed rows: row i holds the entries row_begin[i] to row_begin[i + 1].
+struct SparseDistances {
+  std::vector<std::int64_t> row_begin;  ///< shape (rows + 1)
+  std::vector<Index> column;            ///< ascending within a row
+  std::vector<double> distance;
+};
+
+/// Bytes that `entries` entries take while the matrix is put together.
+double sparse_bytes(double entries);
+
+/// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
+/// The value of a pair is read from the field of its smaller point (SurfacePoint::<=>).
+/// `max_bytes`: see require_memory; checked while the pairs are found.
+/// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or no number,
+/// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
+SparseDistances pairs_within(FieldTeam& team, const PointList& points, double radius,
+                             std::int64_t max_bytes = 0, const Progress& progress = {});
+
+/// For each of `points` (rows) all of `others` (columns) at most `radius` away.
+SparseDistances pairs_within(FieldTeam& team, const PointList& points, const PointList& others, double radius,
+                             std::int64_t max_bytes = 0, const Progress& progress = {});
+
+/// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
+/// query. Where fewer can be reached the rest is no_index and `unreachable`. Equal distances: smaller
+/// position first.
+struct NearestOfSet {
+  std::vector<Index> position;
+  std::vector<double> distance;
+};
+
+/// \throw InvalidInput for a point that is not on the mesh, Cancelled. Complexity: a field for each query or
+/// for each entry of the set, whichever are fewer.
+NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set, const PointList& queries,
+                            std::size_t count, const Progress& progress = {});
+
+}  // namespace vorogeo

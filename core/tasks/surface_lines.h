@@ -1,0 +1,59 @@
+// Polylines on a surface as points and segments, put together face by face.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace vorogeo {
+
+/// Polylines: each segment joins two points, which lie on the surface; segments of one line share points.
+struct SurfaceLines {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 2>> segments;
+
+  double length() const;
+};
+
+/// Collects points under keys that neighbouring faces share, so that lines continue from face to face.
+class LineBuilder {
+ public:
+  /// The mesh must outlive the builder.
+  explicit LineBuilder(const Mesh& mesh) : mesh_(mesh) {}
+
+  /// The point of line `line` on an edge, at the fraction `t` in [0, 1] from the edge's first vertex; at an
+  /// end of the edge, the point at that vertex. Later calls with the same edge and line return the same
+  /// point, whatever their t.
+  Index on_edge(Index edge, double t, std::uint64_t line);
+  Index at_vertex(Index vertex, std::uint64_t line);
+  /// A point inside a face; `corner`, a hash of the lines that meet there, tells several in one face apart.
+  Index in_face(Index face, const std::array<double, 3>& barycentric, std::uint64_t corner);
+  /// Adds a segment; false, and nothing is added, if it has no length or is there already.
+  bool add_segment(Index a, Index b);
+
+  SurfaceLines take() { return std::move(lines_); }
+
+ private:
+  struct Key {
+    std::int64_t element;
+    std::uint64_t line;
+    bool operator==(const Key&) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      return static_cast<std::size_t>((static_cast<std::uint64_t>(key.element) * 0x9E3779B97F4A7C15ULL) ^
+                                      (key.line * 0xC2B2AE3D27D4EB4FULL));
+    }
+  };
+  Index point(const Key& key, const Point& position);
+
+  const Mesh& mesh_;
+  SurfaceLines lines_;
+  std::unordered_map<Key, Index, KeyHash> point_of_;
+  std::unordered_map<Key, Index, KeyHash> segment_of_;
+};
+
+}  // namespace vorogeo

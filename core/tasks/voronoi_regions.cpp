@@ -1,0 +1,155 @@
+// The sites that may own a part of the faces at each vertex, then the regions face by face.
+#include "tasks/voronoi_regions.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "support/error.h"
+#include "support/parallel.h"
+#include "tasks/voronoi_borders.h"
+
+namespace vorogeo {
+
+namespace {
+
+struct SiteDistance {
+  Index vertex;
+  Index site;
+  double distance;
+};
+
+/// For each vertex the sites that may own a part of one of its faces, with their distances; by site.
+struct Candidates {
+  std::vector<std::size_t> begin;
+  std::vector<SiteDistance> entries;
+  std::span<const SiteDistance> at(Index vertex) const {
+    return std::span(entries).subspan(begin[vertex], begin[vertex + 1] - begin[vertex]);
+  }
+};
+
+/// Longest edge of the faces at each vertex. A site that owns a point of a face is, at the face's corners,
+/// at most twice this farther than the nearest one, by the triangle inequality.
+std::vector<double> reach_of_vertices(const Mesh& mesh) {
+  std::vector<double> reach(mesh.vertex_count(), 0.0);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double longest = 0.0;
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.edge_length(mesh.edge_of(3 * f + i)));
+    for (Index v : mesh.face_vertices(f)) reach[v] = std::max(reach[v], longest);
+  }
+  return reach;
+}
+
+Candidates find_candidates(FieldTeam& team, const PointList& sites, const std::vector<Index>& owners,
+                           const Progress& progress) {
+  const Mesh& mesh = team.mesh();
+  const auto nearest = team.field_on_all_threads(sites);
+  const auto reach = reach_of_vertices(mesh);
+  std::vector<double> bound(mesh.vertex_count(), -1.0);
+  double radius = 0.0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (nearest[v] == unreachable) continue;
+    bound[v] = bounded_field_slack * (nearest[v] + 2.0 * reach[v]);
+    radius = std::max(radius, bound[v]);
+  }
+  std::vector<std::vector<SiteDistance>> of_site(owners.size());
+  parallel_for(owners.size(), team.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
+    const Index site = owners[i];
+    const auto field = team.field(sites[site], radius, worker);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (field[v] <= bound[v]) of_site[i].push_back({v, site, field[v]});
+    }
+  });
+  Candidates result;
+  result.begin.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
+  for (const auto& list : of_site) {
+    for (const SiteDistance& entry : list) ++result.begin[entry.vertex + 1];
+  }
+  for (std::size_t v = 1; v < result.begin.size(); ++v) result.begin[v] += result.begin[v - 1];
+  result.entries.resize(result.begin.back());
+  auto next = result.begin;
+  for (auto& list : of_site) {
+    for (const SiteDistance& entry : list) result.entries[next[entry.vertex]++] = entry;
+    list = {};
+  }
+  return result;
+}
+
+/// The sites known at all three corners.
+void sites_of_face(const Mesh& mesh, const Candidates& candidates, Index face, std::vector<FaceSite>& sites) {
+  sites.clear();
+  const auto& corners = mesh.face_vertices(face);
+  const auto second = candidates.at(corners[1]);
+  const auto third = candidates.at(corners[2]);
+  auto find = [](std::span<const SiteDistance> list, Index site) {
+    const auto place = std::lower_bound(list.begin(), list.end(), site,
+                                        [](const SiteDistance& entry, Index s) { return entry.site < s; });
+    return place != list.end() && place->site == site ? &*place : nullptr;
+  };
+  for (const SiteDistance& entry : candidates.at(corners[0])) {
+    const SiteDistance* b = find(second, entry.site);
+    const SiteDistance* c = find(third, entry.site);
+    if (!b || !c) continue;
+    sites.push_back(
+        {entry.site,
+         {entry.distance * entry.distance, b->distance * b->distance, c->distance * c->distance}});
+  }
+}
+
+/// The site of least distance at each vertex; of equal ones the first.
+void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
+  for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
+    for (const SiteDistance& entry : candidates.at(v)) {
+      if (entry.distance >= regions.distance[v]) continue;
+      regions.distance[v] = entry.distance;
+      regions.vertex_region[v] = entry.site;
+    }
+  }
+}
+
+}  // namespace
+
+VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Progress& progress) {
+  const Mesh& mesh = team.mesh();
+  if (given.empty()) throw InvalidInput("There is no point whose region could be found; name at least one.");
+  const PointList sites = points_on(mesh, given, "Point");
+  std::vector<Index> owners;
+  std::map<SurfacePoint, Index, std::less<>> seen;
+  for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
+    if (seen.try_emplace(sites[i], i).second) owners.push_back(i);
+  }
+  const Candidates candidates = find_candidates(team, sites, owners, progress);
+
+  VoronoiRegions regions;
+  regions.vertex_region.assign(mesh.vertex_count(), no_index);
+  regions.distance.assign(mesh.vertex_count(), unreachable);
+  regions.face_region.assign(mesh.face_count(), no_index);
+  regions.area.assign(sites.size(), 0.0);
+  label_vertices(candidates, regions);
+  BorderTracer tracer(mesh, regions.border_regions);
+  std::vector<FaceSite> in_face;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    sites_of_face(mesh, candidates, f, in_face);
+    double least = unreachable;
+    for (const FaceSite& site : in_face) {
+      const double at_centre = site.square[0] + site.square[1] + site.square[2];
+      if (at_centre >= least) continue;
+      least = at_centre;
+      regions.face_region[f] = site.site;
+    }
+    const double area = mesh.face_area(f);
+    if (in_face.size() < 2) {
+      if (in_face.empty()) regions.face_region[f] = regions.vertex_region[mesh.face_vertices(f)[0]];
+      if (regions.face_region[f] != no_index) regions.area[regions.face_region[f]] += area;
+      continue;
+    }
+    for (std::size_t i = 0; i < in_face.size(); ++i) {
+      regions.area[in_face[i].site] += area * share_of_face(in_face, i);
+    }
+    tracer.trace(f, in_face);
+  }
+  regions.borders = tracer.take();
+  return regions;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,49 @@
+// What one filter is: a row of names, help, masks and functions; and what it gets when it is applied.
+#pragma once
+
+#include <QString>
+#include <QVariant>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "host/host_api.h"
+#include "support/progress.h"
+
+namespace vorogeo::plugin {
+
+class IndexCache;
+
+/// Named values a filter returns. Only int, double, bool and Eigen::VectorXd are used: they arrive in Python
+/// in every version.
+using Results = std::map<std::string, QVariant>;
+
+/// One application of a filter to the current layer.
+struct FilterCall {
+  MeshDocument& document;  ///< for filters that add a layer
+  MeshModel& layer;
+  const RichParameterList& parameters;
+  IndexCache& indexes;
+  Progress progress;
+  std::function<void(const std::string&)> log;
+};
+
+/// Where the menu lists filters that write a field into the quality of the vertices and colour them by it.
+inline FilterPlugin::FilterClass field_class() {
+  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
+}
+
+/// One filter. Its function throws before it changes the layer, or not at all.
+struct FilterRow {
+  QString menu_name;
+  QString python_name;
+  QString help;
+  FilterPlugin::FilterClass filter_class;
+  /// What the filter changes: a sum of MeshModel::MeshElement.
+  int changes;
+  /// What the dialog asks for; the document has a current layer.
+  RichParameterList (*parameters)(const MeshDocument& document);
+  Results (*apply)(FilterCall& call);
+};
+
+}  // namespace vorogeo::plugin

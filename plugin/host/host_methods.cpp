@@ -1,0 +1,147 @@
+// Copies the component of the source into a small VCG mesh and runs VCG's algorithms on it.
+#include "host/host_methods.h"
+
+#include <vcg/complex/algorithms/geodesic.h>
+#include <vcg/complex/complex.h>
+
+#include "host/host_api.h"
+#if VOROGEO_HOST_VERSION >= 202301
+#include <vcg/complex/algorithms/geodesic_heat.h>
+#endif
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+template <class T>
+class FaceQuality : public vcg::face::Quality<Scalarm, T> {};
+class MethodVertex;
+class MethodFace;
+struct MethodTypes : vcg::UsedTypes<vcg::Use<MethodVertex>::AsVertexType, vcg::Use<MethodFace>::AsFaceType> {
+};
+class MethodVertex
+    : public vcg::Vertex<MethodTypes, vcg::vertex::Coord3m, vcg::vertex::Normal3m, vcg::vertex::Qualitym,
+                         vcg::vertex::VFAdj, vcg::vertex::Mark, vcg::vertex::BitFlags> {};
+class MethodFace : public vcg::Face<MethodTypes, vcg::face::VertexRef, vcg::face::Normal3m, FaceQuality,
+                                    vcg::face::VFAdj, vcg::face::FFAdj, vcg::face::BitFlags> {};
+class MethodMesh : public vcg::tri::TriMesh<std::vector<MethodVertex>, std::vector<MethodFace>> {};
+
+/// The faces that hang together with the source, as a VCG mesh, and the numbers of its vertices.
+struct Component {
+  MethodMesh mesh;
+  std::vector<Index> vertex_of;  ///< in the mesh it was taken from
+  std::vector<MethodVertex*> source;
+};
+
+void take_component(const Mesh& mesh, Index source, Component& taken) {
+  std::vector<Index> number(static_cast<std::size_t>(mesh.vertex_count()), no_index);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.component(v) != mesh.component(source)) continue;
+    number[v] = static_cast<Index>(taken.vertex_of.size());
+    taken.vertex_of.push_back(v);
+  }
+  std::vector<const std::array<Index, 3>*> faces;
+  for (const auto& face : mesh.faces()) {
+    if (number[face[0]] != no_index) faces.push_back(&face);
+  }
+  vcg::tri::Allocator<MethodMesh>::AddVertices(taken.mesh, taken.vertex_of.size());
+  for (std::size_t i = 0; i < taken.vertex_of.size(); ++i) {
+    const Point& p = mesh.position(taken.vertex_of[i]);
+    taken.mesh.vert[i].P() = Point3m(Scalarm(p[0]), Scalarm(p[1]), Scalarm(p[2]));
+    taken.mesh.vert[i].Q() = std::numeric_limits<Scalarm>::max();
+  }
+  vcg::tri::Allocator<MethodMesh>::AddFaces(taken.mesh, faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (int i = 0; i < 3; ++i) taken.mesh.face[f].V(i) = &taken.mesh.vert[number[(*faces[f])[i]]];
+  }
+  taken.source = {&taken.mesh.vert[number[source]]};
+}
+
+void read_quality(const Component& taken, const Mesh& mesh, MethodField& field) {
+  field.distances.assign(static_cast<std::size_t>(mesh.vertex_count()), unreachable);
+  for (std::size_t i = 0; i < taken.vertex_of.size(); ++i) {
+    const Scalarm quality = taken.mesh.vert[i].cQ();
+    const bool reached = quality < std::numeric_limits<Scalarm>::max();
+    field.distances[taken.vertex_of[i]] = reached || std::isnan(quality) ? double(quality) : unreachable;
+  }
+}
+
+/// Times a method that needs the faces around each vertex.
+template <class Run>
+MethodField timed_field(const Mesh& mesh, Index source, Run run) {
+  Component taken;
+  take_component(mesh, source, taken);
+  MethodField field;
+  auto start = Clock::now();
+  vcg::tri::UpdateTopology<MethodMesh>::VertexFace(taken.mesh);
+  field.build_seconds = seconds_since(start);
+  start = Clock::now();
+  run(taken);
+  field.seconds = seconds_since(start);
+  read_quality(taken, mesh, field);
+  return field;
+}
+
+}  // namespace
+
+MethodField fast_marching_field(const Mesh& mesh, Index source) {
+  return timed_field(mesh, source, [](Component& taken) {
+    vcg::tri::Geodesic<MethodMesh>::Compute(taken.mesh, taken.source);
+  });
+}
+
+MethodField edge_graph_field(const Mesh& mesh, Index source) {
+  return timed_field(mesh, source, [](Component& taken) {
+    vcg::tri::EuclideanDistance<MethodMesh> edge_length;
+    vcg::tri::Geodesic<MethodMesh>::PerVertexDijkstraCompute(taken.mesh, taken.source, edge_length);
+  });
+}
+
+#if VOROGEO_HOST_VERSION >= 202301
+
+bool host_has_heat_method() { return true; }
+
+MethodField heat_field(const Mesh& mesh, Index source) {
+  using Heat = vcg::tri::GeodesicHeat<MethodMesh>;
+  Component taken;
+  take_component(mesh, source, taken);
+  MethodField field;
+  auto start = Clock::now();
+  auto factorisation = Heat::BuildCache(taken.mesh);
+  field.build_seconds = seconds_since(start);
+  const bool factorised =
+      factorisation.first->info() == Eigen::Success && factorisation.second->info() == Eigen::Success;
+  start = Clock::now();
+  if (!factorised || !Heat::ComputeFromCache(taken.mesh, taken.source, factorisation)) {
+    throw InvalidInput(
+        "The heat method fails on this mesh: its matrices cannot be factorised, mostly because of zero-area "
+        "faces. Repair the mesh or choose another method.");
+  }
+  field.seconds = seconds_since(start);
+  read_quality(taken, mesh, field);
+  return field;
+}
+
+#else
+
+bool host_has_heat_method() { return false; }
+
+MethodField heat_field(const Mesh&, Index) {
+  throw InvalidInput("MeshLab 2022.02 has no heat method; MeshLab 2025.07 has. Choose another method.");
+}
+
+#endif
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,44 @@
+// From source vertices to the quality and the colours of the layer: what all distance filters share.
+#pragma once
+
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "host/filter_row.h"
+#include "layers/layer_mesh.h"
+
+namespace vorogeo::plugin {
+
+/// How distances are computed.
+enum class Method {
+  index,  ///< from the index, which is built if there is none
+  exact   ///< by exact propagation from the sources, without an index
+};
+
+/// Quality of a vertex that got no distance: no path leads to it, or it lies beyond max_distance. A number
+/// below every distance and finite, so that it can be told from a source and does not spoil ramps and
+/// histograms.
+inline constexpr double quality_without_distance = -1.0;
+
+/// The parameter max_distance, as all distance filters have it.
+RichLength max_distance_parameter(const MeshDocument& document);
+/// The parameters of filters that have no other.
+RichParameterList only_max_distance(const MeshDocument& document);
+
+/// Distances from the nearest of the source vertices into the quality of all vertices, colours along a ramp.
+/// Reads max_distance. Nothing is changed before all is computed.
+///
+/// Returns source_vertices, reached_vertices, unreachable_vertices, vertices_beyond_max_distance,
+/// max_distance (the largest distance found) and seconds (of the distances alone); with an index also
+/// index_reused and index_seconds.
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+                             Method method);
+
+/// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset; returns
+/// source_points instead of source_vertices. If there are `numbers`, one for each source, the vertices also
+/// get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
+Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
+                             const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
+                             const std::vector<Index>* numbers, Method method);
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,29 @@
+// The two points that a filter for one pair is asked about.
+#pragma once
+
+#include <memory>
+
+#include "host/filter_row.h"
+#include "layers/layer_mesh.h"
+#include "mesh/surface_locator.h"
+
+namespace vorogeo::plugin {
+
+/// Two points of the surface; `distance` is how far each was moved there.
+struct EndPoints {
+  SnappedPoint source;
+  SnappedPoint target;
+};
+
+/// The parameters source and target (vertices by number), source_point and target_point (in space),
+/// max_snap_distance, and surface_points (both as text). `vertex`: what source and target are by default.
+void add_end_point_parameters(RichParameterList& list, const MeshDocument& document, int vertex);
+
+/// What they say. \throw InvalidInput for a point that is not there, or too far from the surface.
+EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
+                     const std::shared_ptr<const Mesh>& mesh);
+
+/// What source and target are, for the help.
+QString help_on_end_points();
+
+}  // namespace vorogeo::plugin

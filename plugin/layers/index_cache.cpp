@@ -1,0 +1,47 @@
+// A list in the order of use; a handful of entries, so it is searched from the front.
+#include "layers/index_cache.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vorogeo::plugin {
+
+bool IndexCache::Entry::fits(const VcgMeshArrays& arrays) const {
+  return faces == arrays.faces && index->mesh()->positions() == arrays.positions;
+}
+
+std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays, const void* document) {
+  const std::lock_guard lock(mutex_);
+  const auto entry =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.fits(arrays); });
+  if (entry == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, entry);
+  if (document != nullptr) entry->documents.insert(document);
+  return entries_.front().index;
+}
+
+void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
+                     const void* document) {
+  const std::lock_guard lock(mutex_);
+  Entry entry{arrays.faces, std::move(index), {}};
+  if (document != nullptr) entry.documents.insert(document);
+  for (const Entry& e : entries_) {  // other documents that used the one replaced go on with this one
+    if (e.fits(arrays)) entry.documents.insert(e.documents.begin(), e.documents.end());
+  }
+  entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });
+  entries_.push_front(std::move(entry));
+  while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > most_bytes_)) entries_.pop_back();
+}
+
+void IndexCache::forget(const void* document) {
+  const std::lock_guard lock(mutex_);
+  entries_.remove_if([&](Entry& e) { return e.documents.erase(document) > 0 && e.documents.empty(); });
+}
+
+std::int64_t IndexCache::bytes() const {
+  std::int64_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.index->statistics().bytes;
+  return sum;
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,39 @@
+// The mesh and the index of a layer; the index is taken from the cache when it fits, else built.
+#pragma once
+
+#include <memory>
+
+#include "host/filter_row.h"
+#include "index/geodesic_index.h"
+#include "layers/layer_mesh.h"
+
+namespace vorogeo::plugin {
+
+/// An index and how it was come by.
+struct IndexOfLayer {
+  std::shared_ptr<const GeodesicIndex> index;
+  bool reused = false;
+};
+
+/// What an index holds, as one line of the log and as returned values.
+void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
+Results statistics_results(const IndexStatistics& statistics);
+
+/// What a filter returns of the index that it used: index_reused and index_seconds.
+Results about_index(const IndexOfLayer& found);
+
+/// The mesh of the layer: that of the cached index, or a new one, made while the window stays alive.
+std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh);
+
+/// Logs what a user should know about the mesh before trusting distances on it.
+void log_warnings(FilterCall& call, const LayerMesh& layer_mesh);
+
+/// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
+std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
+                                                 const IndexOptions& options, const Progress& progress);
+
+/// The cached index of this mesh, whatever its options; if there is none, one with default options, which is
+/// then cached. Building takes the first nine tenths of the progress.
+IndexOfLayer index_of_layer(FilterCall& call, const LayerMesh& layer_mesh);
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,42 @@
+// Checks a layer and copies it into the core's arrays.
+#include "layers/layer_mesh.h"
+
+#include <string>
+
+#include "mesh/mesh_check.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+LayerMesh::LayerMesh(const CMeshO& layer) {
+  if (layer.vn == 0) {
+    throw InvalidInput(
+        "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
+  }
+  if (layer.fn == 0) {
+    throw InvalidInput(
+        "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "
+        "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
+  }
+  arrays_ = arrays_from_vcg(layer);
+}
+
+Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) const {
+  const auto& map = arrays_.vertex_of_input;
+  if (host_vertex < 0 || static_cast<std::size_t>(host_vertex) >= map.size()) {
+    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
+                       ", but the vertices of the current layer are numbered from 0 to " +
+                       std::to_string(map.size() - 1) + ". Give a number in this range.");
+  }
+  if (map[static_cast<std::size_t>(host_vertex)] == no_index) {
+    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
+                       ", but this vertex was deleted. Give the number of another vertex.");
+  }
+  return map[static_cast<std::size_t>(host_vertex)];
+}
+
+std::vector<std::string> LayerMesh::warnings() const {
+  return check_mesh(arrays_.positions, arrays_.faces).sentences();
+}
+
+}  // namespace vorogeo::plugin

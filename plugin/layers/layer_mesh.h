@@ -1,0 +1,40 @@
+// The current layer as the core sees it, with the numbers of its elements in the host.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/host_api.h"
+#include "mesh/mesh.h"
+#include "mesh/vcg_adapter.h"
+
+namespace vorogeo::plugin {
+
+/// Arrays of a layer that was found fit for geodesic distances. A core vertex is a vertex that is not
+/// deleted.
+class LayerMesh {
+ public:
+  /// Copies the layer. \throw InvalidInput for a layer without vertices or faces and for a coordinate that is
+  /// NaN or infinite (names the vertex).
+  explicit LayerMesh(const CMeshO& layer);
+
+  const VcgMeshArrays& arrays() const { return arrays_; }
+
+  /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message calls it
+  /// by `parameter`, which held the number.
+  Index core_vertex(int host_vertex, const std::string& parameter) const;
+  int host_vertex(Index vertex) const { return arrays_.input_of_vertex[vertex]; }
+  /// The host's number of a face of a Mesh that was made from arrays().
+  int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
+
+  std::shared_ptr<const Mesh> make_mesh() const {
+    return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces);
+  }
+  /// What a user should know about the mesh before trusting distances on it, one sentence each.
+  std::vector<std::string> warnings() const;
+
+ private:
+  VcgMeshArrays arrays_;
+};
+
+}  // namespace vorogeo::plugin

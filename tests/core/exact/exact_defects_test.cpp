@@ -1,0 +1,170 @@
+// Exact solver where no formula holds or the mesh has defects: against brute-force unfolding and against the
+// plane.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "exact/exact_solver.h"
+#include "support/exhaustive.h"
+#include "support/near.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+using test::expect_near;
+using test::Shape;
+using test::Soup;
+
+/// Compares the fields of all vertices and of points in some faces with brute force.
+void expect_exhaustive(const Soup& soup, double tolerance = 1e-11) {
+  const auto mesh = test::make_mesh(soup);
+  const test::ExhaustiveGeodesics exact(*mesh);
+  ExactSolver solver(mesh);
+  auto compare = [&](const SurfacePoint& source, const std::string& from) {
+    const auto field = exact.field(source);
+    const std::array sources{ExactSource{source}};
+    solver.run(sources);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (field[v] == unreachable) {
+        ASSERT_EQ(solver.distance(v), unreachable) << from << ", vertex " << v;
+      } else {
+        expect_near(solver.distance(v), field[v], *mesh, tolerance, from + ", vertex " + std::to_string(v));
+      }
+    }
+  };
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    compare(SurfacePoint::at_vertex(v), "vertex " + std::to_string(v));
+  }
+  for (Index f = 0; f < mesh->face_count(); f += 3) {
+    compare(SurfacePoint::in_face(f, {0.1, 0.2, 0.7}), "inside face " + std::to_string(f));
+    compare(SurfacePoint::in_face(f, {0.4, 0.6, 0.0}), "on an edge of face " + std::to_string(f));
+  }
+}
+
+TEST(ExactDefects, CurvedSurfacesAgreeWithBruteForce) {
+  expect_exhaustive(test::icosphere(1));
+  expect_exhaustive(test::random_sphere(70, 1));
+  expect_exhaustive(test::random_sphere(40, 2));
+  expect_exhaustive(test::torus(9, 6, 2.0, 0.8));
+}
+
+TEST(ExactDefects, RoughSurfacesAgreeWithBruteForce) {
+  for (unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> height(0.0, 0.4);
+    Soup terrain = test::plane_grid(7, 7, 7.0, 7.0, 0.2, seed).soup;
+    for (Point& p : terrain.positions) p[2] = height(random);
+    expect_exhaustive(terrain);
+    Soup star = test::random_sphere(50, seed);
+    for (Point& p : star.positions) {
+      const double scale = std::exp(height(random));
+      for (double& x : p) x *= scale;
+    }
+    expect_exhaustive(star);
+  }
+}
+
+TEST(ExactDefects, NonManifoldMeshesAgreeWithBruteForce) {
+  for (unsigned seed : {1U, 2U, 3U, 4U}) {
+    std::mt19937 random(seed);
+    Soup soup = test::random_sphere(30, seed);
+    // Fins over edges of the surface, some of them with further fins, and faces across it.
+    for (int fin = 0; fin < 6; ++fin) {
+      const auto face = soup.faces[random() % soup.faces.size()];
+      Point tip = soup.positions[face[random() % 3]];
+      for (double& x : tip) x *= 1.4;
+      soup.positions.push_back(tip);
+      soup.faces.push_back({face[0], face[1], static_cast<Index>(soup.positions.size() - 1)});
+    }
+    for (int i = 0; i < 2; ++i) {
+      const auto& face = soup.faces[random() % soup.faces.size()];
+      const auto far = static_cast<Index>(random() % 30);
+      if (far != face[0] && far != face[1]) soup.faces.push_back({face[0], face[1], far});
+    }
+    expect_exhaustive(soup);
+    expect_exhaustive(test::with_flipped_faces(soup, seed));
+  }
+}
+
+TEST(ExactDefects, FlippedFacesChangeNothing) {
+  Shape shape = test::plane_grid(10, 8, 3.0, 2.0, 0.2);
+  // Turning a face swaps two of its corners, so points in faces change their meaning: vertices only.
+  shape.soup = test::with_flipped_faces(shape.soup, 11);
+  const auto mesh = test::make_mesh(shape.soup);
+  for (Index source : {0, 40, 98}) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      expect_near(field[v], shape.vertex_distance(source, v), *mesh, 1e-12, "vertex " + std::to_string(v));
+    }
+  }
+}
+
+TEST(ExactDefects, ZeroAreaCapsChangeNothing) {
+  const Shape plane = test::plane_grid(8, 8, 8.0, 8.0);
+  Soup soup = plane.soup;
+  for (Index f : {5, 30, 47, 70, 101}) soup = test::with_zero_area_cap(soup, f, f % 3);
+  const auto mesh = test::make_mesh(soup);
+  for (Index source = 0; source < mesh->vertex_count(); ++source) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Point& p = mesh->position(source);
+      const Point& q = mesh->position(v);
+      expect_near(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), *mesh, 1e-12,
+                  "vertices " + std::to_string(source) + ", " + std::to_string(v));
+    }
+  }
+}
+
+TEST(ExactDefects, CapsOnRoundedCoordinatesCostNothing) {
+  // Their lengths would determine the heights of such caps only to 1e-8 of their width; positions do better.
+  const Shape plane = test::plane_grid(6, 6, 1.0, 1.0, 0.2, 5);
+  Soup soup = plane.soup;
+  for (Index f : {5, 30, 47}) soup = test::with_zero_area_cap(soup, f, f % 3);
+  const auto mesh = test::make_mesh(soup);
+  for (Index source : {0, 24, 48, 50}) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Point& p = mesh->position(source);
+      const Point& q = mesh->position(v);
+      EXPECT_NEAR(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), 1e-12);
+    }
+  }
+}
+
+TEST(ExactDefects, CoincidentVerticesJoinedByFacesWithoutWidth) {
+  // Two halves of a plane whose seam vertices are doubled and sewn by faces with a side of length zero.
+  Soup soup = test::plane_grid(3, 6, 3.0, 6.0).soup;
+  const auto count = static_cast<Index>(soup.positions.size());
+  const auto faces = soup.faces.size();
+  for (Index v = 0; v < count; ++v) {
+    Point p = soup.positions[v];
+    p[0] += 3.0;
+    soup.positions.push_back(p);
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    auto face = soup.faces[f];
+    for (Index& v : face) v += count;
+    soup.faces.push_back(face);
+  }
+  for (Index row = 0; row < 6; ++row) {
+    const Index a = 4 * row + 3;
+    const Index b = count + 4 * row;
+    soup.faces.push_back({a, b, b + 4});
+    soup.faces.push_back({a, b + 4, a + 4});
+  }
+  const auto mesh = test::make_mesh(soup);
+  for (Index source = 0; source < mesh->vertex_count(); ++source) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Point& p = mesh->position(source);
+      const Point& q = mesh->position(v);
+      expect_near(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), *mesh, 1e-12,
+                  "vertices " + std::to_string(source) + ", " + std::to_string(v));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,58 @@
+// Windows across faces of every shape: in a plane all distances are straight lines.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
+  for (const double width : {1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    // A column of cells squeezed to `width` between two wide ones.
+    test::Soup soup = test::plane_grid(5, 5, 5.0, 5.0).soup;
+    for (Point& p : soup.positions) {
+      if (p[0] > 2.5) p[0] += width - 1.0;
+    }
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver solver(mesh);
+    for (const Index source : {0, 2, 3, 14}) {
+      solver.run_from_vertices(std::array{source});
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        const Point& p = mesh->position(source);
+        const Point& q = mesh->position(v);
+        EXPECT_NEAR(solver.distance(v), std::hypot(p[0] - q[0], p[1] - q[1]), 1e-13) << width << ", " << v;
+      }
+    }
+  }
+}
+
+TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
+  // A wall of two columns of faces with a gap at the top: the way leads round its end.
+  const auto mesh = test::make_mesh(test::plane_grid(4, 4, 4.0, 4.0).soup);
+  std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    double x = 0.0;
+    double y = 0.0;
+    for (const Index v : mesh->face_vertices(f)) {
+      x += mesh->position(v)[0] / 3.0;
+      y += mesh->position(v)[1] / 3.0;
+    }
+    if (x > 1.0 && x < 3.0 && y < 3.0) allowed[f] = 0;
+  }
+  ExactSolver solver(mesh);
+  ExactLimits limits;
+  limits.face_allowed = allowed;
+  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  // From (0, 0) by (1, 3) and (3, 3) to (4, 0).
+  EXPECT_NEAR(solver.distance(4), 2.0 * std::hypot(1.0, 3.0) + 2.0, 1e-12);
+  EXPECT_LE(solver.barrier_distance(), solver.distance(4));
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,76 @@
+// Lengths along points, which points are the same, and what is no path.
+#include "exact/surface_path.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(SurfacePath, ItsLengthIsTheSumOfTheStepsInFaces) {
+  const auto mesh = test::make_mesh(test::plane_grid(2, 1, 2.0, 1.0).soup);
+  // Along the lower side, then across the second cell.
+  const std::array points{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(1)};
+  EXPECT_DOUBLE_EQ(measured_length(*mesh, points).length, 1.0);
+  // Vertex 0 and vertex 5 share no face.
+  EXPECT_EQ(measured_length(*mesh, std::array{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(5)}).length,
+            unreachable);
+  EXPECT_EQ(measured_length(*mesh, std::span<const SurfacePoint>{}).length, unreachable);
+  const std::array middle{SurfacePoint::at_vertex(mesh->face_vertices(0)[0]),
+                          SurfacePoint::in_face(0, {0.0, 0.5, 0.5})};
+  const Point a = position_of(*mesh, middle[0]);
+  const Point b = position_of(*mesh, middle[1]);
+  EXPECT_NEAR(measured_length(*mesh, middle).length, std::hypot(a[0] - b[0], a[1] - b[1]), 1e-15);
+}
+
+TEST(SurfacePath, TheSamePointOnAnEdgeMayBeGivenByEitherFace) {
+  const auto mesh = test::make_mesh(test::plane_grid(1, 1, 1.0, 1.0).soup);
+  const Index halfedge = [&] {
+    for (Index h = 0; h < 3; ++h) {
+      if (mesh->next_around_edge(h) != h) return h;
+    }
+    return no_index;
+  }();
+  std::array<double, 3> weights{};
+  weights[halfedge % 3] = 0.25;
+  weights[Mesh::next_in_face(halfedge) % 3] = 0.75;
+  const auto here = SurfacePoint::in_face(0, weights);
+  std::array<double, 3> there{};
+  ASSERT_TRUE(weights_in_face(*mesh, here, 1, there));
+  EXPECT_TRUE(is_same_point(*mesh, here, SurfacePoint::in_face(1, there)));
+  EXPECT_FALSE(is_same_point(*mesh, here, SurfacePoint::at_vertex(mesh->face_vertices(0)[0])));
+}
+
+TEST(SurfacePath, PointsAtOnePlaceOnTwoSidesOfASlitAreTwo) {
+  const test::Soup soup = test::plane_with_slit(2).soup;
+  const auto mesh = test::make_mesh(soup);
+  int pairs = 0;
+  for (Index a = 0; a < mesh->vertex_count(); ++a) {
+    for (Index b = a + 1; b < mesh->vertex_count(); ++b) {
+      if (mesh->position(a) != mesh->position(b)) continue;
+      ++pairs;
+      EXPECT_FALSE(is_same_point(*mesh, SurfacePoint::at_vertex(a), SurfacePoint::at_vertex(b)));
+      const SurfacePath jump{{SurfacePoint::at_vertex(a), SurfacePoint::at_vertex(b)}, 0.0};
+      EXPECT_FALSE(is_path(*mesh, jump, jump.points.front(), jump.points.back(), 0.0));
+    }
+  }
+  EXPECT_EQ(pairs, 7);
+}
+
+TEST(SurfacePath, IsOneOnlyOfTheLengthItSays) {
+  const auto mesh = test::make_mesh(test::plane_grid(1, 1, 3.0, 4.0).soup);
+  const auto a = SurfacePoint::at_vertex(0);
+  const auto b = SurfacePoint::at_vertex(1);
+  EXPECT_TRUE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, b, a, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0 + 1e-8));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0 + 1e-8}, a, b, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{}, 0.0}, a, b, 0.0));
+}
+
+}  // namespace
+}  // namespace vorogeo

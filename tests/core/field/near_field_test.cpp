@@ -1,0 +1,106 @@
+// The near field on a plane, where distances are straight lines: what it reaches, how far it is certain, and
+// where it takes the place of other distances.
+#include "field/near_field.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+constexpr double precise = 1e-9;
+
+/// A near field that was run from one vertex of a plane.
+struct OnPlane {
+  explicit OnPlane(Index vertex, double max_distance = unreachable)
+      : index(test::make_index(test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, 4, 4)),
+        data(index->data()),
+        source(data.work.work_vertex[vertex]),
+        near(data) {
+    for (Index p : test::patches_at(*data.work.mesh, data.work.second_layer, source)) near.add(p);
+    const ExactSource one{SurfacePoint::at_vertex(source)};
+    near.run(std::span(&one, 1), max_distance, true);
+  }
+  double straight(Index v) const {
+    const Point& a = data.work.mesh->position(source);
+    const Point& b = data.work.mesh->position(v);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  std::shared_ptr<const GeodesicIndex> index;
+  const IndexData& data;
+  Index source;
+  NearField near;
+};
+
+TEST(NearField, ReachesAllVerticesOfThePatchesExactly) {
+  for (Index vertex : {0, 300, 840, 1200}) {
+    const OnPlane on(vertex);
+    std::size_t inside = 0;
+    for (Index f = 0; f < on.data.work.mesh->face_count(); ++f) {
+      if (!on.near.inside(f)) continue;
+      for (Index v : on.data.work.mesh->face_vertices(f)) {
+        ++inside;
+        const double found = on.near.solver().distance(v);
+        // A path in the plane is straight; one that leaves the halo is found a little too long.
+        EXPECT_GE(found, on.straight(v) - precise);
+        EXPECT_LE(found, 1.01 * on.straight(v) + precise);
+      }
+    }
+    EXPECT_GT(inside, 0U);
+  }
+}
+
+TEST(NearField, HoldsWhereItIsCertainAndWhereItIsShorter) {
+  const OnPlane on(840);
+  std::set<Index> held;
+  // Against other distances that are never shorter, all that were reached hold.
+  on.near.for_each_held([](Index) { return unreachable; },
+                        [&](Index v, double exact) {
+                          held.insert(v);
+                          EXPECT_EQ(exact, on.near.solver().distance(v));
+                        });
+  for (Index f : on.near.halo().faces()) {
+    for (Index v : on.data.work.mesh->face_vertices(f)) {
+      EXPECT_EQ(held.contains(v), on.near.solver().distance(v) < unreachable);
+    }
+  }
+  // Against 0, only those up to where no path has left the halo: they are straight.
+  std::size_t certain = 0;
+  on.near.for_each_held([](Index) { return 0.0; },
+                        [&](Index v, double exact) {
+                          ++certain;
+                          EXPECT_NEAR(exact, on.straight(v), precise);
+                        });
+  EXPECT_GT(certain, 0U);
+  EXPECT_TRUE(on.near.holds(0.0, 0.0, false)) << "the source itself";
+  EXPECT_FALSE(on.near.holds(unreachable, 1.0, true));
+  EXPECT_FALSE(on.near.holds(1e6, 0.9e6, true)) << "a way outside is much shorter";
+  EXPECT_TRUE(on.near.holds(1e6, 0.999e6, true)) << "by no more than repaired crossings err";
+  EXPECT_FALSE(on.near.holds(1e6, 0.999e6, false));
+}
+
+TEST(NearField, StopsAtTheGreatestDistance) {
+  const OnPlane on(840, 0.06);
+  std::size_t reached = 0;
+  for (Index v = 0; v < on.data.work.mesh->vertex_count(); ++v) {
+    const double found = on.near.solver().distance(v);
+    EXPECT_EQ(found < unreachable, on.straight(v) <= 0.06) << v;
+    reached += found < unreachable ? 1 : 0;
+  }
+  EXPECT_GT(reached, 1U);
+}
+
+TEST(NearField, ForgetsItsPatches) {
+  OnPlane on(840);
+  on.near.clear();
+  for (Index f = 0; f < on.data.work.mesh->face_count(); ++f) EXPECT_FALSE(on.near.inside(f));
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,151 @@
+// Searches along a corridor: as close to exact distances as full searches, and equal to these nearly
+// everywhere.
+#include "index/batch_dijkstra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "exact/exact_solver.h"
+#include "index/min_plus.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+std::vector<Index> consecutive(Index begin, Index end) {
+  std::vector<Index> list(end - begin);
+  std::iota(list.begin(), list.end(), begin);
+  return list;
+}
+
+TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
+  struct Case {
+    test::Soup soup;
+    int first, second;
+  };
+  for (const Case& one : {Case{test::hills(40, 0.15), 5, 4}, Case{test::icosphere(4), 6, 4},
+                          Case{test::torus(44, 20, 2.0, 0.8), 5, 4}}) {
+    const auto index = test::make_index(one.soup, one.first, one.second);
+    const IndexData& data = index->data();
+    ExactSolver solver(data.geometry);
+    for (const PatchLayer* layer : {&data.first, &data.second}) {
+      BatchDijkstra corridor(*layer);
+      BoundaryDijkstra full(*layer);
+      test::ErrorCollector along_corridor, in_full;
+      double difference = 0.0;
+      std::size_t compared = 0, apart = 0;
+      const auto groups = group_by_patches(*layer, 16);
+      for (std::size_t g = 0; g + 1 < groups.size(); g += 7) {
+        const auto sources = consecutive(groups[g], groups[g + 1]);
+        std::size_t calls = 0;
+        corridor.search_from_each(sources, {}, [&](std::size_t i) {
+          ++calls;
+          full.reset();
+          full.add(sources[i], 0.0);
+          full.run();
+          for (Index node = 0; node < layer->node_count(); ++node) {
+            if (node == sources[i]) {
+              EXPECT_EQ(corridor.search().distance(node), 0.0);
+              continue;
+            }
+            const double relative = std::abs(corridor.search().distance(node) / full.distance(node) - 1.0);
+            difference += relative;
+            ++compared;
+            apart += relative > 0.01 ? 1 : 0;
+          }
+          if (i != 0) return;
+          solver.run_from_vertices(std::array{layer->node_vertex[sources[i]]});
+          for (Index node = 0; node < layer->node_count(); ++node) {
+            const double exact = solver.distance(layer->node_vertex[node]);
+            along_corridor.add(corridor.search().distance(node), exact);
+            in_full.add(full.distance(node), exact);
+          }
+        });
+        EXPECT_EQ(calls, sources.size());
+      }
+      EXPECT_EQ(along_corridor.contradictions, 0U);
+      EXPECT_LT(along_corridor.statistics().mean, 1.05 * in_full.statistics().mean + 2e-5);
+      EXPECT_LT(along_corridor.statistics().p99, 1.02 * in_full.statistics().p99 + 1e-4);
+      EXPECT_LT(difference / static_cast<double>(compared), 2e-5);
+      EXPECT_LT(static_cast<double>(apart), 1e-3 * static_cast<double>(compared));
+    }
+  }
+}
+
+TEST(BatchDijkstra, StaysInTheAllowedPatches) {
+  const auto index = test::make_index(test::icosphere(4), 4, 5);
+  const PatchLayer& layer = index->data().second;
+  std::vector<std::uint8_t> allowed(layer.patch_count, 0);
+  for (Index p = 0; p < layer.patch_count; p += 2) allowed[p] = 1;
+  BatchDijkstra corridor(layer);
+  BoundaryDijkstra full(layer);
+  const auto groups = group_by_patches(layer, 8);
+  for (std::size_t g = 0; g + 1 < groups.size(); g += 3) {
+    const auto sources = consecutive(groups[g], groups[g + 1]);
+    corridor.search_from_each(sources, allowed, [&](std::size_t i) {
+      full.reset();
+      full.add(sources[i], 0.0);
+      full.run(allowed);
+      for (Index node = 0; node < layer.node_count(); ++node) {
+        EXPECT_EQ(corridor.search().distance(node) < unreachable, full.distance(node) < unreachable);
+      }
+    });
+  }
+}
+
+TEST(BatchDijkstra, SourcesThatTheLeaderCannotReach) {
+  const auto index = test::make_index(test::two_components(test::icosphere(3), test::icosphere(3)), 6, 2);
+  const PatchLayer& layer = index->data().first;
+  // Far from each other and on both components: nothing is gained, all is found.
+  const auto sources = test::random_vertices(layer.node_count(), 10, 3);
+  BatchDijkstra corridor(layer);
+  BoundaryDijkstra full(layer);
+  corridor.search_from_each(sources, {}, [&](std::size_t i) {
+    full.reset();
+    full.add(sources[i], 0.0);
+    full.run();
+    for (Index node = 0; node < layer.node_count(); ++node) {
+      if (full.distance(node) == unreachable || node == sources[i]) {
+        EXPECT_EQ(corridor.search().distance(node), full.distance(node));
+      } else {
+        EXPECT_NEAR(corridor.search().distance(node) / full.distance(node), 1.0, 0.01);
+      }
+    }
+  });
+}
+
+TEST(BatchDijkstra, GroupsAreNodesBetweenTheSamePatches) {
+  const auto index = test::make_index(test::hills(40, 0.12), 6, 4);
+  const PatchLayer& layer = index->data().first;
+  const auto groups = group_by_patches(layer, 5);
+  ASSERT_EQ(groups.front(), 0);
+  ASSERT_EQ(groups.back(), layer.node_count());
+  for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
+    EXPECT_GT(groups[g + 1], groups[g]);
+    EXPECT_LE(groups[g + 1] - groups[g], 5);
+    for (Index node = groups[g]; node < groups[g + 1]; ++node) {
+      EXPECT_TRUE(std::ranges::equal(layer.patches_of(node), layer.patches_of(groups[g]), {},
+                                     &PatchRow::patch, &PatchRow::patch));
+    }
+  }
+}
+
+TEST(MinPlus, RangeWithinIsTheSmallest) {
+  const std::vector<std::uint16_t> entries = {9, 5, 7, 3, 8, 4, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 2, 9};
+  const std::vector<float> base(entries.size(), 1.0F);
+  const auto count = static_cast<Index>(entries.size());
+  auto range = [&](float bound) { return range_within(base.data(), entries.data(), 0.5F, bound, count); };
+  EXPECT_EQ(range(3.5F).begin, 1);
+  EXPECT_EQ(range(3.5F).end, 19);
+  EXPECT_EQ(range(2.5F).begin, 3);
+  EXPECT_EQ(range(2.0F).begin, 18);
+  EXPECT_EQ(range(2.0F).end, 19);
+  EXPECT_EQ(range(1.0F).begin, range(1.0F).end);
+}
+
+}  // namespace
+}  // namespace vorogeo

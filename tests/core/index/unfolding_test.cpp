@@ -1,0 +1,130 @@
+// Edge unfolding: against straight lines in the plane.
+#include "index/unfolding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace vorogeo {
+namespace {
+
+TEST(Unfolding, RandomPointsOfThePlane) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> along(-3.0, 4.0);
+  std::uniform_real_distribution<double> away(0.01, 3.0);
+  int crossed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double length = away(random);
+    const double source_x = along(random);
+    const double target_x = along(random);
+    const double source_y = away(random);
+    const double target_y = -away(random);
+    const double crossing = source_x + (target_x - source_x) * source_y / (source_y - target_y);
+    if (std::abs(crossing) < 1e-9 || std::abs(crossing - length) < 1e-9) continue;
+    const double found =
+        unfolded_distance(length, std::hypot(source_x, source_y), std::hypot(source_x - length, source_y),
+                          std::hypot(target_x, target_y), std::hypot(target_x - length, target_y));
+    if (crossing > 0.0 && crossing < length) {
+      ++crossed;
+      const double straight = std::hypot(target_x - source_x, target_y - source_y);
+      ASSERT_NEAR(found, straight, 1e-10 * straight) << "pair " << i;
+    } else {
+      ASSERT_EQ(found, unreachable) << "pair " << i;
+    }
+  }
+  EXPECT_GT(crossed, 2000);
+}
+
+TEST(Unfolding, NeverLongerThanOverAnEndAndNeverShorterThanTheTriangleInequalityAllows) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> number(0.0, 3.0);
+  for (int i = 0; i < 20000; ++i) {
+    const double length = number(random);
+    const double source_a = number(random);
+    const double source_b = number(random);
+    const double target_a = number(random);
+    const double target_b = number(random);
+    // An edge is straight in space: going to a point and on to the other end is never shorter.
+    if (source_a + source_b < length || target_a + target_b < length) continue;
+    const double found = unfolded_distance(length, source_a, source_b, target_a, target_b);
+    ASSERT_FALSE(std::isnan(found));
+    if (found == unreachable) continue;
+    EXPECT_LE(found, std::min(source_a + target_a, source_b + target_b) + 1e-9);
+    EXPECT_GE(found, std::max(std::abs(source_a - target_a), std::abs(source_b - target_b)) - 1e-9);
+  }
+}
+
+TEST(Unfolding, SymmetricInItsSidesAndItsEnds) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> number(0.5, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = number(random);
+    const double b = number(random);
+    const double c = number(random);
+    const double d = number(random);
+    const double found = unfolded_distance(0.7, a, b, c, d);
+    EXPECT_DOUBLE_EQ(unfolded_distance(0.7, c, d, a, b), found);
+    if (found == unreachable) continue;
+    EXPECT_NEAR(unfolded_distance(0.7, b, a, d, c), found, 1e-12);
+  }
+}
+
+TEST(Unfolding, DistancesWithoutACommonWaveGiveNothing) {
+  EXPECT_EQ(unfolded_distance(1.0, 5.0, 3.0, 1.0, 1.0), unreachable)
+      << "5 and 3 differ by more than the edge";
+  EXPECT_EQ(unfolded_distance(1.0, 1.0, 1.0, 1.0, 2.5), unreachable);
+  EXPECT_EQ(unfolded_distance(0.0, 1.0, 1.0, 1.0, 1.0), unreachable) << "an edge without length";
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(unfolded_distance(1.0, inf, inf, 1.0, 1.0), unreachable);
+  EXPECT_EQ(unfolded_distance(1.0, inf, 1.0, 1.0, 1.0), unreachable);
+  EXPECT_EQ(unfolded_distance(1.0, 1.0, 1.0, inf, inf), unreachable);
+  EXPECT_EQ(unfolded_distance(1.0, 0.25, 0.75, 0.25, 0.75), unreachable) << "both ends lie on the edge";
+}
+
+TEST(Unfolding, AParabolaAlongTheBorderIsNotMadeOfRounding) {
+  // Source and target on the line of the border, distances rounded as in tables: no estimate may be shorter
+  // than the straight line by more than that rounding.
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> rounded(-5e-7, 5e-7);
+  for (int i = 0; i < 20000; ++i) {
+    const double edge = 6e-5;
+    const double source = 4e-4 + 1e-3 * std::abs(rounded(random)) * 1e6;
+    const double target = 0.03;
+    const double off = 1e-3 * edge * (i % 50);
+    auto sample = [&](double along) {
+      return BorderSample{std::hypot(source + along, off) + rounded(random),
+                          std::hypot(target - along, off) + rounded(random), edge};
+    };
+    const BorderSample middle = sample(0.0);
+    const double found = parabola_distance(middle.source, middle.target, sample(-edge), sample(edge));
+    EXPECT_GT(found, source + target - 1e-4 * target);
+  }
+}
+
+TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  int limited = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double source = 3.0 + 10.0 * number(random);
+    const double target = 3.0 + 10.0 * number(random);
+    auto sample = [&] {
+      return BorderSample{source + number(random), target + number(random), number(random)};
+    };
+    const BorderSample before = sample();
+    const BorderSample after = sample();
+    const double found = parabola_distance(source, target, before, after);
+    if (found == unreachable) continue;
+    const double longest = std::max(before.length, after.length);
+    const double most = 3.0 * longest * longest / 8.0 * (1.0 / source + 1.0 / target);
+    EXPECT_LE(found, source + target);
+    EXPECT_GE(found, source + target - most - 1e-12);
+    limited += found < source + target - 0.999 * most ? 1 : 0;
+  }
+  EXPECT_GT(limited, 0);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,67 @@
+// Ways over edges against Bellman and Ford's algorithm.
+#include "path/path_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+/// Distances over edges from a vertex: every edge, until nothing becomes shorter.
+std::vector<double> over_edges(const Mesh& mesh, Index start) {
+  std::vector<double> distance(mesh.vertex_count(), unreachable);
+  distance[start] = 0.0;
+  for (bool relaxed = true; relaxed;) {
+    relaxed = false;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      for (Index side = 3 * f; side < 3 * f + 3; ++side) {
+        const Index a = mesh.tail(side), b = mesh.head(side);
+        const double length = mesh.edge_length(mesh.edge_of(side));
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+          if (!(distance[from] + length < distance[to])) continue;
+          distance[to] = distance[from] + length;
+          relaxed = true;
+        }
+      }
+    }
+  }
+  return distance;
+}
+
+void expect_shortest_paths(const Mesh& mesh, Index start) {
+  const std::vector<double> expected = over_edges(mesh, start);
+  for (Index goal = 0; goal < mesh.vertex_count(); ++goal) {
+    std::vector<EdgeStep> way{{7, 7}};
+    ASSERT_EQ(path_along_edges(mesh, start, goal, way), expected[goal] < unreachable) << goal;
+    EXPECT_EQ(way.front().from, 7) << "what was there stays";
+    if (!(expected[goal] < unreachable)) continue;
+    double length = 0.0;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const Index next = i + 1 < way.size() ? way[i + 1].from : goal;
+      const auto& face = mesh.face_vertices(way[i].face);
+      EXPECT_TRUE(std::ranges::count(face, way[i].from) == 1 && std::ranges::count(face, next) == 1);
+      const Point& a = mesh.position(way[i].from);
+      const Point& b = mesh.position(next);
+      length += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+    EXPECT_EQ(way.size() > 1 ? way[1].from : start, start);
+    EXPECT_NEAR(length, expected[goal], 1e-12);
+  }
+}
+
+TEST(PathEdges, ShortestOverAnUnevenPlaneWithASlit) {
+  expect_shortest_paths(*test::make_mesh(test::plane_grid(9, 7, 3.0, 2.0, 0.25).soup), 5);
+  expect_shortest_paths(*test::make_mesh(test::plane_with_slit(3).soup), 0);
+}
+
+TEST(PathEdges, NoneToAnotherComponent) {
+  expect_shortest_paths(*test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(1))), 3);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,88 @@
+// Strips whose shortest lines are known, and the walking around vertices.
+#include "path/path_line.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "path/path_refine.h"
+#include "support/path_check.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+/// The strip of faces around the apex of a cone, from the vertex at the rim of sector 0 on.
+FaceStrip strip_around(const Mesh& mesh, Index apex, int faces) {
+  FaceStrip strip;
+  const auto corners = mesh.corners(apex);
+  strip.faces.push_back(Mesh::face_of(corners[0]));
+  for (int i = 1; i <= faces; ++i) {
+    turn_around(mesh, strip, apex, Mesh::face_of(corners[static_cast<std::size_t>(i) % corners.size()]));
+  }
+  return strip;
+}
+
+TEST(PathLine, PassesTheApexOfAWideFan) {
+  // Flat hexagons around vertex 0: 60 degrees each, radius 1.
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  for (int faces = 1; faces <= 4; ++faces) {
+    FaceStrip strip = strip_around(*mesh, 0, faces);
+    ASSERT_EQ(strip.faces.size(), static_cast<std::size_t>(faces) + 1);
+    const auto middle = [&](Index face) {
+      std::array<double, 3> weights{0.5, 0.5, 0.5};
+      for (int i = 0; i < 3; ++i) {
+        if (mesh->face_vertices(face)[i] == 0) weights[i] = 0.0;
+      }
+      return SurfacePoint::in_face(face, weights);
+    };
+    strip.source = middle(strip.faces.front());
+    strip.target = middle(strip.faces.back());
+    PathLine line(geometry);
+    line.assign(strip);
+    // From the middle of one rim edge to another: straight up to three faces on, then through the centre.
+    const double height = std::sqrt(0.75);
+    const double straight =
+        faces <= 3 ? 2.0 * height * std::sin(faces * std::numbers::pi / 6.0) : 2.0 * height;
+    EXPECT_NEAR(line.length(), straight, 1e-12) << faces;
+    EXPECT_EQ(line.joints().size(), faces > 3 ? 3U : 2U);
+    if (faces > 3) {
+      EXPECT_NEAR(line.turn(1), (faces - 3) * std::numbers::pi / 3.0, 1e-12);
+    }
+  }
+}
+
+TEST(PathRefiner, GoesRoundTheOtherSide) {
+  // Five faces one way round a cone's apex, one the other way: the refiner moves there.
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi * 0.8, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip = strip_around(*mesh, 0, 3);
+  std::vector<HalfedgePair> other;
+  ASSERT_TRUE(other_side(*mesh, 0, strip.exit.front(), strip.faces.back(), other));
+  EXPECT_EQ(strip.entry.size() + other.size(), 6U);
+  const auto corners = mesh->corners(0);
+  FaceStrip long_way;
+  long_way.faces.push_back(Mesh::face_of(corners[0]));
+  for (int i = 1; i <= 5; ++i) {
+    // Each next face is one step on, so that the strip goes the long way.
+    ASSERT_TRUE(turn_around(*mesh, long_way, 0, Mesh::face_of(corners[i])));
+  }
+  ASSERT_EQ(long_way.faces.size(), 6U);
+  long_way.source = SurfacePoint::in_face(long_way.faces.front(), {0.2, 0.4, 0.4});
+  long_way.target = SurfacePoint::in_face(long_way.faces.back(), {0.2, 0.4, 0.4});
+  ExactSolver solver(mesh);
+  const ExactSource source{long_way.source};
+  solver.run(std::span(&source, 1));
+  PathRefiner refiner(geometry);
+  const auto from = long_way.source;
+  const auto to = long_way.target;
+  EXPECT_NEAR(refiner.refine(long_way), solver.distance(to), 1e-12);
+  EXPECT_EQ(refiner.line().crossings().size(), 1U);
+  EXPECT_EQ(test::path_fault(*mesh, refiner.path(), from, to), "");
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,88 @@
+// Relaxation on rectangles, whose best points and their energy are known.
+#include "tasks/lloyd.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "support/error.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+const test::Shape square = test::plane_grid(10, 10, 1.0, 1.0);
+const test::Shape rectangle = test::plane_grid(20, 10, 2.0, 1.0);
+
+TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
+  FieldTeam team(test::make_mesh(square.soup), 2);
+  const RelaxedPoints found = relax_points(team, std::array<Index, 1>{0}, 20);
+  EXPECT_EQ(found.vertices, std::vector<Index>{5 * 11 + 5});
+  // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
+  // faces, which makes an error of the order of a squared cell.
+  EXPECT_NEAR(found.energy.front(), 2.0 / 3.0, 0.01);
+  EXPECT_NEAR(found.energy.back(), 1.0 / 6.0, 0.01);
+  EXPECT_LT(found.energy.size(), 10U) << "it ends when nothing moves";
+}
+
+TEST(RelaxPoints, TwoPointsShareARectangle) {
+  FieldTeam team(test::make_mesh(rectangle.soup), 2);
+  const RelaxedPoints found = relax_points(team, std::array<Index, 2>{0, 3}, 50);
+  EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
+  // Two unit squares with their points in the middle.
+  EXPECT_NEAR(found.energy.back(), 1.0 / 3.0, 0.04);
+  std::vector<double> x;
+  for (const Index v : found.vertices) {
+    x.push_back(rectangle.soup.positions[v][0]);
+    EXPECT_NEAR(rectangle.soup.positions[v][1], 0.5, 0.11);
+  }
+  std::ranges::sort(x);
+  EXPECT_NEAR(x[0], 0.5, 0.11);
+  EXPECT_NEAR(x[1], 1.5, 0.11);
+}
+
+TEST(RelaxPoints, LowersTheEnergyRoundByRound) {
+  const test::Soup soup = test::hills(20, 0.2);
+  FieldTeam team(test::make_mesh(soup), 2);
+  const Index together[] = {0, 1, 2, 21, 22, 23, 42, 43};
+  const RelaxedPoints found = relax_points(team, together, 12);
+  ASSERT_GE(found.energy.size(), 3U);
+  for (std::size_t i = 1; i < found.energy.size(); ++i) {
+    EXPECT_LE(found.energy[i], found.energy[i - 1] * (1.0 + 1e-12));
+  }
+  EXPECT_LT(found.energy.back(), 0.2 * found.energy.front());
+}
+
+TEST(RelaxPoints, WithoutRoundsOnlyTheEnergyIsMeasured) {
+  FieldTeam team(test::make_mesh(square.soup), 1);
+  const std::array points{SurfacePoint::in_face(99, {0.2, 0.3, 0.5})};
+  const RelaxedPoints found = relax_points(team, points, 0);
+  EXPECT_EQ(found.energy.size(), 1U);
+  EXPECT_EQ(found.vertices, std::vector<Index>{no_index});
+  EXPECT_TRUE(found.points[0] == points[0]);
+}
+
+TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
+  FieldTeam team(test::make_mesh(rectangle.soup), 1);
+  const RelaxedPoints first = relax_points(team, std::array<Index, 3>{0, 3, 3}, 1);
+  EXPECT_EQ(first.vertices[2], 3);
+  EXPECT_NE(first.vertices[1], 3);
+  const RelaxedPoints found = relax_points(team, std::array<Index, 3>{0, 3, 3}, 30);
+  EXPECT_NE(found.vertices[2], 3);
+  EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
+}
+
+TEST(RelaxPoints, BadArgumentsAreRefusedAndProgressMayCancel) {
+  FieldTeam team(test::make_mesh(square.soup), 1);
+  EXPECT_THROW(relax_points(team, std::vector<Index>{}, 1), InvalidInput);
+  EXPECT_THROW(relax_points(team, std::array<Index, 1>{0}, -1), InvalidInput);
+  EXPECT_THROW(relax_points(team, std::array<Index, 1>{121}, 1), InvalidInput);
+  const Progress refusing([](double, const std::string&) { return false; });
+  EXPECT_THROW(relax_points(team, std::array<Index, 1>{0}, 1, refusing), Cancelled);
+}
+
+}  // namespace
+}  // namespace vorogeo

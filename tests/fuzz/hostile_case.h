@@ -1,0 +1,87 @@
+// One hostile mesh under examination: the mesh, what is asked, and what was found wrong.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "fuzz/hostile_cost.h"
+#include "fuzz/hostile_tally.h"
+#include "index/geodesic_index.h"
+#include "support/hostile_meshes.h"
+#include "support/surface_walk.h"
+
+namespace vorogeo::test {
+
+/// Stands for the scans that costs are compared with.
+inline constexpr unsigned scan_seed = 0;
+
+class HostileCase {
+ public:
+  HostileCase(unsigned seed, HostileMesh hostile, HostileTally& tally);
+
+  /// Checks the soup and makes the mesh of it; false if that has no face.
+  bool make_mesh();
+  /// "index of 2 x 2 patches (0: chosen), delta 0: "
+  std::string index_text() const;
+  /// Notes what is asked, for findings and for the case that no answer comes.
+  void ask(const std::string& question);
+  /// Prints a finding: what was asked last, `kind` (a few fixed words, for counting) and the numbers. Only
+  /// the first few of a kind for each mesh.
+  void fail(const std::string& kind, const std::string& numbers);
+  /// Runs `answer`; every exception is a finding, except an Error of ours with a sentence where `may_refuse`.
+  /// \return whether it came to its end.
+  bool attempt(const std::function<void()>& answer, bool may_refuse = false);
+  void note_error(ErrorKind kind, double actual, double exact);
+
+  /// How far two exact results may be apart: 1e-9 of the distance, and what rounding makes of a position on
+  /// the longest edge of the mesh.
+  double slack(double distance) const { return 1e-9 * distance + 1e-15 * longest_; }
+  /// Whether two vertices are connected through faces, found from the soup alone.
+  bool connected(Index a, Index b) const { return component_[a] == component_[b]; }
+  /// Complaints about distances from one vertex that need no second opinion: signs, NaN, what is reached,
+  /// differences along edges (relative slack `along_edges`), the straight line in space.
+  void require_sound(const std::vector<double>& field, Index source, double along_edges);
+
+  unsigned seed;
+  HostileMesh hostile;
+  HostileRandom random;  ///< what is asked
+  IndexOptions options;  ///< of the index
+  Costs costs{};         ///< of the steps asked for
+  std::shared_ptr<const Mesh> mesh;
+  std::unique_ptr<SurfaceWalk> walk;
+  HostileTally& tally;
+  /// Two vertices of faces, and their exact fields; empty where exact distances are refused.
+  std::array<Index, 2> sources{};
+  std::array<std::vector<double>, 2> exact;
+  double typical = 1.0;  ///< median edge
+  unsigned findings = 0;
+
+ private:
+  void find_components();
+
+  std::string question_;
+  double longest_ = 0.0;
+  std::vector<Index> component_;
+  std::vector<std::pair<std::string, int>> kinds_;
+};
+
+/// "1.25e-07" with all digits that a comparison needs.
+std::string exactly(double value);
+
+/// Two exact fields against the reference, closed forms and their own paths. After make_mesh().
+void check_exact(HostileCase& hostile);
+/// Builds an index and checks it against the exact fields.
+void check_index(HostileCase& hostile);
+/// Refined, exact and uncertified paths from the first source to targets, and from a point inside a face to
+/// the first of them. Part of check_index().
+void check_paths(HostileCase& hostile, const std::shared_ptr<const GeodesicIndex>& index,
+                 const std::vector<Index>& targets, const SurfacePoint& inside);
+/// Complains about steps that cost more than ten times what they cost on a scan. After check_index().
+void check_costs(HostileCase& hostile, ScanCosts& scans);
+
+}  // namespace vorogeo::test

@@ -1,0 +1,253 @@
+// Hostile meshes through everything: build, fields, pairs, paths, Voronoi regions, files, against the exact
+// field, and that against a reference that shares no code. See tests/README.md.
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "fuzz/hostile_case.h"
+
+namespace {
+
+using namespace vorogeo;
+using namespace vorogeo::test;
+
+constexpr const char* usage =
+    "usage: hostile_fuzz [--count N | --hours H] [--first SEED] [--vertices N | --mixed] [--jobs N] "
+    "[--no-costs]\n"
+    "       hostile_fuzz --seed SEED [--vertices N]\n"
+    "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
+    "  --hours     as many as fit this time instead\n"
+    "  --vertices  size: meshes have half to twice as many (default 60)\n"
+    "  --mixed     sizes of 60, some of 200, 600 and 2500\n"
+    "  --jobs      processes (default 1)\n"
+    "  --seed      one mesh in this process: what a finding names\n"
+    "  --no-costs  does not compare time and memory with those of a scan\n";
+
+struct Options {
+  unsigned first = 1;
+  unsigned count = 1000;
+  double seconds = 0.0;  ///< 0: count alone ends the run
+  int vertices = 60;
+  bool mixed = false;
+  int jobs = 1;
+  bool single = false;
+  bool costs = true;
+};
+
+#ifdef VOROGEO_SMALL_TESTS
+constexpr double slowness = 20.0;  // of the sanitizers
+#else
+constexpr double slowness = 1.0;
+constexpr rlim_t most_memory = rlim_t{4} << 30;
+#endif
+/// Processor time after which a mesh counts as one that never ends; the slowest scan of this size takes a
+/// hundredth.
+double most_mesh_seconds(int vertices) { return slowness * (5.0 + 0.05 * vertices); }
+
+int size_of(unsigned seed, const Options& options) {
+  if (!options.mixed) return options.vertices;
+  constexpr std::array sizes{60, 60, 60, 60, 60,  60,  60,  60,  60,  60,
+                             60, 60, 60, 60, 200, 200, 200, 200, 600, 2500};
+  return sizes[HostileRandom(seed).below(sizes.size())];
+}
+
+Costs examine(HostileCase& hostile, ScanCosts* scans) {
+  if (!hostile.make_mesh()) return {};
+  check_exact(hostile);
+  check_index(hostile);
+  if (scans != nullptr && !hostile.exact[1].empty()) check_costs(hostile, *scans);
+  return hostile.costs;
+}
+
+ScanCosts scan_costs(HostileTally& tally) {
+  return ScanCosts([&tally](const HostileMesh& scan, const IndexOptions& options) {
+    HostileCase hostile(scan_seed, scan, tally);
+    hostile.options = options;
+    return examine(hostile, nullptr);
+  });
+}
+
+void examine_seed(unsigned seed, const Options& options, HostileTally& tally, ScanCosts& scans) {
+  tally.seed = seed;
+  tally.mesh_seconds = processor_seconds();
+  std::strcpy(tally.question, "generator");
+  const int vertices = size_of(seed, options);
+  std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d", vertices);
+  HostileCase hostile(seed, hostile_mesh(seed, vertices), tally);
+  examine(hostile, options.costs ? &scans : nullptr);
+  ++tally.meshes;
+}
+
+/// One of the processes of a run: takes every jobs-th seed.
+struct Worker {
+  HostileTally* tally = nullptr;
+  unsigned next = 0;
+  unsigned end = 0;
+  pid_t process = 0;
+
+  void start(const Options& options, double deadline) {
+    std::fflush(stdout);
+    process = fork();
+    if (process != 0) return;
+#ifndef VOROGEO_SMALL_TESTS
+    const rlimit limit{most_memory, most_memory};
+    setrlimit(RLIMIT_AS, &limit);
+#endif
+    ScanCosts scans = scan_costs(*tally);
+    for (unsigned seed = next; seed < end; seed += options.jobs) {
+      if (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline) break;
+      examine_seed(seed, options, *tally, scans);
+    }
+    tally->finished = true;
+    std::fflush(stdout);
+    // Without destructors of the parent's state; leaks are looked for all the same.
+    std::exit(0);
+  }
+
+  double processor_seconds_used() const {
+    clockid_t clock{};
+    timespec used{};
+    if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &used) != 0) return 0.0;
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  }
+
+  /// The mesh at work ended the process, or had to be ended with it.
+  void note_lost(const Options& options, const std::string& how) {
+    ++tally->findings;
+    ++tally->meshes_with_findings;
+    ++tally->meshes;
+    std::printf("FINDING %s\n  seed %u: %s\n  %s\n  again: hostile_fuzz --seed %u%s\n", how.c_str(),
+                tally->seed, tally->sentence, tally->question, tally->seed, tally->size_argument);
+    next = tally->seed + options.jobs;
+    process = 0;
+  }
+
+  /// Looks after the process. \return whether there is more to do.
+  bool attend(const Options& options, double deadline) {
+    if (process == 0) {
+      if (next >= end || (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline)) return false;
+      start(options, deadline);
+    }
+    if (processor_seconds_used() - tally->mesh_seconds > most_mesh_seconds(size_of(tally->seed, options)) &&
+        !tally->finished) {
+      kill(process, SIGKILL);
+      waitpid(process, nullptr, 0);
+      note_lost(options, "a hang");
+      return true;
+    }
+    int status = 0;
+    if (waitpid(process, &status, WNOHANG) != process) return true;
+    if (tally->finished && WIFEXITED(status) && WEXITSTATUS(status) == 0) return false;
+    note_lost(options, tally->finished ? "a leak or a late error of the process" : "a crash");
+    if (tally->finished) next = end;
+    return true;
+  }
+};
+
+HostileTally* shared_tally() {
+  void* memory =
+      mmap(nullptr, sizeof(HostileTally), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return new (memory) HostileTally;
+}
+
+int summary(const std::vector<Worker>& workers, double started) {
+  HostileTally total;
+  for (const Worker& worker : workers) {
+    const HostileTally& tally = *worker.tally;
+    total.meshes += tally.meshes;
+    total.refused += tally.refused;
+    total.findings += tally.findings;
+    total.meshes_with_findings += tally.meshes_with_findings;
+    for (int i = 0; i < error_kind_count; ++i) total.errors[i].add(tally.errors[i]);
+  }
+  std::printf("%-20s %10s %10s %10s %10s  seed of the largest\n", "relative errors", "answers", "mean", "p99",
+              "largest");
+  for (int i = 0; i < error_kind_count; ++i) {
+    const ErrorHistogram& errors = total.errors[i];
+    std::printf("%-20s %10llu %10.2g %10.2g %10.2g  %u\n", error_kind_names[i],
+                static_cast<unsigned long long>(errors.count), errors.mean(), errors.quantile(0.99),
+                errors.largest, errors.largest_seed);
+  }
+  std::printf("%u meshes in %.0f s (%u refused in a sentence): %u findings on %u of them\n", total.meshes,
+              static_cast<double>(time(nullptr)) - started, total.refused, total.findings,
+              total.meshes_with_findings);
+  return total.findings == 0 ? 0 : 1;
+}
+
+bool read_options(int argc, char** argv, Options& options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    if (name == "--mixed") {
+      options.mixed = true;
+      continue;
+    }
+    if (name == "--no-costs") {
+      options.costs = false;
+      continue;
+    }
+    if (++i >= argc) return false;
+    char* rest = nullptr;
+    const double value = std::strtod(argv[i], &rest);
+    if (rest == argv[i] || *rest != 0 || value < 0.0) return false;
+    if (name == "--seed") {
+      options.first = static_cast<unsigned>(value);
+      options.count = 1;
+      options.single = true;
+    } else if (name == "--first") {
+      options.first = static_cast<unsigned>(value);
+    } else if (name == "--count") {
+      options.count = static_cast<unsigned>(value);
+    } else if (name == "--hours") {
+      options.seconds = 3600.0 * value;
+      options.count = 1U << 30;
+    } else if (name == "--vertices") {
+      options.vertices = static_cast<int>(value);
+      options.mixed = false;
+    } else if (name == "--jobs") {
+      options.jobs = std::max(1, static_cast<int>(value));
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  if (!read_options(argc, argv, options)) {
+    std::fputs(usage, stderr);
+    return 2;
+  }
+  const auto started = static_cast<double>(time(nullptr));
+  std::vector<Worker> workers(options.single ? 1 : options.jobs);
+  for (std::size_t i = 0; i < workers.size(); ++i) {
+    workers[i].tally = shared_tally();
+    workers[i].next = options.first + static_cast<unsigned>(i);
+    workers[i].end = options.first + options.count;
+  }
+  if (options.single) {
+    // Under a debugger there is nothing between it and the mesh.
+    HostileTally& tally = *workers[0].tally;
+    ScanCosts scans = scan_costs(tally);
+    examine_seed(options.first, options, tally, scans);
+    std::printf("seed %u: %s\n", options.first, tally.sentence);
+    return summary(workers, started);
+  }
+  const double deadline = options.seconds > 0.0 ? started + options.seconds : 0.0;
+  for (bool more = true; more;) {
+    more = false;
+    for (Worker& worker : workers) more = worker.attend(options, deadline) || more;
+    if (more) usleep(20000);
+  }
+  return summary(workers, started);
+}

@@ -1,0 +1,77 @@
+// What a run over hostile meshes counts; lies in memory that the processes of a run share.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+namespace vorogeo::test {
+
+/// Answers whose errors are collected.
+enum class ErrorKind : std::uint8_t { field, pair, refined_path, uncertified_path, voronoi, reference };
+inline constexpr int error_kind_count = 6;
+inline constexpr std::array<const char*, error_kind_count> error_kind_names{
+    "field", "pair", "refined path", "uncertified path", "Voronoi distance", "tightened reference"};
+
+/// Absolute relative errors by their logarithm, so that millions take no memory.
+struct ErrorHistogram {
+  static constexpr int bins_per_decade = 10;
+  static constexpr int lowest_decade = -12;
+  static constexpr int bins = 16 * bins_per_decade;
+  std::array<std::uint64_t, bins> counts{};
+  std::uint64_t count = 0;
+  double sum = 0.0;
+  double largest = 0.0;
+  unsigned largest_seed = 0;
+
+  void add(double error, unsigned seed) {
+    const double size = std::abs(error);
+    const double bin = (std::log10(std::max(size, 1e-30)) - lowest_decade) * bins_per_decade;
+    ++counts[static_cast<int>(std::clamp(bin, 0.0, bins - 1.0))];
+    ++count;
+    sum += size;
+    if (size <= largest) return;
+    largest = size;
+    largest_seed = seed;
+  }
+  double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
+  /// Upper end of the bin in which this share of all errors is reached.
+  double quantile(double share) const {
+    std::uint64_t passed = 0;
+    for (int i = 0; i < bins; ++i) {
+      passed += counts[i];
+      if (static_cast<double>(passed) >= share * static_cast<double>(count)) {
+        return std::min(largest, std::pow(10.0, lowest_decade + (i + 1.0) / bins_per_decade));
+      }
+    }
+    return largest;
+  }
+  void add(const ErrorHistogram& other) {
+    for (int i = 0; i < bins; ++i) counts[i] += other.counts[i];
+    count += other.count;
+    sum += other.sum;
+    if (other.largest > largest) {
+      largest = other.largest;
+      largest_seed = other.largest_seed;
+    }
+  }
+};
+
+/// One process of a run. Written by it, read by its parent when it has ended or hangs.
+struct HostileTally {
+  unsigned seed = 0;         ///< the mesh at work
+  char size_argument[32]{};  ///< what --seed needs beside it to make the same mesh
+  char question[160]{};      ///< what it is asked
+  char sentence[512]{};      ///< and what it is
+  bool finished = false;     ///< all seeds done
+  double mesh_seconds = 0;   ///< processor time of the process when the mesh began
+  unsigned meshes = 0;
+  unsigned refused = 0;  ///< meshes refused in a sentence, with reason
+  unsigned findings = 0;
+  unsigned meshes_with_findings = 0;
+  std::array<ErrorHistogram, error_kind_count> errors{};
+};
+
+}  // namespace vorogeo::test

@@ -1,0 +1,134 @@
+"""The house rules that the sources themselves can be asked for: arrows, circles, lengths, first lines, mirror tests.
+
+Needs nothing but Python and pytest, and no build.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+import tree
+
+MOST_LINES = 300
+MOST_LINES_OF_A_README = 30
+
+
+def none(found: dict[str, str]) -> None:
+    """Fail with everything found."""
+    assert not found, "\n" + "\n".join(f"{file}: {why}" for file, why in found.items())
+
+
+@pytest.mark.parametrize("part", tree.ORDER)
+def test_arrows_between_rooms_point_down(part: str) -> None:
+    order = tree.ORDER[part]
+    found = {}
+    for file in tree.sources(".cpp", ".h"):
+        if file.parts[0] != part or len(file.parts) != 3:
+            continue
+        assert file.parts[1] in order, f"{file.parent} has no place in tree.ORDER"
+        for other in tree.included(file):
+            same_part = other.parts[0] == part and len(other.parts) == 3
+            if same_part and order.index(other.parts[1]) > order.index(file.parts[1]):
+                found[str(file)] = f"includes {other}, which stands above it"
+    none(found)
+
+
+def test_the_core_includes_nothing_of_the_hosts() -> None:
+    hosts = re.compile(r"#\s*include\s*<(Q[A-Z]|vcg|wrap/|Python|nanobind|common/)")
+    found = {}
+    for file in tree.sources(".cpp", ".h"):
+        if file.parts[0] != "core":
+            continue
+        strangers = [str(other) for other in tree.included(file) if other.parts[0] != "core"]
+        if strangers or hosts.search(tree.text(file)):
+            found[str(file)] = f"knows a host: {strangers or hosts.search(tree.text(file)).group()}"
+    none(found)
+
+
+def test_plugin_and_python_package_do_not_know_each_other() -> None:
+    for file in tree.sources(".cpp", ".h"):
+        for other in tree.included(file):
+            assert {file.parts[0], other.parts[0]} != {"plugin", "pyfilter"}, f"{file} includes {other}"
+
+
+def test_no_circles_between_files() -> None:
+    arrows = {str(file): {str(other) for other in tree.included(file)} for file in tree.sources(".cpp", ".h")}
+    arrows |= {str(file): {str(other) for other in tree.imported(file)} for file in tree.sources(".py")}
+    assert tree.circles(arrows) == []
+
+
+def test_the_search_for_circles_finds_them() -> None:
+    arrows = {"a": {"b"}, "b": {"c"}, "c": {"a", "d"}, "d": set(), "e": {"a", "f"}, "f": {"e"}}
+    assert sorted(tree.circles(arrows)) == [["a", "b", "c"], ["e", "f"]]
+    assert tree.circles({"a": {"b", "c"}, "b": {"c"}, "c": set()}) == []
+
+
+def test_includes_in_quotes_name_a_file_of_the_project_from_its_part_on() -> None:
+    found = {}
+    for file in tree.sources(".cpp", ".h"):
+        names = tree.quoted_includes(file)
+        if any(".." in Path(name).parts for name in names):
+            found[str(file)] = "includes through '..'"
+        elif len(tree.included(file)) != len(names):
+            found[str(file)] = f"includes a file that is not there, among {names}"
+    none(found)
+
+
+def test_no_file_is_longer_than_a_reader_takes_in() -> None:
+    lengths = {str(file): len(tree.text(file).splitlines()) for file in tree.sources()}
+    none({file: f"{n} lines" for file, n in lengths.items() if n > MOST_LINES})
+
+
+def test_every_source_says_first_what_it_is() -> None:
+    found = {}
+    for file in tree.sources():
+        lines = tree.text(file).splitlines()
+        if file.suffix == ".sh" or (lines and lines[0].startswith("#!")):
+            lines = lines[1:]
+        begin = {".cpp": "// ", ".h": "// ", ".py": '"""'}.get(file.suffix, "# ")
+        if not lines or not lines[0].startswith(begin) or len(lines[0]) < 12:
+            found[str(file)] = f"begins with {lines[:1]}"
+    none(found)
+
+
+def test_every_room_has_a_first_page() -> None:
+    found = {}
+    for room in tree.rooms():
+        page = tree.PROJECT / room / "README.md"
+        if not page.is_file():
+            found[str(room)] = "has no README.md"
+        elif len(page.read_text().splitlines()) > MOST_LINES_OF_A_README:
+            found[str(room)] = f"its README.md has more than {MOST_LINES_OF_A_README} lines"
+    none(found)
+
+
+def decides(header: Path) -> bool:
+    """Whether a header without a source of its own holds code with branches or loops, not only declarations."""
+    code = re.sub(r"//.*", "", tree.text(header))
+    return re.search(r"\b(if|for|while|switch) \(", code) is not None
+
+
+def test_every_source_of_the_core_has_a_mirror_test() -> None:
+    found = {}
+    for file in tree.sources(".cpp", ".h"):
+        if file.parts[0] != "core" or len(file.parts) != 3:
+            continue
+        if file.suffix == ".h" and ((tree.PROJECT / file).with_suffix(".cpp").is_file() or not decides(file)):
+            continue
+        mirror = Path("tests") / file.with_name(f"{file.stem}_test.cpp")
+        if not (tree.PROJECT / mirror).is_file():
+            found[str(file)] = f"there is no {mirror}"
+        elif not re.search(r"^TEST", tree.text(mirror), flags=re.MULTILINE):
+            found[str(file)] = f"{mirror} tests nothing"
+    none(found)
+
+
+def test_the_version_stands_in_one_place() -> None:
+    version = (tree.PROJECT / "VERSION").read_text().strip()
+    assert re.fullmatch(r"\d+\.\d+\.\d+", version)
+    assert f"\n## {version}\n" in (tree.PROJECT / "CHANGELOG.md").read_text()
+    builds = ("CMakeLists.txt", "pyfilter/CMakeLists.txt", "pyfilter/pyproject.toml")
+    for file in (*tree.sources(), *map(Path, builds)):
+        assert f'"{version}"' not in tree.text(file), f"{file} repeats the version; it comes from the file VERSION"

@@ -1,0 +1,60 @@
+// What the bases and defects of hostile meshes are made with.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "support/hostile_meshes.h"
+
+namespace vorogeo::test {
+
+/// Where an edge lies in a face: face and corner at which it begins.
+struct EdgeSide {
+  std::size_t face;
+  int corner;
+};
+using EdgeSides = std::map<std::pair<Index, Index>, std::vector<EdgeSide>>;
+
+/// All edges by their two vertices, the smaller one first; faces that name a vertex twice are passed over.
+EdgeSides edge_sides(const Soup& soup);
+/// The two vertices of one edge.
+using VertexPair = std::pair<Index, Index>;
+/// Some different edges of those, in random order.
+std::vector<VertexPair> random_edges(const EdgeSides& edges, std::size_t count, HostileRandom& random);
+/// The vertices next to each vertex. Shape (n).
+std::vector<std::vector<Index>> neighbours_of(const Soup& soup);
+/// The median length of the edges that have one: outliers do not move it. 1 if there is none.
+double typical_edge(const Soup& soup);
+
+inline Point mix(const Point& a, const Point& b, double t) {
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+inline Point moved(const Point& p, const Point& direction, double by) {
+  return {p[0] + by * direction[0], p[1] + by * direction[1], p[2] + by * direction[2]};
+}
+
+/// A vertex at the share `t` of the way from a to b, unrolled too.
+Index add_vertex_between(HostileMesh& mesh, Index a, Index b, double t);
+/// A vertex anywhere, whose place in the unrolled surface is unknown.
+Index add_vertex(HostileMesh& mesh, const Point& position);
+
+/// About 1 to 5 % of the elements, at least one.
+std::size_t a_few(std::size_t elements, HostileRandom& random);
+/// "3 fins", "1 fin".
+std::string counted(std::size_t count, const std::string& noun);
+/// "1e+07", "0.25": short.
+std::string short_number(double value);
+
+/// One closed or open scrap of a few faces at `centre`: triangle, tetrahedron or two-sided quad.
+void add_crumb(Soup& soup, const Point& centre, double size, HostileRandom& random);
+
+/// Bases by name (HostileBase).
+HostileMesh hostile_extrusion(int vertices, HostileRandom& random);
+HostileMesh hostile_plate(int vertices, HostileRandom& random);
+HostileMesh hostile_pipe(int vertices, HostileRandom& random);
+/// The parts of add_defect().
+void move_vertices(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
+void split_hostile_edges(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
+void change_faces(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
+
+}  // namespace vorogeo::test
