@@ -90,7 +90,7 @@ struct Worker {
   HostileTally* tally = nullptr;
   unsigned next = 0;
   unsigned end = 0;
-  pid_t process = 0;
+  pid_t process = 0;  ///< 0: none runs
 
   void start(const Options& options, double deadline) {
     std::fflush(stdout);
@@ -144,7 +144,11 @@ struct Worker {
     }
     int status = 0;
     if (waitpid(process, &status, WNOHANG) != process) return true;
-    if (tally->finished && WIFEXITED(status) && WEXITSTATUS(status) == 0) return false;
+    if (tally->finished && WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+      process = 0;
+      next = end;
+      return false;
+    }
     note_lost(options, tally->finished ? "a leak or a late error of the process" : "a crash");
     if (tally->finished) next = end;
     return true;
