@@ -1,4 +1,4 @@
-// The best way into a face, and distances at any point of the surface.
+// The best last segment of a path into a face, and distances at any point of the surface.
 #include "exact/back_step.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
     if (distance < best.distance) best = {distance, no_index, v, no_index, 0.0};
   }
   for (int i = 0; i < 3; ++i) {
-    if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge does not come across it
+    if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge is not reached across it
     const Index h = 3 * face + i;
     const Index edge = state.mesh.edge_of(h);
     if (is_avoided(state.mesh.vertex_count() + edge)) continue;
@@ -90,7 +90,7 @@ double ExactSolver::State::distance_on_edge(const EdgePoint& point) const {
       found = std::min(found, source.offset + std::abs(x - at));
     }
   }
-  // The window at the point; beside a gap of rounding, those on its two sides.
+  // The window at the point; in a gap left by rounding, those on both sides of it.
   const auto list = envelope.windows(point.edge);
   const auto next = std::ranges::upper_bound(list, x, {}, &Window::begin);
   auto look = [&](const Window& window) {

@@ -11,16 +11,17 @@ namespace vorogeo {
 /// Vertices and edges: vertices are items [0, n), edges follow.
 using PassedItems = std::unordered_set<Index>;
 
-/// Where the straight way back from a point of a face leads: the best of all ways into that face.
+/// Where the straight segment that ends a shortest path at a point of a face comes from: the best of all
+/// entries into that face.
 struct BackStep {
-  double distance = unreachable;  ///< of the point, by this way
+  double distance = unreachable;  ///< of the point, by this path
   Index source = no_index;        ///< the source itself, in this face
   Index vertex = no_index;        ///< through this vertex
   Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
   double x = 0.0;
 };
 
-/// The best way to a point given by barycentric coordinates in `face`, but not over `avoided` items.
+/// The best step back from a point given by barycentric coordinates in `face`, avoiding the items `avoided`.
 /// Complexity: O(windows on the edges of the face).
 BackStep best_back_step(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
                         const PassedItems& avoided = {});

@@ -1,4 +1,4 @@
-// A corridor: how long a path to the target through a window has to be at least.
+// Corridors: lower bounds of the length of a path to the target through a window.
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +25,8 @@ void ExactSolver::State::look_at_target() {
 }
 
 double ExactSolver::State::length_through(const Window& window) const {
-  // The target turned about the edge into the plane, on the other side than the source: the straight way
-  // between the two crosses the edge where the sum of both distances is least.
+  // The target rotated about the edge into the plane, opposite the source: the straight line between the two
+  // crosses the edge where the sum of both distances is least.
   const double height = window.source_y + target_depth;
   const double across = height > 0.0
                             ? window.source_x + (target_x - window.source_x) * (window.source_y / height)
@@ -36,8 +36,8 @@ double ExactSolver::State::length_through(const Window& window) const {
   const double straight = window.distance(at) + std::sqrt(dx * dx + target_depth * target_depth);
   const double length = open_length;
   if (landmarks != nullptr) {
-    // The bounds of both ends, less the way to them, cross where the larger one is least; window distances
-    // change no faster.
+    // The bound at each end of the edge, less the distance to that end, is a bound here. The larger of the
+    // two is least where they are equal; the window's distance changes no faster than they do.
     const double x =
         std::clamp(0.5 * (proven_at_first - proven_at_second + length), window.begin, window.end);
     return std::max(straight,
@@ -51,11 +51,11 @@ double ExactSolver::State::length_through(const Window& window) const {
   if (!(std::max(from_a, from_b) < unreachable)) {
     return std::max(straight, window.least_distance() + nearest - length);
   }
-  // Between its ends the distance to the target may sag below the chord, as far as a circle around a point so
-  // near.
+  // Between the ends, the distance to the target may sag below the chord, by at most as much as for a circle
+  // around a point at distance `nearest`.
   const double sag = nearest > length ? 0.125 * length * length / (nearest - 0.5 * length) : 0.5 * length;
   const double slope = std::clamp((from_b - from_a) / length, -1.0, 1.0);
-  // The sum of the window's distance and the chord is least where both change alike.
+  // The sum of the window's distance and the chord is least where their slopes cancel.
   const double steepness = std::sqrt(1.0 - slope * slope);
   const double level = steepness > 0.0 ? window.source_x - slope * window.source_y / steepness
                                        : (slope > 0.0 ? window.begin : window.end);

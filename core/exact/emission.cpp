@@ -23,7 +23,8 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
   const VertexState& state = vertices[vertex];
   Window window =
       Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
-  // A vertex on the edge itself, but for next to nothing, would see a sector through no part of the edge.
+  // A vertex that lies on the edge up to a negligible distance would see a sector through no part of the
+  // edge.
   const bool is_on_edge = frame.apex_depth <= ExactGeometry::next_to_nothing * length;
   if (!is_on_edge && (least_angle > 0.0 || greatest_angle < width)) {
     // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
@@ -59,7 +60,7 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
       emit(vertex, corner, 0.0, 0.0, 0.0);
       continue;
     }
-    // A path bends only so that both its sides measure at least pi.
+    // A path bends only where the angles on both its sides are at least pi.
     const double begin = geometry->corner_begin[corner];
     const double width = (i + 1 < corners.size() ? geometry->corner_begin[corners[i + 1]] : total) - begin;
     auto emit_sector = [&](double from, double to) {
@@ -82,7 +83,7 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
 void ExactSolver::State::take_vertex(Index vertex) {
   const VertexState state = vertices[vertex];
   if (state.distance > max_distance) return;
-  // A face that may not be entered is like a border: paths may bend around it.
+  // A face that may not be entered acts like a border of the mesh: paths may bend around it.
   bool beside_barrier = false;
   for (Index corner : mesh.corners(vertex)) {
     if (!may_enter(Mesh::face_of(corner))) {

@@ -9,9 +9,9 @@ namespace vorogeo {
 namespace {
 
 constexpr double tie = 1e-12;
-/// Relative error of a distance at which a crossing counts as found.
+/// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
-/// Steps towards a crossing; Newton's method takes three, halving sixty.
+/// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int most_steps = 80;
 
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
@@ -47,8 +47,8 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
 }
 
 /// Where in (l, r) the difference of the distances, of opposite signs at the ends, is zero: a root in closed
-/// form, made sharp by Newton's method within the bracket, since the closed form cancels when the
-/// pseudo-sources are far.
+/// form, refined by Newton's method within the bracket, since the closed form cancels when the pseudo-sources
+/// are far.
 double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
   std::array<double, 2> root{};
   double x = crossings(fresh, old, l, r, root) > 0 ? root[0] : 0.5 * (l + r);
@@ -66,8 +66,9 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
   return x;
 }
 
-/// Divides [l, r], where both windows have a say. The new window gets a part only if it is truly shorter at
-/// an end of it, or in the middle between two crossings: equal windows would otherwise take turns for ever.
+/// Divides [l, r], which both windows cover. The new window gets a part only if it is strictly shorter at an
+/// end of it, or in the middle between two crossings: equal windows would otherwise replace each other
+/// forever.
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
@@ -85,7 +86,8 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   const bool tied_l = std::abs(gain_l) <= tie_l;
   const bool tied_r = std::abs(gain_r) <= tie_r;
   if (tied_l != tied_r && fresh.offset != old.offset) {
-    // Equal at one end: behind a crossing, the one that is longer at the other end may be shorter beside it.
+    // Equal at one end: up to a crossing, the window that is longer at the other end may be shorter near this
+    // one.
     std::array<double, 2> x{};
     if (const int found = crossings(fresh, old, l, r, x); found > 0) {
       const double cut = tied_r ? x[found - 1] : x[0];

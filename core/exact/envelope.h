@@ -13,8 +13,8 @@ namespace vorogeo {
 /// Lists of disjoint windows, one per edge, in the order of the edge, each contiguous in memory.
 ///
 /// Windows arrive in batches: open(edge), insert() for each, store(). While open, the list is split at the
-/// place of the last insertion into two stacks, so a sorted batch costs one pass. Clears in time of the edges
-/// touched.
+/// place of the last insertion into two stacks, so a sorted batch costs one pass. Clearing costs time for the
+/// edges touched only.
 class WindowEnvelope {
  public:
   void resize(std::size_t edges) { lists_.assign(edges, {}); }
@@ -24,11 +24,11 @@ class WindowEnvelope {
   }
   std::span<Window> windows(Index edge) { return {pool_.data() + lists_[edge].offset, lists_[edge].size}; }
 
-  /// Overlaps up to `sliver` (a length) are taken as rounding of a shared end and not compared.
+  /// Overlaps up to `sliver` (a length) are regarded as rounding of a shared end and not compared.
   void open(Index edge, double sliver);
-  /// Adds a window to the open edge where it is shorter than the windows there, and cuts those where it is.
-  /// Ties (relative 1e-12) are left with the older window.
-  /// `at_begin`, `at_end`: the window's distances at its ends, which the caller has at hand.
+  /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
+  /// Ties (relative 1e-12) are left with the older window. `at_begin`, `at_end`: the window's distances at
+  /// its ends, which the caller has at hand.
   void insert(const Window& window, double at_begin, double at_end) {
     const bool free = left_end_ <= window.begin + sliver_ && right_begin_ >= window.end - sliver_;
     if (!free) {
@@ -45,7 +45,7 @@ class WindowEnvelope {
   /// Closes the open edge. Returns the least distance of the parts inserted, infinity if there are none.
   double store();
 
-  /// Gives up the windows of an edge where no later window can be shorter, and takes no more.
+  /// Drops the windows of an edge on which no later window can be shorter; the edge accepts no more.
   void retire(Index edge);
   bool is_retired(Index edge) const { return lists_[edge].retired; }
 
@@ -64,11 +64,12 @@ class WindowEnvelope {
     bool retired = false;
   };
 
-  /// Windows on top of each other; what was taken off stays as room.
+  /// A stack of windows; what was popped stays as capacity.
   class Stack {
    public:
     void push(const Window& window) { push(window, window.begin, window.end); }
-    /// With other ends. Field by field: a copy in wide moves would wait for fields just written.
+    /// Pushes a window with other ends, field by field: a copy by wide moves would wait for fields just
+    /// written.
     void push(const Window& window, double begin, double end) {
       if (size_ == room_.size()) room_.resize(2 * size_ + 16);
       Window& place = room_[size_++];
@@ -92,10 +93,11 @@ class WindowEnvelope {
     std::size_t size_ = 0;
   };
 
-  /// The most frequent meeting: the last window of the batch and the next see the same pseudo-source past
-  /// two sides of a vertex, and only these two overlap. False, and nothing done, if it is another one.
+  /// The most frequent case: the last window of the batch and the next one see the same pseudo-source past
+  /// the two sides of a vertex, and only these two overlap. In any other case, does nothing and returns
+  /// false.
   bool cut_last(const Window& window, double at_begin, double at_end);
-  /// The same as insert() where the new window meets others.
+  /// The same as insert() where the new window overlaps others.
   void insert_among(Window window, double at_begin, double at_end);
   void divide_among(Window window, double at_begin, double at_end);
   void add_piece(const Window& window, double begin, double end);

@@ -27,9 +27,9 @@ FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
   frame.second_side_reversed = mesh.edge_vertices(second_edge)[0] == frame.apex;
   const double length = mesh.edge_length(edge);
   if (!(length > 0.0)) return frame;
-  // From positions: the lengths of a needle or of a nearly flat face, each rounded, would tell next to
-  // nothing of its angles. Seen from the nearer end of the edge, as the difference of two large numbers loses
-  // digits.
+  // Computed from positions: the lengths of a needle or of a nearly flat face, each rounded, tell next to
+  // nothing about its angles. Measured from the nearer end of the edge, as the difference of two large
+  // numbers loses digits.
   const Point& p = mesh.position(mesh.edge_vertices(edge)[0]);
   const Point& q = mesh.position(mesh.edge_vertices(edge)[1]);
   const Point& r = mesh.position(frame.apex);
@@ -81,7 +81,8 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
     if (can_bend[v] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[v] = by_angle;
     if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) continue;
     const auto corners = mesh->corners(v);
-    // The first corner begins at its border edge, if there is one; each next one where the last ended.
+    // The first corner begins at its border edge, if there is one; each of the others where the previous one
+    // ended.
     Index entered = corners[0];
     if (fan == Mesh::Fan::open && mesh->next_around_edge(entered) != entered) {
       entered = Mesh::previous_in_face(entered);

@@ -1,4 +1,4 @@
-// What the exact solver needs of a mesh in the plane: computed once, shared by all solvers of a mesh.
+// The plane geometry of a mesh that the exact solver needs: computed once, shared by all solvers of a mesh.
 #pragma once
 
 #include <memory>
@@ -34,11 +34,12 @@ struct ExactGeometry {
 
   std::shared_ptr<const Mesh> mesh;
   std::vector<FaceFrame> frame;  ///< by half-edge
-  /// A length this small beside another one of its face (relative) is at the rounding of positions there.
+  /// A length that is smaller than another one of its face by this factor is within the rounding of positions
+  /// there.
   static constexpr double next_to_nothing = 1e-8;
   /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, a border, or non-manifold.
-  /// `anywhere` at the ends of edges of next to no length: positions on the edges around do not tell on which
-  /// side of such an edge's end a path passes, so its ends send out windows in all directions.
+  /// `anywhere` at the ends of edges of negligible length: positions on the edges around do not tell on which
+  /// side of such an end a path passes, so it sends out windows in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };
   std::vector<Bend> can_bend;
   /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner
@@ -48,8 +49,8 @@ struct ExactGeometry {
   std::vector<std::uint8_t> begins_at_own_edge;
 
   /// From the second vertex of the half-edge's edge back to the foot of the apex, along the edge. Where the
-  /// side between the two is short beside the edge, `length - apex_x` has lost the digits that tell its
-  /// direction: then by the angle that the side's own frame has.
+  /// side between the two is short relative to the edge, `length - apex_x` has lost the digits that give its
+  /// direction; it is then computed from the angle in the side's own frame.
   double apex_from_second(Index halfedge) const {
     const FaceFrame& own = frame[halfedge];
     const double length = mesh->edge_length(mesh->edge_of(halfedge));
@@ -67,7 +68,7 @@ struct ExactGeometry {
   }
 
  private:
-  /// Sides shorter than this part of the edge lose more than three digits.
+  /// Sides shorter than this fraction of the edge lose more than three digits.
   static constexpr double short_side = 1e-3;
 };
 

@@ -25,7 +25,7 @@ class ExactLandmarks {
   int count() const { return count_; }
   std::size_t memory_bytes() const { return distance_.size() * sizeof(float); }
 
-  /// Between which bounds the distances of a point from the landmarks lie.
+  /// Bounds of the distances of a point from the landmarks.
   struct Seen {
     std::array<float, most> least;
     std::array<float, most> greatest;
@@ -45,7 +45,7 @@ class ExactLandmarks {
   }
 
  private:
-  /// Of numbers in single precision and their difference, with room to spare.
+  /// Relative rounding of numbers in single precision and of their difference, with a margin.
   static constexpr double rounding = 0x1p-21;
 
   int count_;

@@ -84,7 +84,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   std::size_t settled_on_edges = 0;
   std::int64_t items = 0;
   const bool stop_at_targets = !limits.targets.empty();
-  // Ends: an item enters the queue only where a distance became shorter by more than rounding.
+  // This loop ends: an item enters the queue only where a distance decreased by more than rounding.
   for (;;) {
     if (stop_at_targets) {
       const double bound = state.queue.lower_bound();

@@ -36,8 +36,8 @@ struct ExactLimits {
   std::span<const Index> targets{};
   /// With targets: points of edges whose distances are to be final as well. Not with distances_only.
   std::span<const EdgePoint> edge_targets{};
-  /// Neighbouring windows that one window stands for with a deviation up to this part of their edge's length
-  /// travel on as one; distances become too short by about as much. 0: exact.
+  /// Neighbouring windows are merged if a single window represents them with a deviation of up to this
+  /// fraction of their edge's length; distances become too short by about as much. 0: exact.
   double merge_tolerance = 0.0;
   /// If set, with a max_distance that is known to be an upper bound of this vertex's distance: only what can
   /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this
@@ -46,24 +46,25 @@ struct ExactLimits {
   /// The same for any point of the surface; takes the place of corridor_target.
   const SurfacePoint* corridor_point = nullptr;
   /// With a corridor, if not empty: for each vertex a lower bound of its distance to the corridor's target
-  /// (size: number of vertices); used where it is more than the straight line in space.
+  /// (size: number of vertices); used where it is larger than the straight line in space.
   std::span<const double> least_remaining{};
-  /// With a corridor, if set: exact distances on this mesh; what they prove is used where it is more.
+  /// With a corridor, if set: exact distances on this mesh; the bounds that they prove are used where they
+  /// are larger.
   const ExactLandmarks* landmarks = nullptr;
   /// If not empty: only faces f with face_allowed[f] != 0 are entered (size: number of faces).
   std::span<const std::uint8_t> face_allowed{};
-  /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are given up,
+  /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are dropped,
   /// which keeps memory to a multiple of the front's length instead of the mesh's size, and is faster.
   bool distances_only = false;
-  /// If set: told the fraction of vertices reached, from the calling thread; may cancel the run.
+  /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   const Progress* progress = nullptr;
 };
 
 /// Exact solver on one mesh. Keeps its memory between runs; one object belongs to one thread.
 ///
 /// Windows follow Mitchell, Mount, Papadimitriou (1987) and Surazhsky et al. (2005): on each edge, the lower
-/// envelope of the distances seen through it. Wavefronts are taken up edge by edge in buckets of
-/// distance, after Xu et al. (2015, FWP), and windows dominated by a vertex are cut (Xin, Wang 2009).
+/// envelope of the distances seen through it. Wavefronts advance edge by edge in buckets of distance, after
+/// Xu et al. (2015, FWP), and windows dominated by a vertex are cut (Xin, Wang 2009).
 class ExactSolver {
  public:
   explicit ExactSolver(std::shared_ptr<const Mesh> mesh);

@@ -1,4 +1,4 @@
-// Paths back to the source, a face at a time, along the ways that a run left.
+// Paths back to the source, one face at a time, through the windows that a run left.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,21 +12,21 @@ namespace vorogeo {
 
 namespace {
 
-/// Crossings this close to the end of an edge pass through the vertex: in lengths of the edge, and of the
-/// path.
+/// Crossings this close to the end of an edge pass through the vertex: relative to the length of the edge,
+/// and to that of the path.
 constexpr double snap = 1e-10;
 constexpr double snap_of_path = 1e-13;
 
-/// How much longer than the distance (relative) a traced path may be: first by what rounding does, then by
-/// what it does on faces that it leaves hardly any shape; at last by any amount, so that there is a path.
+/// How much longer than the distance (relative) a traced path may be: first by ordinary rounding, then by
+/// rounding on nearly degenerate faces, finally by any amount, so that there is a path.
 constexpr double slack[] = {0.5 * path_tolerance, 1e-6, unreachable};
 
 /// Rounding of a distance in a face, in mean edge lengths.
 constexpr double rounding = 1e-14;
 
 /// Walks from a target back to its source: a depth-first search over the vertices and edges that are passed,
-/// the best step first. Nearly always the best steps alone lead there. But among edges of no length and
-/// faces of no area many ways are equally long, and some of them lead nowhere.
+/// the best step first. Nearly always the best steps alone lead there. But among edges of no length and faces
+/// of no area many paths are equally long, and some are dead ends.
 class Tracer {
  public:
   Tracer(const ExactSolver::State& state, const SurfacePoint& target, double distance, double longer)
@@ -38,8 +38,8 @@ class Tracer {
 
   /// The path; without points if there is none within the bound.
   SurfacePath trace() {
-    // Each round passes a vertex or an edge that none has passed before, or goes back by a stop: so there are
-    // at most twice as many rounds as the mesh has vertices and edges.
+    // Each round passes a vertex or an edge that was not passed before, or goes back by one stop: so there
+    // are at most twice as many rounds as vertices and edges.
     for (std::size_t round = 1; !arrived_ && !is_source(stops_.back().point); ++round) {
       if (round % 256 == 0) checkpoint();
       if (!go_on()) stops_.pop_back();
@@ -67,7 +67,7 @@ class Tracer {
            state_.sources[vertex.source].offset <= vertex.distance;
   }
 
-  /// Goes on by the best step that passes nothing passed before. \return false if there is none.
+  /// Takes the best step that passes nothing already passed. \return false if there is none.
   bool go_on() {
     const Stop here = stops_.back();
     if (here.point.is_vertex() && go_along_edge(here)) return true;
@@ -96,7 +96,8 @@ class Tracer {
     }
     const SurfacePoint point = validated(mesh_, SurfacePoint::in_face(best_face, there));
     if (best.halfedge != no_index) passed_.insert(mesh_.vertex_count() + mesh_.edge_of(best.halfedge));
-    // A crossing moved to an end of its edge that was passed before: the next round does without this edge.
+    // The crossing was moved to an end of its edge that had been passed before: the next round avoids this
+    // edge.
     if (point.is_vertex() && !passed_.insert(point.vertex).second && !arrived_) return true;
     const FacePlane plane(*state_.geometry, best_face);
     const auto from = plane.at(best_here);
@@ -120,7 +121,7 @@ class Tracer {
     return there;
   }
 
-  /// To the vertex from which this one was reached along an edge, if it was.
+  /// Goes to the vertex from which this one was reached, if it was reached along an edge.
   bool go_along_edge(const Stop& here) {
     const Index from = state_.vertices[here.point.vertex].along_edge_from;
     if (from == no_index || passed_.contains(from)) return false;

@@ -1,4 +1,4 @@
-// How windows travel: an edge hands its new windows on across its faces.
+// How windows travel: an edge passes its new windows on across its faces.
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +8,11 @@ namespace vorogeo {
 
 namespace {
 
-/// How far beside a window, in lengths of the edge, a vertex may lie and still be reached by it.
+/// How far outside a window, relative to the edge's length, a vertex may lie and still be reached by it.
 constexpr double vertex_tolerance = 1e-11;
 
-/// Windows narrower than this, in lengths of their edge, are rounding at ties and break edges into ever more
-/// slivers.
+/// Windows narrower than this, relative to their edge, come from rounding at ties and would break edges into
+/// ever more slivers.
 constexpr double least_width = 1e-11;
 
 }  // namespace
@@ -183,8 +183,8 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
     const double source_x = second ? crossed_length - item.window.source_x : item.window.source_x;
     const double source_y = item.window.source_y;
     const double from = side.crossing(second ? crossed_length - end : begin, source_x, source_y);
-    // What is cut at the ray to the apex ends at the apex: from a source next to the edge all rays leave it
-    // at one position but for rounding.
+    // A window that is cut at the ray to the apex ends at the apex: from a source close to the edge, all rays
+    // leave the edge at the same position up to rounding.
     const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
     const double to =
         to_end ? side.length : side.crossing(second ? crossed_length - begin : end, source_x, source_y);
@@ -196,7 +196,7 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
                    reversed ? side.length - turned_x : turned_x, turned_y, item.window.offset, side.halfedge,
                    item.window.source});
   };
-  // In the order of the side's edge, so that the batch is sorted but for windows whose rays cross.
+  // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
   if (side.reversed == second) {
     for (const Crossing& item : crossing) hand_on_one(item);
   } else {
@@ -206,8 +206,8 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
 }
 
 void ExactSolver::State::close_edges_at(Index vertex) {
-  // Along the edge, the vertices alone keep every point within half the sum of their distances and its
-  // length.
+  // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
+  // and the edge's length.
   auto close_later = [&](Index edge) {
     const auto [a, b] = mesh.edge_vertices(edge);
     const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));

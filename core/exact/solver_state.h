@@ -42,7 +42,7 @@ struct ExactSolver::State {
   void close_edges_behind_front();
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, double crossed_length);
-  /// Cuts what the end vertices of the edge being fed reach no later; false if nothing is left.
+  /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
   bool open_edge(Index edge);
   void insert_window(const Window& window);
@@ -57,8 +57,8 @@ struct ExactSolver::State {
   void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
   void add_window(Index edge, const Window& window);
 
-  /// Least length of a path to the corridor's target that has come, in `length`, to within `radius` of a
-  /// point.
+  /// Lower bound of the length of a path to the corridor's target that has come within `radius` of a point
+  /// after `length`.
   double length_to_target(double length, const Point& point, double radius) const {
     const double straight =
         std::hypot(point[0] - corridor_at[0], point[1] - corridor_at[1], point[2] - corridor_at[2]) - radius;
@@ -81,9 +81,10 @@ struct ExactSolver::State {
     const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
     return length_to_target(length, middle, 0.5 * mesh.edge_length(edge));
   }
-  /// Where the corridor's target lies beside the edge being fed (corridor.cpp).
+  /// Finds where the corridor's target lies relative to the open edge (corridor.cpp).
   void look_at_target();
-  /// Least length of a path through a window of that edge to the target: the least over the window's points.
+  /// Lower bound of the length of a path through a window of that edge to the target: the least over the
+  /// window's points.
   double length_through(const Window& window) const;
   /// Whether such a path can be within the bound of the corridor.
   bool in_corridor(double length_to_target) const {
@@ -112,28 +113,27 @@ struct ExactSolver::State {
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
   WindowEnvelope envelope;
-  /// A window being handed on across a face, and where the ray to the face's apex leaves its edge.
+  /// A window being passed on across a face, and where the ray to the face's apex leaves its edge.
   struct Crossing {
     Window window;
     double to_apex;
   };
   std::vector<Crossing> crossing;
-  /// Lets neighbouring windows of `crossing` travel on as one where merge_tolerance allows it
-  /// (window_merging.cpp).
+  /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).
   void merge_crossing(double length);
   double merge_tolerance = 0.0;
-  /// The edge to which windows are being added, and what its ends say.
+  /// The open edge, to which windows are being added, and the distances of its ends.
   Index open = no_index;
   double open_length = 0.0;
   double from_first = 0.0;
   double from_second = 0.0;
   double target_x = 0.0;         ///< of the corridor's target, along the edge
   double target_depth = 0.0;     ///< and away from its line
-  double proven_at_first = 0.0;  ///< what the landmarks prove of the rest at its ends
+  double proven_at_first = 0.0;  ///< lower bound of the rest of a path at its ends, by the landmarks
   double proven_at_second = 0.0;
   /// Vertices are items [0, n), edges follow.
   BucketQueue queue;
-  /// Only vertex distances are wanted: edges give up their windows when the front has passed.
+  /// Only vertex distances are wanted: edges drop their windows when the front has passed.
   bool distances_only = false;
   /// Edges with the distance at which the front has passed them, roughly in that order.
   std::deque<std::pair<double, Index>> closing;

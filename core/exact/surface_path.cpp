@@ -9,10 +9,10 @@ namespace vorogeo {
 
 namespace {
 
-/// Of a step in a face, in lengths of its longest side: six weights and as many products are rounded.
+/// Rounding of a step in a face, relative to its longest side: six weights and as many products are rounded.
 constexpr double step_rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Weights that differ by less are the same but for rounding.
+/// Weights that differ by less are equal up to rounding.
 constexpr double same_weight = 1e-9;
 
 using Weights = std::array<double, 3>;
@@ -21,7 +21,7 @@ using Weights = std::array<double, 3>;
 Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, Weights& at_a,
                   Weights& at_b) {
   Index common = no_index;
-  // The point of fewer faces: round a vertex there may be any number.
+  // Start from the point with fewer faces: around a vertex there may be any number.
   const bool swapped = a.is_vertex() && !b.is_vertex();
   for_each_face_at(mesh, swapped ? b : a, [&](Index face, const Weights& weights) {
     if (common != no_index || !weights_in_face(mesh, swapped ? a : b, face, swapped ? at_a : at_b)) return;
@@ -45,7 +45,7 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
     Weights to{};
     const Index face = common_face(mesh, points[i], points[i + 1], from, to);
     if (face == no_index) {
-      // A vertex without a face is as far from itself as any other point is.
+      // A step from a vertex to itself has length 0 even if no face holds it.
       if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;
       return {};
     }

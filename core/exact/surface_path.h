@@ -1,4 +1,4 @@
-// Paths over a surface, and whether one is what it says.
+// Paths over a surface, and the check that one is valid and as long as it says.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ struct SurfacePath {
   double length = 0.0;
 };
 
-/// Lengths of paths agree if they differ by no more than this (relative), and by what rounding of the weights
-/// of their points allows.
+/// Lengths of paths agree if they differ by no more than this (relative), beyond what rounding of the weights
+/// of their points explains.
 inline constexpr double path_tolerance = 1e-9;
 
 /// A length measured along points.
@@ -30,8 +30,8 @@ struct MeasuredLength {
 /// `unreachable` if there is no point or two share no face. Complexity: O(points) for each face at a point.
 MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points);
 
-/// Whether two points are the same one but for rounding of their weights. Points at the same place in space,
-/// on two sides of a slit say, are not.
+/// Whether two points are the same up to rounding of their weights. Points at the same place in space, on two
+/// sides of a slit say, are not.
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
 /// Whether a path runs from `first` to `last`, every two consecutive points share a face, and its steps sum

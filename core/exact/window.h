@@ -24,7 +24,7 @@ struct Window {
   void set_propagated() { came_from = std::min(came_from, ~came_from); }
   Index entry() const { return std::max(came_from, ~came_from); }
 
-  /// The whole of an edge seen from a point of a face at it.
+  /// The whole of an edge seen from a point of an adjacent face.
   static Window from_source(double length, double x, double y, double offset, Index halfedge, Index source) {
     return {0.0, length, x, y, offset, halfedge, source};
   }

@@ -20,8 +20,8 @@ bool joined(const Window& a, const Window& b, Window& result) {
   const double radius_at_begin = at_begin - a.offset;
   const double radius_at_end = at_end - b.offset;
   if (!(room > 0.0 && radius_at_begin > 0.0 && radius_at_end > 0.0)) return false;
-  // Distance of the new pseudo-source from the beginning. A smaller one turns the rays at both ends outwards:
-  // not so far that they leave the sight of the old ones.
+  // Distance of the new pseudo-source from the beginning. A smaller one turns the rays at both ends outwards,
+  // which must stay between those of the old windows.
   const double slope_at_begin = (a.begin - a.source_x) / radius_at_begin;
   const double slope_at_end = (b.end - b.source_x) / radius_at_end;
   double radius = std::max(radius_at_begin, radius_at_end - rise);
@@ -51,11 +51,12 @@ double deviation(const Window& joint, const Window& a, const Window& b) {
 }  // namespace
 
 void ExactSolver::State::merge_crossing(double length) {
-  // What passes long faces goes on to short ones: a part of a long edge may be more than these are long.
+  // Windows travel on from long faces to short ones, whose edges may be shorter than the tolerance on a long
+  // edge.
   const double tolerance = merge_tolerance * std::min(length, mesh.typical_edge_length());
   const double gap = 1e-9 * length;
   std::size_t last = 0;
-  double deviated = 0.0;  // of what the last one stands for
+  double deviated = 0.0;  // largest deviation from the windows that the last one replaces
   for (std::size_t i = 1; i < crossing.size(); ++i) {
     const Window& next = crossing[i].window;
     Window& window = crossing[last].window;

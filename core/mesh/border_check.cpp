@@ -11,17 +11,18 @@ namespace vorogeo {
 
 namespace {
 
-/// Borders count as near each other below this share of their edges.
+/// Borders closer than this fraction of their edge lengths are near each other.
 constexpr double near_share = 0.1;
-/// They count as joined by a path along edges of at most so many border edges: one leads round the end of a
-/// slit with two sides of one edge each, whose length is 2.
+/// They are connected, and not reported, if a path along edges joins them that is at most this many border
+/// edges long. The path round the end of a slit whose sides are one edge each has length 2.
 constexpr double joined_edges = 1.5;
-/// What one vertex looks at, so that dense heaps of border vertices and vertices with thousands of edges cost
-/// no more than their number. A walk that ends early counts as a path found: no alarm without proof.
+/// Limits of the work for one vertex, so that dense clusters of border vertices and vertices with thousands
+/// of edges cost time proportional to their number. A walk that is cut short is treated like a path found: no
+/// warning without proof.
 constexpr int most_neighbours = 1024;
 constexpr int most_steps = 4096;
 
-/// Sets of numbers that are joined step by step.
+/// Disjoint sets of numbers.
 class Joined {
  public:
   explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -42,8 +43,8 @@ class VertexTree {
     if (!order_.empty()) build(0, static_cast<Index>(order_.size()));
   }
 
-  /// Calls visit(vertex) for vertices at most as far from a point as visit returned last, `reach` to begin
-  /// with; stops when it has been called `most` times.
+  /// Calls visit(vertex) for the vertices within a radius of a point: `reach` at first, then what visit last
+  /// returned. Stops after `most` calls.
   template <class Visit>
   void visit_near(const Point& point, double reach, int most, Visit&& visit) const {
     std::vector<Index> open{0};
@@ -76,7 +77,8 @@ class VertexTree {
     Point high;
     Index begin;
     Index end;
-    Index second = no_index;  ///< the second half; the first follows its whole; no_index: a leaf
+    Index second = no_index;  ///< box of the second half; that of the first follows its parent; no_index: a
+                              ///< leaf
   };
 
   Index build(Index begin, Index end) {
@@ -109,12 +111,12 @@ class VertexTree {
   std::vector<Box> boxes_;
 };
 
-/// Which vertices paths along edges lead to from a vertex, up to a length.
+/// The vertices that paths along edges reach from a vertex within a length.
 class Walk {
  public:
   explicit Walk(const Mesh& mesh) : mesh_(mesh), distance_(mesh.vertex_count(), unreachable) {}
 
-  /// \return whether the walk ended by itself.
+  /// \return false if the walk was cut short.
   bool run(Index start, double length) {
     for (Index v : seen_) distance_[v] = unreachable;
     seen_.clear();

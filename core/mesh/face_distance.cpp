@@ -12,7 +12,7 @@ double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3
                         const std::array<double, 3>& corner_distance) {
   std::array<double, 3> length{};  // of the edge from corner i to the next
   for (int i = 0; i < 3; ++i) length[i] = mesh.edge_length(mesh.edge_of(3 * face + i));
-  std::array<double, 3> beside{};  // distance of the point from corner i, from edge lengths alone
+  std::array<double, 3> to_corner{};  // distance of the point from corner i, by edge lengths alone
   for (int i = 0; i < 3; ++i) {
     const double next = weights[(i + 1) % 3];
     const double previous = weights[(i + 2) % 3];
@@ -20,16 +20,16 @@ double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3
     const double b = length[(i + 2) % 3] * length[(i + 2) % 3];
     const double opposite = length[(i + 1) % 3] * length[(i + 1) % 3];
     const double square = next * next * a + previous * previous * b + next * previous * (a + b - opposite);
-    beside[i] = std::sqrt(std::fmax(0.0, square));
+    to_corner[i] = std::sqrt(std::fmax(0.0, square));
   }
   double best = unreachable;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    best = std::min(best, corner_distance[i] + beside[i]);
+    best = std::min(best, corner_distance[i] + to_corner[i]);
     if (!(corner_distance[i] < unreachable && corner_distance[j] < unreachable)) continue;
     double through =
-        unfolded_distance(length[i], corner_distance[i], corner_distance[j], beside[i], beside[j]);
+        unfolded_distance(length[i], corner_distance[i], corner_distance[j], to_corner[i], to_corner[j]);
     const double third =
         unfolded_distance(length[i], corner_distance[i], corner_distance[j], length[k], length[j]);
     if (third < corner_distance[k] && corner_distance[k] < unreachable) {

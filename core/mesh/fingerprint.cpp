@@ -10,9 +10,9 @@ namespace vorogeo {
 
 namespace {
 
-/// Four chains of rounds. Words go in pairs; each word of a pair runs through two chains with different
-/// constants, so a collision needs both halves of the 128 bits to meet, and the chains do not wait for each
-/// other.
+/// Four chains of rounds. Words are taken in pairs; each word of a pair runs through two chains with
+/// different constants, so in a collision both halves of the 128 bits must agree, and the chains do not wait
+/// for each other.
 class WordHash {
  public:
   void add(std::uint64_t first, std::uint64_t second) {
@@ -47,7 +47,7 @@ class WordHash {
 };
 
 std::uint64_t bits_of(double coordinate) {
-  return std::bit_cast<std::uint64_t>(coordinate == 0.0 ? 0.0 : coordinate);  // -0.0 counts as 0.0
+  return std::bit_cast<std::uint64_t>(coordinate == 0.0 ? 0.0 : coordinate);  // -0.0 is hashed as 0.0
 }
 
 }  // namespace

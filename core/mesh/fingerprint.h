@@ -14,7 +14,7 @@ struct Fingerprint {
   friend bool operator==(const Fingerprint&, const Fingerprint&) = default;
 };
 
-/// Complexity: O(n + m), memory speed.
+/// Complexity: O(n + m), at the speed of memory.
 Fingerprint fingerprint_of(const Mesh& mesh);
 
 }  // namespace vorogeo

@@ -1,10 +1,10 @@
-// Which edge lengths the computations of the core can hold, and what to multiply the coordinates of others
-// by.
+// Which edge lengths the core can compute with, and the factor for the coordinates of meshes outside this
+// range.
 #pragma once
 
 namespace vorogeo {
 
-/// Least mean length and greatest length of the edges of a mesh.
+/// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.
 struct LengthLimits {
   double least_mean;
   double greatest;
@@ -17,7 +17,7 @@ struct LengthLimits {
 
 /// Areas are products of four lengths: beyond these they leave the range of doubles.
 inline constexpr LengthLimits exact_lengths{1e-60, 1e60};
-/// Tables hold single precision: distances across the mesh have to stay far from its ends.
+/// Tables hold single precision: distances across the mesh must stay well inside its range.
 inline constexpr LengthLimits index_lengths{1e-28, 1e28};
 
 /// The power of ten that brings mean and longest edge closest to 1 when coordinates are multiplied by it.

@@ -199,8 +199,8 @@ void Mesh::sort_fans() {
     for (Index h : own) {
       total_angle_[v] += corner_angle(h);
       for (Index side : {h, previous_in_face(h)}) {
-        // Around an edge of length zero the angles do not tell how the faces of its two ends lie to each
-        // other, so straight on cannot be told from a turn: both ends count as places where paths may turn.
+        // Around an edge of length zero the angles do not tell how the faces at its two ends lie relative to
+        // each other, so straight on cannot be told from a turn: paths may turn at both ends.
         if (edge_length_[halfedge_edge_[side]] == 0.0) manifold = false;
         const Index other = next_around_edge_[side];
         if (other == side) {

@@ -1,4 +1,4 @@
-// The flat intrinsic half-edge mesh on which everything in the core runs.
+// The half-edge mesh, in flat arrays, on which everything in the core runs.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace vorogeo {
 
 using Point = std::array<double, 3>;
 
-/// In space, in a straight line.
+/// Straight-line distance in space.
 inline double distance_between(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
@@ -64,7 +64,7 @@ class Mesh {
   Index edge_of(Index halfedge) const { return halfedge_edge_[halfedge]; }
   /// The next half-edge of the same undirected edge; itself on a border.
   Index next_around_edge(Index halfedge) const { return next_around_edge_[halfedge]; }
-  /// Fetches what next_around_edge() reads.
+  /// Prefetches what next_around_edge() reads.
   void prefetch_around_edge(Index halfedge) const { prefetch_line(&next_around_edge_[halfedge]); }
 
   /// The two vertices of an edge, smaller index first; positions along an edge count from the first.
@@ -73,8 +73,8 @@ class Mesh {
   Index edge_halfedge(Index edge) const { return edge_halfedge_[edge]; }
   int edge_face_count(Index edge) const;
   double mean_edge_length() const { return mean_edge_length_; }
-  /// The mean of the edges that are not far longer than most: at most ten times the median of those longer
-  /// than 0. A few edges of any length leave it as it is, which makes it the scale for steps of a search.
+  /// Mean length of the edges that are at most ten times as long as the median of those longer than 0. A few
+  /// edges of whatever length do not change it, so it is the scale for the steps of a search.
   double typical_edge_length() const { return typical_edge_length_; }
   double longest_edge_length() const { return longest_edge_length_; }
 
@@ -134,8 +134,9 @@ class Mesh {
   double longest_edge_length_ = 0.0;
 };
 
-/// Refuses edge lengths that arithmetic cannot hold. `what` begins the sentence that says who takes which
-/// lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw InvalidInput.
+/// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
+/// accepted lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw
+/// InvalidInput.
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
 
 }  // namespace vorogeo

@@ -12,7 +12,7 @@ namespace vorogeo {
 
 namespace {
 
-/// A face counts as having no area below this share of its longest edge squared. Rounding of double
+/// A face has zero area if its area is below this fraction of its longest edge squared. Rounding of double
 /// coordinates alone leaves about 1e-16; the thinnest needles of real CAD meshes keep more than 1e-7.
 constexpr double zero_area_share = 1e-14;
 
@@ -26,7 +26,7 @@ Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b
 
 double squared_length(const Point& p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2]; }
 
-/// From coordinates, not from edge lengths: those lose half of the digits of a small area.
+/// Computed from coordinates: from edge lengths, half of the digits of a small area would be lost.
 bool has_no_area(const Point& a, const Point& b, const Point& c) {
   Point u = difference(b, a);
   Point v = difference(c, a);

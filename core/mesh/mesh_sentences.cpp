@@ -96,7 +96,7 @@ std::vector<std::string> MeshReport::sentences() const {
   say(inconsistent_edges,
       "edge lies between faces of opposite orientation|edges lie between faces of opposite orientation",
       "at face " + std::to_string(inconsistent_edges.first), "this does not change distances.");
-  // 17234 typical edges are said as 10,000 times: the order of magnitude tells enough.
+  // 17234 typical edges are given as 10,000: the order of magnitude is enough.
   const std::string ratio =
       outliers.count == 0 ? "" : grouped(std::pow(10.0, std::floor(std::log10(outlier_ratio) + 1e-9)));
   say(outliers,

@@ -25,7 +25,8 @@ double Mesh::corner_angle(Index halfedge) const {
 }
 
 double Mesh::face_area(Index face) const {
-  // Over the two shorter sides: beside them the rounding of a product is small, also in needles.
+  // Cross product of the two shorter sides: relative to them, the rounding of a product is small even in
+  // needles.
   int longest = 0;
   for (int i = 1; i < 3; ++i) {
     if (edge_length_[halfedge_edge_[3 * face + i]] > edge_length_[halfedge_edge_[3 * face + longest]])

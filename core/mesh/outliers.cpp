@@ -1,4 +1,4 @@
-// Pieces of a component that short edges hold together; the small ones beside a large one are outliers.
+// Pieces of a component that are connected by short edges; the small ones next to a large one are outliers.
 #include "mesh/outliers.h"
 
 #include <algorithm>

@@ -7,10 +7,10 @@
 
 namespace vorogeo {
 
-/// Vertices that only edges far longer than the typical one join to the rest of their component.
+/// Vertices that are connected to the rest of their component only by edges far longer than the typical one.
 struct Outliers {
-  /// By vertex: its group, no_index for the others; empty if there is no outlier. Outliers that share an edge
-  /// are in one group.
+  /// By vertex: the group of an outlier, no_index for other vertices; empty if there are no outliers.
+  /// Outliers that share an edge are in one group.
   std::vector<Index> group;
   std::vector<Index> group_size;
   Index count = 0;           ///< outliers
@@ -21,14 +21,13 @@ struct Outliers {
   Index group_of(Index vertex) const { return group.empty() ? no_index : group[vertex]; }
 };
 
-/// An edge is far longer than the typical one beyond so many typical lengths.
+/// An edge longer than this many typical edges is far longer than the typical one.
 inline constexpr double outlier_edges = 100.0;
-/// Where the pieces that edges up to that length hold together are all smaller than this part of their
-/// component, there is no rest to which others are outliers: meshes may consist of fine parts joined by long
-/// edges.
+/// Outliers exist only where one of the pieces that edges up to that length connect has at least this
+/// fraction of its component's vertices: a mesh may also consist of fine parts joined by long edges.
 inline constexpr double least_rest = 0.75;
 
-/// Complexity: O(n + edges) but for a slowly growing factor; without a long edge, a look at the longest.
+/// Complexity: O(n + edges) up to a slowly growing factor; O(1) if no edge is that long.
 Outliers find_outliers(const Mesh& mesh);
 
 }  // namespace vorogeo

@@ -48,7 +48,7 @@ std::array<double, 3> nearest_weights(const Point& p, const Point& a, const Poin
     const double sum = va + vb + vc;
     return {va / sum, vb / sum, vc / sum};
   }
-  // Outside (or a face without area): on one of the edges.
+  // Outside the face, or a face without area: the nearest point is on one of the edges.
   std::array<double, 3> best{};
   double least = unreachable;
   const Point* corner[3] = {&a, &b, &c};
@@ -77,12 +77,12 @@ double square_to_box(const Point& p, const Point& low, const Point& high) {
   return sum;
 }
 
-/// Without overflow of the squares.
+/// Length of a vector, without overflow of the squares.
 double length_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
 
 /// A point farther away than this many diagonals of the mesh is replaced by one at this distance in the same
-/// direction from the middle of its box. That changes which point of the surface is nearest by at most the
-/// diagonal divided by this number, which is what a double can hold of such distances.
+/// direction from the middle of the mesh's box. That changes which point of the surface is nearest by at most
+/// the diagonal divided by this number, which is what a double can hold of such distances.
 constexpr double far_in_diagonals = 1e8;
 /// Beyond it the length of a vector may overflow.
 constexpr double greatest_coordinate = 1e307;
@@ -187,7 +187,7 @@ SnappedPoint SurfaceLocator::nearest(const Point& given) const {
     }
     const double first = square_to_box(point, boxes_[id + 1].low, boxes_[id + 1].high);
     const double second = square_to_box(point, boxes_[box.second].low, boxes_[box.second].high);
-    // The nearer half is looked at first.
+    // The nearer half is searched first.
     if (first <= second) {
       open.emplace_back(second, box.second);
       open.emplace_back(first, id + 1);

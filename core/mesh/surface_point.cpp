@@ -12,8 +12,8 @@ namespace vorogeo {
 
 namespace {
 
-/// By how much weights and their sum may be off: single precision, in which many programs hold them, is off
-/// by up to 2e-7.
+/// Tolerance of weights and of their sum: single precision, in which many programs store them, errs by up to
+/// 2e-7.
 constexpr double weight_tolerance = 1e-6;
 
 /// Weights up to this are rounding of 0: the point lies on the edge or in the corner.

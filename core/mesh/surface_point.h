@@ -24,12 +24,15 @@ struct SurfacePoint {
   std::partial_ordering operator<=>(const SurfacePoint&) const = default;
 };
 
-/// The same point in its simplest form: one in a corner becomes that vertex, weights off by 1e-6 are mended.
-/// \throw InvalidInput if an index is out of range, or weights are more negative or farther from the sum 1.
+/// The same point in its simplest form: one in a corner becomes that vertex, weights off by up to 1e-6 are
+/// corrected.
+/// \throw InvalidInput if an index is out of range, or if weights are more negative than that or their sum
+/// farther from 1.
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 
-/// A validated point as every way of giving it is written: a point on an edge is held by the first of the
-/// edge's faces. So two are equal (but for rounding of their weights) only if their numbers are.
+/// The one representation of a validated point, however it was given: a point on an edge is stored in the
+/// first of the edge's faces. So two points are the same (up to rounding of their weights) only if their
+/// numbers are.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
 /// Position in space.

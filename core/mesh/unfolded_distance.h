@@ -1,4 +1,4 @@
-// Distance over an edge whose two sides are unfolded into one plane.
+// Distance across an edge whose two faces are unfolded into one plane.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 namespace vorogeo {
 
 /// Distance across an edge of the given length from a source at distances (source_a, source_b) of its ends to
-/// a target at (target_a, target_b): both unfolded into the plane on either side of the edge. `unreachable`
-/// if the straight line misses the edge or the distances belong to no common wave.
+/// a target at (target_a, target_b): both placed in the plane, on opposite sides of the edge. `unreachable`
+/// if the straight line misses the edge or no point in the plane has these distances.
 inline double unfolded_distance(double length, double source_a, double source_b, double target_a,
                                 double target_b) {
   const double source_difference = source_a - source_b;

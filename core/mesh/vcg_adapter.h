@@ -1,5 +1,5 @@
-// From any VCG triangle mesh to the arrays that a Mesh is made of; deleted elements are skipped, the index
-// map is kept.
+// Copies any VCG triangle mesh into the arrays that a Mesh is made from; skips deleted elements and keeps the
+// index maps.
 //
 // Only the members that every VCG mesh has are used (vert, face, cP, cV, IsD), so no VCG header is included
 // here.

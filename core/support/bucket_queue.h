@@ -17,9 +17,9 @@ namespace vorogeo {
 /// almost for ever, so a bucket from which many items have been taken continues first in, first out.
 ///
 /// Keys may lie further apart than any width suits. So a run counts the empty buckets it passes and the items
-/// it looks at in the overflow list; where these outnumber the items pushed many times, buckets become twice
-/// as wide. That can happen no more often than a key has bits, and between two times the work is a constant
-/// for each item pushed: every run costs O(pushes), whatever the keys.
+/// it looks at in the overflow list; where these outnumber the pushed items many times over, buckets are made
+/// twice as wide. That can happen no more often than a key has bits, and between two widenings the work per
+/// pushed item is constant: every run costs O(pushes), whatever the keys.
 class BucketQueue {
  public:
   void resize(std::size_t count) { bucket_of_.assign(count, none); }
@@ -112,7 +112,7 @@ class BucketQueue {
   void widen() {
     std::size_t kept = 0;
     current_ /= 2;
-    // An item that was pushed again lower stands in the list twice: its number is halved once.
+    // An item that was pushed again with a lower key is in the list twice, but its bucket is halved once.
     for (Index item : overflow_) {
       if (bucket_of_[item] != none) overflow_[kept++] = item;
     }
@@ -126,7 +126,7 @@ class BucketQueue {
     most_idle_ = least_idle + idle_per_push * static_cast<std::int64_t>(overflow_.size());
   }
 
-  /// Moves what fits from the overflow into the ring; false if nothing is left anywhere.
+  /// Moves what fits from the overflow into the ring; false if both are empty.
   bool refill() {
     idle_ += static_cast<std::int64_t>(overflow_.size());
     if (in_ring_ == 0) {
@@ -160,8 +160,8 @@ class BucketQueue {
   std::vector<Index> overflow_;
   std::int64_t current_ = 0;
   std::int64_t overflow_check_ = ring_size / 2;
-  std::int64_t idle_ = 0;       ///< empty buckets passed and overflow items looked at since it was widened
-  std::int64_t most_idle_ = 0;  ///< where it is widened
+  std::int64_t idle_ = 0;       ///< empty buckets passed and overflow items examined since the last widening
+  std::int64_t most_idle_ = 0;  ///< value of idle_ at which buckets are widened
   std::size_t in_ring_ = 0;
   std::size_t first_ = 0;  ///< first item left in the current bucket
   std::size_t taken_ = 0;  ///< items taken from the current bucket

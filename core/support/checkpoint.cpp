@@ -1,4 +1,4 @@
-// The watches of a thread, innermost first, as a list through its stack.
+// The watches of a thread, innermost first, as a linked list on its stack.
 #include "support/checkpoint.h"
 
 namespace vorogeo {

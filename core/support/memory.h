@@ -14,7 +14,7 @@ class NotEnoughMemory : public Error {
   using Error::Error;
 };
 
-/// What is said of an allocation that failed on the way, where nothing more is known.
+/// The message for an allocation that failed midway, when nothing more is known.
 inline constexpr const char* out_of_memory_sentence =
     "There is not enough memory for this computation on this mesh. Close other programs, use fewer threads, "
     "or use a smaller mesh.";

@@ -34,17 +34,18 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// "NAME.vorogeo-" of all temporaries of a target; cut so that the name is not too long with what follows.
+/// "NAME.vorogeo-" of all temporaries of a target; shortened so that the name with its suffix is not too
+/// long.
 std::string prefix_of(const fs::path& target) {
   const std::string name = target.filename().string();
   return name.substr(0, longest_name - std::string(mark).size() - 8 - std::string(ending).size()) + mark;
 }
 
-/// Where a chain of links ends, whether there is anything or not.
+/// Where a chain of symbolic links ends, whether that exists or not.
 fs::path end_of_links(fs::path file) {
   std::error_code error;
   for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
-    file = folder_of(file) / fs::read_symlink(file, error);  // an absolute one replaces the folder
+    file = folder_of(file) / fs::read_symlink(file, error);  // an absolute link replaces the folder
   }
   return file;
 }
@@ -115,7 +116,7 @@ OutputFile::OutputFile(const fs::path& file, std::string what)
   create();
   struct stat old {};
   if (::stat(target_.c_str(), &old) == 0) {
-    // The new file belongs to whom the old one did as far as this user may give files away.
+    // The new file gets the owner of the old one, if this user may give files away.
     [[maybe_unused]] const int refused = ::fchown(descriptor_, old.st_uid, old.st_gid);
     ::fchmod(descriptor_, old.st_mode & 07777);
   }
@@ -136,7 +137,7 @@ void OutputFile::remove_leftovers() const {
 
 void OutputFile::create() {
   std::random_device random;
-  // Somebody who cleans may take the file away before it is locked; then another is made.
+  // Another process that cleans up may remove the file before it is locked; then another one is made.
   for (int attempt = 0; attempt < 100; ++attempt) {
     std::array<char, 9> number{};
     std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
@@ -171,7 +172,7 @@ void OutputFile::reserve(std::uint64_t bytes) {
   struct statvfs disk {};
   if (::fstatvfs(descriptor_, &disk) == 0 && disk.f_blocks > 0) {
     const auto blocks = ::geteuid() == 0 ? disk.f_bfree : disk.f_bavail;
-    // Asked first, so that a file that cannot fit does not fill the disk for a while.
+    // Checked first, so that a file that cannot fit does not fill the disk for a while.
     if (bytes / disk.f_frsize > blocks) fail(takes, ENOSPC);
   }
   constexpr std::uint64_t piece = std::uint64_t{1} << 30;  // so that a signal does not undo much

@@ -1,5 +1,4 @@
-// A file that takes the place of its target only when it is whole; whatever stops the writer leaves the old
-// one.
+// A file that replaces its target only once it is complete; if the writer is stopped, the old file stays.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@ class FileError : public Error {
   using Error::Error;
 };
 
-/// Where a file of this name is written: the name itself, or what a symbolic link leads to, which need not
+/// Where a file of this name is written: the name itself, or what a symbolic link points to, which need not
 /// exist. `what` begins the messages ("The index file").
 /// \throw InvalidInput if that is a folder, a device or a pipe, or in a folder that does not exist; FileError
 /// if it may not be written to.
@@ -26,10 +25,10 @@ std::filesystem::path output_target(const std::filesystem::path& file, const std
 
 /// Writes to a temporary file beside the target and renames it at the end.
 ///
-/// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. One that
-/// a killed process has left is therefore told from one in use, by any user of the folder, and is removed by
-/// whoever writes to the same target next. An existing target keeps its permissions; not thread-safe, but any
-/// number of writers may have the same target: the last to finish wins.
+/// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. So any
+/// user of the folder can tell one that a killed process has left from one in use, and whoever next writes to
+/// the same target removes it. An existing target keeps its permissions; not thread-safe, but any number of
+/// writers may share a target: the last to finish wins.
 class OutputFile {
  public:
   /// \throw as output_target, and FileError if no file can be made there.
@@ -38,9 +37,9 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Takes the space of a file of so many bytes, so that memory mapped to it can be written without a signal.
-  /// File systems that cannot reserve space get zeros. \throw FileError if there is not enough; it says how
-  /// many bytes are needed.
+  /// Reserves disk space for this many bytes, so that memory mapped to the file can be written without a
+  /// signal. On file systems that cannot reserve space, zeros are written. \throw FileError if there is not
+  /// enough; it says how many bytes are needed.
   void reserve(std::uint64_t bytes);
   /// Appends. \throw FileError if the disk is full or fails.
   void write(std::span<const std::byte> bytes);
@@ -49,7 +48,7 @@ class OutputFile {
   /// Removes the temporary unless finish() has succeeded.
   void discard() noexcept;
 
-  /// The file that is written, for those who map it into memory; it ends with finish() or discard().
+  /// The file being written, for callers that map it into memory; valid until finish() or discard().
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:

@@ -36,7 +36,7 @@ struct Shared {
 
   void fail(std::exception_ptr error) {
     std::lock_guard lock(mutex);
-    // The first error counts: what the others throw when they are stopped is its consequence.
+    // Only the first error is kept: what the others throw when they are stopped is its consequence.
     if (!failure) failure = std::move(error);
     stop = true;
   }
@@ -86,7 +86,7 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
         shared.finished.notify_one();
       });
     } catch (const std::system_error&) {
-      // The system has no thread left: those that are running do the work.
+      // The system has no thread left: those already running do the work.
       std::lock_guard lock(shared.mutex);
       --shared.running;
       break;
