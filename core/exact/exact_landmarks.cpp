@@ -18,8 +18,8 @@ ExactLandmarks::ExactLandmarks(std::span<const std::vector<double>> fields)
   distance_.resize(vertices * fields.size());
   for (std::size_t v = 0; v < vertices; ++v) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      // A path stays in its component; a landmark in another one must bound nothing there, so all are equally
-      // far from it.
+      // A landmark in another component bounds nothing: the same number is stored for all vertices of this
+      // one.
       const double distance = fields[i][v];
       distance_[v * fields.size() + i] = std::isfinite(distance) ? static_cast<float>(distance) : 0.0F;
     }

@@ -1,4 +1,5 @@
-// The front in buckets of distance; a vertex that is relaxed after it was taken is taken again, a few times.
+// The front, in buckets of distance; a vertex that is relaxed after it was processed is processed again, a
+// few times.
 #include "partition/front.h"
 
 #include "mesh/unfolded_distance.h"
@@ -10,8 +11,8 @@ namespace {
 
 /// Bucket width in typical edge lengths.
 constexpr double bucket_width = 0.5;
-/// Round faces without area, vertices may lower each other by ever less and without end: what is this close
-/// to the distance known is no gain, and after so many gains a distance stays.
+/// Around faces without area, vertices may relax each other without end, by ever smaller amounts: a smaller
+/// gain than this (relative) is ignored, and a vertex is relaxed at most `most_lowerings` times.
 constexpr double least_gain = 1.0 - 1e-9;
 constexpr std::uint8_t most_lowerings = 64;
 constexpr int vertices_per_checkpoint = 4096;
@@ -35,7 +36,7 @@ void Front::relax(Index vertex, double distance, Index source) {
   queue_.push(vertex, distance);
 }
 
-/// Lowers the third vertex of a face, at the head of the half-edge that leaves `vertex` or at its tail.
+/// Relaxes the third vertex of a face, at the head of the half-edge that leaves `vertex` or at its tail.
 void Front::pass(Index vertex, Index halfedge) {
   const Index edge = mesh_.edge_of(halfedge);
   const bool forth = mesh_.tail(halfedge) == vertex;
@@ -50,7 +51,7 @@ void Front::pass(Index vertex, Index halfedge) {
     const double straight =
         unfolded_distance(mesh_.edge_length(mesh_.edge_of(across)), distance_[vertex], distance_[other],
                           length, mesh_.edge_length(mesh_.edge_of(beside)));
-    // A front only moves on: what rounding on needles makes nearer than both ends is not taken.
+    // A front only advances: values that rounding on needles makes smaller than at both ends are not used.
     if (straight >= std::fmin(distance_[vertex], distance_[other])) distance = std::fmin(distance, straight);
   }
   relax(target, distance, source_[vertex]);

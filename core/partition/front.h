@@ -1,4 +1,5 @@
-// Approximate distances from many sources in time of the vertices reached: good enough for cells of patches.
+// Approximate distances from many sources, in time proportional to the vertices reached: good enough for the
+// cells of patches.
 #pragma once
 
 #include <span>
@@ -13,18 +14,18 @@ namespace vorogeo {
 /// edge, unfolded, from the distances of its two ends (fast marching; Kimmel, Sethian 1998). Only ends that
 /// the same source reached are unfolded. Distances err by about a percent.
 ///
-/// Keeps its memory between runs, which cost the vertices they reach; one object belongs to one thread. The
-/// mesh must outlive it.
+/// Keeps its memory between runs, whose cost depends only on the vertices they reach; one object belongs to
+/// one thread. The mesh must outlive it.
 class Front {
  public:
   explicit Front(const Mesh& mesh);
 
-  /// Starts anew from vertices. `face_allowed`: the faces that may be entered; empty: all.
-  /// A vertex is relaxed a bounded number of times, so every front ends.
+  /// Starts again, from vertices. `face_allowed`: the faces that may be entered; empty: all. A vertex is
+  /// relaxed a bounded number of times, so every front ends.
   /// \throw Cancelled at a checkpoint. Complexity: O(n) for n vertices reached and faces at them.
   void grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed);
 
-  /// `unreachable` if the front did not come there.
+  /// `unreachable` if the front did not get there.
   double distance(Index vertex) const { return distance_[vertex]; }
   /// Position in `sources` of the one that a vertex belongs to; no_index if there is none.
   Index source(Index vertex) const { return source_[vertex]; }

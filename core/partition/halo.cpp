@@ -7,8 +7,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Where a ring is broken off: it is at most this much more than asked for, by far wider than the rings of
-/// meshes without hubs.
+/// Number of faces at which a ring is cut short: far more than the rings of meshes without hubs have.
 std::size_t broken_off(std::size_t wanted) {
   constexpr std::size_t least_room = 1000;
   return 2 * wanted + least_room;

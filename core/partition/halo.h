@@ -15,7 +15,7 @@ std::vector<Index> first_faces(std::span<const Index> label, Index patch_count);
 
 /// The faces of some patches and a rim around them, as a mask for the exact solver.
 ///
-/// A shortest path between points of the patches may leave them for a short way; the rim (halo) lets it.
+/// A shortest path between points of the patches may leave them for a short stretch; the rim (halo) lets it.
 class Halo {
  public:
   /// `face_begin`: see first_faces(); must outlive the halo.
@@ -25,9 +25,9 @@ class Halo {
   /// points of the patches.
   static constexpr double default_growth = 1.5;
 
-  /// Marks the patches and a rim around them; earlier marks are taken back. A ring of faces is taken whole,
+  /// Marks the patches and a rim around them; earlier marks are cleared. A ring of faces is taken whole,
   /// unless that would make the rim much larger than asked for: at the hub of a fan of needles a ring may be
-  /// most of the mesh. Complexity: O(faces marked), and of the faces at a vertex that ends the rim.
+  /// most of the mesh. Complexity: O(faces marked), plus the faces at the vertex where a ring is cut short.
   void surround(std::span<const Index> patches, double growth = default_growth);
   /// Marks also what is within some rings of faces around the given faces, up to about `most` faces: the last
   /// ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as there.
@@ -38,11 +38,11 @@ class Halo {
   std::span<const Index> faces() const { return faces_; }
 
  private:
-  /// Calls visit(face) for the faces at the vertices of faces list[begin ...], all of them or until the list
-  /// has `most` faces; returns where those end that the list had at first.
+  /// Calls visit(face) for the faces at the vertices of the faces list[begin ...], which may extend the list,
+  /// until it has `most` faces; returns the size that the list had at first.
   template <class Visit>
   std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t most, Visit&& visit);
-  /// From here on all vertices count as not passed.
+  /// Marks all vertices as not passed.
   void forget_vertices();
 
   const Mesh& mesh_;
@@ -53,7 +53,7 @@ class Halo {
   std::vector<std::uint8_t> mask_;
   std::vector<Index> faces_;
   std::vector<Index> ringed_;
-  /// By vertex: the turn in which its faces were visited, so that those at a hub are visited once.
+  /// By vertex: the value of turn_ when its faces were visited, so that those at a hub are visited once.
   std::vector<std::uint32_t> passed_;
   std::uint32_t turn_ = 0;
 };

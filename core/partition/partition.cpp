@@ -14,24 +14,23 @@ namespace vorogeo {
 
 namespace {
 
-/// Vertices of a second-layer patch. Larger patches mean fewer crossings but a longer build: the build grows
-/// with the square root of this number, the size of the tables likewise.
+/// Vertices of a second-layer patch. Larger patches mean fewer crossings, but build time and table size grow
+/// with the square root of this number.
 constexpr double second_layer_vertices = 350.0;
 /// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
 /// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
 constexpr double ordinary_patches = 16.0;
-/// Where each of them holds this many second-layer patches, more of them would make its tables the larger
-/// part.
+/// Second-layer patches in each of these, up to which the tables of the first layer are not the larger part.
 constexpr double ordinary_patches_per_parent = 24.0;
 /// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then that table
 /// and the first-layer tables grow alike, by the cube root per vertex.
 constexpr double ordinary_vertices = ordinary_patches * ordinary_patches_per_parent * second_layer_vertices;
-/// On small meshes a first-layer patch has at least so many second-layer patches.
+/// On small meshes a first-layer patch has at least this many second-layer patches.
 constexpr double least_patches_per_parent = 2.0;
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
 
-/// First-layer patches that suit a mesh of so many vertices.
+/// Number of first-layer patches that suits a mesh of this many vertices.
 Index first_layer_count(double vertices, const PartitionOptions& options) {
   if (options.second_layer_patches) {
     return rounded(vertices / (options.second_layer_patches * second_layer_vertices));
@@ -52,7 +51,7 @@ std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces
   return vertices;
 }
 
-/// Renumbers labels so that those in use are 0, 1, ... in their order; returns how many there are.
+/// Renumbers labels so that those in use are 0, 1, ... in the same order; returns how many there are.
 Index compact(std::vector<Index>& label, const std::vector<Index>& faces, Index labels) {
   std::vector<Index> renamed(labels, no_index);
   for (Index f : faces) renamed[label[f]] = 0;

@@ -20,10 +20,10 @@ struct PatchColoring {
   int colors_used = 0;
 };
 
-/// Patches that share a vertex get different colours. Greedy, patches with most neighbours first, of the
-/// colours left the one used least. The palette has eight colours that also colour-blind people tell apart
-/// (Okabe, Ito 2008); further ones are added only if a patch has neighbours of all of them. Complexity: O(m +
-/// p log p + pairs of neighbours) for m faces and p patches.
+/// Patches that share a vertex get different colours. Greedy, patches with most neighbours first, with the
+/// least used of the colours left. The palette has eight colours that also colour-blind people tell apart
+/// (Okabe, Ito 2008); more are added only if a patch has neighbours of all eight. Complexity: O(m + p log p +
+/// pairs of neighbours) for m faces and p patches.
 PatchColoring color_neighbors_differently(const Mesh& mesh, std::span<const Index> face_patches);
 
 }  // namespace vorogeo

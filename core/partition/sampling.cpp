@@ -15,7 +15,7 @@ constexpr Index far = std::numeric_limits<Index>::max();
 
 constexpr auto anywhere = [](Index, Index) { return true; };
 
-/// Vertices by distance, taken from the farthest; entries whose distance has fallen are put back lower.
+/// Vertices by distance, farthest first; entries whose distance has decreased are put back lower.
 class FarthestFirst {
  public:
   void add(Index v, Index edge_count) {
@@ -50,8 +50,7 @@ class Sampler::EdgeCountField {
   explicit EdgeCountField(const Mesh& mesh)
       : mesh_(mesh), edge_counts_(mesh.vertex_count(), far), cell_(mesh.vertex_count(), no_index) {}
 
-  /// Vertices outside the part keep what an earlier part left there, but the part's faces do not lead to
-  /// them.
+  /// Vertices outside the part keep values of earlier parts, but the part's faces do not lead to them.
   void enter(const MeshPart& part) {
     part_ = part;
     reset();
@@ -148,7 +147,7 @@ std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint6
     field.reset();
     for (std::size_t i = 0; i < part.vertices.size(); ++i) field.set_cell(part.vertices[i], cell_of[i]);
     field.grow(front, [&](Index from, Index to) { return field.cell(from) == field.cell(to); });
-    // The vertex deepest inside a cell; the present sample stays where no other is deeper.
+    // The vertex deepest inside a cell; the current sample stays if no other vertex is deeper.
     std::vector<Index> deepest(samples);
     for (Index v : part.vertices) {
       if (field.edge_count(v) == far) continue;

@@ -16,7 +16,7 @@ struct MeshPart {
   std::span<const std::uint8_t> face_allowed;  ///< empty: all faces
 };
 
-/// Places samples. Keeps its memory, of the size of the mesh, between calls, which cost the vertices of the
+/// Places samples. Keeps its memory, of the size of the mesh, between calls, whose cost depends only on the
 /// part; one object belongs to one thread. The mesh must outlive it.
 class Sampler {
  public:

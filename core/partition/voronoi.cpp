@@ -14,7 +14,7 @@ namespace {
 
 constexpr int smoothing_rounds = 8;
 
-/// Outliers of one group that are kept inside one patch; their faces are then about as many as those of half
+/// Largest group of outliers that is kept inside one patch: its faces are then about as many as those of half
 /// a second-layer patch.
 constexpr Index most_kept_inside = 200;
 
