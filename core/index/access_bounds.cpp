@@ -1,4 +1,4 @@
-// One pass over the first-layer tables, one over the least distances of the transit table.
+// One pass over the first-layer tables, and one over the least distances of the transit table.
 #include "index/access_bounds.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::size_t AccessBounds::memory_bytes() const {
 
 namespace {
 
-/// Without the bounds themselves.
+/// Everything but the bounds themselves.
 AccessBounds lay_out_bounds(const IndexData& data, const TransitTable& transit_table) {
   const PatchLayer& first = data.first;
   const PatchLayer& second = data.second;
@@ -35,7 +35,7 @@ AccessBounds lay_out_bounds(const IndexData& data, const TransitTable& transit_t
     auto& groups = bounds.groups[p];
     for (std::size_t row = 0; row < nodes.size(); ++row) {
       const Index group = transit_table.group_of[nodes[row]];
-      // The nodes of a group belong to the same patches, so they are rows one after the other.
+      // The nodes of a group belong to the same patches, so their rows are consecutive.
       if (groups.empty() || groups.back().group != group) groups.push_back({group, static_cast<Index>(row)});
     }
     groups.shrink_to_fit();

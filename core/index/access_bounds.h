@@ -1,5 +1,5 @@
-// Least distances between pieces of the borders of the two layers, and between those of the first layer: most
-// of the first-layer tables and of the transit table need then not be read for two points.
+// Least distances between pieces of patch borders, from the second layer to the first and within the first:
+// with them, two points need to read only a small part of the first-layer tables and of the transit table.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ struct GroupRows {
   Index row;  ///< of its first node
 };
 
-/// For each second-layer patch, each node on its border and each group of the transit table on the border of
-/// the first-layer patch around it: the least of the distances between them, rounded down to a multiple of
-/// `step` entries of the first-layer table, in 8 bits. And for each two first-layer patches and each two
-/// groups on their borders the least distance, rounded down to 15 bits. Both follow from the tables; empty in
-/// an index in the form of a graph.
+/// For each node on the border of a second-layer patch, and each group of the transit table on the border of
+/// the first-layer patch around it: the least distance between them, rounded down to a multiple of `step`
+/// units of the first-layer table, in 8 bits. And for each pair of groups on the borders of two first-layer
+/// patches: the least distance, rounded down to 15 bits. Both follow from the tables; empty in an index in
+/// the form of a graph.
 struct AccessBounds {
-  /// Table entries that a bound of 1 stands for: the greatest entry gives 254.
+  /// Units of the table that a bound of 1 stands for: the greatest entry gives 254.
   static constexpr std::uint16_t step = 129;
   static constexpr std::uint8_t infinite_entry = 255;
-  /// Bounds between borders; also those of infinite distances and behind the last group.
+  /// Greatest bound between borders; also used for infinite distances and behind the last group.
   static constexpr std::int16_t greatest_between = 16383;
 
   std::vector<std::vector<GroupRows>> groups;  ///< by first-layer patch
@@ -39,7 +39,7 @@ struct AccessBounds {
 
   /// Bounds of the border nodes of a second-layer patch, for the first group; group by group.
   const std::uint8_t* of_patch(Index patch) const { return least.data() + begin[patch]; }
-  /// Groups of a first-layer patch, filled up for scans.
+  /// Number of groups of a first-layer patch, rounded up for scans.
   Index width(Index patch) const;
   /// Bounds between two first-layer patches, p <= q. Shape (groups of p, width(q)).
   const std::int16_t* between(Index p, Index q) const {
@@ -51,11 +51,11 @@ struct AccessBounds {
   std::size_t memory_bytes() const;
 };
 
-/// Memory that they take for an index that is laid out, in bytes.
+/// Memory that the bounds take for an index that is laid out, in bytes.
 std::int64_t access_bounds_bytes(const IndexData& data);
 
-/// \pre The first layer and the transit table are filled. Complexity: that of reading the first-layer tables,
-/// and a number for each two groups.
+/// \pre The first layer and the transit table are filled. Complexity: one pass over the first-layer tables,
+/// and O(1) for each pair of groups.
 AccessBounds make_access_bounds(const IndexData& data);
 
 }  // namespace vorogeo

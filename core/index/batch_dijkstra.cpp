@@ -11,13 +11,13 @@ namespace vorogeo {
 
 namespace {
 
-/// least_sum takes so many sums at a time.
+/// Sums that a scan computes at a time.
 constexpr Index scan_width = 16;
-/// A node that was taken is taken again for a sum that is truly less: not for another way round a corner that
-/// unfolding makes a little shorter.
+/// A node is processed again only if its sum decreased below this part of the earlier one, and not for a path
+/// round the other side of a corner that unfolding makes a little shorter.
 constexpr float least_gain = 1.0f - 1e-4f;
-/// Rounds in which nodes are taken again; a few suffice unless tables contradict each other, and then a full
-/// search decides.
+/// Rounds in which nodes are processed again; a few suffice unless tables contradict each other, and then a
+/// full search decides.
 constexpr int most_rounds = 64;
 
 }  // namespace
@@ -25,9 +25,9 @@ constexpr int most_rounds = 64;
 void BatchDijkstra::search_from_each(std::span<const Index> sources,
                                      std::span<const std::uint8_t> patch_allowed,
                                      const std::function<void(std::size_t i)>& done) {
-  // Twice the radius would do if unfolding kept the triangle inequality to the last bit.
+  // Twice the radius would be enough if unfolding kept the triangle inequality to the last bit.
   constexpr double slack_per_radius = 2.1;
-  // Nearer than the radius, the order of nodes from a source may differ from that from the leader.
+  // Near the source, the order of nodes may differ from that by distance from the leader.
   constexpr double near_per_radius = 3.0;
   const std::size_t leader = sources.size() / 2;
   search_all(sources[leader], patch_allowed);
@@ -63,7 +63,7 @@ void BatchDijkstra::fit(std::span<const std::uint8_t> patch_allowed, double slac
   std::sort(order_.begin(), order_.end(), [&](Index a, Index b) {
     return std::pair(search_.distance(a), a) < std::pair(search_.distance(b), b);
   });
-  // The sums before they were corrected, with the sign that range_within takes.
+  // The uncorrected sums, with the sign that range_within expects.
   std::vector<float>& below = least_;
   std::fill(below.begin(), below.end(), unreachable_float);
   for (Index node : order_) below[node] = -static_cast<float>(search_.sum(node));
@@ -80,7 +80,7 @@ void BatchDijkstra::fit(std::span<const std::uint8_t> patch_allowed, double slac
           const IndexRange range =
               range_within(below.data() + run.begin, entries, layer.unit[at.patch], bound, count);
           if (range.begin == range.end) return;
-          // Whole blocks are scanned faster than odd ends.
+          // Whole blocks are scanned faster than partial ones.
           const Index end = std::min(
               count, range.begin + (range.end - range.begin + scan_width - 1) / scan_width * scan_width);
           stretch_.push_back({entries + range.begin, place, run.begin + range.begin, end - range.begin});
@@ -123,7 +123,7 @@ bool BatchDijkstra::follow(Index source, std::span<const std::uint8_t> patch_all
     }
     take(k);
   }
-  // Where waves from two sides meet, the order of a few nodes may be another one as well.
+  // Where waves from two sides meet, the order of a few nodes may differ, too.
   for (int round = 0; round < most_rounds; ++round) {
     bool changed = false;
     for (std::size_t k = 0; k < order_.size(); ++k) {

@@ -10,7 +10,7 @@ namespace vorogeo {
 
 struct PatchLayer;
 
-/// Neighbours of each node along the borders of its patches, up to four: where more borders meet, the others
+/// Neighbours of each node along the borders of its patches, up to four; where more borders meet, the rest
 /// are left out.
 class BorderEdges {
  public:
@@ -24,8 +24,8 @@ class BorderEdges {
   /// The edges of a node; those that do not exist lead to no_index.
   const std::array<Edge, 4>& at(Index node) const { return edges_[node]; }
 
-  /// Median length of the border edges, each counted for every patch beside it: a few of any length leave it
-  /// as it is. 0 without any.
+  /// Median length of the border edges, each counted once for every adjacent patch; a few of whatever length
+  /// do not change it. 0 if there are none.
   double typical_length() const { return typical_length_; }
   std::size_t memory_bytes() const { return edges_.size() * sizeof(edges_[0]); }
 

@@ -10,7 +10,7 @@ namespace vorogeo {
 
 struct PatchLayer;
 
-/// Consecutive nodes of a patch, which stand in consecutive rows.
+/// Consecutive nodes of a patch, whose rows are consecutive, too.
 struct BorderStretch {
   Index patch;
   Index row;    ///< of the first node
@@ -18,8 +18,8 @@ struct BorderStretch {
   Index end;
 };
 
-/// The border nodes of each patch, in the order of their rows, in as few stretches as there are: nodes
-/// between the same patches have consecutive numbers.
+/// The border nodes of each patch, in the order of their rows, in as few stretches as possible: nodes between
+/// the same patches have consecutive numbers.
 class BorderStretches {
  public:
   BorderStretches() = default;

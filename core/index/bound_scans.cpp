@@ -1,4 +1,5 @@
-// Vectors of fixed width, which become one or more registers of whatever instruction set is chosen.
+// Scans by vectors of fixed width, which the compiler maps to one or more registers of the chosen instruction
+// set.
 #include "index/bound_scans.h"
 
 #include <bit>
@@ -29,7 +30,7 @@ inline __attribute__((always_inline)) void load(Vector& to, const void* from) {
   std::memcpy(&to, from, sizeof(to));
 }
 
-/// base + bounds of the lanes at once, of which sums end at 255.
+/// base + bounds of all lanes at once; sums saturate at 255.
 inline __attribute__((always_inline)) void add_bytes(const std::uint8_t* base, const std::uint8_t* bounds,
                                                      Bytes& sum) {
   Bytes from;
@@ -40,7 +41,7 @@ inline __attribute__((always_inline)) void add_bytes(const std::uint8_t* base, c
   sum = from + (bound < room ? bound : room);
 }
 
-/// Lowers the first half of `lanes` by the second one, and so on: the least one is left.
+/// The least of the lanes, by taking the minimum of two halves until one is left.
 template <class Half, class Quarter, class Vector>
 inline __attribute__((always_inline)) auto least_lane(const Vector& lanes) {
   Half half[2];
@@ -108,7 +109,7 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
     const Floats sum = seeds.distance[lane] + unit * __builtin_convertvector(wide, Floats);
     found = (wide != infinite_entry_15) & (sum < found) ? sum : found;
   };
-  // From the best start first: most of the others are then known to be of no use.
+  // The best seed first: it rules out most of the others.
   Index best = 0;
   while (sums[best] != of_best) ++best;
   if (seeds.distance[best] < infinite) take(best);

@@ -1,5 +1,5 @@
-// Scans over lower bounds, in small integers: the inner loops that choose which entries of the tables two
-// points need.
+// Scans over lower bounds in small integers: the inner loops that select the table entries that two points
+// need.
 #pragma once
 
 #include <bit>
@@ -10,16 +10,16 @@
 
 namespace vorogeo {
 
-// Bounds of 8 bits, whose sums end at 255. `lanes` is a multiple of byte_lanes: so many are read, of rows of
-// bounds also column_base their end; a lane that is not used has the base 255.
+// Bounds of 8 bits, whose sums saturate at 255. `lanes` is a multiple of byte_lanes: that many are read, in
+// rows of bounds also beyond their end; a lane that is not used has the base 255.
 inline constexpr Index byte_lanes = 32;
 
 /// The least base[lane] + bounds[row_size row + lane] over the lanes, by row; 255 for none.
 void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
                      Index lanes, std::uint8_t* least);
 
-/// Starts of ways through a table of 15 bits (min_plus.h), as lanes: for each its distance, that as a bound,
-/// and its line in the table. Infinitely far ones are not used.
+/// Seeds of paths through a table of 15 bits (min_plus.h), as lanes: for each, its distance, the same as a
+/// bound, and its line in the table. Infinitely far ones are not used.
 struct SeedLanes {
   const float* distance;
   const std::uint8_t* bound;
@@ -28,10 +28,10 @@ struct SeedLanes {
 };
 inline constexpr Index most_lanes = 512;
 
-/// Lowers least[0 .. columns) by the ways over those lanes whose bounds[lane] allows less than `limit`, and
-/// less than all of least[first .. end) over the lane of the least bound, which is taken first. `table` is
-/// the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands for the distance
-/// bound_unit. \pre columns <= 8
+/// Relaxes least[0 .. columns) by paths over the lanes that can matter: the lane of the least bound comes
+/// first, then those whose bounds[lane] allows less than `limit` and less than the greatest of least[first ..
+/// end). `table` is the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands
+/// for the distance bound_unit. \pre columns <= 8
 void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
                   Index line_size, float unit, float bound_unit, float limit, Index columns, Index first,
                   Index end, float* least);
@@ -53,7 +53,7 @@ void least_short_sums(const std::int16_t* base, const std::int16_t* between, con
 void short_sums_within(const std::int16_t* between, const std::int16_t* column_base, Index columns,
                        std::int16_t limit, std::uint8_t* within);
 
-/// Calls visit(lane) for each lane whose flag, 1 or 0 as the scans above write them, is set. `lanes` is a
+/// Calls visit(lane) for each lane whose flag, 1 or 0 as written by the scans above, is set. `lanes` is a
 /// multiple of eight.
 template <class Visit>
 void for_each_flag(const std::uint8_t* flags, Index lanes, Visit&& visit) {

@@ -1,5 +1,5 @@
-// The formulas of unfolding.h, rearranged so that all terms are as long as the target is far, without
-// branches.
+// The formulas of unfolding.h without branches, rearranged so that all terms are of the order of the target's
+// distance.
 #include "index/crossing_gains.h"
 
 #include <cmath>
@@ -17,9 +17,9 @@ inline __attribute__((always_inline)) float root(float square) {
 }
 
 /// Let s and t be the distances of source and target from the end of the edge where the crossing is, and phi
-/// the sum of the angles of both ways with the edge. By the law of cosines the straight line r between them
-/// has (s + t)^2 - r^2 = 2 s t (1 + cos phi). The gain s + t - r is found from that with everything divided
-/// by s, which may be much longer than the rest; `excess` is t (1 + cos phi).
+/// the sum of the angles of both straight lines with the edge. By the law of cosines the straight line r
+/// between them has (s + t)^2 - r^2 = 2 s t (1 + cos phi). The gain s + t - r is found from that with
+/// everything divided by s, which may be much longer than the rest; `excess` is t (1 + cos phi).
 inline __attribute__((always_inline)) float unfolded_gain(float source, float other_source, float target,
                                                           float other_target, float length, float lowest) {
   const float away = lowest + source;

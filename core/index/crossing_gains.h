@@ -18,9 +18,9 @@ struct Crossings {
   } side[2];
 };
 
-/// By how much each crossing's sum source + target is too long; 0 where nothing is known. The same value as
-/// unfolded_distance over both sides and parabola_distance, up to rounding of the target's distances: the
-/// difference is formed without subtracting two long distances.
+/// By how much each crossing's sum source + target is too long; 0 where nothing is known. The same as by
+/// unfolded_distance over both edges and by parabola_distance, up to rounding of the target's distances: the
+/// difference is computed without subtracting two long distances.
 void crossing_gains(const Crossings& crossings, float lowest, float* gain);
 
 }  // namespace vorogeo

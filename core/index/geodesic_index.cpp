@@ -25,12 +25,12 @@ void IndexData::lay_out(int threads, const Progress& progress) {
     const Watch watch(progress.part(0.0, 0.5), "Laying out the patches");
     work = make_work_mesh(*mesh, partition);
   }
-  // What the solver needs and what the tables need, side by side.
+  // What the solver needs and what the tables need, in parallel.
   parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
     if (half == 0) {
       auto unfolded = std::make_shared<ExactGeometry>(work.mesh);
-      // Points inside an edge do not turn a path; as pseudo-sources they would tie with one another without
-      // end.
+      // No path bends at a point inside an edge; as pseudo-sources such points would tie with one another
+      // without end.
       for (const WorkMesh::EdgePoint& point : work.edge_points) {
         unfolded->can_bend[point.vertex] = ExactGeometry::never;
       }
@@ -103,7 +103,7 @@ namespace {
 constexpr const char* memory_advice =
     "Close other programs, use fewer threads, or build the index of a smaller mesh.";
 
-/// Tables are drafted in single precision, twice as large as they are in the end.
+/// While they are computed, tables hold single precision, twice as large as in the end.
 void require_memory_for_tables(const IndexData& data) {
   const std::int64_t second = table_bytes(data.second);
   const std::int64_t first = table_bytes(data.first);

@@ -18,13 +18,13 @@ struct IndexData;
 class GeodesicIndex {
  public:
   /// Builds the index of a mesh. \throw InvalidInput (no face, delta, patch counts or budget out of range,
-  /// edges longer than 1e28 or shorter than 1e-28 in the mean; a budget in which no form fits, naming the
-  /// least that one takes), Cancelled.
+  /// edges longer than 1e28 or shorter than 1e-28 in the mean; a budget that is too small for either form,
+  /// naming the least that would do), Cancelled.
   static std::shared_ptr<const GeodesicIndex> build(std::shared_ptr<const Mesh> mesh,
                                                     const IndexOptions& options = {},
                                                     const Progress& progress = {});
 
-  /// Writes the index (not the mesh) to a file; the file appears whole or not at all.
+  /// Writes the index (not the mesh) to a file, which appears complete or not at all.
   /// \throw IndexFileError if it cannot be written.
   void save(const std::filesystem::path& file) const;
   /// Reads an index and ties it to its mesh. \throw IndexFileError if the file is missing, damaged, of

@@ -30,18 +30,18 @@ struct IndexData {
   AccessBounds access_bounds;
   SearchGraph graph;
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
-  std::vector<Index> home_column;  ///< and its place among the members of that patch
+  std::vector<Index> home_column;  ///< and its column among the members of that patch
 
   /// Place of a second-layer border node among the members of its patch's first-layer patch, by
   /// second.border_begin[patch] + row.
   std::vector<Index> parent_column;
 
-  // What queries would otherwise find out again each time; follows from the layout.
+  // Derived from the layout, so that queries need not compute it each time.
   std::vector<Index> first_face;     ///< by second-layer patch; then the number of faces
   std::vector<Index> first_child;    ///< second-layer patch, by first-layer patch; then their number
   std::vector<Index> second_node;    ///< second-layer node, by first-layer node
-  std::vector<Point> node_position;  ///< by second-layer node: those of vertices lie far apart in memory
-  /// Whether an edge has more than two faces: crossings are unfolded as on a surface, so no margin of the
+  std::vector<Point> node_position;  ///< by second-layer node: contiguous, unlike those in the mesh
+  /// Whether an edge has more than two faces: crossings are unfolded as on a manifold, so no margin for the
   /// index's error holds there.
   bool has_branches = false;
 
@@ -55,13 +55,13 @@ struct IndexData {
     const Index node = second.vertex_node[vertex];
     return node == no_index ? no_index : second.row_of(node, patch);
   }
-  /// Its place among the members of a second-layer patch; no_index if it is none of them.
+  /// Its column among the members of a second-layer patch; no_index if it is not a member.
   Index column_in_patch(Index patch, Index vertex) const {
     const Index node = second.vertex_node[vertex];
     if (node != no_index) return second.row_of(node, patch);
     return home_patch[vertex] == patch ? home_column[vertex] : no_index;
   }
-  /// Place of a second-layer node among the members of a first-layer patch; no_index if it is none of them.
+  /// Column of a second-layer node among the members of a first-layer patch; no_index if it is not a member.
   Index column_in_parent(Index parent, Index node) const {
     for (const PatchRow& at : second.patches_of(node)) {
       if (partition.parent[at.patch] == parent) return parent_column[second.border_begin[at.patch] + at.row];
@@ -69,14 +69,15 @@ struct IndexData {
     return no_index;
   }
 
-  /// Work mesh, layers without tables, and homes, all of which follow from mesh and partition alone.
+  /// Makes the work mesh, the layers without tables, and the home patches, all of which follow from mesh and
+  /// partition alone.
   void lay_out(int threads, const Progress& progress);
   /// The last step of lay_out(): fills in parent_column and what follows from the layout.
   void link_layers();
   IndexForm form() const { return graph.has_arcs() ? IndexForm::graph : IndexForm::tables; }
-  /// Memory held beside the user's mesh.
+  /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;
-  /// Fills in what the statistics say of the parts.
+  /// Fills in the statistics that are counted from the parts.
   void count();
 };
 

@@ -17,10 +17,11 @@ constexpr std::uint32_t version = 5;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
 
-/// Why the system refused; empty unless errno, cleared beforehand, was set: streams do not promise to set it.
+/// The system's reason for a failure; empty unless errno, cleared beforehand, was set: streams do not promise
+/// to set it.
 std::string reason_of_system() { return errno ? " (" + std::generic_category().message(errno) + ")" : ""; }
 
-/// Only plain files are opened: opening a pipe would wait for ever.
+/// Only plain files are opened: opening a pipe would wait forever.
 void check_readable(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -57,7 +58,7 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
 
 namespace {
 
-/// Does something that writes; whatever fails is an IndexFileError.
+/// Runs a step of the writing; any failure becomes an IndexFileError.
 template <class Do>
 auto writing(Do&& body) {
   try {

@@ -15,12 +15,12 @@
 
 namespace vorogeo {
 
-/// Checksum of the contents of a block, at memory speed: every bit of the input changes it (multiply, rotate,
-/// add).
+/// Checksum of the contents of a block, at the speed of memory: every bit of the input changes it (multiply,
+/// rotate, add).
 std::uint64_t block_checksum(std::span<const std::byte> bytes);
 
-/// Writes an OutputFile, so that the target is the old one or the new one, whole. All its functions throw
-/// IndexFileError if the file cannot be written: a folder, a device, no permission, a full disk.
+/// Writes an OutputFile, so that the target is either the old file or the complete new one. All its functions
+/// throw IndexFileError if the file cannot be written: a folder, a device, no permission, a full disk.
 class IndexFileWriter {
  public:
   explicit IndexFileWriter(const std::filesystem::path& file);

@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-/// What an index holds for routes between far points; all questions are answered in either form.
+/// What an index holds for routes between far points; either form answers all queries.
 enum class IndexForm : std::uint8_t {
   automatic,  ///< as an option: tables if delta is 0 and they fit the memory budget, else the graph
   tables,     ///< first-layer tables and the transit table: fast
@@ -26,14 +26,15 @@ struct IndexOptions {
   Index first_layer_patches = 0;
   /// Second-layer patches in one first-layer patch (on average); 0: chosen.
   Index second_layer_patches = 0;
-  /// Relative average error that pruning of arcs may add; 0 loses nothing. In [0, 1). Above 0 it asks for the
-  /// form of a graph, as tables have no arcs to prune.
+  /// Average relative error that pruning of arcs may add; 0 loses nothing. In [0, 1). A value above 0 selects
+  /// the form of a graph, as tables have no arcs to prune.
   double delta = 0.0;
   /// Worker threads; 0: one per core. The result does not depend on it.
   int threads = 0;
-  /// Start of the random numbers that place the patches.
+  /// Seed of the random numbers that place the patches.
   std::uint64_t seed = 0;
-  /// Memory the index may take beside the mesh, in MiB; 0: default_memory_budget. It chooses the form.
+  /// Memory that the index may take in addition to the mesh, in MiB; 0: default_memory_budget. The form
+  /// depends on it.
   std::int64_t memory_budget = 0;
   IndexForm form = IndexForm::automatic;
 };
@@ -52,7 +53,7 @@ struct IndexStatistics {
   std::int64_t arcs_before_pruning = 0;
   /// Those that are arcs of the graph; in the form of tables, all.
   std::int64_t arcs = 0;
-  std::int64_t bytes = 0;  ///< held beside the mesh itself: tables, graph, work mesh
+  std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, work mesh
   double seconds = 0.0;    ///< build time; 0 for an index that was loaded
   double delta = 0.0;
   std::uint64_t seed = 0;

@@ -19,15 +19,16 @@ namespace {
 
 constexpr Index nodes_per_group = 16;
 
-/// Runs by which the cost of all is estimated.
+/// Number of runs from which the cost of all is estimated.
 constexpr std::size_t runs_to_estimate = 8;
-/// Seconds of one core for each vertex from which on it is asked whether an index pays. Scans take a quarter.
+/// Seconds of one core per vertex above which the report compares the index with exact fields. Scans take a
+/// quarter.
 constexpr double usual_seconds = 1e-3;
-/// It hardly does if it costs more exact fields than this.
+/// An index that costs more exact fields than this hardly pays.
 constexpr double many_fields = 200.0;
 
-/// Windows that travel on as one deviate by at most this part of their edge, in the mean of many far less:
-/// the tables resolve some 3e-4 of an edge.
+/// A merged window deviates by at most this fraction of its edge, on average by far less: the tables resolve
+/// some 3e-4 of an edge.
 constexpr double merge_tolerance = 2e-4;
 
 /// Solves from the nodes between the same patches, which share one halo.
@@ -105,7 +106,7 @@ class GroupSolver {
   std::vector<Index> patches_;
   std::vector<Index> vertices_;
   std::vector<EdgePoint> points_;
-  /// Of each member of the patches, patch by patch: its vertex, or -1 - k for points_[k].
+  /// For each member of the patches, patch by patch: its vertex, or -1 - k for points_[k].
   std::vector<Index> place_;
 };
 
@@ -115,8 +116,8 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// What is told while the tables are filled: with figures where that takes longer than an index can save.
-/// `groups`: as of group_by_patches().
+/// What is reported while the tables are filled: with figures if that takes so long that an index may not
+/// pay. `groups`: as from group_by_patches().
 std::string activity_of(const TableSurface& surface, const PatchLayer& layer, std::span<const Index> groups,
                         GroupSolver& solver, TableDraft& tables, const Progress& progress) {
   const std::string activity = "Computing exact distances inside patches";
@@ -154,7 +155,7 @@ std::string activity_of(const TableSurface& surface, const PatchLayer& layer, st
 void fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
                        const Progress& progress) {
   TableDraft tables(layer);
-  // Small groups, so that progress goes on and all threads have work also when there are few patches.
+  // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
   PerWorker<GroupSolver> solvers(threads);

@@ -10,14 +10,14 @@
 
 namespace vorogeo {
 
-/// Growth of the halo (Halo::surround) for tables: about one ring of faces. A distance that a wider halo
-/// would make shorter is mostly found as well by a way through the next patch; wider ones changed no error of
-/// fields and pairs on real meshes.
+/// Growth of the halo (Halo::surround) for tables: about one ring of faces. Where a wider halo would shorten
+/// a distance, a path through the next patch mostly finds it as well; wider halos changed no error of fields
+/// and pairs on real meshes.
 inline constexpr double table_growth = 1.2;
 
 /// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
-/// halo. Where a few runs show that all cost more than some hundred exact fields of the mesh, the activity
-/// that is reported says so.
+/// halo. If a few runs show that all of them will cost more than some hundred exact fields of the mesh, the
+/// reported activity says so.
 void fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
                        const Progress& progress);
 

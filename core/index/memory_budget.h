@@ -13,10 +13,10 @@ class MemoryBudget {
   explicit MemoryBudget(const IndexOptions& options) : options_(options) {}
 
   /// The form for an index that is laid out but has no tables yet: the sizes of all tables follow from the
-  /// layout. \throw InvalidInput if not even the tables that both forms need fit, or those of the form asked
-  /// for do not.
+  /// layout. \throw InvalidInput if not even the tables that both forms need fit, or if those of the
+  /// requested form do not.
   IndexForm form_of(const IndexData& data) const;
-  /// \throw InvalidInput if a finished index of so many bytes is larger than the budget.
+  /// \throw InvalidInput if a finished index of this many bytes is larger than the budget.
   void require(std::int64_t bytes) const;
 
  private:

@@ -1,5 +1,5 @@
-// The scans. Those in integers and plain sums give the same on all instruction sets to the last bit; where a
-// product is added, some sets round once and others twice.
+// The scans. Scans in integers and plain sums give the same result to the last bit on all instruction sets;
+// where a product is added, some sets round once and others twice.
 #include "index/min_plus.h"
 
 #include <cstring>
@@ -23,7 +23,7 @@ using Entries = std::uint16_t __attribute__((vector_size(16)));
 
 VOROGEO_CLONES
 Index first_lower(const float* line, double base, const double* distance, Index begin, Index count) {
-  // Most sums are not lower: a block is tested as a whole before it is looked at one by one.
+  // Most sums are not lower: a block is tested as a whole before its elements are tested one by one.
   constexpr Index block = 16;
   Index i = begin;
   for (; i + block <= count; i += block) {

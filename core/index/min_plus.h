@@ -11,15 +11,15 @@ namespace vorogeo {
 Index first_lower(const float* line, double base, const double* distance, Index begin, Index count);
 
 // Tables of 15 bits: an entry of 32767 stands for an infinite distance. A *base* is at most 0, so that sums
-// are int16_t; -32768 is the least distance, and a sum of -1 or more stands for none.
+// fit int16_t; -32768 is the least distance, and a sum of -1 or more means none.
 
 struct IndexRange {
   Index begin;
   Index end;
 };
 
-/// The smallest range that has all i in [0, count) with base[i] + unit * entries[i] <= bound; here an entry
-/// for infinity counts as its number.
+/// The smallest range that has all i in [0, count) with base[i] + unit * entries[i] <= bound; here an
+/// infinite entry is treated as its number.
 IndexRange range_within(const float* base, const std::uint16_t* entries, float unit, float bound,
                         Index count);
 
@@ -29,7 +29,7 @@ void scale_entries(const std::uint16_t* entries, Index count, float unit, float*
 /// least[i] = min(least[i], base + line[i]).
 void relax_by_sums(const float* line, float base, Index count, float* least);
 
-/// least[i] = min(least[i], base + unit * entries[i]), with best[i] = name where that is lower.
+/// least[i] = min(least[i], base + unit * entries[i]), with best[i] = name where that lowers it.
 void relax_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
                    float* least, Index* best);
 
@@ -44,14 +44,15 @@ Index first_entry_sum(const std::int16_t* base, const std::uint16_t* entries, In
 void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index rows, std::int16_t* least,
                      std::int16_t* best);
 
-/// The same for the rows rows[0 .. count) only; base[i] is that of rows[i], and best[i] counts in `rows`.
+/// The same for the rows rows[0 .. count) only; base[i] is that of rows[i], and `best` holds positions in
+/// `rows`.
 void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count, const std::uint16_t* tile,
                         std::int16_t* least, std::int16_t* best);
 
 // Cells of the transit table: 16 bits, of which 65535 stands for an infinite distance; row by row.
 
 /// For each column: least = min(least, base[row] + offset + unit * cell[columns row + column]) over the rows,
-/// with best = first_name + row where that is lower. Returns the greatest of the least.
+/// with best = first_name + row where that lowers it. Returns the greatest of `least`.
 float relax_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
                     float unit, Index first_name, float* least, Index* best);
 

@@ -34,7 +34,7 @@ VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label
   return result;
 }
 
-/// Puts nodes between the same patches, which follow one another in `node_vertex`, into their order along the
+/// Sorts nodes between the same patches, which are consecutive in `node_vertex`, into their order along the
 /// border, so that nodes with close numbers are close to each other. `same` tells whether two vertices lie
 /// between the same patches.
 template <class Same>
@@ -72,7 +72,7 @@ void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::ve
   };
   for (std::size_t begin = 0, end = 0; begin < node_vertex.size(); begin = end) {
     while (end < node_vertex.size() && same(node_vertex[begin], node_vertex[end])) ++end;
-    // From the ends of the borders first; what is left are closed ones.
+    // From the ends of open stretches first; what is left are closed curves.
     for (std::size_t i = begin; i < end; ++i) {
       if (placed[i] == 0 && beside[i].size() < 2) walk(i);
     }
@@ -106,7 +106,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
       inner[patches[0]].push_back(v);
     }
   }
-  // Nodes between the same patches follow one another, so that scans over a border run through memory.
+  // Nodes between the same patches are consecutive, so that scans over a border are sequential in memory.
   std::stable_sort(layer.node_vertex.begin(), layer.node_vertex.end(), [&](Index a, Index b) {
     const auto of_a = patches_at(a);
     const auto of_b = patches_at(b);

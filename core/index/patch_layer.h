@@ -28,8 +28,8 @@ struct BorderNeighbour {
 };
 
 /// How the table of a patch lies in memory. *Lines*: column by column, so that all distances of one member
-/// follow one another. *Tiles*: tile_width columns at a time, row by row, so that a scan finds the least sums
-/// of all columns of a tile at once; the last tile is filled up with infinite_entry.
+/// are consecutive. *Tiles*: tile_width columns at a time, row by row, so that a scan finds the least sums of
+/// all columns of a tile at once; the last tile is padded with infinite_entry.
 enum class TableOrder { lines, tiles };
 
 /// Patches of one layer over the work mesh. A *node* is a vertex on the border of two or more patches.
@@ -41,13 +41,13 @@ enum class TableOrder { lines, tiles };
 /// 65,532nd part of that, and the sum of two entries needs no more than 16 bits.
 ///
 /// A *far* member of a layer of tiles is much further from all nodes than these are from one another. Its
-/// entries are what its distances are above an offset, the least of them, so that it leaves the unit, and
-/// with it the distances of all others, as they are. It changes no scan: an offset is the same for all rows.
+/// entries hold its distances minus an offset, the least of them, so that it does not coarsen the unit for
+/// all others. Scans are not affected: the offset is the same for all rows.
 struct PatchLayer {
   static constexpr Index tile_width = 32;
   static constexpr std::uint16_t greatest_entry = 32766;
   static constexpr std::uint16_t infinite_entry = 32767;  ///< the entry for an infinite distance
-  /// Members are far beyond so many times the greatest distance between two nodes of the patch.
+  /// Members are far if they are beyond this many times the greatest distance between two nodes of the patch.
   static constexpr float far_per_border = 8.0f;
 
   Index patch_count = 0;
@@ -109,7 +109,7 @@ struct PatchLayer {
     const Column entries = column_of(patch, column);
     return entries.first[row * entries.step];
   }
-  /// What is to be added to the entries of a member; 0 for nodes.
+  /// The offset to be added to the entries of a member; 0 for nodes.
   float offset_of(Index patch, Index column) const {
     return offset.empty() ? 0.0f : offset[member_begin[patch] + column];
   }
@@ -131,8 +131,8 @@ struct PatchLayer {
   void read_column(Index patch, Index column, float* distances) const;
   /// The same for a border node, by its row: the table is symmetric there.
   void read_border(Index patch, Index row, float* distances) const;
-  /// Cuts a stretch of border nodes where their distances from the one in row `from` stop to follow one
-  /// another in memory: calls visit(part, entries).
+  /// Cuts a stretch of border nodes into parts whose distances from the node in row `from` are contiguous in
+  /// memory, and calls visit(part, entries) for each.
   template <class Stretch, class Visit>
   void for_each_run(const Stretch& stretch, Index from, Visit&& visit) const;
   std::size_t memory_bytes() const;

@@ -67,7 +67,7 @@ void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLay
   table.unit = unit[0];
 }
 
-/// Every patch from 0 to count - 1 owns a face, and no face another.
+/// Every patch from 0 to count - 1 owns a face, and no face has any other label.
 void require_labels(IndexFileReader& in, const std::vector<Index>& label, Index count) {
   std::vector<std::uint8_t> used(std::max<Index>(count, 0), 0);
   for (Index patch : label) {

@@ -20,9 +20,8 @@ struct KeptArc {
   float length;
 };
 
-/// The arcs of one patch that remain: arcs in ascending order, each kept only if those kept before it make no
-/// way that is at most (1 + delta) times as long (Althofer et al. 1993). Complexity O(k^2 kept) for k border
-/// nodes.
+/// The arcs of one patch that remain: arcs in ascending order, each kept only if those kept before it form no
+/// path at most (1 + delta) times as long (Althofer et al. 1993). Complexity: O(k^2 kept) for k border nodes.
 std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double delta) {
   const Index k = layer.border_size(patch);
   std::vector<KeptArc> kept;
@@ -43,14 +42,15 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
   int examined = 0;
   const auto factor = static_cast<float>(1.0 + delta);
   if (delta == 0.0) {
-    // Nothing may be lost: only arcs that two others replace to the last bit.
+    // Nothing may be lost: only arcs that two others replace to the last bit are dropped.
     for (const KeptArc& arc : candidates) {
       if (++examined % arcs_per_checkpoint == 0) checkpoint();
       const float* from_a = distances_from(arc.a);
       const float* from_b = distances_from(arc.b);
       bool dominated = false;
       for (Index c = 0; c < k && !dominated; ++c) {
-        // Both shorter than the arc, else two arcs that differ by less than a digit would replace each other.
+        // Both must be shorter than the arc, or two arcs that differ by less than a digit would replace each
+        // other.
         dominated = from_a[c] > 0.0f && from_b[c] > 0.0f && from_a[c] < arc.length &&
                     from_b[c] < arc.length &&
                     static_cast<double>(from_a[c]) + from_b[c] <= static_cast<double>(arc.length);

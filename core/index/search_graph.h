@@ -18,7 +18,7 @@ struct Arc {
 };
 
 /// Undirected graph: each arc is stored at both ends. Nodes are those of the second layer. In an index in the
-/// form of tables it has landmarks only, its arcs being the entries of the tables.
+/// form of tables it holds only landmarks; the entries of the tables take the place of arcs.
 struct SearchGraph {
   std::vector<std::int64_t> arc_begin;  ///< by node
   std::vector<Arc> arc;
@@ -40,16 +40,16 @@ struct SearchGraph {
   }
 };
 
-/// Makes the graph from the tables of both layers. An arc is dropped if other kept arcs of its patch make a
-/// way at most (1 + delta) times as long; in the first layer, delta is divided by the mean number of
-/// second-layer patches in a first-layer patch, since its arcs are that much longer. With delta = 0 all
-/// distances stay as they are.
+/// Makes the graph from the tables of both layers. An arc is dropped if other kept arcs of its patch form a
+/// path at most (1 + delta) times as long; in the first layer, delta is divided by the mean number of
+/// second-layer patches in a first-layer patch, since its arcs are longer by about that factor. With delta =
+/// 0 all distances stay as they are.
 SearchGraph make_search_graph(const PatchLayer& second, const PatchLayer& first,
                               std::span<const Index> parent, double delta, int threads,
                               const Progress& progress);
 
 /// Only the landmarks, their distances by a search over the second-layer tables, and the number of arcs that
-/// a graph would begin with.
+/// a graph would have before pruning.
 SearchGraph make_landmarks(const PatchLayer& second, const PatchLayer& first, const Progress& progress);
 
 }  // namespace vorogeo

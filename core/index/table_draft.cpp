@@ -37,7 +37,7 @@ void TableDraft::close(Index patch) {
   const auto rows = static_cast<std::size_t>(rows_[patch]);
   if (rows == 0) return;
   const auto columns = (begin_[patch + 1] - begin_[patch]) / rows;
-  // Floyd and Warshall; the border nodes are the first columns.
+  // Floyd-Warshall; the border nodes are the first columns.
   for (std::size_t by = 0; by < rows; ++by) {
     const float* onward = line(patch, static_cast<Index>(by));
     for (std::size_t column = 0; column < columns; ++column) {
@@ -112,7 +112,7 @@ void note_complete(PatchLayer& layer) {
     for (std::size_t i = layer.table_begin[p]; i < layer.table_begin[p + 1]; ++i) {
       infinite += layer.table[i] == PatchLayer::infinite_entry ? 1 : 0;
     }
-    // The columns that fill up the last tile do not count.
+    // Without the columns that pad the last tile.
     const std::size_t filled = static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p);
     layer.complete[p] = infinite == table_size(layer, p) - filled ? 1 : 0;
   }

@@ -23,8 +23,8 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
     std::iota(surface.vertex.begin(), surface.vertex.end(), 0);
     return surface;
   }
-  // The work mesh keeps the pieces of a face together, and vertices in the order in which faces name them
-  // first: so do we.
+  // As in the work mesh, the pieces of a face stay together, and vertices come in the order in which faces
+  // first name them.
   constexpr Index per_checkpoint = 1 << 13;
   std::vector<Index> renamed(mesh.vertex_count(), no_index);
   std::vector<Point> positions;

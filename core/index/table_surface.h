@@ -11,8 +11,8 @@
 
 namespace vorogeo {
 
-/// Splitting an edge in the work mesh makes fans of needles of the faces beside it, which every run would
-/// have to cross. Here the faces are whole, and the vertices that the work mesh adds are points of edges.
+/// Splitting an edge in the work mesh turns the adjacent faces into fans of needles, which every run would
+/// have to cross. Here the faces are whole, and the vertices that the work mesh adds are points on edges.
 struct TableSurface {
   std::shared_ptr<const ExactGeometry> geometry;
   std::vector<Index> second_layer;  ///< second-layer patch by face, ascending
@@ -20,7 +20,7 @@ struct TableSurface {
   /// The vertices that the work mesh adds, in the order of WorkMesh::edge_points.
   std::vector<EdgePoint> edge_point;
 
-  /// Index into edge_point of a work vertex that is none of `vertex`.
+  /// Index into edge_point of a work vertex that has no entry in `vertex`.
   static Index edge_point_of(const WorkMesh& work, Index work_vertex);
 };
 

@@ -75,8 +75,8 @@ float set_rows(TransitTable& table, Index a, const float* rows) {
   return unit;
 }
 
-/// Makes the distances between two groups equal in both directions, the mean, as unfolding may err to either
-/// side; in the unit of the whole table.
+/// Makes the distances between two groups equal in both directions, by their mean, as unfolding may err to
+/// either side; in the unit of the whole table.
 void make_symmetric(TransitTable& table, Index a, Index b, std::span<const float> unit_of_rows) {
   const Index groups = table.group_count();
   const Index height = table.size(a);

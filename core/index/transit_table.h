@@ -12,10 +12,10 @@ namespace vorogeo {
 
 /// A symmetric table over the nodes of the first layer; empty in an index in the form of a graph.
 ///
-/// Nodes that follow one another along a border between the same patches make groups of up to eight. Of two
-/// groups the table keeps the least distance between them, a lower bound that most searches can stop at, and
-/// for each pair of nodes by how many units its distance is above that, in 16 bits. Those of two groups, a
-/// *cell*, are next to each other in memory.
+/// Consecutive nodes on a border between the same patches form groups of up to eight. For two groups the
+/// table holds the least distance between them, a lower bound that mostly makes the rest unnecessary, and for
+/// each pair of nodes the number of units, in 16 bits, by which its distance exceeds that. The entries of two
+/// groups, a *cell*, are contiguous in memory.
 struct TransitTable {
   static constexpr Index group_size = 8;
   static constexpr std::uint16_t greatest_entry = 65534;
@@ -57,12 +57,12 @@ struct TransitTable {
 /// Memory that the table of a laid out layer takes, in bytes.
 std::int64_t transit_table_bytes(const PatchLayer& first);
 
-/// A table without distances: the groups of the nodes, which follow from the layer alone.
+/// A table with the groups of the nodes, which follow from the layer alone, and without distances.
 TransitTable group_nodes(const PatchLayer& first);
 
 /// Fills the table by a search over the first layer from each of its nodes, most of them over a corridor
-/// only. Takes no memory beside the table but for a few rows. Complexity: O(nodes^2 (w + b / 16)), where b
-/// nodes are on the border of a patch and w of these in the corridor.
+/// only. Besides the table, only a few rows take memory. Complexity: O(nodes^2 (w + b / 16)), for b nodes on
+/// the border of a patch, of which w are in the corridor.
 TransitTable make_transit_table(const PatchLayer& first, int threads, const Progress& progress);
 
 }  // namespace vorogeo

@@ -25,19 +25,19 @@ inline constexpr double greatest_gain = 0.375;
 
 /// Distance across a border from three consecutive border vertices, of which the middle one (`source`,
 /// `target`) has the least sum. Measured across the path, the sum grows with the square of the offset from
-/// the true crossing, by the curvature of both waves; the three sums give that parabola and so its lowest
-/// value. Unlike unfolding it does not take the waves for circles around source and target, which bends at
-/// saddle vertices make too flat. `unreachable` if the lowest point is not between the outer vertices or the
-/// sums do not bend upwards, or where the path runs along the border so closely that the offsets are mostly
-/// rounding. The gain is limited to what waves three times as curved as circles around source and target
-/// would give: more comes of samples that belong to different waves.
+/// the true crossing, by the curvature of both waves; the three sums determine that parabola and so its least
+/// value. Unlike unfolding, it does not assume the waves to be circles around source and target, which would
+/// be too flat where paths bend at saddle vertices. `unreachable` if the lowest point is not between the
+/// outer vertices, if the sums do not curve upwards, or if the path runs so close along the border that the
+/// offsets are mostly rounding. The gain is limited to what waves three times as curved as circles around
+/// source and target would give: a larger one comes from samples that belong to different waves.
 inline double parabola_distance(double source, double target, const BorderSample& before,
                                 const BorderSample& after) {
   constexpr double least_edges = 3.0;
   if (std::fmin(source, target) < least_edges * std::fmax(before.length, after.length)) return unreachable;
   const double sum = source + target;
   auto offset = [&](const BorderSample& sample) {
-    // Cosine of the angle between path and border edge, as the mean of what both sides say.
+    // Cosine of the angle between path and border edge, as the mean of the values from both sides.
     const double cosine = 0.5 * ((sample.source - source) - (sample.target - target)) / sample.length;
     return sample.length * std::sqrt(std::fmax(0.0, 1.0 - cosine * cosine));
   };

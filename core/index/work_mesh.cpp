@@ -12,14 +12,14 @@ namespace vorogeo {
 
 namespace {
 
-/// Longest border edge as a fraction of the square root of the area of the smaller patch beside it. A round
+/// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
 /// patch of a regular mesh with 350 vertices has 0.06.
 constexpr double longest_border_edge = 0.1;
 constexpr Index most_pieces = 32;
 
 /// Number of pieces of each edge: 1 unless it is a long border edge.
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
-  // Faces at outliers say nothing of the size of a patch: they may have more area than all others.
+  // Faces at outliers say nothing about the size of a patch: they may have more area than all others.
   const Outliers outliers = find_outliers(mesh);
   std::vector<double> area(partition.second_layer_count, 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) {

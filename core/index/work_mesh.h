@@ -27,8 +27,8 @@ struct WorkMesh {
   std::vector<EdgePoint> edge_points;  ///< by work vertex, ascending
 };
 
-/// Splits border edges that are long for the patches beside them, since distances between patches are kept at
-/// the vertices of their borders, and sorts vertices and faces by patch, since solvers and sweeps run
+/// Splits border edges that are long relative to the adjacent patches, since distances between patches are
+/// kept at the vertices of their borders, and sorts vertices and faces by patch, since solvers and sweeps run
 /// patch by patch.
 WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition);
 

@@ -112,7 +112,7 @@ SurfacePoint user_point(const IndexData& data, const SurfacePoint& point) {
 }
 
 SurfacePath user_path(const IndexData& data, const SurfacePath& path) {
-  // The user's faces lie anywhere in memory.
+  // Each of the user's faces is a cache miss.
   for (const SurfacePoint& point : path.points) {
     if (point.is_vertex()) continue;
     prefetch_line(&data.work.user_face[point.face]);
