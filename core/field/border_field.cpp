@@ -29,7 +29,7 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
       is_parent = 1;
     }
   }
-  // With sources nearly everywhere the tables save nothing.
+  // With sources nearly everywhere, the transit table saves nothing.
   searched_all_ = data_.transit_table.count == 0 || 2 * parents > data_.first.patch_count;
   if (searched_all_) {
     search_.run({}, max_distance);
@@ -69,7 +69,7 @@ void BorderField::cross_transit_table() {
   }
 }
 
-/// Least sums over rows_. Most cells of the table are passed over by their least distance.
+/// Least sums over rows_. Most cells of the table are skipped because of their least distance.
 void BorderField::scan_transit_table() {
   const TransitTable& table = data_.transit_table;
   constexpr float infinite = std::numeric_limits<float>::infinity();

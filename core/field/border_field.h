@@ -1,5 +1,5 @@
-// Distances of all second-layer border nodes from some seeds: from table to table where there is a node
-// table, by search where there is none.
+// Distances of all second-layer border nodes from some seeds: from table to table if there is a transit
+// table, otherwise by search.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace vorogeo {
 
 /// One object belongs to one caller; fill() may run on several threads, for different patches.
 ///
-/// A search over the second layer stays in the first-layer patches of the seeds; from the border of these
-/// the transit table leads to all first-layer nodes, also to those of the same border by ways outside; the
+/// A search over the second layer stays in the first-layer patches of the seeds; from their borders, the
+/// transit table leads to all first-layer nodes, even to those on the same borders by paths outside; the
 /// table of each first-layer patch leads to the second-layer nodes in it. Every step takes the least sum and
 /// unfolds the crossing there.
 class BorderField {
@@ -26,9 +26,9 @@ class BorderField {
     double distance;
     Index wave;  ///< number of the source
   };
-  /// Distances of the first-layer nodes. Distances above max_distance need not be found.
+  /// Finds the distances of the first-layer nodes; those above max_distance need not be found.
   void reset(std::span<const Seed> seeds, double max_distance = unreachable);
-  /// Distances of the second-layer nodes in a first-layer patch, after start().
+  /// Finds the distances of the second-layer nodes in a first-layer patch, after reset().
   void fill(Index first_layer_patch, FieldSweep& sweep);
 
   /// After fill(): those of the second layer.
@@ -46,14 +46,14 @@ class BorderField {
   std::vector<double> first_distance_;
   std::vector<Index> first_predecessor_;
   std::vector<Index> rows_;  ///< first-layer nodes around the seeds
-  /// Distances of the nodes of a group above the lowest, infinite for those that are not in rows_.
+  /// Distances of the nodes of a group, minus the lowest; infinite for nodes that are not in rows_.
   struct GroupBase {
     Index group;
     float least;
     float base[TransitTable::group_size];
   };
   std::vector<GroupBase> bases_;
-  std::vector<float> worst_;  ///< greatest of least_, by group
+  std::vector<float> worst_;  ///< greatest of the least sums, by group
   std::vector<float> least_;
   std::vector<Index> least_row_;
   std::vector<std::uint8_t> allowed_;

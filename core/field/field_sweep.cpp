@@ -1,4 +1,4 @@
-// Columns are taken 32 at a time: least sums in integers, then the distances at the crossings in single
+// Columns are processed 32 at a time: least sums in integers, then the distances at the crossings in single
 // precision.
 #include "field/field_sweep.h"
 
@@ -72,7 +72,7 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
   const auto rows = static_cast<std::size_t>(layer.border_size(patch));
   const std::uint16_t* entries =
       tiles ? layer.tile(patch, column / PatchLayer::tile_width) : layer.line(patch, column);
-  // From one row or column to the next.
+  // Steps in memory from one row, or column, to the next.
   const std::size_t row_step = tiles ? PatchLayer::tile_width : 1;
   const std::size_t column_step = tiles ? 1 : rows;
   const float unit = layer.unit[patch];
@@ -115,7 +115,7 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
   const Index columns = layer.member_count(patch);
   result_.assign(columns, unreachable);
   crossing_row_.assign(columns, no_index);
-  // Sums are formed above the least border distance, so that they need few digits far from the source.
+  // Sums are formed relative to the least border distance, so that they need few digits far from the source.
   lowest_ = unreachable;
   for (Index row = 0; row < rows; ++row) lowest_ = std::min(lowest_, border.distance[nodes[row]]);
   if (lowest_ == unreachable) return result_;
@@ -125,8 +125,8 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
   for (Index row = 0; row < rows; ++row) {
     const double above = border.distance[nodes[row]] - lowest_;
     above_[row] = static_cast<float>(above);
-    // A row that is higher than the greatest entry is of no use in a complete table: from the lowest row no
-    // member is that far.
+    // In a complete table, a row that exceeds the lowest one by more than the greatest entry is of no use: no
+    // member is that far from the lowest row.
     const double units = above > 0.0 ? above / layer.unit[patch] : 0.0;
     base_[row] = units <= PatchLayer::greatest_entry
                      ? static_cast<std::int16_t>(lowest_base + std::nearbyint(units))

@@ -20,7 +20,8 @@ struct BorderDistances {
 class FieldSweep {
  public:
   /// Distances of all members of a patch through its border, in the order of its members: for a border node
-  /// its own, for the others the least sum over the border, unfolded there as BoundaryDijkstra::across does.
+  /// its own distance, for the others the least sum over the border, unfolded there as by
+  /// BoundaryDijkstra::across.
   /// Complexity: O(border x members).
   std::span<const double> sweep(const PatchLayer& layer, const BorderDistances& border, Index patch);
   /// After a sweep, for members that are not on the border: the row of the least sum; no_index without one.
@@ -40,8 +41,8 @@ class FieldSweep {
     bool known = false;
   };
   double lowest_ = 0.0;
-  std::vector<float> above_;        ///< by row: distance above the lowest
-  std::vector<std::int16_t> base_;  ///< the same in units of the patch, as min_plus.h wants it
+  std::vector<float> above_;        ///< by row: distance minus the lowest
+  std::vector<std::int16_t> base_;  ///< the same in units of the patch, as min_plus.h expects it
   std::vector<Beside> beside_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;

@@ -1,4 +1,4 @@
-// Checks questions and hands them to what answers them.
+// Checks queries and passes them on to what answers them.
 #include "field/geodesic_query.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Questions to an index: two points, and fields from one or many sources of every kind.
+// Queries to an index: the distance of two points, and fields from one or many sources of every kind.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace vorogeo {
 
-/// Answers queries on an index. Made in next to no time; what a kind of question needs as scratch memory is
-/// taken when it is first asked, and reset in O(1). One object belongs to one thread.
+/// Answers queries on an index. Cheap to create: each kind of query takes its scratch memory when it is first
+/// asked, and resets it in O(1). One object belongs to one thread.
 class GeodesicQuery {
  public:
   /// `threads`: used inside a field; 0 is one per core. No answer depends on it.
@@ -42,8 +42,9 @@ class GeodesicQuery {
   LabelledField labelled_field(std::span<const ExactSource> sources, double max_distance = unreachable);
 
   /// The same sums at any points of the surface. At vertices they are those of labelled_field to the last
-  /// bit; at a point in a face exact in the patches of the sources and around them, beyond found from those
-  /// of its corners (distance_in_face). \throw InvalidInput also for a target that is not on the mesh.
+  /// bit; at a point in a face they are exact in the patches of the sources and around them, elsewhere
+  /// computed from those at its corners (distance_in_face). \throw InvalidInput also for a target that is not
+  /// on the mesh.
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance = unreachable);
 

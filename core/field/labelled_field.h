@@ -9,8 +9,8 @@ namespace vorogeo {
 
 /// A distance field and the source that each vertex is nearest to.
 struct LabelledField {
-  std::vector<double> distance;  ///< by vertex; unreachable where no source is
-  std::vector<Index> source;     ///< place in the list of sources; no_index where there is none
+  std::vector<double> distance;  ///< by vertex; unreachable where no source can be reached
+  std::vector<Index> source;     ///< position in the list of sources; no_index where there is none
 };
 
 }  // namespace vorogeo

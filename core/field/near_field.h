@@ -16,34 +16,34 @@ namespace vorogeo {
 /// its memory from run to run; one object belongs to one thread.
 class NearField {
  public:
-  /// Growth of the halo around the patches, for paths that leave them; on needles these go further than
+  /// Growth of the halo around the patches, for paths that leave them; on needles these stray farther than
   /// elsewhere.
   static constexpr double growth = 2.5;
-  /// Rings of faces around the sources, relative to the square root of the members of a patch: over a border
-  /// close to a source, the largest errors would lie in the next patch.
+  /// Rings of faces around the sources, relative to the square root of the members of a patch: where a border
+  /// is close to a source, the largest errors would lie in the patch beyond it.
   static constexpr double reach = 0.7;
-  /// No further ring from so many faces a source on, relative to the members of a patch: rings of even faces
-  /// have about three, those at fans of needles may have any number.
+  /// No further ring is added beyond this many faces per source, relative to the members of a patch: rings of
+  /// regular faces have about three, those at fans of needles any number.
   static constexpr double most_faces = 8.0;
-  /// Inside the patches the solver's distance holds, unless a way outside the halo is shorter by more than
-  /// repaired crossings can err: then the distance by the tables is below this part of it.
+  /// Inside the patches the solver's distance holds, unless a path outside the halo is shorter by more than
+  /// unfolded crossings can err: then the distance by the tables is below this fraction of it.
   static constexpr double shorter_outside = 0.99;
 
   explicit NearField(const IndexData& data);
 
   /// Forgets the patches.
   void clear();
-  /// Adds a patch that is to be exact, unless it was added before.
+  /// Adds a patch in which distances are to be exact, unless it was added before.
   void add(Index patch);
-  /// Solves from the sources (of the work mesh) as far as all vertices of the patches are reached.
+  /// Solves from the sources (on the work mesh) until all vertices of the patches are reached.
   /// `distances_only`: as in ExactLimits.
   void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
 
   /// Whether a face of the work mesh is in one of the patches.
   bool inside(Index face) const { return is_near_[data_.work.second_layer[face]] != 0; }
-  /// After run(): whether an exact distance takes the place of that by the tables. It does up to where no
-  /// path has left the halo; beyond, if it is shorter, or inside the patches unless that by the tables is
-  /// much shorter.
+  /// After run(): whether an exact distance replaces that by the tables. It does up to the distance at which
+  /// a path could have left the halo; beyond that if it is shorter, and inside the patches unless that by the
+  /// tables is much shorter.
   bool holds(double exact, double by_tables, bool is_inside) const {
     return exact < unreachable &&
            (exact <= certain_ || exact <= by_tables || (is_inside && by_tables >= shorter_outside * exact));
@@ -61,8 +61,8 @@ class NearField {
     }
   }
 
-  /// The solver and the faces it may enter, made when they are first asked for; for other runs between those
-  /// of the near field, too.
+  /// The solver and the halo, created when first asked for; other runs may use them between those of the near
+  /// field.
   ExactSolver& solver();
   Halo& halo();
   /// After run().

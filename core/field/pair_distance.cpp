@@ -7,7 +7,7 @@ namespace vorogeo {
 
 namespace {
 
-/// A sum of two table entries can be too short by their rounding; this much longer it is an upper bound.
+/// A sum of two table entries can be too short by their rounding; multiplied by this it is an upper bound.
 constexpr double bound_slack = 1.001;
 
 /// Calls visit(patch, column) for the second-layer patches of a vertex and its place among their members.
@@ -27,7 +27,7 @@ PairDistance::PairDistance(const IndexData& data, NearField& near)
     : data_(data), near_(near), router_(data), unfolder_(data) {}
 
 /// If a patch of one vertex is or touches one of the other: an upper bound of their distance, over the border
-/// vertices that both patches have; otherwise unreachable. Leaves the patches in patches_.
+/// vertices that both patches share; otherwise unreachable. Leaves the patches in patches_.
 double PairDistance::bound_by_tables(Index source, Index target) {
   const PatchLayer& second = data_.second;
   double bound = unreachable;
@@ -44,7 +44,7 @@ double PairDistance::bound_by_tables(Index source, Index target) {
       target_column_.resize(second.border_size(q));
       second.read_column(p, source_at, source_column_.data());
       second.read_column(q, target_at, target_column_.data());
-      // Both lists of nodes ascend.
+      // Both lists of nodes are ascending.
       const auto here = second.nodes(p);
       const auto there = second.nodes(q);
       for (std::size_t i = 0, k = 0; i < here.size() && k < there.size();) {
@@ -61,8 +61,8 @@ double PairDistance::bound_by_tables(Index source, Index target) {
   return bound;
 }
 
-/// Exact distance by propagation around patches_. If a path could have left the faces allowed to it, a second
-/// run over all faces decides; the first one's result keeps it in a thin corridor.
+/// Exact distance by propagation around patches_. If a path could have left the allowed faces, a second run
+/// over all faces decides, which the result of the first one keeps in a thin corridor.
 double PairDistance::distance_nearby(Index source, Index target, double bound) {
   Halo& halo = near_.halo();
   ExactSolver& solver = near_.solver();
@@ -84,7 +84,7 @@ double PairDistance::distance_nearby(Index source, Index target, double bound) {
 
 /// Length of the shortest route of the tables or the graph, unfolded.
 double PairDistance::route_length(Index source, Index target) {
-  // One end is often that of the last pair.
+  // One end is often the same as in the last pair.
   if (from_.vertex != source) route_end(data_, source, from_);
   if (to_.vertex != target) route_end(data_, target, to_);
   router_.route(from_, to_, route_);

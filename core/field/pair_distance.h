@@ -1,4 +1,4 @@
-// The distance of two vertices: exact where they are near, unfolded along the shortest route where not.
+// The distance of two vertices: exact if they are near, otherwise unfolded along the shortest route.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class PairDistance {
   /// `near` lends its solver; both must outlive the object.
   PairDistance(const IndexData& data, NearField& near);
 
-  /// Distance of two different work vertices of one component. The vertex with the smaller number counts as
+  /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
   /// the source, which makes the answer symmetric to the last bit.
   double distance(Index a, Index b);
 

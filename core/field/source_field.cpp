@@ -1,4 +1,4 @@
-// The steps of a field, and what its readers ask of them.
+// The steps of a field, and the results read from them.
 #include "field/source_field.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace vorogeo {
 SourceField::SourceField(const IndexData& data, NearField& near, int threads)
     : data_(data), near_(near), threads_(resolve_thread_count(threads)), borders_(data), sweeps_(threads_) {}
 
-/// Sorts the sources into those of the work mesh and isolated ones. All are checked before anything changes.
+/// Separates the sources on the work mesh from isolated ones. All are checked before anything changes.
 void SourceField::take_sources(std::span<const ExactSource> given, double max_distance) {
   if (given.empty()) throw InvalidInput("There is no source; give at least one.");
   if (!(max_distance >= 0.0)) {
@@ -42,7 +42,7 @@ void SourceField::take_sources(std::span<const ExactSource> given, double max_di
   }
 }
 
-/// The near field reaches border nodes, from which the way goes on.
+/// Takes the border nodes that the near field reached as seeds.
 void SourceField::find_seeds() {
   const ExactSolver& solver = near_.solver();
   seeds_.clear();
@@ -70,7 +70,7 @@ void SourceField::sweep(Index first_layer_patch, FieldSweep& sweep, bool labels)
     const auto rows = sweep.crossing_rows();
     const auto members = data_.second.members(p);
     for (std::size_t i = 0; i < members.size(); ++i) {
-      // A border node belongs to several patches: the first of them writes it.
+      // A border node belongs to several patches: its home patch writes it.
       if (data_.home_patch[members[i]] != p) continue;
       distance_[members[i]] = found[i];
       if (!labels) continue;
@@ -99,7 +99,7 @@ Index SourceField::label_of_node(Index node) {
   return found;
 }
 
-/// From the border node on each vertex's way to the source that it leads to.
+/// Replaces the border node on each vertex's path by the source to which it leads.
 void SourceField::find_labels() {
   node_label_.assign(data_.second.node_count(), no_index);
   for (Index& label : label_) {

@@ -14,8 +14,8 @@
 
 namespace vorogeo {
 
-/// Fields on one index. Whatever is asked (vertices or points, with offsets or without, labels or none, at
-/// vertices or at points), the same steps compute it, so that answers agree to the last bit:
+/// Fields on one index. The same steps compute every field (from vertices or points, with or without offsets,
+/// with or without labels, at vertices or at points), so that answers agree to the last bit:
 /// 1. the near field: exact distances around the sources;
 /// 2. the border field, seeded with all border nodes that the near field reached;
 /// 3. sweeps from the borders over all vertices, first-layer patch by first-layer patch, on all threads;
@@ -26,8 +26,8 @@ class SourceField {
   /// `near` lends its solver; it must outlive the object. `threads`: 0 is one per core.
   SourceField(const IndexData& data, NearField& near, int threads);
 
-  /// Distances at the vertices of the user's mesh; see GeodesicQuery::labelled_field. `labels`: if set, the
-  /// place of the nearest source in the list, by vertex; no_index where there is none.
+  /// Distances at the vertices of the user's mesh; see GeodesicQuery::labelled_field. `labels`: if set,
+  /// receives the position of the nearest source in the list, by vertex; no_index where there is none.
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance,
                             std::vector<Index>* labels = nullptr);
   /// Distances at points of the user's mesh; see GeodesicQuery::distances.
@@ -55,12 +55,12 @@ class SourceField {
   PerWorker<FieldSweep> sweeps_;
   std::vector<ExactSource> sources_;  ///< in the work mesh
   std::vector<Index> number_;         ///< of each in the caller's list
-  /// Sources at vertices without a face, which the work mesh does not have, by their place in the list.
+  /// Sources at vertices without a face, which the work mesh does not have, with their positions in the list.
   std::vector<std::pair<Index, ExactSource>> isolated_;
   std::vector<BorderField::Seed> seeds_;
   std::vector<double> distance_;   ///< by work vertex
-  std::vector<Index> label_;       ///< by work vertex; during the sweeps the border node on its way
-  std::vector<Index> node_label_;  ///< by second-layer node, as far as they are known
+  std::vector<Index> label_;       ///< by work vertex; during the sweeps, the border node on its path
+  std::vector<Index> node_label_;  ///< by second-layer node, as far as known
   std::vector<Index> passed_;
 };
 

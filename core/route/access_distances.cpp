@@ -1,4 +1,4 @@
-// Starts are passed over for the groups they cannot serve.
+// For each group, seeds that cannot matter to it are skipped.
 #include "route/access_distances.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace vorogeo {
 namespace {
 
 constexpr std::uint8_t greatest_bound = 255;
-/// Half of what bounds between borders go up to: the sum of one of these and two of those stays in 15 bits.
+/// Half of the greatest bound between borders: the sum of one of those and two of these stays within 15 bits.
 constexpr float greatest_to_border = 8191.0f;
 
 }  // namespace
 
-/// A distance in units of the bounds, rounded down and cut off.
+/// A distance in units of the bounds, rounded down and clamped.
 std::uint8_t AccessDistances::in_bounds(float distance) const {
   return bound_unit_ > 0.0f ? static_cast<std::uint8_t>(std::min(distance / bound_unit_, 255.0f))
                             : greatest_bound;
@@ -128,7 +128,8 @@ void AccessDistances::refine(std::size_t group, float limit) {
   if (parts_.empty() || !(least_[group] < limit) || limit <= refined_[group]) return;
   const GroupRows& at = groups()[group];
   const Index size = data_.transit_table.size(at.group);
-  // Eight rows at once: a smaller group is taken with rows beside it, whose distances may stay too long.
+  // Eight rows at once: a smaller group is scanned together with rows next to it, whose distances may stay
+  // too long.
   const Index columns = std::min(table_rows_, TransitTable::group_size);
   const Index row = std::min(at.row, table_rows_ - columns);
   const Index first = at.row - row;
@@ -151,7 +152,7 @@ Index AccessDistances::seed_of(std::size_t group, Index row) {
   Index best = 0;
   float least = unreachable_float;
   const Index in_group = row - groups()[group].row;
-  // The distance may have been rounded in another way.
+  // The distance may have been rounded differently.
   constexpr float slack = 1.000001f;
   for (const Index lane : lanes_within(group, in_bounds(distance_[row] * slack))) {
     const std::uint16_t entry = piece(lane, group)[in_group];

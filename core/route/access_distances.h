@@ -1,4 +1,5 @@
-// Distances of one point from the border of its first-layer patch, as far as they are asked for.
+// Access distances: those of one point from the border of its first-layer patch, computed when they are asked
+// for.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +17,29 @@ class AccessDistances {
  public:
   explicit AccessDistances(const IndexData& data) : data_(data) {}
 
-  /// Bounds for all groups; nothing to do if the end is that of the last call. Complexity: O(seeds x
+  /// Computes bounds for all groups; does nothing if the end is that of the last call. Complexity: O(seeds x
   /// groups), 32 at a time.
   void reset(const RouteEnd& end, Index parent);
 
   Index parent() const { return parent_; }
   std::span<const GroupRows> groups() const { return data_.access_bounds.groups[parent_]; }
-  /// By group: a lower bound of its least distance; after refine() that distance, or the limit if that is
+  /// By group: a lower bound of its least distance; after refine(), that distance, or the limit if that is
   /// less.
   std::span<const float> least() const { return least_; }
-  /// By group, filled up to AccessBounds::width: bounds before refine() in units of the bounds between
-  /// borders, rounded down.
+  /// By group, padded to AccessBounds::width: bounds before refine(), in units of the bounds between borders,
+  /// rounded down.
   std::span<const std::int16_t> bounds_to_border() const { return to_border_; }
-  /// Fetches what refine() will read.
+  /// Prefetches what refine() will read.
   void prefetch(std::size_t group, float limit);
-  /// Finds the distances of the rows of a group, as far as they are below `limit`, unless that was done
-  /// before.
+  /// Finds the distances of the rows of a group that are below `limit`, unless that was done before.
   void refine(std::size_t group, float limit);
   /// After refine(): distances of the rows of a group.
   const float* distances(std::size_t group) const { return distance_.data() + groups()[group].row; }
-  /// The start over which the distance of a row leads; the row's group must be refined.
+  /// The seed through which the distance of a row leads; the row's group must be refined.
   Index seed_of(std::size_t group, Index row);
 
  private:
-  /// Rows of a second-layer patch that seeds lie in, as lanes.
+  /// The seeds on the border of one second-layer patch, as lanes.
   struct Part {
     Index patch;
     Index begin;  ///< first lane
@@ -65,8 +65,8 @@ class AccessDistances {
   const std::uint16_t* table_ = nullptr;  ///< of the first-layer patch
   Index table_rows_ = 0;
   std::vector<Part> parts_;
-  // By lane: distance of the start there, also as a bound, its column in the table, and its place among the
-  // seeds of the end. Lanes without a start are infinitely far.
+  // By lane: the distance of its seed, the same as a bound, the seed's column in the table, and its place
+  // among the seeds of the end. Lanes without a seed are infinitely far.
   std::vector<float> seed_distance_;
   std::vector<std::uint8_t> seed_bound_;
   std::vector<Index> column_;
@@ -75,7 +75,7 @@ class AccessDistances {
   std::vector<std::uint8_t> least_bound_;
   std::vector<std::int16_t> to_border_;
   std::vector<float> least_;
-  std::vector<float> refined_;   ///< up to where the distances are known
+  std::vector<float> refined_;   ///< limit below which the distances are known
   std::vector<float> distance_;  ///< by row
   std::vector<std::uint8_t> flags_;
   std::vector<Index> lanes_;

@@ -157,7 +157,7 @@ bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRo
 }
 
 void GraphRouter::append_path(Index from, Index to, GraphRoute& route) {
-  // In the first-layer patches at both ends, so that the way may pass beside the arc's own patch.
+  // In the first-layer patches at both ends, so that the path may leave the arc's own patch.
   RouteEnd ends[2];
   for (int side : {0, 1}) {
     const Index node = side == 0 ? from : to;
@@ -171,7 +171,7 @@ void GraphRouter::append_path(Index from, Index to, GraphRoute& route) {
   first_layer_ = false;
   GraphRoute way;
   if (!search(ends[0], ends[1], way)) {
-    // Patches in several pieces: the way leads through others.
+    // A patch may have several pieces: then the path leads through others.
     for (Index parent = 0; parent < data_.first.patch_count; ++parent) ends[0].parents.push_back(parent);
     search(ends[0], ends[1], way);
   }

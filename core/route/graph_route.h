@@ -8,7 +8,8 @@
 
 namespace vorogeo {
 
-/// One end of a route: second-layer nodes with their distances from it, and the patch these lie in.
+/// One end of a route: second-layer nodes with their distances from it, and the patch on whose border these
+/// lie.
 struct RouteEnd {
   struct Seed {
     Index node;
@@ -20,13 +21,13 @@ struct RouteEnd {
   std::vector<Index> parents;  ///< first-layer patches whose second-layer arcs may be used
 };
 
-/// The end of a route at a work vertex, in the place of what `end` was.
+/// Makes `end` the end of a route at a work vertex.
 void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
 
-/// Fetches what route_end will read.
+/// Prefetches what route_end will read.
 void prefetch_end(const IndexData& data, Index work_vertex);
 
-/// A shortest route: second-layer nodes in order, the leg between each two, and the whole length.
+/// A shortest route: second-layer nodes in order, the leg between consecutive ones, and the whole length.
 struct GraphRoute {
   double length = unreachable;
   std::vector<Index> nodes;
@@ -34,18 +35,18 @@ struct GraphRoute {
 };
 
 /// Searches the graph of one index. Second-layer arcs are used only near the ends (in their first-layer
-/// patches), first-layer arcs everywhere. One object belongs to one thread; a search seeds anew in O(1).
+/// patches), first-layer arcs everywhere. One object belongs to one thread; a search resets it in O(1).
 ///
 /// The potential of a node is half the difference of the landmark bounds to the two ends, which is consistent
-/// for both directions (Ikeda et al. 1994); the search stops when the two least keys sum to the length of the
-/// best route found, which then is a shortest one (Goldberg, Harrelson 2005).
+/// for both directions (Ikeda et al. 1994); the search stops when the two least keys sum to at least the
+/// length of the best route found, which then is a shortest one (Goldberg, Harrelson 2005).
 class GraphRouter {
  public:
   explicit GraphRouter(const IndexData& data);
-  /// The shortest route; one of length unreachable if there is none. Whether there is one. Each first-layer
-  /// arc, for whose patch there is no table, is replaced by a way over second-layer arcs.
+  /// The shortest route, of length unreachable if there is none. Each first-layer arc is replaced by a path
+  /// of second-layer arcs, as there are no first-layer tables. \return whether there is a route.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
-  /// The same with first-layer arcs as they stand.
+  /// The same with first-layer arcs left as they are.
   bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
   /// Nodes settled in the last search, for measurements.
   std::size_t settled() const { return settled_; }

@@ -14,10 +14,10 @@ namespace {
 constexpr float lowest_base = -32768.0f;
 constexpr std::int16_t greatest_least = -2;
 
-/// Rows in one turn, as many as the scan can number.
+/// Most rows in one turn: as many as the scan can number.
 constexpr std::size_t most_rows = 32767;
 
-/// Entries are rounded, so that they may be shorter than the straight line by a little.
+/// Entries are rounded, so they may be slightly shorter than the straight line.
 constexpr double line_slack = 0.9999;
 
 }  // namespace
@@ -89,7 +89,8 @@ void PatchRouter::relax(Index node, float distance, Index predecessor, Index pat
     best_ = distance + state.to_target;
     meeting_ = node;
   }
-  // Its own patch has led to all others in there already.
+  // The patch through which the node was reached is skipped: its other nodes have been reached without this
+  // detour.
   for (const PatchRow& at : data_.second.patches_of(node)) {
     if (at.patch == patch || parent_open_[data_.partition.parent[at.patch]] != stamp_) continue;
     wait(at.patch, at.row, distance + state.lower_bound);
@@ -114,8 +115,9 @@ void PatchRouter::relax_patch(Index patch) {
   if (rows_.empty()) return;
   const float unit = second.unit[patch];
   const float per_unit = unit > 0.0f ? 1.0f / unit : 0.0f;
-  // In a complete table the lowest row leads everywhere on a shorter way than rows beyond all entries. In
-  // another one a sum may be the only way, so it has to fit: each distance takes a turn of its own.
+  // In a complete table, paths from the lowest row are shorter everywhere than from rows that exceed it by
+  // more than any entry. In an incomplete one such a row may be the only access, so it waits for a turn in
+  // which it fits.
   const bool complete = second.complete[patch] != 0;
   const float most = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
   base_.clear();
@@ -142,7 +144,7 @@ void PatchRouter::relax_patch(Index patch) {
     const Index count = std::min(PatchLayer::tile_width, columns - begin);
     for (Index k = 0; k < count; ++k) {
       if (least[k] > greatest_least) continue;
-      // Never below the node before it, or two nodes could take turns in lowering each other.
+      // Never below the predecessor, or two nodes could relax each other in turns.
       const Index predecessor = nodes[rows_[best[k]]];
       const float sum = lowest + unit * (static_cast<float>(least[k]) - lowest_base);
       relax(nodes[begin + k], std::max(sum, node_[predecessor].distance), predecessor, patch);
@@ -177,7 +179,7 @@ bool PatchRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
   return true;
 }
 
-/// The nodes before the meeting, and the length by the table entries between them.
+/// Writes the nodes up to the meeting, and the length by the table entries between them.
 void PatchRouter::write(GraphRoute& result) const {
   const PatchLayer& second = data_.second;
   result.nodes.clear();

@@ -10,15 +10,15 @@ namespace vorogeo {
 
 /// Searches the second-layer tables of an index in the form of tables. A step is a turn of a whole patch:
 /// from those of its border nodes that were relaxed since its last turn, the least sums to all others, 32 at
-/// a time. Nodes are known to be too far from the target by the straight line in space, which also chooses
-/// the patch whose turn it is (A*). One object belongs to one thread; a search seeds anew in O(1).
+/// a time. The straight line to the target in space is the lower bound (A*): it excludes nodes and selects
+/// the patch whose turn it is. One object belongs to one thread; a search resets it in O(1).
 class PatchRouter {
  public:
   explicit PatchRouter(const IndexData& data);
 
   /// Writes the shortest route inside the first-layer patches of the ends to `result` if it is shorter than
-  /// `below`, else leaves that as it was. Whether there is one. Of routes whose lengths differ by rounding of
-  /// table entries any may be found.
+  /// `below`, otherwise leaves `result` unchanged. \return whether it is shorter. Of routes whose lengths
+  /// differ only by rounding of table entries, any may be found.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
   /// Turns in the last search, for measurements.
   std::size_t turns() const { return turns_; }
@@ -28,13 +28,13 @@ class PatchRouter {
     std::uint32_t stamp = 0;
     float distance = 0.0f;     ///< from the source
     float to_target = 0.0f;    ///< for seeds of the target: from there
-    float lower_bound = 0.0f;  ///< lower bound of the rest
-    Index predecessor = 0;     ///< node; no_index for a start of the source
+    float lower_bound = 0.0f;  ///< lower bound of the distance to the target
+    Index predecessor = 0;     ///< node; no_index for a seed of the source
     Index patch = 0;           ///< through which it was reached
   };
   struct PatchState {
     bool waits = false;
-    float key = 0.0f;         ///< least distance and bound of the rows that wait
+    float key = 0.0f;         ///< least sum of distance and lower bound over the rows that wait
     std::vector<Index> rows;  ///< that wait for the next turn
   };
   void reset(const RouteEnd& source, const RouteEnd& target);

@@ -42,7 +42,7 @@ double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) 
   return column == no_index ? unreachable : layer.distance(leg.patch(), row, column);
 }
 
-/// Least distance of a vertex over the near nodes, then over the border edges at the best of them.
+/// Least distance of a vertex through the near nodes, then across the border edges at the best of them.
 double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& near, Index vertex) {
   std::array<double, 8> beyond{};
   const std::size_t count = std::min(near.size(), beyond.size());
@@ -59,7 +59,7 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
   std::array<BorderSample, 2> beside{};
   int known = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    // The route's own node is the one neighbour of the others.
+    // Only the route's own node is a neighbour of all the others.
     if (i == least || (least != 0 && i != 0) || beyond[i] == unreachable) continue;
     const BorderSample sample{near[i].distance, beyond[i], near[std::max(i, least)].length};
     best = std::min(best, unfolded_distance(sample.length, near[least].distance, sample.source, beyond[least],
@@ -92,8 +92,8 @@ void find_stages(const IndexData& data, const GraphRoute& route, Index source, I
   }
 }
 
-/// Calls visit(vertex, length) for the border neighbours of the vertex where the route goes from one stage to
-/// the next: along the border of the patch on either side that has it on its border.
+/// Calls visit(vertex, length) for the border neighbours of the vertex where the route passes from one stage
+/// to the next: along the border of a patch on either side that has the vertex on its border.
 template <class Visit>
 void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& next, Visit&& visit) {
   for (const Leg& side : {stage.leg, next.leg}) {

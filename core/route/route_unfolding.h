@@ -1,4 +1,4 @@
-// A better length for a route of the graph: each border it crosses is unfolded around the crossing.
+// A better length for a route: each patch border that it crosses is unfolded at the crossing.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@ class RouteUnfolder {
  public:
   explicit RouteUnfolder(const IndexData& data) : data_(data) {}
 
-  /// Length of the way along a route from source to target (work vertices), crossing each border anywhere on
-  /// the border edges at the route's node instead of at the node. Near a node, distances are kept for the
-  /// node and its border neighbours; they come from the same wave, so no guard is needed. Complexity: O(nodes
-  /// of the route).
-  /// `source_patch`, `target_patch`: second-layer patches that the route's first and last node share with
-  /// these vertices, for ends that may lie on a border; no_index for the patches of vertices inside one.
+  /// Length of the path along a route from source to target (work vertices) that crosses each border anywhere
+  /// on the border edges at the route's node instead of at the node itself. At each crossing, distances are
+  /// kept for the node and its border neighbours; they belong to the same wave, so no guard is needed.
+  /// Complexity: O(nodes of the route). `source_patch`, `target_patch`: second-layer patches that the route's
+  /// first and last node share with these vertices, for ends that may lie on a border; no_index for the
+  /// patches of vertices inside one.
   double length(const GraphRoute& route, Index source, Index target, Index source_patch = no_index,
                 Index target_patch = no_index);
 

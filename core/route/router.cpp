@@ -1,4 +1,4 @@
-// Which router has the shortest route.
+// Selects the router that has the shortest route.
 #include "route/router.h"
 
 #include <algorithm>

@@ -9,14 +9,14 @@
 
 namespace vorogeo {
 
-/// Takes the memory of a way to search when it is first needed. One object belongs to one thread.
+/// Each kind of search takes its memory when it is first needed. One object belongs to one thread.
 class Router {
  public:
   explicit Router(const IndexData& data) : data_(data) {}
 
-  /// The shortest route between two ends; of length unreachable if there is none. In the form of a graph it
-  /// is searched there. In the form of tables it is read from them; for ends with a first-layer patch in
-  /// common those that stay in it are searched as well.
+  /// The shortest route between two ends; of length unreachable if there is none. In the form of a graph, it
+  /// is searched in the graph. In the form of tables, it is read from the tables; if the ends share a
+  /// first-layer patch, routes inside that patch are searched as well.
   void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:

@@ -1,4 +1,5 @@
-// Bounds for all cells between the borders of two first-layer patches, then the cells that are left.
+// First bounds for all cells between the borders of two first-layer patches, then the cells that these do not
+// exclude.
 #include "route/table_route.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace vorogeo {
 
 namespace {
 
-/// Cells that are taken in the order of their bounds.
+/// Cells that are examined in the order of their bounds.
 constexpr std::size_t first_cells = 4;
 
-/// Bounds and distances are rounded in different ways, by far less than this.
+/// Bounds and distances are rounded differently, by far less than this.
 constexpr float rounding_slack = 1.000001f;
 
 }  // namespace
@@ -29,12 +30,12 @@ std::int16_t TableRouter::in_bounds(float length) const {
                                                : greatest);
 }
 
-/// What is left of the least sum of a group after the way to it.
+/// What remains of the least sum of a group after the distance to it.
 float TableRouter::rest(const AccessDistances& end, std::size_t group, std::int16_t least) const {
   return data_.access_bounds.unit_between * static_cast<float>(least - end.bounds_to_border()[group]);
 }
 
-/// The best pair of rows in one cell, if it is better than what is known; its rows are left open.
+/// The best sum in one cell, if it is better than the best so far; its rows are found later.
 void TableRouter::look_into(AccessDistances& low, AccessDistances& high, const Candidate& candidate,
                             Joint& best) {
   const TransitTable& table = data_.transit_table;
@@ -51,13 +52,14 @@ void TableRouter::look_into(AccessDistances& low, AccessDistances& high, const C
   ++cells_;
   const float least = offset + least_in_cell(table.cell(from, to), table.size(from), table.size(to),
                                              low.distances(i), high.distances(j), table.unit);
-  // Of equal sums the first, so that what was known before has no influence on the route.
+  // Of equal sums the first, so that the route does not depend on what was known before.
   const bool is_first = std::pair(i, j) < std::pair(best.group[0], best.group[1]);
   if (!(least < best.length || (least == best.length && is_first))) return;
   best = {least, {i, j}, {low.groups()[i].row, high.groups()[j].row}};
 }
 
-/// The sums of the best cell again, to find where the least one is; they may be rounded in another way here.
+/// Computes the sums of the best cell again, to find where the least one is; they may be rounded differently
+/// here.
 void TableRouter::find_rows(const AccessDistances& low, const AccessDistances& high, Joint& best) const {
   const TransitTable& table = data_.transit_table;
   const GroupRows& from = low.groups()[best.group[0]];
@@ -78,7 +80,8 @@ void TableRouter::find_rows(const AccessDistances& low, const AccessDistances& h
   }
 }
 
-/// The best pair of rows for the two approaches; without rows if none is shorter than `length`.
+/// The best pair of rows for the access distances of both ends; without rows if none is shorter than
+/// `length`.
 TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high, float length) {
   const TransitTable& table = data_.transit_table;
   const AccessBounds& bounds = data_.access_bounds;
@@ -118,7 +121,7 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
     if (low_least_[row] > most) continue;
     for_each_within(row, most, [&](std::int16_t column, std::int16_t bound) {
       candidates_.push_back({bound, {static_cast<std::int16_t>(row), column}});
-      // Rows of a cell are 16 bytes, so that a full one lies in three lines at most.
+      // A row of a cell has 16 bytes, so that a full cell lies in three cache lines at most.
       const auto* cell =
           reinterpret_cast<const char*>(table.cell(low.groups()[row].group, high.groups()[column].group));
       for (int line : {0, 64, 127}) prefetch_line(cell + line);
@@ -131,7 +134,7 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   for (Index column = 0; column < columns; ++column) {
     if (high_least_[column] <= most) high.prefetch(column, limit - rest(high, column, high_least_[column]));
   }
-  // The most promising first: they save others.
+  // The most promising cells first: they exclude others.
   const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
   const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
   std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
@@ -152,7 +155,7 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     from_.reset(source, source_parent);
     for (Index target_parent : target.parents) {
       to_.reset(target, target_parent);
-      // The bounds between borders are kept for patches in the order of their numbers.
+      // Bounds between borders are stored for pairs of patches with the smaller number first.
       const std::size_t at_source = source_parent <= target_parent ? 0 : 1;
       const Joint best = at_source == 0 ? join(from_, to_, length) : join(to_, from_, length);
       if (best.row[0] == no_index) continue;

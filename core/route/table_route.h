@@ -1,4 +1,5 @@
-// Routes between far points, read from the tables: border, first-layer border, the same at the other end.
+// Routes between far points, read from the tables: through the patch border and the first-layer border at
+// either end.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +16,18 @@ class TableRouter {
   explicit TableRouter(const IndexData& data) : data_(data), from_(data), to_(data) {}
 
   /// Writes the shortest route that leaves a first-layer patch of the source and enters one of the target to
-  /// `result` if it is shorter than `below`, else leaves that as it was. Whether there is one. For ends in
-  /// different first-layer patches it is the shortest of all. Lower bounds for each two groups of border
-  /// nodes come first; of the tables of the ends and of the cells of the transit table only those are looked
-  /// into that could make a shorter route than the best so far. Complexity: O(k + (b / 8)^2) for k seeds and
-  /// b border nodes of such a patch, and 64 for each cell looked into.
+  /// `result` if it is shorter than `below`, otherwise leaves `result` unchanged. \return whether it is
+  /// shorter. For ends in different first-layer patches it is the shortest of all. Lower bounds for all pairs
+  /// of groups of border nodes come first; of the tables at the ends and the cells of the transit table, only
+  /// those are examined that could give a shorter route than the best so far. Complexity: O(k + (b / 8)^2)
+  /// for k seeds and b border nodes of such a patch, and 64 for each cell examined.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
-  /// Cells looked into in the last call, for measurements.
+  /// Cells examined in the last call, for measurements.
   std::size_t cells() const { return cells_; }
 
  private:
-  /// What joins two approaches best: groups and rows at the side of a first-layer patch and at that of one
-  /// with the same or a greater number.
+  /// The best connection of two ends: group and row on the side of the first-layer patch with the smaller
+  /// number, then on the other side.
   struct Joint {
     float length;
     std::size_t group[2] = {0, 0};
@@ -46,7 +47,7 @@ class TableRouter {
   const IndexData& data_;
   AccessDistances from_;
   AccessDistances to_;
-  // Bounds between the borders: the least sum of each group of either side.
+  // Least sum of bounds, by group, on either side.
   std::vector<std::int16_t> low_least_;
   std::vector<std::int16_t> high_least_;
   std::vector<std::uint8_t> within_;
