@@ -1,4 +1,4 @@
-// Search and sweeps in the patches of a corridor.
+// Searches and sweeps in the patches of a corridor.
 #include "path/exact_pair.h"
 
 #include <algorithm>

@@ -9,14 +9,14 @@
 
 namespace vorogeo {
 
-/// The largest error that the index is assumed to make: this part of the distance plus this part of the mean
-/// edge (a single crossing of a border errs by a part of an edge, however long the distance). About twice the
-/// largest error measured on shortest paths (docs/paths.md). It is not proven, so what rests on it is not
-/// certified.
+/// The largest error assumed of the index: this fraction of the distance plus this fraction of the mean edge
+/// (a single border crossing errs by a fraction of an edge, however long the distance). About twice the
+/// largest error measured on shortest paths (docs/paths.md). It is not proven, so results that rely on it are
+/// not certified.
 inline constexpr double index_margin = 0.003;
 inline constexpr double index_margin_in_edges = 0.5;
 
-/// Fills in lower bounds for the vertices on paths of at most a given length between two points.
+/// Lower bounds for the vertices on paths of at most a given length between two points.
 ///
 /// The distances of the border nodes from the target come from the tables; each patch that neither they nor
 /// the landmarks exclude is swept. In the patches around the target, where the index is least accurate, the

@@ -1,4 +1,4 @@
-// Runs of the exact solver, and the path that each leaves.
+// Runs of the exact solver, and the path that each of them finds.
 #include "path/exact_search.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double mos
   limits.max_distance = most;
   limits.face_allowed = face_allowed;
   FoundPath found = run(from, to, limits);
-  // A path may have been shorter outside.
+  // A path outside may be shorter.
   if (!face_allowed.empty() && found.distance > solver_.barrier_distance()) found.distance = unreachable;
   return found;
 }

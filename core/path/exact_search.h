@@ -12,18 +12,18 @@
 
 namespace vorogeo {
 
-/// A path and what is known of it. Without points, and infinitely long, if none was found.
+/// A path and what is known about it. It has no points and infinite length if none was found.
 struct FoundPath {
   SurfacePath path{{}, unreachable};
-  /// The distance that exact propagation gave, where nothing but proven bounds limited it; else unreachable.
+  /// The distance by exact propagation, if only proven bounds limited it; otherwise unreachable.
   double distance = unreachable;
 
-  /// The shorter path of both, and what either knows of the distance.
+  /// Keeps the shorter of both paths, and the distance that either of them knows.
   void join(FoundPath other);
 };
 
 /// Paths over the work mesh of an index, each by one or two runs of the exact solver. Each run ends: the
-/// solver hands a window on only where it shortens a distance by more than rounding. Holds scratch memory:
+/// solver passes a window on only where it shortens a distance by more than rounding. Holds scratch memory:
 /// one object belongs to one thread.
 class ExactSearch {
  public:
@@ -39,7 +39,7 @@ class ExactSearch {
   /// Ends in one patch or in patches that touch: first in these patches and their halo; if a path could have
   /// left them, everywhere. `estimate`: an upper bound of the distance, if the tables are right.
   FoundPath nearby(const PathEnd& from, const PathEnd& to, double estimate);
-  /// Without any bound: what is left where a bound went wrong.
+  /// Without any bound: the last resort if a bound was wrong.
   FoundPath everywhere(const PathEnd& from, const PathEnd& to);
 
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) { landmarks_ = std::move(landmarks); }

@@ -1,4 +1,4 @@
-// Walks back through the tables of each level from the end of a hop to its start.
+// Walks back through the tables of each layer, from the end of a leg to its beginning.
 #include "path/path_chain.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Sums this much above the least are equal up to the precision of the tables: the hop to the goal is taken.
+/// Sums that exceed the least by no more than this factor are equal within the precision of the tables: the
+/// step to the goal is then preferred.
 constexpr double equal_sums = 1e-6;
 
 class ChainBuilder {
@@ -34,7 +35,7 @@ class ChainBuilder {
       const bool inside = data_.partition.parent[at.patch] == parent;
       const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
       for (std::size_t i = 0; inside && i < nodes.size(); ++i) {
-        // Each in a line of its own.
+        // Each entry is in a cache line of its own.
         const PatchLayer::Column entries = data_.first.column_of(parent, columns[i]);
         prefetch_line(entries.first + static_cast<std::size_t>(fixed) * entries.step);
       }
@@ -43,7 +44,7 @@ class ChainBuilder {
         rest[i] = inside ? data_.first.distance(parent, fixed, columns[i]) : from_goal(nodes[i]);
       }
     };
-    // From the other end towards the goal, by the goal's distances.
+    // Backwards from the other end to the goal, by the goal's distances.
     back_.clear();
     walk(data_.second, backwards ? a : b, backwards ? b : a, 1.0, from_goal, lines);
     for (std::size_t k = 0; k < back_.size(); ++k) {
@@ -56,7 +57,7 @@ class ChainBuilder {
     }
   }
 
-  /// From first-layer node to first-layer node, both given by their second-layer nodes, by the node table.
+  /// From one first-layer node to another by the transit table; both are given by their second-layer nodes.
   void transit_table_step(Index a, Index b) {
     const Index goal = data_.first.vertex_node[vertex_of(a)];
     auto from_goal = [&](Index node) -> double { return data_.transit_table.distance(goal, node); };
@@ -80,21 +81,21 @@ class ChainBuilder {
   }
 
  private:
-  /// A step back: nodes of one layer and the patch of that layer between them; no_index: along edges.
+  /// A step back: two nodes of one layer and the patch of that layer between them; no_index: along edges.
   struct Step {
     Index from, to, patch;
   };
 
-  /// From node `here` of a layer back to `goal`, each time over the patch and to the node with the least sum
-  /// of the hop and that node's distance from the goal, which must be less than the one of the node before.
-  /// `lines(patch row, hops, rests)` reads both for all nodes of a patch. Adds to back_.
+  /// From node `here` of a layer back to `goal`: each step leads through the patch and to the node with the
+  /// least sum of the step's length and that node's distance from the goal, which must decrease from node to
+  /// node. `lines(patch row, hops, rests)` reads both for all nodes of a patch. Adds to back_.
   template <class FromGoal, class Lines>
   void walk(const PatchLayer& layer, Index here, Index goal, double favour_goal, FromGoal&& from_goal,
             Lines&& lines) {
-    // Ends: each node is nearer to the goal than the one before, or the goal.
+    // This loop ends: each node is the goal or nearer to it than the previous one.
     while (here != goal) {
       const double at_here = from_goal(here);
-      Step next{here, goal, no_index};  // if no patch leads on: along edges
+      Step next{here, goal, no_index};  // along edges if no patch leads on
       double best = unreachable;
       for (const PatchRow& at : layer.patches_of(here)) {
         lines(at, step_, rest_);

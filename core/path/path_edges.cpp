@@ -1,4 +1,4 @@
-// A* search with the straight line as bound.
+// A* search with the straight line as lower bound.
 #include "path/path_edges.h"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
   std::priority_queue<Entry> queue;
   queue.push({straight(start), start});
   std::size_t looked_at = 0;
-  // Ends: a vertex enters the queue again only with a smaller distance, which is the length of another way.
+  // This loop ends: a vertex enters the queue again only with a smaller distance, which is the length of
+  // another path.
   while (!queue.empty()) {
     const auto [key, vertex] = queue.top();
     queue.pop();

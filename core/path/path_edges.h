@@ -1,4 +1,4 @@
-// The shortest way over edges.
+// The shortest path along edges.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace vorogeo {
 
-/// An edge on the way: the vertex it leaves, and a face beside it.
+/// An edge on the path: the vertex it leaves, and an adjacent face.
 struct EdgeStep {
   Index face;
   Index from;
 };
 
-/// Adds the shortest way over edges from one vertex to another (Hart, Nilsson, Raphael 1968); meant for short
-/// ones. \return false if there is none. Complexity: O(n log n) for the n vertices looked at.
+/// Adds the shortest path along edges from one vertex to another (Hart, Nilsson, Raphael 1968); meant for
+/// short paths. \return false if there is none. Complexity: O(n log n) for the n vertices visited.
 bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& way);
 
 }  // namespace vorogeo

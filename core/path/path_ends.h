@@ -13,7 +13,7 @@ namespace vorogeo {
 struct PathEnd {
   SurfacePoint point;
   Index vertex = no_index;  ///< the point itself or the nearest corner of its face
-  double beside = 0.0;      ///< distance of that vertex
+  double beside = 0.0;      ///< distance of the point from that vertex
   std::vector<Index> patches;
 
   /// Second-layer patch of an end in a face; no_index for a vertex.
@@ -22,7 +22,7 @@ struct PathEnd {
   }
 };
 
-/// Of a point of the user's mesh.
+/// The end at a point of the user's mesh.
 PathEnd path_end(const IndexData& data, const SurfacePoint& user);
 
 /// Whether a second-layer patch of one end is or touches one of the other.

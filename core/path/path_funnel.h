@@ -19,12 +19,12 @@ class Funnel {
     bool left;
   };
 
-  /// Begins at a point, with room for the ends of so many gates.
+  /// Begins at a point, with room for the ends of this many gates.
   void reset(const PlanePoint& point, std::size_t gates);
   /// The next gate has a new end on its left, or on its right, as seen from the start.
   void add_left(const PlanePoint& point, Index gate);
   void add_right(const PlanePoint& point, Index gate);
-  /// Ends at a point. \return the bends in order, valid until start(). Complexity of all calls: O(gates).
+  /// Ends at a point. \return the bends in order, valid until reset(). Complexity of all calls: O(gates).
   const std::vector<Bend>& finish(const PlanePoint& point);
 
  private:

@@ -39,7 +39,7 @@ void PathLine::assign(const FaceStrip& strip) {
   first_face_ = strip.faces.front();
   crossings_.clear();
   for (std::size_t i = 0; i < strip.entry.size(); ++i) {
-    // The plane has the corners counterclockwise: who leaves across a half-edge sees its head on the left.
+    // Corners are counterclockwise in the plane: leaving across a half-edge, its head is on the left.
     Index left = mesh.head(strip.exit[i]);
     Index right = mesh.tail(strip.exit[i]);
     if (i > 0 && (left == crossings_.back().right || right == crossings_.back().left)) std::swap(left, right);
@@ -75,7 +75,7 @@ double PathLine::turn(std::size_t joint) const {
   const PlanePoint in{j.in[0] - joints_[joint - 1].out[0], j.in[1] - joints_[joint - 1].out[1]};
   PlanePoint out{joints_[joint + 1].in[0] - j.out[0], joints_[joint + 1].in[1] - j.out[1]};
   if (j.is_seam) {
-    // From the plane behind into the plane before, by the direction of the edge known in both.
+    // From the plane after the joint into the plane before it, by the direction of the edge known in both.
     const double ex = j.other_in[0] - j.in[0], ey = j.other_in[1] - j.in[1];
     const double fx = j.other_out[0] - j.out[0], fy = j.other_out[1] - j.out[1];
     const double cosine = ex * fx + ey * fy, sine = ey * fx - ex * fy;
@@ -92,7 +92,7 @@ void PathLine::find_range(Index at, Joint& joint) const {
   while (joint.last + 1 < size_of(crossings_) && has(joint.last + 1)) ++joint.last;
 }
 
-/// Unfolds what lies between two joints and adds the bends found to next_joints_.
+/// Unfolds the crossings between two joints, and adds the bends found to next_joints_.
 void PathLine::pull(Joint& from, Joint& to) {
   const Mesh& mesh = *geometry_->mesh;
   const Index begin = from.last + 1;

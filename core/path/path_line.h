@@ -13,11 +13,11 @@ namespace vorogeo {
 struct UnfoldedCrossing {
   Index exit;   ///< half-edge of the face that is left
   Index entry;  ///< half-edge of the face that is entered, on the same edge
-  Index left;   ///< ends of the edge as one sees them going from source to target
+  Index left;   ///< ends of the edge as seen when going from source to target
   Index right;
-  double along;  ///< third corner of the face entered, in lengths of the edge: from left to right
+  double along;  ///< third corner of the face entered, in units of the edge's length: from left to right
   double aside;  ///< and beyond the edge
-  double ahead;  ///< of an edge of no length, which has no direction: how far away it is, in any one
+  double ahead;  ///< if the edge has no length, and so no direction: distance of the corner, in any direction
   PlanePoint at_left;
   PlanePoint at_right;
 
@@ -34,7 +34,7 @@ inline Index size_of(const std::vector<UnfoldedCrossing>& crossings) {
 }
 
 /// Source, target, and each vertex at which the line bends. The crossings up to `last` are unfolded into the
-/// plane of what comes before, those behind into the plane of what follows; the last one is known in both.
+/// plane of the preceding ones, the others into the plane of the following ones; `last` is known in both.
 struct Joint {
   Index vertex = no_index;  ///< no_index for source and target
   bool left = true;         ///< on which side of the strip the vertex is
@@ -42,19 +42,19 @@ struct Joint {
   bool is_seam = false;     ///< the two planes are not the same
   Index first = 0;          ///< crossings that end in the vertex
   Index last = 0;
-  PlanePoint in{};        ///< the vertex in the plane before
+  PlanePoint in{};        ///< the vertex in the preceding plane
   PlanePoint other_in{};  ///< and the other end of the last crossing
-  PlanePoint out{};       ///< the same in the plane behind
+  PlanePoint out{};       ///< the vertex in the following plane
   PlanePoint other_out{};
 };
 
-/// The line can be changed a stretch at a time: only what lies between two joints that stay is unfolded and
-/// pulled tight again.
+/// The line can be changed locally: only what lies between two joints that stay is unfolded and pulled tight
+/// again.
 class PathLine {
  public:
   explicit PathLine(const ExactGeometry& geometry) : geometry_(&geometry) {}
 
-  /// Takes over the line of another one on the same mesh.
+  /// Copies another line on the same mesh.
   void assign(const PathLine& other);
   /// Takes over a strip and pulls the line tight. Complexity: O(faces).
   void assign(const FaceStrip& strip);
@@ -65,18 +65,19 @@ class PathLine {
   const SurfacePoint& source() const { return source_; }
   const SurfacePoint& target() const { return target_; }
   double length() const;
-  /// By how much the line turns towards the vertex of a joint; negative if it is bent for nothing.
+  /// Angle by which the line turns towards the vertex of a joint; negative if the bend is not needed.
   double turn(std::size_t joint) const;
   /// All crossings around `at` that end in its vertex on its side.
   void find_range(Index at, Joint& joint) const;
 
-  /// What to do about a joint: the line stays bent there, or it is pulled tight between the joints around it;
-  /// `flip`: and the strip is moved to the other side of the vertex.
+  /// What to do at a joint: `keep` the bend; `release` it, so that the line is pulled tight between the
+  /// joints around it; `flip`: also move the strip to the other side of the vertex.
   enum class Change : std::uint8_t { keep, release, flip };
-  /// Changes the joints as said, one `changes` entry for each; joints too close to a flip are released.
-  /// \return the number of flips done. Complexity: O(crossings) copying, unfolding of changed pieces.
+  /// Applies `changes`, one entry for each joint; joints too close to a flip are released. \return the number
+  /// of flips done. Complexity: O(crossings) for copying, and unfolding of the pieces changed.
   int change(std::vector<Change>& changes);
-  /// Moves the strip to the other side of a vertex that is not a joint but between `piece` and the next one.
+  /// Moves the strip to the other side of a vertex that is not a joint but lies between joint `piece` and the
+  /// next one.
   bool flip_beside(std::size_t piece, const Joint& beside);
   void settle(std::size_t joint) { joints_[joint].settled = true; }
 
@@ -98,7 +99,7 @@ class PathLine {
   std::vector<UnfoldedCrossing> crossings_;
   std::vector<Joint> joints_;
 
-  // While it is changed.
+  // Used only during a change.
   Funnel funnel_;
   std::vector<UnfoldedCrossing> next_;
   std::vector<Joint> next_joints_;

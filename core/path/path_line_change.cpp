@@ -1,4 +1,4 @@
-// Changing a line: strips moved to the other side of vertices, and what that leaves as it is.
+// Changes of a line: strips moved to the other side of vertices, and the parts that stay.
 #include <algorithm>
 
 #include "path/path_line.h"
@@ -6,7 +6,7 @@
 namespace vorogeo {
 
 /// Adds a crossing to the strip being made, without detours: a face left and entered again at once. Calls
-/// itself only after taking a crossing out, so no more often than there are crossings.
+/// itself only after removing a crossing, so no more often than there are crossings.
 void PathLine::push(const UnfoldedCrossing& crossing) {
   if (!next_.empty()) {
     const UnfoldedCrossing last = next_.back();
@@ -16,7 +16,8 @@ void PathLine::push(const UnfoldedCrossing& crossing) {
       next_.pop_back();
       disturbed_ |= size_of(next_) < fixed_;
       if (returns) return;
-      // Left by the edge it was entered by, to a third face of that edge: straight there.
+      // The face was left by the edge by which it was entered, to a third face of that edge: go straight
+      // there.
       push(crossing_at(last.exit, crossing.entry, last.left, last.right));
       return;
     }
@@ -50,8 +51,8 @@ bool PathLine::push_other_side(const Joint& joint) {
   return true;
 }
 
-/// Takes out the faces at the ends of the strip being made that the end points do not need. \return how many
-/// at its beginning.
+/// Removes the faces at the ends of the new strip that the end points do not need. \return how many at its
+/// beginning.
 Index PathLine::trim_ends() {
   const Mesh& mesh = *geometry_->mesh;
   std::array<double, 3> weights{};
@@ -66,7 +67,7 @@ Index PathLine::trim_ends() {
   return cut;
 }
 
-/// A joint stays only if its crossings are apart from those that change.
+/// Releases joints whose crossings overlap those that change.
 void PathLine::release_neighbours(std::vector<Change>& changes) const {
   auto release = [&](std::size_t k) {
     if (changes[k] == Change::keep) changes[k] = Change::release;
@@ -120,7 +121,7 @@ int PathLine::rebuild(std::vector<Change>& changes) {
   return flips;
 }
 
-/// A joint that stays after rebuild(): its crossings may have become more.
+/// Updates a joint that stays after rebuild(), as it may have more crossings.
 void PathLine::extend(Joint& joint) {
   const Index before = joint.last;
   find_range(before, joint);

@@ -1,4 +1,4 @@
-// Breadth-first search over the vertices beside a strip.
+// Breadth-first search over the vertices next to a strip.
 #include "path/path_neighbourhood.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace vorogeo {
 
 double roughness(const Mesh& mesh, const PathLine& line) {
-  constexpr double most = 0.2;  // creases of a shape say nothing about its faces
+  constexpr double most = 0.2;  // creases of a shape say nothing about the roughness of its faces
   double sum = 0.0;
   for (const UnfoldedCrossing& crossing : line.crossings()) {
     for (const Index vertex : {crossing.left, crossing.right}) {

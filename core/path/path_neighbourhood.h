@@ -8,8 +8,8 @@
 
 namespace vorogeo {
 
-/// How uneven the surface along a strip is: the mean of what the angles at its vertices miss or have in
-/// excess of 2 pi, and no vertex counts for more than a crease does. Complexity: O(crossings).
+/// How uneven the surface along a strip is: the mean absolute difference between the total angles at its
+/// vertices and 2 pi, each clamped to the value of a crease. Complexity: O(crossings).
 double roughness(const Mesh& mesh, const PathLine& line);
 
 /// Marks the faces of a strip and of some rings of vertices around it. One object belongs to one thread.

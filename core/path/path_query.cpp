@@ -20,19 +20,19 @@ namespace vorogeo {
 
 namespace {
 
-/// A length from the tables, this much longer, is an upper bound in spite of their precision.
+/// A length from the tables, multiplied by this, is an upper bound in spite of their precision.
 constexpr double estimate_slack = 1.0 + 1e-3;
-/// A refined path that is this much longer (relative) than the index's distance has probably taken a wrong
+/// A refined path that is this much longer (relative) than the index's distance has probably gone a wrong
 /// way: exact propagation with the bounds of the index decides.
 constexpr double suspicious = 2e-4;
-/// Where to look for a shorter path beside the refined one: if it is longer than the index's distance by so
-/// much (relative) on an even surface, by less for each radian of roughness, but no less than that. Measured:
-/// on rough surfaces more paths have a shorter one close beside them, and the index's distance is itself
-/// longer (docs/paths.md).
+/// A shorter path is looked for near the refined one if that is longer than the index's distance by this much
+/// (relative) on an even surface, by less for each radian of roughness, but by no less than a minimum.
+/// Measured: on rough surfaces more paths have a shorter one close to them, and the index's distance itself
+/// is longer (docs/paths.md).
 constexpr double doubtful_if_even = 2e-4;
 constexpr double doubtful_by_roughness = 1.8e-2;
 constexpr double least_doubtful = -1.5e-4;
-/// Such shorter paths hardly ever leave so many rings of vertices around the strip.
+/// Such shorter paths hardly ever leave this many rings of vertices around the strip.
 constexpr int rings_beside = 2;
 
 }  // namespace
@@ -92,7 +92,7 @@ GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
   return best;
 }
 
-/// The way of the index, refined; without points if the tables do not lead all the way.
+/// The path of the index, refined; without points if the tables do not lead all the way.
 SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
   SurfacePath none;
   none.length = unreachable;
@@ -103,13 +103,13 @@ SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& 
   if (!strip_along_chain(data, chain, strip)) return none;
   refiner.refine(strip);
   SurfacePath path = refiner.path();
-  // Unfolded across edges of next to no length, a line may be out by any amount: its points are right still.
+  // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
   path.length = measured_length(*data.work.mesh, path.points).length;
   return path.length < unreachable ? path : none;
 }
 
-/// The index's distance along a route; of points in faces from those of their corners. Unreachable where the
-/// tables of the route do not hold the corners.
+/// The index's distance along a route; for points in faces, from the distances of their corners. Unreachable
+/// where the tables of the route do not hold the corners.
 double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
   const Mesh& mesh = *data.work.mesh;
   auto between = [&](const PathEnd& end, auto&& of_vertex) {
@@ -125,12 +125,12 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
   });
 }
 
-/// Looks for a shorter path than the refined one where that may have taken a wrong way.
+/// Looks for a shorter path if the refined one may have gone a wrong way.
 void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found) {
   const double doubtful = std::max(
       least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner.line()));
   if (found.path.length > expected * (1.0 + doubtful)) {
-    // Within a few rings the shortest path may be missed: what they prove is of no use.
+    // Within a few rings the shortest path may be missed, so this search proves nothing.
     const auto beside = surroundings.surround(refiner.line(), rings_beside);
     found.join({exact.within(from, to, found.path.length, beside).path, unreachable});
   }
@@ -140,7 +140,7 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
   }
 }
 
-/// `thorough`: also look for shorter paths than the first one found.
+/// `thorough`: also looks for shorter paths than the first one found.
 FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
   FoundPath found;
   const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
@@ -150,19 +150,19 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
   } else {
     found.path = path_by_chain(from, to, way);
     if (found.path.points.empty()) {
-      // The tables did not lead all the way: exact, within the length that the graph gives.
+      // The tables did not lead all the way: exact propagation, within the length of the route.
       found = exact.between_landmarks(from, to, estimate);
     } else if (thorough) {
       improve(from, to, expected_length(from, to, way), found);
     }
   }
-  // On faces without width, lengths may be off by more than the slack.
+  // On faces without area, lengths may be off by more than the slack.
   if (found.path.points.empty()) found = exact.everywhere(from, to);
   return found;
 }
 
-/// The same path over the user's mesh, between the very points that were asked for, as long as its points
-/// say.
+/// The same path over the user's mesh, between exactly the points that were asked for, with the length
+/// measured along its points.
 SurfacePath PathQuery::State::as_asked(const SurfacePath& path, const SurfacePoint& source,
                                        const SurfacePoint& target) const {
   SurfacePath result = user_path(data, path);
@@ -171,7 +171,7 @@ SurfacePath PathQuery::State::as_asked(const SurfacePath& path, const SurfacePoi
   if (result.points.size() == 1) result.points.push_back(target);
   if (is_same_point(*data.mesh, result.points.back(), target)) result.points.back() = target;
   const MeasuredLength measured = measured_length(*data.mesh, result.points);
-  // Where they agree, the sum of the steps in the plane has seen less rounding.
+  // Where they agree, the sum of the steps in the plane has less rounding.
   if (!measured.agrees_with(result.length)) result.length = measured.length;
   return result;
 }
@@ -214,7 +214,8 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   const bool meant_to_be_proven = certify || state.data.has_branches || found.distance < unreachable;
   if (result.certified || (!meant_to_be_proven && is_path(mesh, result.path, s, t, result.path.length)))
     return result;
-  // The bounds were wrong by more than rounding should be, or the path back was not found: without bounds.
+  // The bounds were wrong by more than rounding explains, or the path back was not found: search without
+  // bounds.
   found = state.exact.everywhere(from, to);
   SurfacePath path = state.as_asked(found.path, s, t);
   const bool is_whole = is_path(mesh, path, s, t, path.length);

@@ -12,10 +12,10 @@ namespace vorogeo {
 /// A shortest path and what is known about it.
 struct ExactPath {
   SurfacePath path;
-  /// Whether it is proven that no path is shorter (but for rounding), and the path passes is_path() for the
+  /// Whether it is proven that no path is shorter (up to rounding), and the path passes is_path() for the
   /// distance that was propagated: it runs between the points asked for, consecutive points share a face, and
-  /// its steps sum to that distance. Else the propagation was kept in a corridor by the index less an error
-  /// margin, or faces of no shape left no path of that length to be found.
+  /// its steps sum to that distance. Otherwise the propagation was kept in a corridor by the index's
+  /// distances less an error margin, or no path of that length was found among degenerate faces.
   bool certified = false;
 };
 
@@ -30,22 +30,22 @@ class PathQuery {
   PathQuery(PathQuery&&) noexcept;
   PathQuery& operator=(PathQuery&&) noexcept;
 
-  /// The refined path: the way that the index gives, shortened to a geodesic. Never shorter than the shortest
-  /// path but for rounding; in nearly all cases that path. Exact where the ends lie in one patch or in
-  /// patches that touch. \throw InvalidInput for a point that is not on the mesh. Complexity: that of a
-  /// two-point distance and of some tens of passes over the faces crossed; where it is doubtful, that of
-  /// exact propagation in the faces close to them.
+  /// The refined path: the path that the index gives, shortened to a geodesic. Never shorter than the
+  /// shortest path, up to rounding; in nearly all cases it is that path. Exact where the ends lie in one
+  /// patch or in patches that touch. \throw InvalidInput for a point that is not on the mesh. Complexity:
+  /// that of a two-point distance and some tens of passes over the faces crossed; if the result is doubtful,
+  /// also that of exact propagation in the faces close to them.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
-  /// The shortest path, by exact propagation that the refined path's length and lower bounds of the rest keep
-  /// in a corridor. `certify`: use only proven lower bounds, the straight line in space and those of
-  /// landmarks, so that the answer is always certified. Without it the index's distance, less a margin that
-  /// is not proven, makes the corridor narrower: faster on large curved surfaces; on meshes of needles a few
+  /// The shortest path, by exact propagation in a corridor given by the refined path's length and lower
+  /// bounds of the rest. `certify`: use only proven lower bounds, the straight line in space and those of
+  /// landmarks, so that the answer is always certified. Without it, the index's distance, less a margin that
+  /// is not proven, narrows the corridor: faster on large curved surfaces, but on meshes of needles a few
   /// answers are too long.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
 
-  /// Landmarks on the work mesh of the index (landmark_fields.h) make certified corridors narrower from now
-  /// on.
+  /// From this call on, landmarks on the work mesh of the index (landmark_fields.h) narrow certified
+  /// corridors.
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
 
   const GeodesicIndex& index() const;

@@ -12,10 +12,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Shortening by less than this (relative) is rounding.
 constexpr double least_gain = 1e-13;
-/// Rounds of flips: each but a few shortens the line, and there are not endlessly many strips, but rounding
-/// may take turns. Lines in meshes of a million vertices take some tens.
+/// Most rounds of flips. Nearly every round shortens the line, and the number of strips is finite, but
+/// rounding may cause cycles. Lines in meshes of a million vertices take some tens.
 constexpr int most_rounds = 1000;
-/// Turns back by less than this are rounding.
+/// Turns of less than this in the wrong direction are rounding.
 constexpr double least_turn = 1e-12;
 /// Vertices tried on their other side, at most.
 constexpr int most_trials = 64;
@@ -26,8 +26,8 @@ double length_of(const PlanePoint& vector) {
 
 }  // namespace
 
-/// One round: moves the strip to the other side of all bends whose other side is below pi, and lets go of
-/// those that are none any more. \return whether anything was changed.
+/// One round: moves the strip to the other side of all bends where the angle there is below pi, and releases
+/// those that are no longer bends. \return whether anything changed.
 bool PathRefiner::flip_bends() {
   const auto& joints = line_.joints();
   changes_.assign(joints.size(), PathLine::Change::keep);
@@ -56,7 +56,7 @@ void PathRefiner::straighten() {
   double length = line_.length();
   int without_gain = 0;
   for (int round = 0; round < most_rounds && flip_bends(); ++round) {
-    // A round may gain nothing where several vertices lie on the line; then a few more are allowed.
+    // A round may gain nothing where several vertices lie on the line; then a few more rounds are allowed.
     const double now = line_.length();
     without_gain = now < length * (1.0 - least_gain) ? 0 : without_gain + 1;
     if (without_gain > 8) return;
@@ -64,8 +64,8 @@ void PathRefiner::straighten() {
   }
 }
 
-/// Collects the vertices of positive curvature beside a piece of the line from where its ends are seen under
-/// a smaller angle across the other side.
+/// Collects the vertices of positive curvature near a piece of the line at which its ends subtend a smaller
+/// angle on the far side.
 void PathRefiner::look_beside(std::size_t piece) {
   const Joint& from = line_.joints()[piece];
   const Joint& to = line_.joints()[piece + 1];
@@ -84,7 +84,8 @@ void PathRefiner::look_beside(std::size_t piece) {
       const PlanePoint to_b{b[0] - at[0], b[1] - at[1]};
       const double across = std::abs(to_a[0] * to_b[1] - to_a[1] * to_b[0]);
       const double ahead = to_a[0] * to_b[0] + to_a[1] * to_b[1];
-      // The angle here must be more than half of all; the tangent of a small angle is less than its double.
+      // The angle on this side must be more than half of the total; the tangent of a small angle is less than
+      // twice the angle.
       const double missing = 2.0 * pi - total;
       if (missing < 1.0 && !(across < -ahead * missing)) continue;
       const double here = std::atan2(across, ahead);
@@ -132,7 +133,7 @@ double PathRefiner::refine(const FaceStrip& strip) {
   tried_.clear();
   line_.assign(strip);
   straighten();
-  // Ends: each time at least one more vertex is among those tried, of which there are at most most_trials.
+  // This loop ends: each round tries at least one more vertex, and at most most_trials are tried.
   while (try_other_sides()) {
   }
   return line_.length();

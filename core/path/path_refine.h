@@ -8,8 +8,8 @@ namespace vorogeo {
 
 /// Pulls the line in a strip tight; where it bends at a vertex and the angle on the other side is below pi,
 /// the strip is moved to that side, until there is no such vertex: then the line is a geodesic. Then vertices
-/// of positive curvature near the line are tried on the other side, where the line would be shorter by the
-/// law of cosines; what shortens it is kept. One object belongs to one thread.
+/// of positive curvature near the line are tried on their other side where, by the law of cosines, the line
+/// would be shorter there; what shortens it is kept. One object belongs to one thread.
 class PathRefiner {
  public:
   explicit PathRefiner(const ExactGeometry& geometry) : mesh_(*geometry.mesh), line_(geometry) {}
@@ -21,7 +21,7 @@ class PathRefiner {
   const PathLine& line() const { return line_; }
 
  private:
-  /// A vertex beside the line, between two joints, that may be passed on its other side.
+  /// A vertex near the line, between two joints, that may be passed on its other side.
   struct Candidate {
     double gain;
     std::size_t piece;

@@ -37,7 +37,7 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
   }
   std::vector<StepWalk*> going;
   for (StepWalk& walk : walks) going.push_back(&walk);
-  // Each walk ends by itself (step_walk.h).
+  // Each walk terminates (step_walk.h).
   while (!going.empty()) std::erase_if(going, [](StepWalk* walk) { return !walk->go_on(); });
   vertex = chain.source;
   if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
@@ -50,7 +50,7 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
       Index entry = passed[at].entry;
       Index pivot = passed[at].pivot;
       if (!forwards[k]) {
-        // The link to the face walked after this one, the other way round.
+        // The crossing to the face walked after this one, in the opposite direction.
         const bool first = at + 1 == passed.size();
         exit = first ? no_index : passed[at + 1].entry;
         entry = first ? no_index : passed[at + 1].exit;

@@ -1,4 +1,4 @@
-// Walking around vertices, and taking detours out of strips.
+// Walks around vertices, and removal of detours from strips.
 #include "path/path_strip.h"
 
 namespace vorogeo {
@@ -12,13 +12,14 @@ Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
   return mesh.tail(halfedge) == vertex ? previous : next;
 }
 
-/// Walks around a vertex from the face of `exit` across it, until `face` is entered, and adds what is crossed
-/// to the strip, but not the faces. \return the angle passed between, infinity if a border or a non-manifold
-/// edge stops it.
+/// Walks around a vertex from the face of `exit` across that half-edge, until `face` is entered, and adds the
+/// crossings to the strip, but not the faces. \return the angle between the two faces; infinity if a border
+/// of the mesh or a non-manifold edge is met.
 double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& strip) {
   double angle = 0.0;
   const Index begin = Mesh::face_of(exit);
-  // Each step enters the next face around the vertex: it ends at `face`, at a border, or where it began.
+  // Each step enters the next face around the vertex: the walk ends at `face`, at a border, or where it
+  // began.
   for (;;) {
     const Index entry = mesh.next_around_edge(exit);
     if (entry == exit || mesh.next_around_edge(entry) != exit) return unreachable;
@@ -32,7 +33,7 @@ double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& s
   }
 }
 
-/// The way around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
+/// The path around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
 bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<HalfedgePair>& passed) {
   struct Visit {
     Index face;
@@ -78,7 +79,7 @@ void FaceStrip::push(Index face, Index exit_halfedge, Index entry_halfedge) {
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
   const Index from = strip.faces.back();
   if (from == face) return true;
-  // Both ways go to the end of the strip; the longer one is taken out again.
+  // Both ways round are added to the end of the strip; the longer one is removed again.
   const std::size_t before = strip.entry.size();
   double least = unreachable;
   auto cut = [&](std::size_t begin, std::size_t end) {
@@ -116,7 +117,7 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
 bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
   if (mesh.fan(vertex) != Mesh::Fan::closed) return false;
   exit = other_halfedge_at(mesh, exit, vertex);
-  // The fan is one cycle, so that it comes to `face`.
+  // The fan is one cycle, so the walk comes to `face`.
   for (Index at = Mesh::face_of(exit); at != face;) {
     const Index entry = mesh.next_around_edge(exit);
     passed.push_back({exit, entry});
@@ -127,7 +128,7 @@ bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vec
 }
 
 void tidy(const Mesh& mesh, FaceStrip& strip) {
-  // Faces left and entered again at once, by a stack.
+  // Removes faces left and entered again at once, by a stack.
   std::size_t kept = 0;
   for (std::size_t i = 1; i < strip.faces.size(); ++i) {
     if (kept > 0 && strip.faces[kept - 1] == strip.faces[i]) {
@@ -135,7 +136,8 @@ void tidy(const Mesh& mesh, FaceStrip& strip) {
       continue;
     }
     if (kept > 0 && strip.exit[i - 1] == strip.entry[kept - 1]) {
-      // Left by the edge it was entered by, to a third face of that edge: straight there.
+      // The face was left by the edge by which it was entered, to a third face of that edge: go straight
+      // there.
       strip.faces[kept] = strip.faces[i];
       strip.entry[kept - 1] = strip.entry[i - 1];
       continue;

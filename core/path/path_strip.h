@@ -1,4 +1,4 @@
-// A strip of faces from one surface point to another, each next one across an edge.
+// A strip of faces from one surface point to another, each adjacent to the next across an edge.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace vorogeo {
 
-/// The same edge as half-edge of the face that is left and of the one that is entered.
+/// An edge as half-edge of the face that is left and of the face that is entered.
 struct HalfedgePair {
   Index exit;
   Index entry;
@@ -28,13 +28,14 @@ struct FaceStrip {
 };
 
 /// Adds faces around `vertex` until the strip ends in `face`; both its last face and `face` have that vertex.
-/// Takes the side with the smaller angle. \return false if there is no way around the vertex.
+/// Takes the side with the smaller angle. \return false if the faces are not connected around the vertex.
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face);
 
-/// Takes out detours: a face left and entered again, and faces at the ends that the end points do not need.
+/// Removes detours: faces left and entered again at once, and faces at the ends that the end points do not
+/// need.
 void tidy(const Mesh& mesh, FaceStrip& strip);
 
-/// The way around `vertex` from the face of half-edge `exit`, which ends in it, to `face`, on the side where
+/// The path around `vertex` from the face of half-edge `exit`, which ends at it, to `face`, on the side where
 /// that half-edge is not crossed. Adds the crossings to `passed`. \return false if the vertex's fan is not a
 /// cycle.
 bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed);

@@ -12,7 +12,7 @@ namespace vorogeo {
 
 namespace {
 
-/// A way is given up when it becomes this much longer than it should be.
+/// A walk is abandoned when it becomes this many times as long as it should be.
 constexpr double longer = 1.1;
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -167,7 +167,7 @@ void StepWalk::to_vertex(double step, double from_there, Index face, Index verte
 
 StepWalk::Move StepWalk::leave_vertex(Index vertex) const {
   Move best;
-  // Neighbours follow one another in the fan: each is the end of two of the edges opposite.
+  // Neighbours are consecutive in the fan: each is an end of two of the opposite edges.
   std::array<Index, 2> known{no_index, no_index};
   std::array<double, 2> at{unreachable, unreachable};
   for (Index corner : mesh_.corners(vertex)) {
@@ -208,7 +208,8 @@ StepWalk::Move StepWalk::cross(Index halfedge, const Move& last, double at_apex)
   to_vertex(length - x, last.at_second, face, last.second, best);
   for (const bool first : {true, false}) {
     const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
-    // The point seen from the side, whose x axis begins at the vertex it shares with the crossed edge.
+    // The point in the frame of the side, whose x axis begins at the vertex that it shares with the crossed
+    // edge.
     const double from_shared = first ? x : length - x;
     const double along = first ? frame.apex_x : length - frame.apex_x;
     const double side_length = length_of(along, frame.apex_depth);
