@@ -1,4 +1,4 @@
-// The plugin's answers to the host, and the one place where errors and progress cross to it.
+// The plugin's answers to the host, and the only place where errors and progress are passed to it.
 #include "filter_vorogeo.h"
 
 #include <QCoreApplication>
@@ -17,11 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The host's progress bar redraws at every call, so calls are at least this far apart.
+/// The host's progress bar redraws at every call, so at least this time passes between calls.
 constexpr std::chrono::milliseconds callback_interval{20};
 
-/// MeshLab's window handles its events only at calls with another percentage than the call before: as long as
-/// one lasts, it would not answer. Its progress bar takes no notice of what is not from 0 to 100.
+/// MeshLab's window handles its events only at calls whose percentage differs from that of the previous call:
+/// while a percentage stays the same, it would not respond. Its progress bar ignores values outside 0 to 100.
 constexpr int still_the_same = -1;
 
 /// Whether the host has windows; PyMeshLab has none.

@@ -1,4 +1,4 @@
-// The plugin as the host sees it: answers all questions about its filters from the table of rows.
+// The plugin as the host sees it: answers all queries about its filters from the table of rows.
 #pragma once
 
 #include <QObject>
@@ -10,7 +10,7 @@
 #include "layers/index_cache.h"
 
 /// All filters of VoroGeo. Nothing happens before a filter is applied: the host loads and unloads the library
-/// several times to look at it.
+/// several times just to inspect it.
 class FilterVorogeo : public QObject, public FilterPlugin {
   Q_OBJECT
   MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
@@ -39,10 +39,10 @@ class FilterVorogeo : public QObject, public FilterPlugin {
   const vorogeo::plugin::FilterRow& row(ActionIDType filter) const;
   const vorogeo::plugin::FilterRow& row(const QAction* action) const;
 
-  /// Indexes are kept while the document lives in which they were used.
+  /// Indexes are kept as long as the document in which they were used.
   void free_indexes_with(MeshDocument& document);
 
   std::vector<vorogeo::plugin::FilterRow> rows_;
   vorogeo::plugin::IndexCache indexes_;
-  std::set<const void*> documents_;  ///< whose end is waited for
+  std::set<const void*> documents_;  ///< documents whose destruction frees indexes
 };

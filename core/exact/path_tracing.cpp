@@ -77,9 +77,9 @@ class Tracer {
     for_each_face_at(mesh_, here.point, [&](Index face, const std::array<double, 3>& barycentric) {
       if (face == here.entered && !here.point.is_vertex()) return;
       if (!state_.may_enter(face) && stops_.size() > 1 && !state_.face_sources.contains(face)) return;
-      const BackStep way = best_back_step(state_, face, barycentric, passed_);
-      if (way.distance < best.distance) {
-        best = way;
+      const BackStep back = best_back_step(state_, face, barycentric, passed_);
+      if (back.distance < best.distance) {
+        best = back;
         best_face = face;
         best_here = barycentric;
       }

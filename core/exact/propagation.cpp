@@ -125,7 +125,7 @@ void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double
   const FaceFrame& frame = geometry->frame[halfedge];
   double arrival = -1.0;
   if (geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
-    // Angle at the apex between the corner's first edge and the way back to the pseudo-source.
+    // Angle at the apex between the corner's first edge and the line back to the pseudo-source.
     const Index corner = Mesh::previous_in_face(halfedge);
     const bool first_side_begins =
         (frame.first_side(halfedge) == corner) == (geometry->begins_at_own_edge[corner] != 0);

@@ -59,16 +59,16 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
     }
     return kept;
   }
-  std::vector<float> way(static_cast<std::size_t>(k) * k, std::numeric_limits<float>::infinity());
-  for (Index i = 0; i < k; ++i) way[static_cast<std::size_t>(i) * k + i] = 0.0f;
+  std::vector<float> distance(static_cast<std::size_t>(k) * k, std::numeric_limits<float>::infinity());
+  for (Index i = 0; i < k; ++i) distance[static_cast<std::size_t>(i) * k + i] = 0.0f;
   for (const KeptArc& arc : candidates) {
     if (++examined % arcs_per_checkpoint == 0) checkpoint();
-    if (way[static_cast<std::size_t>(arc.a) * k + arc.b] <= factor * arc.length) continue;
+    if (distance[static_cast<std::size_t>(arc.a) * k + arc.b] <= factor * arc.length) continue;
     kept.push_back(arc);
-    const float* from_a = way.data() + static_cast<std::size_t>(arc.a) * k;
-    const float* from_b = way.data() + static_cast<std::size_t>(arc.b) * k;
+    const float* from_a = distance.data() + static_cast<std::size_t>(arc.a) * k;
+    const float* from_b = distance.data() + static_cast<std::size_t>(arc.b) * k;
     for (Index i = 0; i < k; ++i) {
-      float* from_i = way.data() + static_cast<std::size_t>(i) * k;
+      float* from_i = distance.data() + static_cast<std::size_t>(i) * k;
       const float over_a = from_i[arc.a] + arc.length;
       const float over_b = from_i[arc.b] + arc.length;
       if (over_a >= from_i[arc.b] && over_b >= from_i[arc.a]) continue;

@@ -28,9 +28,9 @@ class ChainBuilder {
       return;
     }
     auto from_goal = [&](Index node) { return from_row(parent, fixed, node); };
-    auto lines = [&](const PatchRow& at, std::vector<float>& hop, std::vector<double>& rest) {
+    auto lines = [&](const PatchRow& at, std::vector<float>& length, std::vector<double>& rest) {
       const auto nodes = data_.second.nodes(at.patch);
-      hop.resize(nodes.size());
+      length.resize(nodes.size());
       rest.resize(nodes.size());
       const bool inside = data_.partition.parent[at.patch] == parent;
       const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
@@ -39,7 +39,7 @@ class ChainBuilder {
         const PatchLayer::Column entries = data_.first.column_of(parent, columns[i]);
         prefetch_line(entries.first + static_cast<std::size_t>(fixed) * entries.step);
       }
-      data_.second.read_border(at.patch, at.row, hop.data());
+      data_.second.read_border(at.patch, at.row, length.data());
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         rest[i] = inside ? data_.first.distance(parent, fixed, columns[i]) : from_goal(nodes[i]);
       }
@@ -51,8 +51,8 @@ class ChainBuilder {
       if (backwards) {
         second_layer_step(back_[k].patch, vertex_of(back_[k].to));
       } else {
-        const Step& hop = back_[back_.size() - 1 - k];
-        second_layer_step(hop.patch, vertex_of(hop.from));
+        const Step& step = back_[back_.size() - 1 - k];
+        second_layer_step(step.patch, vertex_of(step.from));
       }
     }
   }
@@ -61,21 +61,21 @@ class ChainBuilder {
   void transit_table_step(Index a, Index b) {
     const Index goal = data_.first.vertex_node[vertex_of(a)];
     auto from_goal = [&](Index node) -> double { return data_.transit_table.distance(goal, node); };
-    auto lines = [&](const PatchRow& at, std::vector<float>& hop, std::vector<double>& rest) {
+    auto lines = [&](const PatchRow& at, std::vector<float>& length, std::vector<double>& rest) {
       const auto nodes = data_.first.nodes(at.patch);
-      hop.resize(nodes.size());
+      length.resize(nodes.size());
       rest.resize(nodes.size());
-      data_.first.read_border(at.patch, at.row, hop.data());
+      data_.first.read_border(at.patch, at.row, length.data());
       for (std::size_t i = 0; i < nodes.size(); ++i) rest[i] = from_goal(nodes[i]);
     };
     back_.clear();
     walk(data_.first, data_.first.vertex_node[vertex_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
-    const std::vector<Step> hops(back_.rbegin(), back_.rend());
-    for (const Step& hop : hops) {
-      if (hop.patch == no_index) {
-        second_layer_step(no_index, vertex_of(data_.second_node[hop.from]));
+    const std::vector<Step> steps(back_.rbegin(), back_.rend());
+    for (const Step& step : steps) {
+      if (step.patch == no_index) {
+        second_layer_step(no_index, vertex_of(data_.second_node[step.from]));
       } else {
-        first_layer_step(hop.patch, data_.second_node[hop.to], data_.second_node[hop.from]);
+        first_layer_step(step.patch, data_.second_node[step.to], data_.second_node[step.from]);
       }
     }
   }
@@ -88,7 +88,7 @@ class ChainBuilder {
 
   /// From node `here` of a layer back to `goal`: each step leads through the patch and to the node with the
   /// least sum of the step's length and that node's distance from the goal, which must decrease from node to
-  /// node. `lines(patch row, hops, rests)` reads both for all nodes of a patch. Adds to back_.
+  /// node. `lines(patch row, lengths, rests)` reads both for all nodes of a patch. Adds to back_.
   template <class FromGoal, class Lines>
   void walk(const PatchLayer& layer, Index here, Index goal, double favour_goal, FromGoal&& from_goal,
             Lines&& lines) {

@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& way) {
+bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& path) {
   struct Entry {
     double key;
     Index vertex;
@@ -53,9 +53,9 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
     }
   }
   if (!reached.contains(goal)) return false;
-  const auto first = static_cast<std::ptrdiff_t>(way.size());
-  for (Index v = goal; v != start; v = way.back().from) way.push_back(reached.at(v).by);
-  std::reverse(way.begin() + first, way.end());
+  const auto first = static_cast<std::ptrdiff_t>(path.size());
+  for (Index v = goal; v != start; v = path.back().from) path.push_back(reached.at(v).by);
+  std::reverse(path.begin() + first, path.end());
   return true;
 }
 

@@ -15,6 +15,6 @@ struct EdgeStep {
 
 /// Adds the shortest path along edges from one vertex to another (Hart, Nilsson, Raphael 1968); meant for
 /// short paths. \return false if there is none. Complexity: O(n log n) for the n vertices visited.
-bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& way);
+bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& path);
 
 }  // namespace vorogeo

@@ -58,8 +58,8 @@ struct PathQuery::State {
     return on_surface(source) && on_surface(target) && component(source) == component(target);
   }
   GraphRoute route(const PathEnd& from, const PathEnd& to);
-  SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
-  double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way);
+  SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
+  double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   void improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
   FoundPath path(const PathEnd& from, const PathEnd& to, bool thorough);
   SurfacePath as_asked(const SurfacePath& path, const SurfacePoint& source, const SurfacePoint& target) const;
@@ -93,13 +93,15 @@ GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
 }
 
 /// The path of the index, refined; without points if the tables do not lead all the way.
-SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
+SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to,
+                                            const GraphRoute& route_found) {
   SurfacePath none;
   none.length = unreachable;
-  if (way.length == unreachable) return none;
+  if (route_found.length == unreachable) return none;
   strip.source = from.point;
   strip.target = to.point;
-  const PathChain chain = chain_of_route(data, way, from.vertex, to.vertex, from.patch(data), to.patch(data));
+  const PathChain chain =
+      chain_of_route(data, route_found, from.vertex, to.vertex, from.patch(data), to.patch(data));
   if (!strip_along_chain(data, chain, strip)) return none;
   refiner.refine(strip);
   SurfacePath path = refiner.path();
@@ -110,7 +112,8 @@ SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& 
 
 /// The index's distance along a route; for points in faces, from the distances of their corners. Unreachable
 /// where the tables of the route do not hold the corners.
-double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& way) {
+double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
+                                         const GraphRoute& route_found) {
   const Mesh& mesh = *data.work.mesh;
   auto between = [&](const PathEnd& end, auto&& of_vertex) {
     if (end.point.is_vertex()) return of_vertex(end.point.vertex);
@@ -120,7 +123,7 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
   };
   return between(from, [&](Index source) {
     return between(to, [&](Index target) {
-      return unfolder.length(way, source, target, from.patch(data), to.patch(data));
+      return unfolder.length(route_found, source, target, from.patch(data), to.patch(data));
     });
   });
 }
@@ -143,17 +146,17 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
 /// `thorough`: also looks for shorter paths than the first one found.
 FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
   FoundPath found;
-  const GraphRoute way = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
-  const double estimate = (from.beside + way.length + to.beside) * estimate_slack;
+  const GraphRoute route_found = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
+  const double estimate = (from.beside + route_found.length + to.beside) * estimate_slack;
   if (are_near(data, from, to)) {
     found = exact.nearby(from, to, estimate);
   } else {
-    found.path = path_by_chain(from, to, way);
+    found.path = path_by_chain(from, to, route_found);
     if (found.path.points.empty()) {
       // The tables did not lead all the way: exact propagation, within the length of the route.
       found = exact.between_landmarks(from, to, estimate);
     } else if (thorough) {
-      improve(from, to, expected_length(from, to, way), found);
+      improve(from, to, expected_length(from, to, route_found), found);
     }
   }
   // On faces without area, lengths may be off by more than the slack.

@@ -131,9 +131,9 @@ void StepWalk::take_move(const PassedFace& face) {
 }
 
 void StepWalk::walk_along_edges() {
-  std::vector<EdgeStep> way;
-  if (path_along_edges(mesh_, vertex_, goal_, way)) vertex_ = goal_;
-  for (const EdgeStep& step : way) passed_.push_back({step.face, no_index, no_index, step.from});
+  std::vector<EdgeStep> path;
+  if (path_along_edges(mesh_, vertex_, goal_, path)) vertex_ = goal_;
+  for (const EdgeStep& step : path) passed_.push_back({step.face, no_index, no_index, step.from});
   next_ = Next::nothing;
 }
 
@@ -153,9 +153,9 @@ void StepWalk::through_edge(double px, double py, double length, double at_0, do
   if (!(y + py > 0.0)) return;
   const double crossing = px + (x - px) * (py / (y + py));
   if (!(crossing > 0.0 && crossing < length)) return;
-  const double way = length_of(x - px, y + py);
-  if (way < best.length) {
-    best = {way, Mesh::face_of(halfedge), no_index, halfedge, crossing, length, at_0, at_length};
+  const double step_length = length_of(x - px, y + py);
+  if (step_length < best.length) {
+    best = {step_length, Mesh::face_of(halfedge), no_index, halfedge, crossing, length, at_0, at_length};
   }
 }
 

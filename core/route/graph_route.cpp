@@ -169,15 +169,15 @@ void GraphRouter::append_path(Index from, Index to, GraphRoute& route) {
     }
   }
   first_layer_ = false;
-  GraphRoute way;
-  if (!search(ends[0], ends[1], way)) {
+  GraphRoute detail;
+  if (!search(ends[0], ends[1], detail)) {
     // A patch may have several pieces: then the path leads through others.
     for (Index parent = 0; parent < data_.first.patch_count; ++parent) ends[0].parents.push_back(parent);
-    search(ends[0], ends[1], way);
+    search(ends[0], ends[1], detail);
   }
   first_layer_ = true;
-  route.nodes.insert(route.nodes.end(), way.nodes.begin() + 1, way.nodes.end());
-  route.legs.insert(route.legs.end(), way.legs.begin(), way.legs.end());
+  route.nodes.insert(route.nodes.end(), detail.nodes.begin() + 1, detail.nodes.end());
+  route.legs.insert(route.legs.end(), detail.legs.begin(), detail.legs.end());
 }
 
 bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {

@@ -8,7 +8,7 @@
 
 namespace vorogeo {
 
-/// Points along edges of the mesh, at most `spacing` apart, vertices included; each vertex once.
+/// Points along edges of the mesh, at most `spacing` apart, including the vertices, each once.
 ///
 /// The distance from the nearest of them is never shorter than that from the edges themselves, and at most
 /// half the spacing longer; at a distance d much larger than the spacing, at most about spacing^2 / (8 d).

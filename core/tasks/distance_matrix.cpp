@@ -18,7 +18,8 @@ constexpr std::size_t pairs_at_once = 64;
 
 /// A field takes as long as this many pairs of random vertices (measured with 35,000 and 134,000 vertices).
 double pairs_per_field(const Mesh& mesh) { return std::max(16.0, mesh.vertex_count() / 340.0); }
-/// The same for points in faces, whose pairs are refined paths: 5 to 7 below 10,000 vertices, then 11 and 17.
+/// The same for points in faces, whose distances are those of refined paths: measured 5 to 7 below 10,000
+/// vertices, then 11 and 17.
 double paths_per_field(const Mesh& mesh) { return 4.0 + std::sqrt(mesh.vertex_count()) / 28.0; }
 
 bool use_fields(const FieldTeam& team, MatrixMethod method, bool only_vertices, double fields, double pairs) {

@@ -8,7 +8,7 @@
 
 namespace vorogeo {
 
-/// How the entries of a matrix are found. Both ways approximate the same distances and agree within the
+/// How the entries of a matrix are computed. Both methods approximate the same distances and agree within the
 /// errors of the index.
 enum class MatrixMethod {
   automatic,  ///< whichever should be faster for the size of the matrix
@@ -23,7 +23,7 @@ void pair_distances(FieldTeam& team, const PointList& sources, const PointList& 
 
 /// Distances between all rows and columns, row by row: matrix[i * columns.size() + j]; `unreachable` where no
 /// path leads. Rows or columns may be empty. \throw InvalidInput for a point that is not on the mesh or a
-/// matrix of another size, Cancelled (the matrix is then filled in part).
+/// matrix of another size, Cancelled (the matrix is then partly filled).
 void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
                      std::span<double> matrix, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// Eccentricities of a few vertices, and bounds of all others by the triangle inequality.
+// Eccentricities of a few vertices, and bounds for all others by the triangle inequality.
 #include "tasks/extent.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
       of.upper = std::min(of.upper, found.distance + field[v]);
     }
     bounds[next] = {found.distance, found.distance};
-    // Where may the diameter and the centre still be?
+    // The vertices that may still have the greatest and the least eccentricity.
     Index widest = start;
     Index closest = start;
     for (Index v : members) {
@@ -79,7 +79,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
     const bool radius_known = result.radius.lower >= result.radius.upper;
     if (diameter_known && radius_known) break;
     if (result.fields == 1) {
-      next = found.farthest;  // the second sweep
+      next = found.farthest;  // for the second sweep
     } else if (radius_known || (!diameter_known && result.fields % 2 == 1)) {
       next = widest;
     } else {

@@ -9,7 +9,7 @@
 
 namespace vorogeo {
 
-/// The greatest finite distance of a vertex from a point, and that vertex (the first of equally far ones).
+/// The greatest finite distance of a vertex from a point, and that vertex (of equally far ones, the first).
 struct Eccentricity {
   double distance = 0.0;
   Index farthest = no_index;
@@ -36,11 +36,11 @@ struct Extent {
   Index fields = 0;         ///< how many were computed
 };
 
-/// Bounds from at most `max_fields` fields, in the component of `start`: a double sweep, then in
-/// turn the vertex whose eccentricity may still be the greatest and the one whose may still be the least; the
-/// triangle inequality bounds the eccentricities of all others (Takes, Kosters 2011). The bounds hold for the
-/// distances as computed and meet if enough fields are allowed. \throw InvalidInput for a start out of range
-/// or fewer than 2 fields, Cancelled.
+/// Bounds from at most `max_fields` fields, in the component of `start`: a double sweep, then alternately
+/// from the vertex whose eccentricity may still be the greatest and from the one whose may still be the
+/// least; the triangle inequality bounds the eccentricities of all others (Takes, Kosters 2011). The bounds
+/// hold for the distances as computed and meet if enough fields are allowed. \throw InvalidInput for a start
+/// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress = {});
 
 /// The first vertex of the component with the most vertices.

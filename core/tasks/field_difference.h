@@ -9,7 +9,7 @@ namespace vorogeo {
 struct FieldDifference {
   std::vector<double> relative;  ///< NaN where there is nothing to compare
   int compared = 0;
-  int one_only = 0;  ///< vertices with a distance in one field only
+  int one_only = 0;  ///< vertices with a distance in only one of the fields
   double bias = 0.0;
   double mean = 0.0;
   double rms = 0.0;

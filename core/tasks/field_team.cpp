@@ -1,4 +1,4 @@
-// Query objects or exact solvers of the workers.
+// The query objects or exact solvers of the workers.
 #include "tasks/field_team.h"
 
 #include <algorithm>

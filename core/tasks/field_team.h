@@ -10,8 +10,8 @@
 
 namespace vorogeo {
 
-/// Fields from one and from several sources may differ by this factor, as the index errs a little: a field
-/// bounded by a distance that the other gave gets this much more room.
+/// Fields from one and from several sources may differ by this factor, as the index errs slightly: a field
+/// that is bounded by a distance from another field gets this much margin.
 inline constexpr double bounded_field_slack = 1.02;
 
 /// Computes fields and distances for the workers of a parallel_for. Tasks made of many fields (matrices,
@@ -35,16 +35,16 @@ class FieldTeam {
   std::vector<double> field(const SurfacePoint& source, double max_distance, int worker);
   std::vector<double> field(Index source, double max_distance, int worker);
   /// Distances from one point to others: the values of its field there. In a face they are interpolated from
-  /// the corners, or exact where the source is near (GeodesicQuery::distances) or the team is exact.
+  /// the corners, but exact where the source is near (GeodesicQuery::distances) or the team is exact.
   std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
                                 int worker);
   /// A field from the nearest of several sources, on all threads; only one such call at a time.
   std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable);
-  /// Distance of two points, symmetric: of two vertices GeodesicQuery::distance, otherwise the length of the
+  /// Distance of two points, symmetric: GeodesicQuery::distance for two vertices, otherwise the length of the
   /// refined path (PathQuery::path). \throw InvalidInput without an index.
   double distance(const SurfacePoint& source, const SurfacePoint& target, int worker);
-  /// An order of points in which a matrix of pairs is filled faster, row by row: neighbours in one patch come
-  /// one after the other and read the same tables.
+  /// An order of points in which a matrix of pairs is filled faster, row by row: neighbours in one patch are
+  /// consecutive and read the same tables.
   std::vector<std::size_t> order_of_points(const PointList& points) const;
   /// An order in which pairs of vertices are answered faster than in a random one: pairs between the same
   /// patches read the same tables, and pairs with a common end share its access distances. Empty if any order

@@ -1,4 +1,4 @@
-// Marching triangles; where a line crosses an edge is interpolated linearly or as for distances in the plane.
+// Marching triangles; crossings of edges are interpolated linearly or as for distances in the plane.
 #include "tasks/isolines.h"
 
 #include <algorithm>

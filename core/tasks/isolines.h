@@ -8,7 +8,7 @@
 
 namespace vorogeo {
 
-/// How a field runs along an edge between the values at its ends.
+/// How a field varies along an edge between the values at its ends.
 enum class Interpolation {
   linear,   ///< for any field
   distance  ///< as the distance from a point of the plane that has these distances from the ends: exact on
@@ -22,7 +22,7 @@ struct Isolines {
   std::vector<Index> level_of_segment;  ///< likewise
 };
 
-/// The lines on which the field has one of the levels: in each face at most one segment a level, straight
+/// The lines on which the field has one of the levels: in each face at most one segment per level, straight
 /// between two of its edges. Faces with a value that is not finite (unreachable) hold no line.
 /// \throw InvalidInput if there are not as many values as vertices, or a level is not finite.
 /// Complexity: O(m + crossings + l log l) for l levels and m faces.

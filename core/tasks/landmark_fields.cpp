@@ -1,4 +1,4 @@
-// Farthest points by the index, one exact field for each.
+// Farthest points by the index, and one exact field for each.
 #include "tasks/landmark_fields.h"
 
 #include <array>
@@ -16,8 +16,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Vertices of the user's mesh, the first at an end of the surface, then each the farthest from those before
-/// it.
+/// Vertices of the user's mesh: the first at an end of the surface, then each one farthest from the previous
+/// ones.
 std::vector<Index> spread(const std::shared_ptr<const GeodesicIndex>& index, int count, int threads) {
   FieldTeam team(index, threads);
   const Index first = first_vertex_of_largest_component(*index->mesh());

@@ -9,7 +9,7 @@
 
 namespace vorogeo {
 
-/// Exact distances, on the index's work mesh, from `count` vertices that are far from each other, all in the
+/// Exact distances, on the index's work mesh, from `count` vertices that are far from one another, all in the
 /// component with the most vertices. \throw InvalidInput for a count that is not in 1 to
 /// ExactLandmarks::most, Cancelled. Complexity: an exact field for each, on `threads` threads (0: one per
 /// core).

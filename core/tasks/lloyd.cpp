@@ -12,7 +12,7 @@ namespace vorogeo {
 
 namespace {
 
-/// A step is a fraction of the line from a point to the centre of its region; shorter ones are not tried.
+/// Least step: a fraction of the line from a point to the centre of its region.
 constexpr double least_step = 0.1;
 
 struct Label {
@@ -142,7 +142,7 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
     }
     bool goes_on = false;
     for (double& of_point : step) {
-      // Neighbours that moved have changed its region, so a point that had settled tries again.
+      // Neighbours that moved have changed the region, so a point that had settled tries again.
       if (of_point < least_step && any_moved) of_point = 1.0;
       goes_on = goes_on || of_point >= least_step;
     }

@@ -1,4 +1,4 @@
-// Lloyd relaxation: points moved to the middle of their geodesic Voronoi regions, again and again.
+// Lloyd relaxation: points moved repeatedly to the middle of their geodesic Voronoi regions.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace vorogeo {
 
 struct RelaxedPoints {
-  std::vector<SurfacePoint> points;  ///< where each point ended, in the order given
+  std::vector<SurfacePoint> points;  ///< final position of each point, in the order given
   std::vector<Index> vertices;       ///< the same as vertices; no_index for a point that stayed inside a face
   /// Before the first and after each round: integral over the surface of the squared distance from the
   /// nearest point, in the fourth power of the unit (each vertex stands for a third of its faces).

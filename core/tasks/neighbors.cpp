@@ -26,7 +26,7 @@ void require_radius(double radius) {
   }
 }
 
-/// Even with an infinite radius only what can be reached.
+/// Only what can be reached, even with an infinite radius.
 bool is_within(double distance, double radius) { return distance <= radius && distance < unreachable; }
 
 /// Throws as soon as the entries found by all workers no longer fit.

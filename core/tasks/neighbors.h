@@ -17,7 +17,7 @@ struct SparseDistances {
   std::vector<double> distance;
 };
 
-/// Bytes that `entries` entries take while the matrix is put together.
+/// Bytes that `entries` entries take while the matrix is assembled.
 double sparse_bytes(double entries);
 
 /// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
@@ -33,15 +33,15 @@ SparseDistances pairs_within(FieldTeam& team, const PointList& points, const Poi
                              std::int64_t max_bytes = 0, const Progress& progress = {});
 
 /// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
-/// query. Where fewer can be reached the rest is no_index and `unreachable`. Equal distances: smaller
-/// position first.
+/// query. Where fewer can be reached, the rest is no_index and `unreachable`. Of equal distances, the smaller
+/// position comes first.
 struct NearestOfSet {
   std::vector<Index> position;
   std::vector<double> distance;
 };
 
 /// \throw InvalidInput for a point that is not on the mesh, Cancelled. Complexity: a field for each query or
-/// for each entry of the set, whichever are fewer.
+/// for each entry of the set, whichever is fewer.
 NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set, const PointList& queries,
                             std::size_t count, const Progress& progress = {});
 

@@ -13,7 +13,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Of one component, or of all for no_index.
+/// The vertices with a face, of one component, or of all for no_index.
 std::vector<Index> vertices_with_face(const Mesh& mesh, Index component = no_index) {
   std::vector<Index> vertices;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -111,7 +111,7 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
   std::vector<std::vector<double>> fields;
   std::size_t next = 0;
   while (next < order.size()) {
-    // Darts that are a radius apart in space lie outside each other's disks: they are thrown together.
+    // Darts that are a radius apart in space lie outside each other's disks, so they are thrown together.
     batch.clear();
     while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * team.threads())) {
       const Index dart = order[next];

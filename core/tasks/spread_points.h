@@ -14,29 +14,31 @@ namespace vorogeo {
 struct FarthestStop {
   Index count = 0;             ///< this many samples; 0: no such limit
   double radius = 0.0;         ///< every vertex is at most this far from a sample
-  Index component = no_index;  ///< only the vertices of this component count; no_index: all
+  Index component = no_index;  ///< only vertices of this component are taken; no_index: all
 };
 
 struct FarthestSamples {
   std::vector<SurfacePoint> points;  ///< in the order in which they were taken
   std::vector<Index> vertices;       ///< the same; no_index for a start that is no vertex
-  std::vector<double> radius;    ///< distance of each from the ones before it; infinity in a new component
-  std::vector<double> distance;  ///< of every vertex from the nearest sample, shape (n)
+  std::vector<double> radius;        ///< distance of each from the previous ones; infinity in a new component
+  std::vector<double> distance;      ///< of every vertex from the nearest sample, shape (n)
   /// Greatest entry of `distance` (vertices without a face left out); infinity if a component has no sample.
   double covering_radius = 0.0;
 };
 
 /// Farthest point sampling (Gonzalez 1985; on surfaces Moenning, Dodgson 2003): each sample is the vertex
-/// farthest from those before it, of equally far ones the first; vertices without a face are never taken. So
-/// samples are at least the covering radius apart. Begins with the points of `start`, which may lie anywhere,
-/// or with one random vertex. There are fewer than `count` samples if no vertex is left at a distance above
+/// farthest from the previous ones, of equally far ones the first; vertices without a face are never taken.
+/// So samples are at least the covering radius apart. Begins with the points of `start`, which may lie
+/// anywhere, or with one random vertex. There are fewer than `count` samples if no vertex is left at a
+/// distance above
 /// 0. \throw InvalidInput for a start that is not on the mesh, or if neither a count nor a radius above 0 is
 /// given; Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
 FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& start = {},
                                 std::uint64_t seed = 0, const Progress& progress = {});
 
 /// Poisson-disk sampling by dart throwing (Cook 1986) over all vertices with a face in random order: samples
-/// are at least `radius` apart and no vertex could be added. The result does not depend on the threads.
+/// are at least `radius` apart and no vertex could be added. The result does not depend on the number of
+/// threads.
 /// \throw InvalidInput for a radius that is not above 0 and finite, Cancelled.
 /// Complexity: a field for each sample, bounded by the radius.
 std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint64_t seed = 0,

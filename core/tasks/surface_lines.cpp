@@ -1,4 +1,4 @@
-// Points of lines, found again by the element of the mesh they lie on.
+// Points of lines, looked up by the element of the mesh on which they lie.
 #include "tasks/surface_lines.h"
 
 #include <cmath>

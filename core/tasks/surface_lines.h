@@ -1,4 +1,4 @@
-// Polylines on a surface as points and segments, put together face by face.
+// Polylines on a surface as points and segments, assembled face by face.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ class LineBuilder {
   /// point, whatever their t.
   Index on_edge(Index edge, double t, std::uint64_t line);
   Index at_vertex(Index vertex, std::uint64_t line);
-  /// A point inside a face; `corner`, a hash of the lines that meet there, tells several in one face apart.
+  /// A point inside a face; `corner`, a hash of the lines that meet there, distinguishes several in one face.
   Index in_face(Index face, const std::array<double, 3>& barycentric, std::uint64_t corner);
-  /// Adds a segment; false, and nothing is added, if it has no length or is there already.
+  /// Adds a segment. \return false, with nothing added, if it has no length or exists already.
   bool add_segment(Index a, Index b);
 
   SurfaceLines take() { return std::move(lines_); }

@@ -25,7 +25,7 @@ double share_of_face(const std::vector<FaceSite>& sites, std::size_t mine) {
   std::vector<Barycentric> cut;
   for (std::size_t other = 0; other < sites.size() && !polygon.empty(); ++other) {
     if (other == mine) continue;
-    std::array<double, 3> lead{};  // of the other over this one
+    std::array<double, 3> lead{};  // difference of the squared distances: the other's minus this one's
     for (int c = 0; c < 3; ++c) lead[c] = sites[other].square[c] - sites[mine].square[c];
     cut.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -39,7 +39,7 @@ double share_of_face(const std::vector<FaceSite>& sites, std::size_t mine) {
         cut.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])});
       }
     }
-    // On a tie all over the face, the first owns it.
+    // If two sites tie on the whole face, the first owns it.
     if (other < mine && lead[0] == 0.0 && lead[1] == 0.0 && lead[2] == 0.0) cut.clear();
     polygon.swap(cut);
   }
@@ -63,7 +63,7 @@ Index BorderTracer::point_of(const End& end, std::uint64_t line) {
                                 : builder_.on_edge(end.edge, end.t, line);
 }
 
-/// Ends of the line on which the lead vanishes; fewer than two if it does not cross the face.
+/// Finds the ends of the line on which the lead vanishes; fewer than two if it does not cross the face.
 int BorderTracer::find_ends(Index face, const std::array<double, 3>& lead, End* ends) const {
   const auto& corners = mesh_.face_vertices(face);
   int count = 0;
@@ -98,7 +98,7 @@ int BorderTracer::find_ends(Index face, const std::array<double, 3>& lead, End* 
 void BorderTracer::trace_pair(Index face, const std::vector<FaceSite>& sites, std::size_t i, std::size_t j) {
   const FaceSite& s = sites[i];
   const FaceSite& t = sites[j];
-  std::array<double, 3> lead{};  // of t over s: positive where s is nearer
+  std::array<double, 3> lead{};  // squared distance from t minus that from s: positive where s is nearer
   for (int c = 0; c < 3; ++c) lead[c] = t.square[c] - s.square[c];
   End ends[3];
   if (find_ends(face, lead, ends) != 2) return;

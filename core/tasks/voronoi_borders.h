@@ -14,8 +14,8 @@ struct FaceSite {
   std::array<double, 3> square;
 };
 
-/// The part of a face's area, in [0, 1], that is nearest to the site at `mine`: the triangle, cut by one line
-/// for each other site. Complexity: O(sites^2).
+/// The fraction of a face's area, in [0, 1], that is nearest to the site at `mine`: the triangle is cut by
+/// one line for each other site. Complexity: O(sites^2).
 double share_of_face(const std::vector<FaceSite>& sites, std::size_t mine);
 
 /// Draws the borders between regions, face by face.
@@ -29,7 +29,7 @@ class BorderTracer {
   SurfaceLines take() { return builder_.take(); }
 
  private:
-  /// An end of the line of a pair in a face: at a corner or on an edge.
+  /// An end of the line between two regions in a face: at a corner or on an edge.
   struct End {
     std::array<double, 3> at{};
     Index corner = no_index;

@@ -1,4 +1,4 @@
-// The sites that may own a part of the faces at each vertex, then the regions face by face.
+// First the sites that may own a part of the faces at each vertex, then the regions face by face.
 #include "tasks/voronoi_regions.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ void sites_of_face(const Mesh& mesh, const Candidates& candidates, Index face, s
   }
 }
 
-/// The site of least distance at each vertex; of equal ones the first.
+/// The site of least distance at each vertex; of equal ones, the first.
 void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
     for (const SiteDistance& entry : candidates.at(v)) {

@@ -13,8 +13,8 @@ namespace vorogeo {
 
 /// Regions are positions in the list of sites; no_index where no site can be reached.
 struct VoronoiRegions {
-  std::vector<Index> vertex_region;  ///< of the nearest site, of equally near ones the first
-  std::vector<double> distance;      ///< of each vertex from it
+  std::vector<Index> vertex_region;  ///< of the nearest site; of equally near ones, the first
+  std::vector<double> distance;      ///< of each vertex from its site
   std::vector<Index> face_region;    ///< the region at the face's centre
   std::vector<double> area;          ///< of each region, in the square of the mesh's unit
   SurfaceLines borders;

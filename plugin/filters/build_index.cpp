@@ -42,7 +42,7 @@ RichParameterList build_index_parameters(const MeshDocument&) {
   return list;
 }
 
-/// More than any machine has cores; the core uses no more than it can feed.
+/// More than the cores of any machine; the core starts no more threads than are useful.
 constexpr int most_threads = 1024;
 
 IndexOptions options_of(const FilterCall& call) {

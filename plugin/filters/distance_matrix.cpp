@@ -32,7 +32,7 @@ Results distance_matrix_of_selection(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const TaskPoints points = task_points(call, layer_mesh, "whose distances are wanted");
   const std::size_t k = points.size();
-  // Once here and once in the array that the host hands on.
+  // Once here, and once in the array that the host passes on.
   require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
                  "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
                  "Give fewer points, or use the numpy interface, which can write it to a file directly.");

@@ -9,7 +9,7 @@ namespace vorogeo::plugin {
 QString help_on_index();
 /// What ends up in quality and colour, and which vertices get -1.
 QString help_on_field();
-/// How to choose the parameters of a distance field from the index.
+/// How to choose parameters of a distance field from the index.
 QString help_on_choosing();
 /// What exact means, and when to prefer the index.
 QString help_on_exact();

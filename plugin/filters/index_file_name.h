@@ -6,10 +6,10 @@
 
 namespace vorogeo::plugin {
 
-/// The path as the system writes it; empty if none was named.
+/// The path in the system's encoding; empty if no file was named.
 std::filesystem::path index_file_name(const QString& name);
 
-/// Finds out before a long build whether the file can be written at all. \throw Error if not.
+/// Checks before a long build that the file can be written at all. \throw Error if not.
 void check_index_file_can_be_written(const std::filesystem::path& file);
 
 }  // namespace vorogeo::plugin

@@ -1,4 +1,4 @@
-// Filters: say what the index of the current layer is, write it to a file, read it from one.
+// Filters: describe the index of the current layer, save it to a file, load it from one.
 #include <QFile>
 #include <filesystem>
 #include <sstream>

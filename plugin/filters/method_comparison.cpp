@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// In the order of the choosers; scripts hold the numbers.
+/// In the order of the choices in the dialog; scripts hold these numbers.
 enum class Compared { index, exact, fast_marching, heat, edge_graph };
 
 QStringList method_names() {

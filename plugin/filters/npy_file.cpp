@@ -1,4 +1,4 @@
-// The header of version 1.0 of the format, then the values as they lie in memory.
+// The header of version 1.0 of the format, then the values as they are in memory.
 #include "filters/npy_file.h"
 
 #include <bit>

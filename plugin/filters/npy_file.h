@@ -9,8 +9,8 @@
 
 namespace vorogeo::plugin {
 
-/// A file of rows x columns float64 values, row by row. Its space is taken when it is made, so before the
-/// values are computed if their number is known; an old file stays until the new one is whole.
+/// A file of rows x columns float64 values, row by row. Its disk space is reserved on construction, before
+/// the values are computed if their number is known; an old file stays until the new one is complete.
 class NpyFile {
  public:
   /// \throw InvalidInput or FileError if it cannot be written; the message names the file.

@@ -1,4 +1,4 @@
-// The file that filters with large results write them to.
+// The file to which filters write large results.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@ namespace vorogeo::plugin {
 /// The parameter matrix_file.
 RichFileToWrite output_file_parameter();
 
-/// Where to write, empty for nowhere; refused before a long computation if it is no plain file in a folder
-/// that exists, or may not be written. \throw InvalidInput, FileError.
+/// Where to write; empty: nowhere. Refused before a long computation if it is not a plain file in an existing
+/// folder, or may not be written. \throw InvalidInput, FileError.
 std::filesystem::path output_file(const FilterCall& call);
 
 }  // namespace vorogeo::plugin

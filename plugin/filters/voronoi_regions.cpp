@@ -26,7 +26,7 @@ RichParameterList voronoi_parameters(const MeshDocument& document) {
 
 vcg::Color4b grey() { return {160, 160, 160, 255}; }
 
-/// Colours by the regions of the faces; those in no region get a region of their own for that.
+/// Colours by the regions of the faces; faces in no region are given one of their own for this purpose.
 PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::size_t count) {
   std::vector<Index> region = regions.face_region;
   for (Index& r : region) {

@@ -14,8 +14,8 @@ namespace vorogeo::plugin {
 
 class IndexCache;
 
-/// Named values a filter returns. Only int, double, bool and Eigen::VectorXd are used: they arrive in Python
-/// in every version.
+/// Named values that a filter returns. Only int, double, bool and Eigen::VectorXd are used, as these reach
+/// Python in every version.
 using Results = std::map<std::string, QVariant>;
 
 /// One application of a filter to the current layer.
@@ -28,7 +28,7 @@ struct FilterCall {
   std::function<void(const std::string&)> log;
 };
 
-/// Where the menu lists filters that write a field into the quality of the vertices and colour them by it.
+/// The menu category of filters that write a field into the quality of the vertices and colour them by it.
 inline FilterPlugin::FilterClass field_class() {
   return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
 }
@@ -39,9 +39,9 @@ struct FilterRow {
   QString python_name;
   QString help;
   FilterPlugin::FilterClass filter_class;
-  /// What the filter changes: a sum of MeshModel::MeshElement.
+  /// What the filter changes: an OR of MeshModel::MeshElement.
   int changes;
-  /// What the dialog asks for; the document has a current layer.
+  /// The parameters of the dialog; the document has a current layer.
   RichParameterList (*parameters)(const MeshDocument& document);
   Results (*apply)(FilterCall& call);
 };

@@ -38,10 +38,10 @@ class MethodFace : public vcg::Face<MethodTypes, vcg::face::VertexRef, vcg::face
                                     vcg::face::VFAdj, vcg::face::FFAdj, vcg::face::BitFlags> {};
 class MethodMesh : public vcg::tri::TriMesh<std::vector<MethodVertex>, std::vector<MethodFace>> {};
 
-/// The faces that hang together with the source, as a VCG mesh, and the numbers of its vertices.
+/// The faces connected to the source, as a VCG mesh, and the numbers of its vertices.
 struct Component {
   MethodMesh mesh;
-  std::vector<Index> vertex_of;  ///< in the mesh it was taken from
+  std::vector<Index> vertex_of;  ///< in the mesh from which it was taken
   std::vector<MethodVertex*> source;
 };
 
@@ -78,7 +78,7 @@ void read_quality(const Component& taken, const Mesh& mesh, MethodField& field) 
   }
 }
 
-/// Times a method that needs the faces around each vertex.
+/// Runs and times a method that needs the faces around each vertex.
 template <class Run>
 MethodField timed_field(const Mesh& mesh, Index source, Run run) {
   Component taken;

@@ -1,4 +1,4 @@
-// The geodesic methods that MeshLab brings along in VCG, on a copy of the mesh: to compare with.
+// The geodesic methods that MeshLab has in VCG, run on a copy of the mesh for comparison.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace vorogeo::plugin {
 
-/// A distance field of one method and what it took.
+/// A distance field by one method, and the time it took.
 struct MethodField {
   /// One entry per vertex of the mesh: `unreachable` where there is no path, NaN where the method gave no
   /// number.
@@ -19,8 +19,8 @@ struct MethodField {
 /// Whether the headers of this MeshLab have the heat method (2022.02 has none).
 bool host_has_heat_method();
 
-/// Fast marching as MeshLab's own filters run it (vcg::tri::Geodesic::Compute), without a limit.
-/// Numbers are of the host's scalar type, as in MeshLab's own filters.
+/// Fast marching as in MeshLab's own filters (vcg::tri::Geodesic::Compute), without a limit. Numbers are of
+/// the host's scalar type, as in MeshLab's own filters.
 MethodField fast_marching_field(const Mesh& mesh, Index source);
 
 /// Shortest paths along edges (vcg::tri::Geodesic::PerVertexDijkstraCompute).

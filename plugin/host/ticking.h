@@ -1,5 +1,5 @@
-// Keeps the host's window alive while something long runs: progress comes at even steps, whatever the work
-// reports.
+// Keeps the host's window responsive during long computations: progress comes at regular intervals, whatever
+// the work reports.
 #pragma once
 
 #include <chrono>
@@ -13,13 +13,13 @@
 
 namespace vorogeo::plugin {
 
-/// How often the host is told that work goes on.
+/// Interval at which the host is told that work continues.
 inline constexpr std::chrono::milliseconds tick{100};
 
-/// Runs work(progress) on a thread of its own. What it reports is handed to the host from the calling thread,
-/// and repeated until it has ended; `activity` comes before it reports anything. Without anyone to tell, the
-/// work runs here. Its exceptions are thrown here. The work must leave the host's objects alone. A wish to
-/// stop reaches it where it reports or has a checkpoint. \throw Cancelled.
+/// Runs work(progress) on a thread of its own. Its reports are passed to the host from the calling thread,
+/// and repeated until it has ended; `activity` is shown until its first report. If nobody listens, the work
+/// runs on the calling thread. Its exceptions are rethrown here. The work must not touch the host's objects.
+/// Cancelling takes effect where it reports or has a checkpoint. \throw Cancelled.
 template <class Work>
 auto run_ticking(const Progress& progress, const std::string& activity, Work work)
     -> decltype(work(progress)) {

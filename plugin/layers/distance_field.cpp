@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Light grey: no colour of the ramp.
+/// Light grey, which is not a colour of the ramp.
 vcg::Color4b color_without_distance() { return {160, 160, 160, 255}; }
 
 constexpr const char* distances_activity = "Geodesic distances";
@@ -100,8 +100,7 @@ RichParameterList only_max_distance(const MeshDocument& document) {
 
 namespace {
 
-/// Writes a field that was computed; `has_source`: by component of its mesh; `at_vertices`: all sources are
-/// vertices.
+/// Writes a computed field; `has_source`: by component of its mesh; `at_vertices`: all sources are vertices.
 Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
                     const std::vector<bool>& has_source, std::size_t source_count, bool at_vertices) {
   const Mesh& mesh = *field.mesh;

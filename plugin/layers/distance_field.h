@@ -22,11 +22,11 @@ inline constexpr double quality_without_distance = -1.0;
 
 /// The parameter max_distance, as all distance filters have it.
 RichLength max_distance_parameter(const MeshDocument& document);
-/// The parameters of filters that have no other.
+/// The parameters of filters that have no others.
 RichParameterList only_max_distance(const MeshDocument& document);
 
-/// Distances from the nearest of the source vertices into the quality of all vertices, colours along a ramp.
-/// Reads max_distance. Nothing is changed before all is computed.
+/// Writes the distances from the nearest source vertex into the quality of all vertices, and colours along a
+/// ramp. Reads max_distance. Nothing is changed before everything is computed.
 ///
 /// Returns source_vertices, reached_vertices, unreachable_vertices, vertices_beyond_max_distance,
 /// max_distance (the largest distance found) and seconds (of the distances alone); with an index also

@@ -1,4 +1,4 @@
-// The two points that a filter for one pair is asked about.
+// The two points of a filter for one pair.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,12 @@ struct EndPoints {
 /// max_snap_distance, and surface_points (both as text). `vertex`: what source and target are by default.
 void add_end_point_parameters(RichParameterList& list, const MeshDocument& document, int vertex);
 
-/// What they say. \throw InvalidInput for a point that is not there, or too far from the surface.
+/// The points that these parameters give. \throw InvalidInput for a point that does not exist or is too far
+/// from the surface.
 EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
                      const std::shared_ptr<const Mesh>& mesh);
 
-/// What source and target are, for the help.
+/// Explains source and target, for the help.
 QString help_on_end_points();
 
 }  // namespace vorogeo::plugin

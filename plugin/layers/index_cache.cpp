@@ -25,7 +25,7 @@ void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const Geodesic
   const std::lock_guard lock(mutex_);
   Entry entry{arrays.faces, std::move(index), {}};
   if (document != nullptr) entry.documents.insert(document);
-  for (const Entry& e : entries_) {  // other documents that used the one replaced go on with this one
+  for (const Entry& e : entries_) {  // other documents that used the replaced index now use this one
     if (e.fits(arrays)) entry.documents.insert(e.documents.begin(), e.documents.end());
   }
   entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });

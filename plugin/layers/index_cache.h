@@ -1,4 +1,4 @@
-// The indexes of the meshes a user is working with, so that a second question does not build again.
+// The indexes of the meshes that a user is working with, so that a second query does not build again.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@ namespace vorogeo::plugin {
 /// The few indexes used last, each with the mesh it was built for.
 ///
 /// An index is found by comparing the whole mesh, all positions and all faces, not a name or a hash of it:
-/// after any edit there is no index until one is built again, and after undoing the edit the old one fits
-/// again. An index belongs to the documents that used it and is freed with the last of them. May be used by
-/// several threads.
+/// after any edit there is no index until one is built again, and when the edit is undone the old one is
+/// found again. An index belongs to the documents that used it and is freed with the last of them. May be
+/// used by several threads.
 class IndexCache {
  public:
-  /// `most_bytes`: what the indexes may take together; the newest is kept however large it is.
+  /// `most_bytes`: what the indexes may take together; the newest is kept, however large it is.
   explicit IndexCache(std::int64_t most_bytes = default_memory_budget << 20) : most_bytes_(most_bytes) {}
 
   /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is
   /// named).
   std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays, const void* document = nullptr);
-  /// Keeps an index, in the place of another one of the same mesh or else of those used longest ago. Without
-  /// a document it stays until it is displaced.
+  /// Keeps an index, which replaces one of the same mesh, or else displaces those used longest ago. Without a
+  /// document it stays until it is displaced.
   void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
            const void* document = nullptr);
   /// Frees the indexes that belong to this document only.
@@ -37,7 +37,8 @@ class IndexCache {
 
  private:
   struct Entry {
-    /// All faces given, also those that a Mesh leaves out: an edit may turn one of them into a proper face.
+    /// All faces given, including those that a Mesh leaves out: an edit may turn one of them into a proper
+    /// face.
     std::vector<std::array<Index, 3>> faces;
     std::shared_ptr<const GeodesicIndex> index;
     std::set<const void*> documents;
@@ -50,7 +51,7 @@ class IndexCache {
 
   const std::int64_t most_bytes_;
   std::mutex mutex_;
-  std::list<Entry> entries_;  ///< used last first
+  std::list<Entry> entries_;  ///< most recently used first
 };
 
 }  // namespace vorogeo::plugin

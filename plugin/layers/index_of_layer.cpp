@@ -1,4 +1,4 @@
-// Builds indexes for filters and says in the log what was built.
+// Builds indexes for filters and logs what was built.
 #include "layers/index_of_layer.h"
 
 #include <iomanip>
@@ -21,7 +21,8 @@ void log_statistics(const FilterCall& call, const IndexStatistics& s) {
   call.log(text.str());
 }
 
-// 64-bit counts go out as double: the host passes on int and double only, and double holds them exactly.
+// 64-bit counts are returned as double: the host passes on only int and double, and double holds them
+// exactly.
 Results statistics_results(const IndexStatistics& s) {
   return {{"vertices", s.vertices},
           {"first_layer_patches", s.first_layer_patches},

@@ -1,4 +1,4 @@
-// The mesh and the index of a layer; the index is taken from the cache when it fits, else built.
+// The mesh and the index of a layer; the index is taken from the cache if there is one, or built.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,20 @@
 
 namespace vorogeo::plugin {
 
-/// An index and how it was come by.
+/// An index and how it was obtained.
 struct IndexOfLayer {
   std::shared_ptr<const GeodesicIndex> index;
   bool reused = false;
 };
 
-/// What an index holds, as one line of the log and as returned values.
+/// What an index holds, as one line of the log and as values to return.
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
 Results statistics_results(const IndexStatistics& statistics);
 
-/// What a filter returns of the index that it used: index_reused and index_seconds.
+/// What a filter returns about the index that it used: index_reused and index_seconds.
 Results about_index(const IndexOfLayer& found);
 
-/// The mesh of the layer: that of the cached index, or a new one, made while the window stays alive.
+/// The mesh of the layer: that of the cached index, or a new one, made while the window stays responsive.
 std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh);
 
 /// Logs what a user should know about the mesh before trusting distances on it.

@@ -10,7 +10,7 @@
 
 namespace vorogeo::plugin {
 
-/// Arrays of a layer that was found fit for geodesic distances. A core vertex is a vertex that is not
+/// Arrays of a layer that was found usable for geodesic distances. A core vertex is a vertex that is not
 /// deleted.
 class LayerMesh {
  public:
@@ -20,8 +20,8 @@ class LayerMesh {
 
   const VcgMeshArrays& arrays() const { return arrays_; }
 
-  /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message calls it
-  /// by `parameter`, which held the number.
+  /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message names
+  /// `parameter`, which gave the number.
   Index core_vertex(int host_vertex, const std::string& parameter) const;
   int host_vertex(Index vertex) const { return arrays_.input_of_vertex[vertex]; }
   /// The host's number of a face of a Mesh that was made from arrays().

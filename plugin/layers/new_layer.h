@@ -11,7 +11,7 @@
 
 namespace vorogeo::plugin {
 
-/// Adds a layer with these points as vertices, `quality` (as many, or none) as theirs. It has the transform
+/// Adds a layer with these points as vertices, with `quality` (as many values, or none). It has the transform
 /// of the current layer, so that it lies on it. `make_current`: as the host does for filters that generate.
 void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
                      std::span<const double> quality, bool make_current);
@@ -21,11 +21,11 @@ void add_polyline_layer(FilterCall& call, const QString& name, const SurfaceLine
                         std::span<const double> quality, bool make_current);
 
 /// Points of the surface as a layer, which becomes current. \return the numbers of their vertices in the
-/// host, -1 for a point that is none, as Eigen::VectorXd.
+/// host, -1 for a point that is not a vertex, as Eigen::VectorXd.
 QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
                                  const Mesh& mesh, const PointList& points);
 
-/// Numbers as the host hands them to Python.
+/// Numbers in the form in which the host passes them to Python.
 template <class Values>
 QVariant as_vector(const Values& values) {
   Eigen::VectorXd vector(static_cast<Eigen::Index>(values.size()));

@@ -26,13 +26,14 @@ template <class Value>
 /// A length in the unit of the mesh, or in percent of the diagonal of its bounding box.
 RichLength length_parameter(const MeshDocument& document, const char* name, double share_of_diagonal,
                             const char* label, const char* tooltip);
-/// The value of a length. \throw InvalidInput if it is negative or no number, or zero where it must not be.
+/// The value of a length. \throw InvalidInput if it is negative, not a number, or zero where that is not
+/// allowed.
 double length_of(const FilterCall& call, const char* parameter, bool may_be_zero);
 
 /// The parameter max_snap_distance.
 RichLength max_snap_distance_parameter(const MeshDocument& document);
 
-/// The parameter exact, as all filters have it that can do without the index.
+/// The parameter exact of all filters that can also do without the index.
 RichBool exact_parameter();
 
 /// The parameter seed, and its value. \throw InvalidInput if it is negative.

@@ -1,4 +1,4 @@
-// A layer that a filter takes points from: its parameter, and its points moved to the surface.
+// A layer from which a filter takes points: its parameter, and its points moved to the surface.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class PointSnapper {
  public:
   /// `parameter`: the one that names the layer of the points.
   PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter);
-  /// `number`: of the vertex of the layer, for the error. \throw InvalidInput if it is too far away.
+  /// `number`: that of the vertex in the layer, for the error. \throw InvalidInput if it is too far away.
   SurfacePoint snap(const Point& at, std::size_t number);
   /// The farthest move so far.
   double farthest() const { return farthest_; }

@@ -14,7 +14,7 @@ namespace vorogeo::plugin {
 
 namespace {
 
-/// The nearest vertex that has a face: others are reached by no path.
+/// The nearest vertex that has a face: no path reaches the others.
 StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
   std::vector<bool> has_face(arrays.positions.size(), false);
   for (const auto& face : arrays.faces) {
@@ -30,7 +30,7 @@ StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
   return nearest;
 }
 
-/// The vertex that is named by number; no_index if the start point counts.
+/// The vertex that is named by number; no_index if the start point is used.
 Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
   const int number = call.parameters.getInt("vertex_index");
   return number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
@@ -38,7 +38,8 @@ Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
 
 double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
-/// The corner of the point's face that it is but for the precision in which the host hands points on.
+/// The corner of the point's face, if the point equals it up to the precision in which the host passes points
+/// on.
 SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return point;
   constexpr double precision = 1e-6;

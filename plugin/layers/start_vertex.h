@@ -1,4 +1,4 @@
-// Where a filter starts that takes one source: a vertex by number, a point of the surface, or the vertex
+// The source of a filter that takes only one: a vertex by number, a point of the surface, or the vertex
 // nearest to a point.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace vorogeo::plugin {
 
-/// A vertex and its distance from the point it was found by; 0 if it was named by number.
+/// A vertex and its distance from the point for which it was found; 0 if it was named by number.
 struct StartVertex {
   Index vertex = no_index;
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// A point of the surface and its distance from the point in space it was found for; 0 if it was named by
-/// number.
+/// A point of the surface and its distance from the point in space for which it was found; 0 if it was named
+/// by number.
 struct StartPoint {
   SurfacePoint point;
   double distance = 0.0;
@@ -28,12 +28,12 @@ struct StartPoint {
 /// "Where distances start: ..." about the point.
 void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document, const QString& where);
 
-/// The start vertex named by number, else the point of the surface nearest to the start point: a vertex if it
-/// is one up to single precision. Says in the log which. \throw as start_vertex.
+/// The start vertex named by number, otherwise the point of the surface nearest to the start point: a vertex
+/// if it is one up to single precision. Logs which. \throw as start_vertex.
 StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
                        const std::shared_ptr<const Mesh>& mesh);
 
-/// The start vertex named by number, else the one nearest to the start point that has a face; says in the log
+/// The start vertex named by number, otherwise the one nearest to the start point that has a face; logs
 /// which. \throw InvalidInput for a number without a vertex and a point that is not finite.
 StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh);
 

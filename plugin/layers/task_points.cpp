@@ -17,7 +17,7 @@ namespace {
 
 /// The core's face of a face of the host. \throw InvalidInput if there is none; `entry` begins the message.
 Index core_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face, const std::string& entry) {
-  // Both numberings ascend.
+  // Both numberings are ascending.
   Index low = 0;
   Index high = mesh.face_count();
   while (low < high) {

@@ -14,8 +14,8 @@ namespace vorogeo::plugin {
 /// The points, and what errors, logs and results call them.
 struct TaskPoints {
   PointList points;
-  /// Of each point: of its vertex in the current layer (selection) or in the layer that it comes from, or its
-  /// place in the text.
+  /// The number of each point: that of its vertex in the current layer (selection) or in the layer that it
+  /// comes from, or its position in the text.
   std::vector<int> numbers;
   std::string what;            ///< such as "selected vertices"
   double snap_distance = 0.0;  ///< the farthest move of a layer's point
@@ -23,13 +23,13 @@ struct TaskPoints {
   std::size_t size() const { return points.size(); }
 };
 
-/// The parameters point_layer and surface_points; max_snap_distance belongs to them and is added too unless
+/// The parameters point_layer and surface_points; max_snap_distance belongs to them and is also added unless
 /// the filter has it anyway. `what`: ends the sentence "The layer with the ...".
 void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what,
                                bool with_snap_distance = true);
 
-/// What these parameters say. `purpose`: as for selected_vertices. \throw InvalidInput if there is no point,
-/// or one that is not on the surface or too far from it.
+/// The points that these parameters give. `purpose`: as for selected_vertices. \throw InvalidInput if there
+/// is no point, or one that is not on the surface or too far from it.
 TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, const char* purpose);
 
 /// Surface points written as text, separated by semicolons: a vertex as its number, any other point as the

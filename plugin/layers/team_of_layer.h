@@ -1,4 +1,4 @@
-// Where tasks that need many fields get them: the index of the layer, or exact propagation.
+// The source of fields for tasks that need many: the index of the layer, or exact propagation.
 #pragma once
 
 #include "host/filter_row.h"

@@ -16,7 +16,7 @@ namespace vorogeo::python {
 
 namespace nb = nanobind;
 
-/// What the Python package hands over: it has checked and converted everything before.
+/// What the Python package passes in, already checked and converted.
 using VertexArray = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using FaceArray = nb::ndarray<const Index, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using IdArray = nb::ndarray<const Index, nb::ndim<1>, nb::c_contig, nb::device::cpu>;

@@ -106,7 +106,7 @@ class IndexHandle {
   std::size_t input_faces_;
 };
 
-/// The Python object takes over what build and load return.
+/// The Python object owns what build and load return.
 IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index first_layer_patches,
                    Index second_layer_patches, double delta, int threads, std::uint64_t seed,
                    std::int64_t memory_budget, nb::object progress) {

@@ -1,5 +1,5 @@
-// The class _core.OutputFile: a file that Python maps into memory and that replaces its target when it is
-// whole.
+// The class _core.OutputFile: a file that Python maps into memory and that replaces its target once it is
+// complete.
 #include "output_binding.h"
 
 #include <nanobind/nanobind.h>
@@ -14,7 +14,7 @@ namespace vorogeo::python {
 
 namespace {
 
-/// Makes the file, `head` followed by `size` bytes of space.
+/// Creates the file: `head`, followed by `size` bytes of space.
 OutputFile* make(const std::filesystem::path& file, const std::string& what, const nb::bytes& head,
                  std::uint64_t size) {
   nb::gil_scoped_release release;

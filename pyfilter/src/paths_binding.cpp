@@ -21,7 +21,7 @@ namespace {
 using EdgeArray = nb::ndarray<const Index, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 using ValueArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-/// Queries of one index, each lent to one caller at a time; made when first needed.
+/// Queries on one index, each lent to one caller at a time; created when first needed.
 class Paths {
  public:
   explicit Paths(nb::handle index) : held_(held_index(index)) {}
@@ -43,7 +43,8 @@ class Paths {
                           to_numpy(std::move(distances)));
   }
 
-  /// Paths of pairs: lengths, certified, where the points of each begin, positions, vertices, faces, weights.
+  /// Paths of pairs: lengths, certified, where the points of each path begin, positions, vertices, faces,
+  /// weights.
   nb::tuple paths(const PointArrays& source, const PointArrays& target, bool exact, bool certify,
                   nb::object progress) {
     const PointList sources = points_on(mesh(), points_from(mesh(), source), "Source");
@@ -70,7 +71,8 @@ class Paths {
     return as_arrays(found);
   }
 
-  /// Makes certified corridors narrower from now on. \return the memory it takes, in bytes.
+  /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,
+  /// in bytes.
   std::size_t use_landmarks(int count, nb::object progress) {
     std::size_t bytes = 0;
     ProgressBridge bridge(progress);
@@ -108,8 +110,7 @@ class Paths {
   }
 
  private:
-  /// Pairs of one call from which on landmarks cost less time than they save, by and large
-  /// (docs/paths.md).
+  /// Number of pairs in one call from which landmarks usually save more time than they cost (docs/paths.md).
   static constexpr std::size_t pairs_worth_landmarks = 1000;
 
   bool has_landmarks() {

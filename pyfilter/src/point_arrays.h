@@ -1,4 +1,4 @@
-// Surface points as Python holds them, and as the core does.
+// Conversions between surface points in Python and in the core.
 #pragma once
 
 #include <algorithm>
@@ -49,8 +49,8 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   return points;
 }
 
-/// Surface points on their way to Python: the vertex or -1, a row of the faces given, and weights in it; a
-/// vertex is a corner of its first face, or of none (-1).
+/// Surface points to be returned to Python: the vertex or -1, a row of the faces given, and the weights in
+/// it; a vertex is a corner of its first face, or of none (-1).
 struct PointRows {
   std::vector<Index> vertex;
   std::vector<Index> face;

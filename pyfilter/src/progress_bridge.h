@@ -17,10 +17,10 @@ namespace nb = nanobind;
 
 /// Runs a computation without the GIL; takes it only to report.
 ///
-/// The Python function is called with (fraction, text) when the text changes, at the end, and at most
-/// fifty times a second between; the fraction never falls. A result of False (Python's or numpy's) cancels;
-/// any other, 0 and None as well, goes on. An exception of the function, or Ctrl-C, stops the computation and
-/// is raised unchanged.
+/// The Python function is called with (fraction, text) when the text changes, at the end, and at most fifty
+/// times a second in between; the fraction never decreases. A result of False (Python's or numpy's) cancels;
+/// any other, including 0 and None, continues. An exception of the function, or Ctrl-C, stops the computation
+/// and is raised unchanged.
 class ProgressBridge {
  public:
   /// `function`: a callable, or None for Ctrl-C alone. Both `function` and this object outlive the run.
@@ -66,7 +66,7 @@ class ProgressBridge {
     }
   }
 
-  /// Comparisons of numpy's numbers give numpy's False, which prints as "False".
+  /// Comparisons of numpy numbers give numpy's False, which prints as "False".
   static bool is_false(nb::handle answer) {
     if (answer.ptr() == Py_False || answer.ptr() == Py_True || answer.is_none()) {
       return answer.ptr() == Py_False;

@@ -17,7 +17,8 @@ class QueryPool {
   QueryPool(std::shared_ptr<const GeodesicIndex> index, int threads)
       : index_(std::move(index)), threads_(threads) {}
 
-  /// Calls `body(query)` with a query object that no other thread has. One that threw is not used again.
+  /// Calls `body(query)` with a query object that no other thread uses. After an exception it is not used
+  /// again.
   template <class Body>
   auto lend(Body&& body) {
     std::unique_ptr<GeodesicQuery> query = take();

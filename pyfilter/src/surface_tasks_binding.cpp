@@ -17,7 +17,7 @@ using FieldArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::devi
 
 std::span<const double> values_of(const FieldArray& values) { return {values.data(), values.shape(0)}; }
 
-/// Rows of equal size as one flat array; Python gives it its shape.
+/// Rows of equal size as one flat array; Python reshapes it.
 template <class T, std::size_t size>
 nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size>>& rows) {
   std::vector<T> values;
@@ -26,7 +26,7 @@ nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size
   return to_numpy(std::move(values));
 }
 
-/// Values of the faces of the mesh by rows of the faces given; no_index for a face that is left out.
+/// Values of the mesh's faces, by row of the faces given; no_index for a face that was left out.
 IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_face) {
   std::vector<Index> values(held.input_faces, no_index);
   for (Index f = 0; f < static_cast<Index>(of_face.size()); ++f) {

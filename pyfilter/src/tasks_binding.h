@@ -1,4 +1,4 @@
-// The functions of _core that ask an index many things at once, without argument checks.
+// The functions of _core for many queries at once, without argument checks.
 #pragma once
 
 #include <nanobind/nanobind.h>
