@@ -22,7 +22,7 @@ def _array(name: str, value: Any, wanted: str) -> NDArray[Any]:
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"{name}: cannot be read as an array ({error}); give {wanted}.") from None
     if array.dtype.kind not in "fiub":
-        raise InvalidInput(f"{name}: is no array of numbers (it is {_describe(value, array)}); give {wanted}.")
+        raise InvalidInput(f"{name}: is not an array of numbers (it is {_describe(value, array)}); give {wanted}.")
     return array
 
 
@@ -72,7 +72,7 @@ def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
 
 
 def unchecked_faces(value: ArrayLike) -> NDArray[np.int32]:
-    """Faces as contiguous int32 of shape (m, 3); entries that int32 cannot hold become -1 or the largest int32."""
+    """Faces as contiguous int32 of shape (m, 3); entries out of int32's range become -1 or the largest int32."""
     array = _face_array(value)
     wide = array.astype(np.uint64 if array.dtype.kind == "u" else np.int64)
     wide[wide > _INT32.max] = _INT32.max
@@ -129,7 +129,7 @@ def integer(name: str, value: Any, low: int, high: int) -> int:
             raise TypeError
         number = operator.index(value)
     except TypeError:
-        raise InvalidInput(f"{name}: {value!r} is no integer; give one from {low} to {high}.") from None
+        raise InvalidInput(f"{name}: {value!r} is not an integer; give one from {low} to {high}.") from None
     if not low <= number <= high:
         raise InvalidInput(f"{name}: {number} is out of range; give an integer from {low} to {high}.")
     return number
@@ -142,7 +142,7 @@ def real(name: str, value: Any, wanted: str) -> float:
             raise TypeError
         number = float(value)
     except (TypeError, ValueError, OverflowError):
-        raise InvalidInput(f"{name}: {value!r} is no real number; give {wanted}.") from None
+        raise InvalidInput(f"{name}: {value!r} is not a real number; give {wanted}.") from None
     if math.isnan(number):
         raise InvalidInput(f"{name}: is NaN; give {wanted}.")
     return number
@@ -169,16 +169,16 @@ def delta(value: float) -> float:
 
 
 def patches(value: tuple[int, int] | None) -> tuple[int, int]:
-    """The numbers of patches (n1, n2); 0 means chosen from the mesh."""
+    """The numbers of patches (n1, n2); 0 means that it is chosen from the mesh."""
     if value is None:
         return 0, 0
     wanted = "None or two integers (n1, n2), 0 for an automatic number"
     if isinstance(value, (str, bytes)):
-        raise InvalidInput(f"patches: {value!r} is no pair; give {wanted}.")
+        raise InvalidInput(f"patches: {value!r} is not a pair; give {wanted}.")
     try:
         pair = list(value)
     except TypeError:
-        raise InvalidInput(f"patches: {value!r} is no pair; give {wanted}.") from None
+        raise InvalidInput(f"patches: {value!r} is not a pair; give {wanted}.") from None
     if len(pair) != 2:
         raise InvalidInput(f"patches: has {len(pair)} entries; give {wanted}.")
     return integer("patches[0]", pair[0], 0, _INT32.max), integer("patches[1]", pair[1], 0, _INT32.max)
@@ -194,7 +194,7 @@ def file_path(value: str | os.PathLike[str]) -> str:
     try:
         path = os.fsdecode(value)
     except (TypeError, ValueError):
-        raise InvalidInput(f"file: {value!r} is no file name; give a string or a path.") from None
+        raise InvalidInput(f"file: {value!r} is not a file name; give a string or a path.") from None
     if "\0" in path:
         raise InvalidInput(f"file: {value!r} holds a NUL character; give another name.")
     if not path:
@@ -238,7 +238,7 @@ def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 
 def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Finite triples of real numbers as contiguous float64 of shape (k, 3); one triple counts as k = 1."""
+    """Finite triples of real numbers as contiguous float64 of shape (k, 3); a single triple is treated as k = 1."""
     wanted = "finite real numbers of shape (3,) or (k, 3)"
     array = np.atleast_2d(_array(name, value, wanted))
     if array.size == 0:

@@ -1,4 +1,4 @@
-"""Where a large result goes: into memory, if it fits, or into a memory-mapped .npy file."""
+"""The destination of a large result: memory, if it fits, or a memory-mapped .npy file."""
 
 from __future__ import annotations
 
@@ -40,14 +40,15 @@ def require_memory(what: str, needed: float, max_bytes: int | None, advice: str)
 
 @contextmanager
 def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Iterator[NDArray[np.float64]]:
-    """An array of float64 to fill in the block: new, given, or mapped to a file that appears whole or not at all.
+    """An array of float64 to fill in the block: new, given, or mapped to a file that appears complete or not at all.
 
-    The file's space is taken first: writing to mapped memory on a full disk would kill the process.
+    The file's space is reserved first: writing to mapped memory on a full disk would kill the process.
 
     Raises
     ------
     InvalidInput
-        If `out` has a wrong shape or type, or names a folder, a device or a pipe, or a file in no folder.
+        If `out` has a wrong shape or type, or names a folder, a device or a pipe, or a file in a folder that does not
+        exist.
     FileError
         (an OSError) If the disk is full or the file may not be written.
     NotEnoughMemory
@@ -84,7 +85,7 @@ def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Itera
 
 
 def _head(rows: int, columns: int) -> bytes:
-    """What a .npy file of this matrix begins with."""
+    """The beginning of a .npy file of this matrix."""
     head = io.BytesIO()
     dtype = np.lib.format.dtype_to_descr(np.dtype(np.float64))
     np.lib.format.write_array_header_1_0(head, {"descr": dtype, "fortran_order": False, "shape": (rows, columns)})

@@ -21,7 +21,7 @@ def exact_distance_field(
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
     sources : int or array_like of int, shape (k,), k >= 1
-        Vertex ids; repeated ones count once.
+        Vertex ids; repeated ones make no difference.
     max_distance : float, optional
         Distances above it are not computed and become infinity; None for no limit.
 

@@ -1,4 +1,4 @@
-"""The geodesic index on numpy arrays: built once per mesh, then asked for distances."""
+"""The geodesic index on numpy arrays: built once per mesh, then queried for distances."""
 
 from __future__ import annotations
 
@@ -31,26 +31,26 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
     patches : (int, int), optional
-        Numbers of patches: of the mesh, and of each patch again. 0, or None for both, chooses from n.
+        Numbers of patches: of the mesh, and of smaller ones in each of these. 0 (None for both): chosen from n.
     delta : float, default 0
-        Relative average error that pruning of the graph may add, in [0, 1). 0 loses nothing; above 0 it asks for
+        Average relative error that pruning of the graph may add, in [0, 1). 0 loses nothing; a value above 0 selects
         the form of a graph.
     threads : int, optional
         Threads of the build and of each field; None is one per core. The results do not depend on it.
     seed : int, default 0
         Seed of the random numbers that place the patches, 0 to 2**64 - 1.
     progress : callable or bool, optional
-        Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never falls; a result of
-        False cancels. True shows a tqdm bar.
+        Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never decreases; a
+        result of False cancels. True shows a tqdm bar.
     memory_budget : int, optional
-        MiB that the index may take; None is 4096. It is made of tables if they fit, otherwise of a pruned graph, which
+        MiB that the index may take; None is 4096. It consists of tables if they fit, otherwise of a pruned graph, which
         is smaller and slower; `statistics.form` says which.
 
     Raises
     ------
     InvalidInput
         (a ValueError) If an argument has a wrong shape, type or range, naming the element, or if the index does
-        not fit the memory budget, naming the least budget that is enough.
+        not fit the memory budget, naming the smallest budget that is enough.
     Cancelled
         If `progress` returned False.
     MemoryError
@@ -129,7 +129,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
 
-        An old file of this name stays until the new one is whole; a symbolic link is followed.
+        An old file of this name stays until the new one is complete; a symbolic link is followed.
 
         Raises
         ------
@@ -159,7 +159,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         Raises
         ------
         InvalidInput
-            (a ValueError) If an id is no integer or out of range, or if the lengths differ.
+            (a ValueError) If an id is not an integer or out of range, or if the lengths differ.
         """
         count = self._statistics.vertices
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
@@ -209,14 +209,14 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         Parameters
         ----------
         sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
-            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones count once. A curve
-            counts as one source.
+            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones make no difference. A
+            curve is one source.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional
-            What to add to the distance from each source, 0 or more; the least sum is taken.
+            Lengths added to the distances from each source, 0 or more; the least sum is taken.
         return_labels : bool, default False
-            Whether to return also which source is nearest.
+            Whether to return also the nearest source.
 
         Returns
         -------
@@ -229,7 +229,7 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         Raises
         ------
         InvalidInput
-            (a ValueError) If there is no source, an id is no integer or out of range, an offset is negative or not
+            (a ValueError) If there is no source, an id is not an integer or out of range, an offset is negative or not
             finite, or the limit is negative.
         """
         limit = check.max_distance(max_distance)

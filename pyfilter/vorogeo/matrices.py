@@ -22,7 +22,7 @@ _SAMPLES = 16
 
 
 class Matrices:
-    """The methods of `GeodesicIndex` that answer many questions in one call.
+    """The methods of `GeodesicIndex` that answer many queries in one call.
 
     Points are vertex ids, `SurfacePoints` or lists of both, possibly empty; ``k`` is how many there are.
     """
@@ -38,7 +38,7 @@ class Matrices:
     def distances(
         self, sources: Points, targets: Points, progress: ProgressFunction | bool | None = None
     ) -> NDArray[np.float64]:
-        """Distances of k pairs of points, on all threads; the values of `distance`.
+        """Distances of k pairs of points, on all threads; the same values as by `distance`.
 
         Parameters
         ----------
@@ -55,7 +55,7 @@ class Matrices:
         Raises
         ------
         InvalidInput
-            (a ValueError) If an id is no integer or out of range, or if the lengths differ.
+            (a ValueError) If an id is not an integer or out of range, or if the lengths differ.
         Cancelled
             If `progress` returned False.
         """
@@ -85,14 +85,14 @@ class Matrices:
         others : m points, optional
             Of the columns.
         method : {"auto", "pairs", "fields"}
-            "pairs": the values of `distance`. "fields": read from the field of each point; without `others`, of one
-            point of each pair, so that the matrix is symmetric. Both approximate the same distances; for points in
-            faces "pairs" is more accurate. "auto": whichever should be faster for this size.
+            "pairs": the values of `distance`. "fields": read from the field of each point; without `others`, from that
+            of one point of each pair, so that the matrix is symmetric. Both approximate the same distances; for points
+            in faces "pairs" is more accurate. "auto": whichever should be faster for this size.
         out : str, path or ndarray, optional
             A file to write as .npy, or an array of float64 and the shape of the result. A file is mapped, so it may be
-            larger than the memory; its space is taken first, and an old one stays until it is whole.
+            larger than the memory; its space is reserved first, and an old file stays until the new one is complete.
         max_bytes : int, optional
-            What the result may take in memory; None is what is available. `vorogeo.matrix_bytes` says what it takes.
+            Memory that the result may take; None: what is available. `vorogeo.matrix_bytes` says how much it takes.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -104,8 +104,8 @@ class Matrices:
         Raises
         ------
         InvalidInput
-            (a ValueError) If an argument has a wrong shape, type or range, or `out` names no plain file in a folder
-            that exists.
+            (a ValueError) If an argument has a wrong shape, type or range, or `out` does not name a plain file in an
+            existing folder.
         FileError
             (an OSError) If the file cannot be written, such as on a full disk; nothing was computed.
         NotEnoughMemory
@@ -137,7 +137,7 @@ class Matrices:
         max_bytes: int | None = None,
         progress: ProgressFunction | bool | None = None,
     ) -> NDArray[np.float64]:
-        """The distance field of each single source; `distance_field` is the one of the nearest of several.
+        """The distance field of each source on its own; `distance_field` is that from the nearest of several.
 
         Parameters
         ----------
@@ -188,7 +188,7 @@ class Matrices:
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
         max_bytes : int, optional
-            Memory that may be used; None is what is available. `pairs_within_bytes` estimates it.
+            Memory that may be used; None: what is available. `pairs_within_bytes` estimates it.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -258,7 +258,7 @@ class Matrices:
             The set.
         queries : q points
         k : int, default 1
-            How many of the set; may be more than it has.
+            Number of neighbours; may be larger than the set.
         progress : callable or bool, optional
             As for the constructor.
 
@@ -267,7 +267,7 @@ class Matrices:
         distances : ndarray of float64, shape (q, k)
             Nearest first; infinity where fewer can be reached.
         positions : ndarray of int32, shape (q, k)
-            Positions in `points`, of equally near ones the first; -1 where fewer can be reached.
+            Positions in `points`, the first of equally near ones; -1 where fewer can be reached.
 
         Raises
         ------

@@ -40,24 +40,25 @@ class MeshReport:
     non_manifold_edges, non_manifold_vertices : MeshFinding
         Paths may turn there into any of the faces.
     inconsistent_edges : MeshFinding
-        Between two faces of opposite orientation; without influence.
+        Between two faces of opposite orientation; they have no effect.
     outliers : MeshFinding
-        Joined to the rest of their component only by edges of more than a hundred typical lengths.
+        Vertices joined to the rest of their component only by edges longer than a hundred typical lengths.
     outlier_ratio : float
         The shortest of these edges, in typical lengths; 0 without outliers.
     first_non_manifold_edge : (int, int)
         Its vertices, or (-1, -1).
     border_edges, border_loops : int
-        Edges with one face, and the closed lines that they form.
+        Edges with one face, and the closed loops that they form.
     longest_border_loop : float
-        Length of the longest of these.
+        Length of the longest of these loops.
     components : int
         Connected parts that have a face.
     component_vertices : tuple of int
         How many vertices each has; the largest first.
     near_borders : MeshFinding
-        Border vertices close to another border, or another part of theirs, that no short path leads to: nearer than
-        a tenth of the border edges there, with no path along edges shorter than one and a half of these.
+        Border vertices close to a vertex of another border, or of another part of their own, to which no short path
+        leads: nearer than a tenth of the border edges there, with no path along edges shorter than one and a half of
+        these.
     nearest_borders : (int, int)
         The closest two vertices of these, or (-1, -1).
     near_border_gaps : (float, float)
@@ -66,10 +67,10 @@ class MeshReport:
     usable : bool
         Whether distances can be computed on the mesh.
     usable_by_index : bool
-        Whether also an index can be built, memory permitting: it takes lengths between 1e-28 and 1e28, the exact
+        Whether an index can be built as well, memory permitting: it takes lengths between 1e-28 and 1e28, the exact
         solver between 1e-60 and 1e60.
     sentences : tuple of str
-        One sentence for each finding that may surprise, naming its first element.
+        One sentence for each finding that may surprise a user, naming its first element.
     summary : str
         Sizes, components and borders in one sentence.
     """

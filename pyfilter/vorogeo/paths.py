@@ -16,7 +16,7 @@ from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
 from .results import IndexStatistics
 
-#: Beyond it a distance from the surface may be more than a float holds.
+#: Beyond it, a distance from the surface may be more than a float can hold.
 _GREATEST_COORDINATE = 1e307
 
 
@@ -135,7 +135,7 @@ class Paths:
         Raises
         ------
         InvalidInput
-            (a ValueError) If an id or a face is out of range, weights are no barycentric weights, or lengths differ.
+            (a ValueError) If an id or a face is out of range, weights are not barycentric, or lengths differ.
         """
         return self._find_paths(source, target, False, False, progress)
 
@@ -148,8 +148,7 @@ class Paths:
     ) -> GeodesicPath | list[GeodesicPath]:
         """Exact shortest path between two points, or of each of k pairs, without a field over the whole mesh.
 
-        A call with 1,000 pairs or more that is to certify its paths begins with `prepare_exact_paths`, unless that was
-        called before.
+        A call that certifies 1,000 pairs or more first calls `prepare_exact_paths`, unless that was called before.
 
         Parameters
         ----------
@@ -164,7 +163,7 @@ class Paths:
         Returns
         -------
         GeodesicPath, or list of k GeodesicPath
-            `certified` says whether it is proven to be a shortest one.
+            `certified` says whether it is proven to be a shortest path.
 
         Raises
         ------
@@ -174,10 +173,10 @@ class Paths:
         return self._find_paths(source, target, True, bool(certify), progress)
 
     def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
-        """Make all later certified paths faster, by exact distance fields of a few vertices.
+        """Make all later certified paths faster, by exact distance fields from a few vertices.
 
-        The differences of these distances bound those of all pairs from below, much closer than straight lines in space
-        do on a curved surface. It pays for many pairs: preparing takes as long as `landmarks` exact fields.
+        The differences of these distances are lower bounds of those of all pairs, on a curved surface much closer ones
+        than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields.
 
         Parameters
         ----------
@@ -189,7 +188,7 @@ class Paths:
         Returns
         -------
         int
-            The memory it takes, in bytes: four for each vertex and landmark.
+            The memory taken, in bytes: four for each vertex and landmark.
 
         Raises
         ------

@@ -21,7 +21,7 @@ FILE_NAME = "libfilter_vorogeo.so"
 #: PyMeshLab releases whose filters this package supports, by the MeshLab version inside.
 SUPPORTED = {"2022.02": "2022.2.post4", "2025.07": "2025.7.post1"}
 
-#: The names of our filters contain one of these, and those of no other filter do.
+#: The names of our filters, and of no others, contain one of these.
 _NAME_PARTS = ("vorogeo", "exact_geodesic_distance", "geodesic_method_comparison")
 _NUMPY_PART = "The numpy functions of vorogeo work without it."
 _lock = threading.Lock()
@@ -32,13 +32,13 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
     """Load the filters into PyMeshLab and bind them as methods of ``pymeshlab.MeshSet``.
 
     ``import vorogeo`` does this by itself when PyMeshLab is installed; call it to learn why it did not work, or to load
-    a plugin that was built elsewhere. Filters of VoroGeo that PyMeshLab has loaded already are bound as they are. After
-    the first success further calls change nothing.
+    a plugin that was built elsewhere. Filters of VoroGeo that PyMeshLab has already loaded are bound as they are. After
+    the first success, further calls change nothing.
 
     Parameters
     ----------
     file : str or path, optional
-        Plugin binary to load instead of the one in the package; it has to be built for the installed PyMeshLab.
+        Plugin binary to load instead of the one in the package; it must be built for the installed PyMeshLab.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
     Raises
     ------
     PluginError
-        (a RuntimeError) If PyMeshLab is missing, of a version without a plugin, or refuses the plugin.
+        (a RuntimeError) If PyMeshLab is missing, has a version without a plugin, or refuses the plugin.
     """
     global _loaded
     with _lock:
@@ -92,7 +92,7 @@ def plugin_file(pymeshlab_version: str) -> Path:
 
 
 def meshlab_version(pymeshlab_version: str) -> str | None:
-    """MeshLab version inside a PyMeshLab release: '2025.07' for '2025.7.post1'; None if it is no release."""
+    """MeshLab version inside a PyMeshLab release: '2025.07' for '2025.7.post1'; None if it is not a release."""
     match = re.fullmatch(r"(\d{4})\.0?(\d{1,2})(?:\.post\d+)?", pymeshlab_version)
     return f"{match[1]}.{int(match[2]):02d}" if match else None
 
@@ -128,12 +128,12 @@ def _our_filters(pymeshlab: ModuleType) -> tuple[str, ...]:
 
 
 def _is_made_of_a_menu(name: str) -> bool:
-    """Whether a name stands for the text of a menu: PyMeshLab 2022.2 lists these as well, with our mark at the end."""
+    """Whether a name comes from a menu's text: PyMeshLab 2022.2 lists these as well, with our mark at the end."""
     return name.endswith("_vorogeo") and not name.endswith("_by_vorogeo")
 
 
 def _filters(pymeshlab: ModuleType) -> list[str]:
-    """Names of all filters that PyMeshLab has at the moment; none for old releases, which do not say."""
+    """Names of all filters that PyMeshLab has at the moment; none for old releases, which cannot list them."""
     filter_list: Callable[[], list[str]] = getattr(pymeshlab, "filter_list", list)
     return [name for name in filter_list() if not _is_made_of_a_menu(name)]
 

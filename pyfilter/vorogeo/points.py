@@ -1,4 +1,4 @@
-"""How points are given everywhere: vertex ids, points on faces, or lists of both; and curves along edges as sources."""
+"""Forms of points: vertex ids, points on faces, or lists of both; and curves along edges as sources."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class SurfacePoints:
     Attributes
     ----------
     faces : ndarray of int32, shape (k,)
-        The face of each point: a row of the faces the index was built for.
+        The face of each point: a row of the faces for which the index was built.
     barycentric : ndarray of float64, shape (k, 3)
-        Weights of the three corners: not negative, sum 1; what is off by at most 1e-6, as in single precision, is
-        taken for rounding. A zero weight puts a point on an edge, two at a vertex.
+        Weights of the three corners: not negative, with sum 1; deviations of at most 1e-6, as in single precision, are
+        treated as rounding. A point with one zero weight is on an edge, with two at a vertex.
     snap_distance : ndarray of float64, shape (k,), or None
-        How far the points were from the surface, for those that `GeodesicIndex.snap` found.
+        How far the original points were from the surface, for points from `GeodesicIndex.snap`.
     """
 
     faces: NDArray[np.int32]
@@ -48,13 +48,13 @@ class SurfacePoints:
         return f"SurfacePoints({len(self)} points{moved})"
 
     def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
-        """Where the points lie in space.
+        """The positions of the points in space.
 
         Parameters
         ----------
         vertices : array_like, shape (n, 3)
         faces : array_like of int, shape (m, 3)
-            Of the mesh that the index was built for.
+            Arrays of the mesh for which the index was built.
 
         Returns
         -------
@@ -86,8 +86,8 @@ class EdgeCurve:
         The vertices of the curve in order, each joined to the next by an edge; or the two ends of each edge, in any
         order.
     spacing : float, optional
-        The curve is replaced by points on it at most this far apart, vertices included; None is a quarter of the mean
-        edge. Distances are never too short, and too long by at most half the spacing, far away by much less.
+        The curve is replaced by points on it at most this far apart, including its vertices; None: a quarter of the
+        mean edge. Distances are never too short, and too long by at most half the spacing, far away by much less.
     """
 
     vertices: ArrayLike

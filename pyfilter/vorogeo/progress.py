@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from .errors import InvalidInput
 
-#: Gets the fraction done and what is being done; a result of False cancels, any other (None, 0) goes on.
+#: Gets the fraction done and what is being done; a result of False cancels, any other (None, 0) continues.
 ProgressFunction: TypeAlias = Callable[[float, str], object]
 
 
@@ -35,7 +35,7 @@ def reporter(progress: ProgressFunction | bool | None) -> Iterator[Callable[[flo
         yield progress
     else:
         raise InvalidInput(
-            f"progress: {progress!r} is no function; give one that takes (fraction, text), True for a tqdm bar, "
+            f"progress: {progress!r} is not a function; give one that takes (fraction, text), True for a tqdm bar, "
             "or None."
         )
 

@@ -1,4 +1,4 @@
-"""Statistics of an index, and the results of its tasks: plain numpy arrays, as PyVista and polyscope take them."""
+"""Statistics of an index, and the results of its tasks: plain numpy arrays, as PyVista and polyscope expect them."""
 
 from __future__ import annotations
 
@@ -61,14 +61,14 @@ class Isolines(Polylines):
 
 @dataclass(frozen=True)
 class VoronoiRegions:
-    """Geodesic Voronoi regions of k points; a region is named by the position of its point in the list, -1 is none.
+    """Geodesic Voronoi regions of k points; a region has the position of its point in the list as number; -1 is none.
 
     Attributes
     ----------
     vertex_region : ndarray of int32, shape (n,)
-        Of the nearest point, of equally near ones the first; -1 where none can be reached.
+        The region of the nearest point, the first of equally near ones; -1 where none can be reached.
     distance : ndarray of float64, shape (n,)
-        Of each vertex from it; infinity where there is none.
+        Of each vertex from its nearest point; infinity where there is none.
     face_region : ndarray of int32, shape (m,)
         The region at the centre of each face; -1 also for a face that is left out.
     area : ndarray of float64, shape (k,)
@@ -94,13 +94,13 @@ class FarthestSamples:
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        The samples in order; -1 for a start that is no vertex.
+        The samples in order; -1 for a start that is not a vertex.
     radius : ndarray of float64, shape (k,)
-        Distance of each from the ones before it; infinity for the first of a component.
+        Distance of each from the previous ones; infinity for the first of a component.
     distance : ndarray of float64, shape (n,)
         Of every vertex from the nearest sample.
     covering_radius : float
-        The greatest of these, vertices without a face left out; infinity if a component has no sample.
+        The greatest of these distances, without isolated vertices; infinity if a component has no sample.
     points : SurfacePoints, k points
         The samples as points on faces.
     """
@@ -158,16 +158,16 @@ class Extent:
 
 @dataclass(frozen=True)
 class RelaxedPoints:
-    """The end of a Lloyd relaxation.
+    """The result of a Lloyd relaxation.
 
     Attributes
     ----------
     vertices : ndarray of int32, shape (k,)
-        Where each point ended, in the order given; -1 for one that stayed inside a face.
+        The final vertex of each point, in the order given; -1 for a point that stayed inside a face.
     energy : ndarray of float64, shape (rounds + 1,)
-        Integral over the surface of the squared distance from the nearest point, at first and after each round.
+        Integral over the surface of the squared distance from the nearest point, at the beginning and after each round.
     points : SurfacePoints, k points
-        Where each point ended.
+        The final position of each point.
     """
 
     vertices: NDArray[np.int32]
@@ -188,15 +188,15 @@ class IndexStatistics:
     first_layer_border_vertices, second_layer_border_vertices : int
         Vertices shared by patches of each layer.
     form : str
-        'tables' (fast) or 'graph' (small), as delta and the memory budget chose.
+        'tables' (fast) or 'graph' (small), depending on delta and the memory budget.
     arcs_before_pruning, arcs : int
-        Arcs between border vertices; all of them stay in the form of tables.
+        Arcs between border vertices; in the form of tables, all of them are kept.
     bytes : int
         Memory held by the index.
     seconds : float
-        Time of the build; 0 for an index that was loaded.
+        Build time; 0 for an index that was loaded.
     delta : float
-        Relative average error that pruning was allowed to add.
+        Average relative error that pruning was allowed to add.
     seed : int
         Seed of the random numbers that placed the patches.
     """

@@ -1,4 +1,4 @@
-"""Tasks made of distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation."""
+"""Tasks built on distance fields: Voronoi regions, samplings, isolines, disks, extents, relaxation."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _INTERPOLATIONS = ("linear", "distance")
 
 
 class SurfaceTasks(Paths):
-    """The methods of `GeodesicIndex` that are made of distance fields.
+    """The methods of `GeodesicIndex` that are built on distance fields.
 
     Points are vertex ids, `SurfacePoints` or lists of both, `progress` is as for the constructor, and errors are
     `InvalidInput` for arguments and `Cancelled` if `progress` returned False. With ``exact=True`` distances come from
@@ -63,11 +63,11 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         field : array_like of float, shape (n,)
-            Values of the vertices; faces with one that is not finite hold no line.
+            Values of the vertices; faces with a value that is not finite hold no lines.
         levels : int or array_like of float, shape (l,)
             The values; an integer stands for that many, evenly spaced between the least and the greatest of the field.
         interpolation : {"distance", "linear"}
-            "distance": along an edge, values run as distances from a point in the plane do, which is exact where the
+            "distance": along an edge, values vary like distances from a point in the plane, which is exact where the
             surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
 
         Returns
@@ -100,14 +100,14 @@ class SurfaceTasks(Paths):
         exact: bool = False,
         progress: ProgressFunction | bool | None = None,
     ) -> FarthestSamples:
-        """Farthest point sampling: each sample is the vertex farthest from those before it.
+        """Farthest point sampling: each sample is the vertex farthest from the previous ones.
 
         Parameters
         ----------
         count : int, optional
-            How many samples; fewer if there are no more vertices.
+            Number of samples; fewer if there are not that many vertices.
         radius : float, default 0
-            Stop as soon as every vertex is at most this far from a sample. Give this, or `count`, or both.
+            Stop as soon as every vertex is at most this far from a sample. Give this, `count`, or both.
         start : points, optional
             The first samples, anywhere on the surface; without them the first one is random.
         seed : int, default 0
@@ -171,7 +171,7 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         sources : k points, k >= 1
-            Or an `EdgeCurve`, or a list that contains some.
+            Or an `EdgeCurve`, or a list that contains curves.
         radius : float
             0 or more.
         exact : bool
@@ -187,7 +187,7 @@ class SurfaceTasks(Paths):
     def eccentricity(
         self, points: Points, exact: bool = False, progress: ProgressFunction | bool | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """The greatest distance from each point within its component, and the vertex where it is found.
+        """The greatest distance from each point within its component, and the vertex at that distance.
 
         Parameters
         ----------
@@ -218,7 +218,7 @@ class SurfaceTasks(Paths):
         start : int, optional
             A vertex of the component; None is the component with the most vertices.
         fields : int, default 20
-            Distance fields that may be computed, at least 2; more bring the bounds closer.
+            Distance fields that may be computed, at least 2; more bring the bounds closer together.
         exact, progress
             As for the class.
 
@@ -248,7 +248,7 @@ class SurfaceTasks(Paths):
         Parameters
         ----------
         points : k points, k >= 1
-            Anywhere on the surface; they move to vertices. One that repeats another waits until that has moved.
+            Anywhere on the surface; they move to vertices. A repeated point waits until the other one has moved.
         rounds : int, default 10
             At most this many; fewer if no point finds a better vertex.
         exact, progress
