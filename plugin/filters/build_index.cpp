@@ -28,7 +28,7 @@ RichParameterList build_index_parameters(const MeshDocument&) {
       RichInt("n2", 0, "Second-layer patches",
               "Mean number of second-layer patches in one patch of the first layer. 0 chooses it."));
   list.addParam(RichFloat("delta", 0, "Delta",
-                          "Relative average error that leaving out arcs may add, from 0 (loses nothing) to "
+                          "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
                           "below 1; 0.001 to 0.02 make the index smaller."));
   list.addParam(
       RichInt("memory_budget", 0, "Memory budget (MiB)",
@@ -36,8 +36,8 @@ RichParameterList build_index_parameters(const MeshDocument&) {
               "searched, smaller and slower. 0: 4096 MiB."));
   list.addParam(RichFileToWrite("index_file", "", "*.vgi", "Index file",
                                 "File to write the index to. Empty: the index is kept in memory only."));
-  list.addParam(
-      RichInt("threads", 0, "Threads", "Threads that build. 0: one per core. The index is the same."));
+  list.addParam(RichInt("threads", 0, "Threads",
+                        "Threads of the build. 0: one per core. The index does not depend on it."));
   list.addParam(seed_parameter());
   return list;
 }

@@ -71,7 +71,8 @@ FilterRow distance_between_points_row() {
       "get_vorogeo_distance_between_points",
       "<p>Geodesic distance of two points: the length of the shortest path over the surface, in the unit of "
       "the mesh. It is logged and returned as <i>distance</i>; infinity if no path leads from one to the "
-      "other. Of two vertices it comes from the index, of other points it is the length of the refined path. "
+      "other. For two vertices it comes from the index, for other points it is the length of the refined "
+      "path. "
       "The mesh is not changed.</p><p>How to choose: for the path itself take <i>Shortest path between two "
       "points (VoroGeo)</i>.</p>" +
           help_on_end_points() + help_on_index() + references_of_index(),

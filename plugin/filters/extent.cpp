@@ -98,8 +98,8 @@ FilterRow disk_selection_row() {
       "compute_selection_by_vorogeo_geodesic_disk",
       "<p>Selects all vertices whose geodesic distance is at most <b>Radius</b>, and the faces whose three "
       "vertices are, from the vertex <b>Vertex</b> or, if this is -1, from the nearest of the vertices "
-      "selected now, whose selection so grows by the radius, over the surface and not through space, or of "
-      "other points given. The selection before is replaced.</p><p>Returns the numbers of "
+      "selected now, whose selection thus grows by the radius, over the surface and not through space, or of "
+      "other points given. The previous selection is replaced.</p><p>Returns the numbers of "
       "<i>selected_vertices</i> and "
       "<i>selected_faces</i>.</p>" +
           help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),

@@ -86,9 +86,8 @@ FilterRow geodesic_path_row() {
       "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
       "current one; the quality of its vertices is the length up to there.</p>" +
           help_on_end_points() +
-          "<p>How to choose: without <b>Exact</b>, the way that the index gives is shortened until it "
-          "is a "
-          "geodesic: never shorter than the shortest path, and mostly that very path. With <b>Exact</b> it "
+          "<p>How to choose: without <b>Exact</b>, the path that the index gives is shortened until it is a "
+          "geodesic: never shorter than the shortest path, and mostly that path itself. With <b>Exact</b> it "
           "is "
           "the shortest one, found in milliseconds by propagation in a corridor; <b>Certify</b> proves it "
           "without "

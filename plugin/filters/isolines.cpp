@@ -21,7 +21,7 @@ namespace {
 RichParameterList isolines_parameters(const MeshDocument&) {
   RichParameterList list;
   list.addParam(RichInt("line_number", 10, "Lines",
-                        "So many values, evenly spaced between the least and the greatest quality."));
+                        "Number of values, evenly spaced between the least and the greatest quality."));
   list.addParam(RichString("values", "", "Values",
                            "The values themselves, separated by spaces or semicolons; used if not empty."));
   list.addParam(RichBool("is_distance", true, "Quality is a distance",
@@ -38,7 +38,7 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
     values.push_back(word.toDouble(&is_number));
     if (is_number && std::isfinite(values.back())) continue;
     throw InvalidInput(named(call, "values") + " holds '" + word.toStdString() +
-                       "', which is no finite number. Separate numbers by spaces or semicolons.");
+                       "', which is not a finite number. Separate numbers by spaces or semicolons.");
   }
   if (!values.empty()) return values;
   const int count = call.parameters.getInt("line_number");

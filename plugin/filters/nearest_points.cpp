@@ -23,7 +23,7 @@ namespace {
 RichParameterList nearest_parameters(const MeshDocument& document) {
   RichParameterList list;
   add_source_layer_parameters(list, document, "points");
-  list.addParam(RichInt("neighbour_number", 1, "Neighbours", "How many of the nearest points of each one."));
+  list.addParam(RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."));
   add_task_point_parameters(list, document, "points whose nearest ones are wanted", false);
   list.addParam(output_file_parameter());
   list.addParam(exact_parameter());

@@ -17,12 +17,14 @@ namespace {
 
 RichParameterList farthest_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(RichInt("sample_number", 100, "Samples", "How many samples; 0: as the radius wants."));
+  list.addParam(
+      RichInt("sample_number", 100, "Samples", "Number of samples; 0: as many as the radius needs."));
   list.addParam(
       length_parameter(document, "radius", 0.0, "Covering radius",
                        "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
-  list.addParam(RichBool("from_selection", false, "Begin with the selection",
-                         "Take the selected vertices, or the points given below, first; else a random one."));
+  list.addParam(
+      RichBool("from_selection", false, "Begin with the selection",
+               "Begin with the selected vertices, or the points given below; otherwise with a random one."));
   add_task_point_parameters(list, document, "points to begin with");
   list.addParam(seed_parameter());
   list.addParam(exact_parameter());
@@ -80,7 +82,7 @@ Results poisson_disk_sampling(FilterCall& call) {
 RichParameterList lloyd_parameters(const MeshDocument& document) {
   RichParameterList list;
   add_task_point_parameters(list, document, "points that shall be relaxed");
-  list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; it ends before if nothing improves."));
+  list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; fewer if nothing improves."));
   list.addParam(exact_parameter());
   return list;
 }
@@ -130,12 +132,12 @@ FilterRow farthest_sampling_row() {
       "layer of points, which becomes the current one. They are spread evenly: at least the covering "
       "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
       "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the "
-      "<b>Covering radius</b>, whichever comes first. <b>Begin with the selection</b> takes first the "
-      "selected vertices "
-      "or other points given as below, otherwise with a random vertex that <b>Seed</b> chooses. Returns the "
+      "<b>Covering radius</b>, whichever comes first. With <b>Begin with the selection</b>, the selected "
+      "vertices or other points given as below come first; otherwise it begins with a random vertex that "
+      "<b>Seed</b> chooses. Returns the "
       "number of <i>samples</i>, the "
       "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer (-1: a point to "
-      "begin with that is none).</p>" +
+      "begin with that is not a vertex).</p>" +
           help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_farthest(),
       FilterPlugin::Sampling,
       MeshModel::MM_NONE,
@@ -163,8 +165,8 @@ FilterRow lloyd_relaxation_row() {
   return {
       "Geodesic Lloyd relaxation of the selection (VoroGeo)",
       "generate_sampling_vorogeo_lloyd_relaxation",
-      "<p>Moves points to the middle of their geodesic Voronoi regions, again and again, until they are "
-      "spread evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to "
+      "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
+      "evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to "
       "vertices. A point moves "
       "only if that lowers the integral of the squared geodesic distance over its region, so every round "
       "lowers the energy. The result is a new layer of points, which becomes the current one.</p>"

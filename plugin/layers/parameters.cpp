@@ -36,7 +36,7 @@ RichBool exact_parameter() {
                   "Exact propagation for each point instead of the index: slower, without its errors.");
 }
 
-RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Start of the random numbers."); }
+RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Seed of the random numbers."); }
 
 std::uint64_t seed_of(const FilterCall& call) {
   const int seed = call.parameters.getInt("seed");

@@ -62,7 +62,7 @@ void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& do
                                  "Used if the start vertex is -1."));
   list.addParam(
       RichInt("vertex_index", -1, "Start vertex",
-              "Number of the vertex where distances start, counted from 0; -1: the start point counts."));
+              "Number of the vertex where distances start, counted from 0; -1: the start point is used."));
 }
 
 StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,

@@ -9,9 +9,9 @@
 
 namespace vorogeo::test {
 
-/// Calls `attempt(random)` with a fresh seed until the time is up; what it throws ends the run with the
-/// seed's number. Usage of the program: PROGRAM SECONDS [FIRST_SEED]. With the seed of a failure and 0
-/// seconds it repeats that one.
+/// Calls `attempt(random)` with a fresh seed until the time is up; an exception ends the run and prints the
+/// seed. Usage of the program: PROGRAM SECONDS [FIRST_SEED]. With the seed of a failure and 0 seconds it
+/// repeats that one.
 template <class Attempt>
 int fuzz(int argc, char** argv, Attempt&& attempt) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;
@@ -20,7 +20,7 @@ int fuzz(int argc, char** argv, Attempt&& attempt) {
   unsigned seed = first;
   do {
     std::mt19937 random(seed);
-    // Said before the attempt, as a crash leaves no time afterwards.
+    // Printed before the attempt, as a crash leaves no time afterwards.
     std::printf("\rseed %u ", seed);
     std::fflush(stdout);
     try {

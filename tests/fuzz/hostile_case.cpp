@@ -125,7 +125,7 @@ bool HostileCase::attempt(const std::function<void()>& answer, bool may_refuse) 
 
 void HostileCase::note_error(ErrorKind kind, double actual, double exact_distance) {
   if (seed == scan_seed) return;
-  // Between points at the same place any error is infinite; rounding is not meant.
+  // Between points at the same place any relative error is infinite; rounding is not reported.
   const double least = 1e-9 * typical;
   if (exact_distance < least || exact_distance == unreachable || actual == unreachable) return;
   tally.errors[static_cast<int>(kind)].add((actual - exact_distance) / exact_distance, seed);
@@ -166,7 +166,7 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
   const std::size_t size =
       std::max(hostile.hostile.soup.positions.size(), hostile.hostile.soup.faces.size() / 2);
   const Costs& usual = scans.of(size, hostile.options);
-  // How much a mesh may cost, and what the clock and a handful of pages may be off by.
+  // How much a mesh may cost, and the errors of the clock and of a handful of pages.
   constexpr double factor = 10.0;
   constexpr double clock = 0.01;
   constexpr double some_bytes = 1 << 20;

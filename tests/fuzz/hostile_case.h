@@ -1,4 +1,4 @@
-// One hostile mesh under examination: the mesh, what is asked, and what was found wrong.
+// One hostile mesh under examination: the mesh, the queries, and what was found wrong.
 #pragma once
 
 #include <array>
@@ -28,13 +28,13 @@ class HostileCase {
   bool make_mesh();
   /// "index of 2 x 2 patches (0: chosen), delta 0: "
   std::string index_text() const;
-  /// Notes what is asked, for findings and for the case that no answer comes.
+  /// Notes the query, for findings and in case no answer comes.
   void ask(const std::string& question);
   /// Prints a finding: what was asked last, `kind` (a few fixed words, for counting) and the numbers. Only
   /// the first few of a kind for each mesh.
   void fail(const std::string& kind, const std::string& numbers);
   /// Runs `answer`; every exception is a finding, except an Error of ours with a sentence where `may_refuse`.
-  /// \return whether it came to its end.
+  /// \return whether it ran to its end.
   bool attempt(const std::function<void()>& answer, bool may_refuse = false);
   void note_error(ErrorKind kind, double actual, double exact);
 

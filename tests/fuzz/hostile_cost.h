@@ -1,4 +1,4 @@
-// What a step costs in processor time and memory, beside the same step on a scan without defects.
+// What a step costs in processor time and memory, relative to the same step on a scan without defects.
 #pragma once
 
 #include <array>

@@ -47,7 +47,7 @@ constexpr double slowness = 20.0;  // of the sanitizers
 constexpr double slowness = 1.0;
 constexpr rlim_t most_memory = rlim_t{4} << 30;
 #endif
-/// Processor time after which a mesh counts as one that never ends; the slowest scan of this size takes a
+/// Processor time after which a mesh is assumed never to end; the slowest scan of this size takes a
 /// hundredth.
 double most_mesh_seconds(int vertices) { return slowness * (5.0 + 0.05 * vertices); }
 
@@ -129,7 +129,7 @@ struct Worker {
     process = 0;
   }
 
-  /// Looks after the process. \return whether there is more to do.
+  /// Checks on the process. \return whether there is more to do.
   bool attend(const Options& options, double deadline) {
     if (process == 0) {
       if (next >= end || (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline)) return false;

@@ -14,11 +14,11 @@ namespace vorogeo::test {
 namespace {
 
 constexpr int pairs = 4;
-/// Distances that an index may be off by, relative: what is beyond is a finding. Documented errors are those
-/// of meshes as people have them (docs/figures.md); here patches have a handful of faces of any shape.
+/// Relative errors allowed to an index: larger ones are findings. Documented errors are those of meshes as
+/// people have them (docs/figures.md); here patches have a handful of faces of any shape.
 constexpr double greatest_error = 0.5;
 
-/// Answers of an index that are asked for twice, of the built and of the loaded one.
+/// Answers that are asked for twice, from the built and from the loaded index.
 struct Answers {
   std::vector<double> numbers;
   bool operator==(const Answers&) const = default;

@@ -1,4 +1,4 @@
-// What a run over hostile meshes counts; lies in memory that the processes of a run share.
+// Counts of a run over hostile meshes, in memory that the processes of the run share.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct ErrorHistogram {
     largest_seed = seed;
   }
   double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
-  /// Upper end of the bin in which this share of all errors is reached.
+  /// Upper end of the bin in which this fraction of all errors is reached.
   double quantile(double share) const {
     std::uint64_t passed = 0;
     for (int i = 0; i < bins; ++i) {
@@ -62,7 +62,7 @@ struct ErrorHistogram {
 /// One process of a run. Written by it, read by its parent when it has ended or hangs.
 struct HostileTally {
   unsigned seed = 0;         ///< the mesh at work
-  char size_argument[32]{};  ///< what --seed needs beside it to make the same mesh
+  char size_argument[32]{};  ///< what is needed besides --seed to make the same mesh
   char question[160]{};      ///< what it is asked
   char sentence[512]{};      ///< and what it is
   bool finished = false;     ///< all seeds done

@@ -49,7 +49,7 @@ std::string damaged(std::string bytes, Random& random) {
 std::string contradicting(const std::string& bytes, Random& random) {
   auto blocks = test::index_blocks(bytes);
   for (std::size_t i = 1 + random() % 3; i > 0; --i) {
-    // The fingerprint stays, otherwise nothing else is looked at.
+    // The fingerprint stays, as otherwise nothing else is checked.
     auto& block = blocks[1 + below(random, blocks.size() - 1)];
     switch (random() % 8) {
       case 0:

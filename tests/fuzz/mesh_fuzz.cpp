@@ -69,7 +69,7 @@ Soup nasty(Random& random) {
       case 1:  // needles
         for (Point& p : soup.positions) p[random() % 3] *= std::pow(10.0, number(random, -9, 0));
         break;
-      case 2: {  // sizes at the ends of what numbers can hold
+      case 2: {  // sizes at the limits of floating-point numbers
         const double scale = std::pow(10.0, number(random, -140, 140));
         for (Point& p : soup.positions) {
           for (double& x : p) x *= scale;
@@ -109,8 +109,8 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error(what);
 }
 
-/// Distances are 0 at the source, never negative, infinite for other components, and one edge apart along
-/// edges. `slack`: relative error allowed along edges.
+/// Distances are 0 at the source, never negative, infinite for other components, and differ by at most the
+/// edge length along edges. `slack`: relative error allowed along edges.
 void require_sound(const Mesh& mesh, Index source, const std::vector<double>& field, double slack) {
   require(field[source] == 0.0, "the source is not at distance 0");
   for (Index v = 0; v < mesh.vertex_count(); ++v) {

@@ -32,7 +32,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture
 def real_mesh():
-    """Path of a mesh that PyMeshLab brings ("cow.obj") or of one in the shared folder; skips where there is none."""
+    """Path of a mesh that comes with PyMeshLab ("cow.obj") or is in the shared folder; skips where there is none."""
 
     def path(name: str) -> str:
         samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"

@@ -30,7 +30,7 @@ std::vector<Cached> indexes(int count) {
   return all;
 }
 
-/// Which of the indexes are there, from a cache that is asked in their order.
+/// Which of the indexes a cache holds, looked up in their order.
 std::vector<bool> kept(IndexCache& cache, const std::vector<Cached>& all) {
   std::vector<bool> found;
   for (const Cached& c : all) {

@@ -82,7 +82,7 @@ def test_distances_start_at_the_nearest_point_of_the_surface(name):
 
 @pytest.mark.parametrize("name", [EXACT_FROM_POINT, FROM_POINT])
 def test_a_start_point_at_a_vertex_is_that_vertex(name):
-    vertices, faces = grid(12, 12, spacing=0.1)  # in single precision, as points are handed on, 0.7 is another number
+    vertices, faces = grid(12, 12, spacing=0.1)  # in single precision, as points are passed on, 0.7 is another number
     ms = mesh_set(vertices, faces)
     result = ms.apply_filter(name, start_point=vertices[7 * 13 + 3])
     assert result["start_vertex"] == 7 * 13 + 3

@@ -131,7 +131,7 @@ def test_not_finite_vertex_is_named_by_its_number_in_the_host():
 
 @pytest.mark.parametrize("name", [INDEX, FROM_POINT, EXACT_FROM_POINT, COMPARISON])
 def test_window_is_never_without_progress_for_long(name):
-    """What reports nothing itself, as MeshLab's own methods, runs beside the thread that tells the host."""
+    """What reports nothing itself, such as MeshLab's own methods, leaves the thread that reports to the host free."""
     vertices, faces = sphere(6)
     ms = mesh_set(vertices * (1 + ALL_FILTERS.index(name) / 64), faces)
     numbers = "method=4;reference=2" if name == COMPARISON else "vertex_index=3" if name != INDEX else ""

@@ -122,7 +122,7 @@ def git(folder: Path, *arguments: str) -> None:
 
 
 def test_git_tag_with_its_submodule(tmp_path):
-    """Where Debian's source package cannot be had, the tag is cloned; here from repositories on this disk."""
+    """Where Debian's source package cannot be obtained, the tag is cloned; here from repositories on this disk."""
     server = tmp_path / "server"
     meshlab, vcglib = server / "meshlab", server / "vcglib"
     make_tree(meshlab, "2025.07")

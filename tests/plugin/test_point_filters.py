@@ -139,7 +139,7 @@ def test_numpy_writes_points_as_the_filters_read_them(ms):
     ("parameters", "message"),
     [
         ({"surface_points": "17; two"}, '"two", point 1 of'),
-        ({"surface_points": "17 0.5"}, "is no surface point"),
+        ({"surface_points": "17 0.5"}, "is not a surface point"),
         ({"surface_points": ";"}, "holds no point"),
         ({"surface_points": "99999"}, "is 99999, but the vertices of the current layer are numbered"),
         ({"surface_points": "700 0.2 0.3 0.5"}, "names face 700"),

@@ -1,4 +1,4 @@
-"""Meshes for the tests: shapes whose distances have a formula, those that PyMeshLab brings, and the shared ones."""
+"""Meshes for the tests: shapes whose distances have a formula, those that come with PyMeshLab, and the shared ones."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def side_by_side(first: Mesh, second: Mesh, gap: float = 10.0) -> Mesh:
 
 
 def real_mesh(name: str) -> Mesh:
-    """A mesh that PyMeshLab brings ("cow.obj") or a shared one ("spot"), without which the test is skipped."""
+    """A mesh that comes with PyMeshLab ("cow.obj") or a shared one ("spot"), without which the test is skipped."""
     return packaged(name) if "." in name else shared(name)
 
 

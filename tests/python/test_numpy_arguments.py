@@ -1,4 +1,4 @@
-"""Arrays of any layout are taken; wrong shapes, types and ranges are ValueErrors that name the element."""
+"""Arrays of any layout are accepted; wrong shapes, types and ranges are ValueErrors that name the element."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The memory budget: form, refusal with the least figure, both forms answer all questions and can be saved."""
+"""The memory budget: form, refusal with the least figure, both forms answer all queries and can be saved."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that replace their target when they are whole: full disks, links, devices, writers that are killed.
+"""Files that replace their target once they are complete: full disks, links, devices, writers that are killed.
 
 VOROGEO_KILLS: how often a writer is killed at a random moment (default 20).
 """
@@ -45,7 +45,7 @@ WRITERS = pytest.mark.parametrize("write", [save, write_matrix, write_fields])
 
 
 def read(file):
-    """The contents, after a check that they are whole."""
+    """The contents, after a check that they are complete."""
     if file.suffix == ".vgi":
         vorogeo.GeodesicIndex.load(file, *MESH)
     else:

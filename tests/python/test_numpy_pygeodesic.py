@@ -1,7 +1,7 @@
 """vorogeo.exact_distance_field equals pygeodesic, an independent exact solver (MMP), on real meshes.
 
 pygeodesic runs in a process of its own, since it may crash on a mesh that is not manifold. It is given the source's
-component only: for a vertex that it cannot reach it reads the nearest source from memory that nobody wrote.
+component only: for a vertex that it cannot reach, it reads the nearest source from uninitialised memory.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from test_numpy_paths import check_path
 from sample_meshes import Mesh, real_mesh
 
 SOURCE = 1500
-#: Vertices whose faces fall apart into two fans: paths of VoroGeo may pass through them, those of pygeodesic not.
+#: Vertices whose faces form two fans: paths of VoroGeo may pass through them, those of pygeodesic may not.
 NON_MANIFOLD_VERTEX = {"cow": 253}
 #: Edges with three or more faces, which pygeodesic does not know: it may crash, raise or not end.
 NON_MANIFOLD_EDGES = ["office_chair", "dragon_raw"]
 #: Meshes that may take it too long, and how many seconds these get.
 LARGE = ["igea", "dragon_raw"]
 SECONDS_FOR_LARGE = 20
-#: The same for meshes with needles, and of how many distances where it errs paths are traced.
+#: The same for meshes with needles, and the number of distances on which it errs for which paths are traced.
 SECONDS_FOR_NEEDLES = 60
 PROVED = 3
 

@@ -1,4 +1,4 @@
-"""The house rules that the sources themselves can be asked for: arrows, circles, lengths, first lines, mirror tests.
+"""The rules that can be checked in the sources themselves: arrows, circles, lengths, first lines, mirror tests.
 
 Needs nothing but Python and pytest, and no build.
 """

@@ -42,7 +42,7 @@ class Segments {
 
   /// Lines between the rays `low` and `high` leave by `side`, whose ends `right` and `left` lie at p and q.
   void leave(Index side, Index right, const Flat& p, const Flat& q, const Flat& low, const Flat& high) {
-    // Opposite rays are no thin fan: the origin lies on the side, and half of the plane is behind it.
+    // Opposite rays are not a thin fan: the origin lies on the side, and half of the plane is behind it.
     const double width = turn(low, high);
     const bool opposite = low[0] * high[0] + low[1] * high[1] < 0.0 && std::abs(width) <= same_ray;
     if ((width <= same_ray && !opposite) || nearest(p, q) > farthest_) return;

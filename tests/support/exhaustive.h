@@ -9,8 +9,8 @@
 namespace vorogeo::test {
 
 /// Every straight segment between two vertices, found by unfolding all face sequences that a segment can
-/// cross, then shortest chains of segments (Floyd, Warshall). Nothing is pruned but what is longer than a
-/// path along edges. For meshes of a few hundred vertices; any connectivity that Mesh allows.
+/// cross, then shortest chains of segments (Floyd, Warshall). Only what is longer than a path along edges is
+/// pruned. For meshes of a few hundred vertices; any connectivity that Mesh allows.
 class ExhaustiveGeodesics {
  public:
   explicit ExhaustiveGeodesics(const Mesh& mesh);

@@ -1,4 +1,4 @@
-// Tests that are too slow under sanitizers say so there and are skipped.
+// Skips tests that are too slow under sanitizers, with a message.
 #pragma once
 
 #include <gtest/gtest.h>

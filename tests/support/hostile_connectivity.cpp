@@ -69,7 +69,7 @@ void cut_slit(HostileMesh& mesh, HostileRandom& random) {
   std::vector<Index> path{soup.faces[random.below(soup.faces.size())][0]};
   const auto longest = static_cast<std::size_t>(2.0 + std::sqrt(soup.positions.size()));
   while (path.size() < longest) {
-    // Away from the beginning, mostly: a walk without aim meets itself soon.
+    // Mostly away from the beginning: a random walk soon meets itself.
     const Point& start = soup.positions[path.front()];
     Index best = no_index;
     double farthest = -1.0;

@@ -145,13 +145,13 @@ HostileMesh hostile_mesh(unsigned seed, int vertices) {
   // Neighbouring seeds give unrelated meshes.
   HostileRandom random(0x9E3779B97F4A7C15ULL * (seed + 1));
   const int size = std::max(4, static_cast<int>(vertices * random.power(-0.3, 0.3)));
-  // Surfaces that people open twice as often as scraps.
+  // Surfaces as people open them, twice as often as scraps.
   using enum HostileBase;
   constexpr std::array bases{grid,  grid,   scan, scan, extrusion, extrusion, plate,
                              plate, folded, pipe, fan,  soup,      crumbs};
   const HostileBase base = bases[random.below(bases.size())];
   HostileMesh mesh = hostile_base(base, size, random);
-  // One defect at a time tells most, four together meet what nobody thought of.
+  // A single defect tells most; four together find what nobody thought of.
   constexpr std::array<int, 10> counts{0, 1, 1, 1, 1, 2, 2, 2, 3, 4};
   for (int i = counts[random.below(counts.size())]; i > 0; --i) {
     add_defect(mesh, static_cast<HostileDefect>(random.between(0, hostile_defect_count - 1)), random);

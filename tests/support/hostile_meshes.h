@@ -57,7 +57,7 @@ enum class HostileDefect : std::uint8_t {
   rescaled,         ///< all coordinates times 1e-20 to 1e20
   far_from_origin,  ///< moved by 1e3 to 1e8 edges: coordinates have lost digits
   // Connectivity changes.
-  doubled_sheet,     ///< a region once more on top of itself
+  doubled_sheet,     ///< a region repeated on top of itself
   slit,              ///< cut open along edges, both sides at equal coordinates
   needle_fan,        ///< an edge with very many points on it, all joined to the opposite corners
   collinear_points,  ///< vertices added on edges
@@ -90,8 +90,8 @@ struct HostileMesh {
 
 /// A base shape of about `vertices` vertices without defects.
 HostileMesh hostile_base(HostileBase base, int vertices, HostileRandom& random);
-/// Adds one defect, in about 1 to 5 % of the elements unless its name says otherwise. A mesh that has no
-/// place for it stays as it is.
+/// Adds one defect, in about 1 to 5 % of the elements unless its name says otherwise. A mesh that offers no
+/// place for it is left unchanged.
 void add_defect(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
 /// A base with none to four defects, all chosen by the seed. The size is between half and twice `vertices`.
 HostileMesh hostile_mesh(unsigned seed, int vertices);

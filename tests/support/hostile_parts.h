@@ -1,4 +1,4 @@
-// What the bases and defects of hostile meshes are made with.
+// Building blocks of the bases and defects of hostile meshes.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct EdgeSide {
 };
 using EdgeSides = std::map<std::pair<Index, Index>, std::vector<EdgeSide>>;
 
-/// All edges by their two vertices, the smaller one first; faces that name a vertex twice are passed over.
+/// All edges by their two vertices, the smaller one first; faces that name a vertex twice are skipped.
 EdgeSides edge_sides(const Soup& soup);
 /// The two vertices of one edge.
 using VertexPair = std::pair<Index, Index>;
@@ -23,7 +23,7 @@ using VertexPair = std::pair<Index, Index>;
 std::vector<VertexPair> random_edges(const EdgeSides& edges, std::size_t count, HostileRandom& random);
 /// The vertices next to each vertex. Shape (n).
 std::vector<std::vector<Index>> neighbours_of(const Soup& soup);
-/// The median length of the edges that have one: outliers do not move it. 1 if there is none.
+/// The median length of the edges that have one: outliers do not change it. 1 if there is none.
 double typical_edge(const Soup& soup);
 
 inline Point mix(const Point& a, const Point& b, double t) {
@@ -33,7 +33,7 @@ inline Point moved(const Point& p, const Point& direction, double by) {
   return {p[0] + by * direction[0], p[1] + by * direction[1], p[2] + by * direction[2]};
 }
 
-/// A vertex at the share `t` of the way from a to b, unrolled too.
+/// A vertex at the fraction `t` of the segment from a to b, also in the unrolled surface.
 Index add_vertex_between(HostileMesh& mesh, Index a, Index b, double t);
 /// A vertex anywhere, whose place in the unrolled surface is unknown.
 Index add_vertex(HostileMesh& mesh, const Point& position);

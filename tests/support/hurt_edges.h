@@ -1,4 +1,4 @@
-// Meshes some of whose edges have next to no length, or lie twice at the same place.
+// Meshes some of whose edges have negligible length, or are doubled at the same place.
 #pragma once
 
 #include "support/shapes.h"
@@ -11,7 +11,7 @@ Soup with_scaled_edges(const Soup& soup, double part, double factor, unsigned se
 
 /// A part of the inner edges, none of which share a face, cut open: each is given two midpoints at the same
 /// place, one for the face on either side, so that the surface has a slit there. The new vertices come last,
-/// in pairs; the faces are numbered anew.
+/// in pairs; the faces are renumbered.
 Soup with_slit_edges(const Soup& soup, double part, unsigned seed);
 
 }  // namespace vorogeo::test

@@ -48,7 +48,7 @@ enum IndexBlockName {
   landmarks
 };
 
-/// \throw std::runtime_error if the bytes are no index file.
+/// \throw std::runtime_error if the bytes are not an index file.
 std::vector<IndexBlock> index_blocks(const std::string& file_bytes);
 /// The file with these blocks, under the head of `file_bytes`.
 std::string with_blocks(const std::string& file_bytes, const std::vector<IndexBlock>& blocks);

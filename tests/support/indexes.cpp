@@ -1,4 +1,4 @@
-// Indexes, error statistics and reference searches for the tests of core/index and core/query.
+// Indexes, error statistics and reference searches for the tests of the index and the queries.
 #include "support/indexes.h"
 
 #include <algorithm>

@@ -36,7 +36,7 @@ struct ErrorStatistics {
   std::size_t count = 0;
 };
 
-/// Collects distances beside exact ones. A point reached by one of the two only is counted in
+/// Compares distances with exact ones. A point that only one of the two reaches is counted in
 /// `contradictions`.
 class ErrorCollector {
  public:

@@ -18,7 +18,7 @@ Index add_point(Soup& soup, double x, double y, double z) {
   return static_cast<Index>(soup.positions.size()) - 1;
 }
 
-/// Two faces between a-b and c-d, with c beside a.
+/// Two faces between a-b and c-d, with c next to a.
 void add_wall(Soup& soup, Index a, Index b, Index c, Index d) {
   soup.faces.push_back({a, b, d});
   soup.faces.push_back({a, d, c});

@@ -13,7 +13,7 @@
 
 namespace vorogeo::test {
 
-/// Raw arrays, as a mesh file gives them.
+/// Raw arrays, as in a mesh file.
 struct Soup {
   std::vector<Point> positions;
   std::vector<std::array<Index, 3>> faces;
@@ -42,8 +42,8 @@ struct Shape {
 Shape plane_grid(int columns, int rows, double width, double height, double jitter = 0.0, unsigned seed = 1);
 
 /// Open prism over a regular polygon: a strip rolled up, each flat side `columns_per_side` cells wide; inner
-/// heights move by up to `jitter` of a row (below 0.5). Distance: the straight line in the strip, the shorter
-/// way round.
+/// heights move by up to `jitter` of a row (below 0.5). Distance: the straight line in the strip, by the
+/// shorter way round.
 Shape prism(int sides, int columns_per_side, int rows, double side_width, double height, double jitter = 0.0,
             unsigned seed = 1);
 

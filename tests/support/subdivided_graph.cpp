@@ -47,7 +47,7 @@ void SubdividedGraph::add_nodes(const Soup& soup, int points_per_edge) {
     const auto [a, b] = edge;
     const double length = length_between(positions_[a], positions_[b]);
     const auto first = static_cast<Index>(nodes_.size());
-    // Measured from the nearer end: a share close to 1 has lost the digits that matter there.
+    // Measured from the nearer end: a fraction close to 1 has lost the digits that matter there.
     for (int i = 1; i <= points_per_edge; ++i) {
       const double t = static_cast<double>(i) / (points_per_edge + 1);
       const double spacing = 1.0 / (points_per_edge + 1);
@@ -110,9 +110,9 @@ double SubdividedGraph::tightened(const Paths& paths, Index target) const {
   if (paths.distance[target] == infinite) return infinite;
   std::vector<Index> path;
   for (Index n = target; n != no_index; n = paths.predecessor[n]) path.push_back(n);
-  // Of each crossing a few places around the best so far, closer together in each round: the shortest chain
-  // of them by dynamic programming. The length is convex in the places, so this goes to the shortest line in
-  // the faces of the path.
+  // For each crossing, a few positions around the best so far, closer together in each round; the shortest
+  // chain of them by dynamic programming. The length is convex in the positions, so this converges to the
+  // shortest line in the faces of the path.
   constexpr int choices = 7;
   constexpr int rounds = 40;
   struct Crossing {
@@ -150,7 +150,7 @@ double SubdividedGraph::tightened(const Paths& paths, Index target) const {
       Crossing& crossing = crossings[i];
       const int previous = crossing.from[chosen];
       crossing.t = crossing.share[chosen];
-      // A choice at the end of the window may have wanted to go on.
+      // A choice at the end of the range may have to move further.
       if (chosen != 0 && chosen != choices - 1) crossing.window *= 0.5;
       chosen = previous;
     }

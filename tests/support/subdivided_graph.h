@@ -19,18 +19,18 @@ class SubdividedGraph {
   /// Complexity: O(e k d log) for e edges with k points and d faces at each.
   SubdividedGraph(const Soup& soup, Index source, int points_per_edge);
 
-  /// Infinite if no faces lead there.
+  /// Infinite if no path leads there.
   double upper_bound(Index target) const { return free_.distance[target]; }
   /// A better bound: the path to the target pulled tight across the edges that it crosses.
   double tightened(Index target) const;
 
  private:
-  /// A vertex (`to` is then the same), or the point at the share `t` of the way between two.
+  /// A vertex (`to` is then the same), or the point at the fraction `t` between two vertices.
   struct Node {
     Index from;
     Index to;
     double t;
-    double spacing;  ///< to the next points on its edge, as a share of the edge
+    double spacing;  ///< to the next points on its edge, as a fraction of the edge
   };
   Point at(const Node& node, double t) const;
   void add_nodes(const Soup& soup, int points_per_edge);

@@ -80,7 +80,7 @@ std::string SurfaceWalk::fault(const SurfacePath& path, const SurfacePoint& firs
   auto is_at = [&](const Place& place, const SurfacePoint& asked) {
     const Place wanted = place_of(asked);
     if (!share_face(place, wanted)) return false;
-    // The same weights but for rounding; where they are is not enough, as vertices may coincide.
+    // The same weights up to rounding; positions are not enough, as vertices may coincide.
     auto share_in = [](const Place& in, Index vertex) {
       for (const Weight& weight : in) {
         if (weight.vertex == vertex) return weight.share;

@@ -17,10 +17,10 @@ class SurfaceWalk {
   /// `faces`: those of the Mesh that the paths were made on, which may have left out some of the soup's.
   SurfaceWalk(const Soup& soup, const std::vector<std::array<Index, 3>>& faces);
 
-  /// What is wrong with the path, or an empty string: it has to begin and end in these points, weights have
-  /// to be weights, and consecutive points have to share a face.
+  /// What is wrong with the path, or an empty string: it has to begin and end at these points, weights have
+  /// to be barycentric, and consecutive points have to share a face.
   std::string fault(const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last) const;
-  /// The sum of its steps; of a path without fault.
+  /// The sum of its steps, for a path without faults.
   double length(const SurfacePath& path) const;
 
  private:

@@ -16,7 +16,7 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Names of what lies in the folder itself.
+  /// Names of the entries of the folder itself.
   std::set<std::string> files() const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace vorogeo::test {
 
-/// A point of the unrolled surface; what the two numbers mean is the shape's affair.
+/// A point of the unrolled surface; the shape decides what the two numbers mean.
 using Flat = std::array<double, 2>;
 
 /// Where the corners of each face lie in the unrolled surface.

@@ -1,4 +1,4 @@
-"""Works on a mesh of a million vertices in MeshLab's window and measures how long the window does not answer.
+"""Works on a mesh of a million vertices in MeshLab's window and measures how long the window does not respond.
 
 Usage (inside a root, within dbus-run-session): python3 million.py FOLDER
   FOLDER holds meshes/million.ply; the figures are printed and go to million.json, pictures to shots/.

@@ -82,7 +82,7 @@ class Refusals:
             window.close(dialog)
 
     def not_finite(self, window: MeshLabWindow) -> None:
-        """Ask for distances on a mesh with a coordinate that is no finite number, then on the corrected mesh."""
+        """Ask for distances on a mesh with a coordinate that is not a finite number, then on the corrected mesh."""
         for name, formula in {**NOT_FINITE, "finite again": FINITE_AGAIN}.items():
             dialog = window.open_filter(GEOMETRIC_FUNCTION)
             window.fill(dialog, "func x = ", formula)

@@ -1,4 +1,4 @@
-"""MeshLab on a display without a screen: what is on it is read from the accessibility bus, mouse and keys move it.
+"""MeshLab on a virtual display, read through the accessibility bus and driven by mouse and keyboard.
 
 Runs inside a root made by make_root.sh, within dbus-run-session; needs only the packages of that root.
 """
@@ -20,7 +20,7 @@ from gi.repository import Atspi, GLib  # noqa: E402
 
 Result = TypeVar("Result")
 SIZE = (1280, 900)
-# Seconds for what takes one or two on an idle machine.
+# Seconds to wait for what takes one or two on an idle machine.
 PATIENCE = 60
 START_PATIENCE = 180
 # Asked in a process of its own: libatspi remembers an empty desktop for ever.
@@ -94,7 +94,7 @@ def start_server(log: Path) -> None:
     """The display. It looks for a free number, as names of displays are shared even by roots of their own."""
     read_end, write_end = os.pipe()
     screen = ("-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24")
-    # Unless told not to, the server starts over whenever its last client leaves, and drops those who just come.
+    # By default, the server restarts whenever its last client leaves, and drops clients that are just connecting.
     command = ("Xvfb", "-noreset", "-displayfd", str(write_end), *screen)
     with open(log, "w") as file:
         server = subprocess.Popen(command, pass_fds=(write_end,), stdout=file, stderr=file, stdin=subprocess.DEVNULL)
@@ -142,8 +142,8 @@ class Screen:
             bus = None
             try:
                 wait_for(first_line, lambda: first_line in self.log_text(), START_PATIENCE, self.is_alive)
-                # The bus comes after MeshLab is up: Qt 5 then registers when it sees the bus. If the bus is there
-                # before, Qt looks for it in the midst of starting, and mostly misses its own signal.
+                # The bus is started after MeshLab: Qt 5 registers when the bus appears. If it is there before,
+                # Qt looks for it while starting, and mostly misses its own signal.
                 bus = start("/usr/libexec/at-spi-bus-launcher", "--launch-immediately")
                 wait_for("MeshLab on the bus", lambda: programs_on_the_bus() == 1, going=self.is_alive)
                 break

@@ -24,9 +24,9 @@ TEST(Emission, ASaddleLightsItsShadow) {
 }
 
 TEST(Emission, AVertexInTheMiddleOfAnEdgeOfAFaceWithoutAreaLightsAllOfIt) {
-  // The source in a plane sees everything by straight lines. A vertex on the way is the middle of the long
-  // side of a face without area, and a raised neighbour makes it a saddle: what lies behind it is lit by its
-  // own windows, which leave through that face.
+  // The source in a plane sees everything by straight lines. A vertex on such a line is the middle of the
+  // long side of a face without area, and a raised neighbour makes it a saddle: what lies behind it is
+  // reached by its own windows, which leave through that face.
   test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0).soup;
   for (const Index face : {40, 41, 60, 61}) soup = test::with_zero_area_cap(soup, face, face % 3);
   soup.positions[30][2] = 2.0;

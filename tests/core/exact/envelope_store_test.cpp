@@ -1,4 +1,4 @@
-// The memory of an envelope: lists grow, are given up and cleared without touching one another.
+// The memory of an envelope: lists grow, are dropped and cleared without affecting one another.
 #include <gtest/gtest.h>
 
 #include "exact/envelope.h"

@@ -134,7 +134,7 @@ TEST(ExactDefects, CapsOnRoundedCoordinatesCostNothing) {
 }
 
 TEST(ExactDefects, CoincidentVerticesJoinedByFacesWithoutWidth) {
-  // Two halves of a plane whose seam vertices are doubled and sewn by faces with a side of length zero.
+  // Two halves of a plane whose seam vertices are doubled and joined by faces with a side of length zero.
   Soup soup = test::plane_grid(3, 6, 3.0, 6.0).soup;
   const auto count = static_cast<Index>(soup.positions.size());
   const auto faces = soup.faces.size();

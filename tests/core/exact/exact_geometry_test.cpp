@@ -1,4 +1,4 @@
-// Faces laid out beside their edges, and the corners around vertices.
+// Faces unfolded next to their edges, and the corners around vertices.
 #include "exact/exact_geometry.h"
 
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ TEST(ExactLandmarks, BoundsAreNeverAboveTheDistance) {
     for (Index v = 0; v < mesh->vertex_count(); v += 7) {
       EXPECT_LE(landmarks.least_distance(v, seen), solver.distance(v) * (1.0 + 1e-12));
     }
-    // At a landmark its own distance is the bound, but for the width of a face.
+    // At a landmark the bound is its own distance, up to the width of a face.
     const double width = point.is_vertex() ? 1e-5 : mesh->mean_edge_length();
     EXPECT_GE(landmarks.least_distance(700, seen), solver.distance(700) - width);
   }

@@ -33,7 +33,7 @@ TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
 }
 
 TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
-  // A wall of two columns of faces with a gap at the top: the way leads round its end.
+  // A wall of two columns of faces with a gap at the top: the path leads round its end.
   const auto mesh = test::make_mesh(test::plane_grid(4, 4, 4.0, 4.0).soup);
   std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
   for (Index f = 0; f < mesh->face_count(); ++f) {

@@ -1,4 +1,4 @@
-// Lengths along points, which points are the same, and what is no path.
+// Lengths along points, which points are the same, and what is not a path.
 #include "exact/surface_path.h"
 
 #include <gtest/gtest.h>

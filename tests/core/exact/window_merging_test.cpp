@@ -1,4 +1,4 @@
-// Runs in which neighbouring windows travel on as one: how far they deviate, and what they save.
+// Runs in which neighbouring windows are merged: how far they deviate, and what they save.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace vorogeo {
 namespace {
 
 struct Merged {
-  double least = 0.0;     ///< most that a distance is too short, in mean edges
+  double least = 0.0;     ///< largest amount by which a distance is too short, in mean edges
   double greatest = 0.0;  ///< and too long
   double windows = 0.0;   ///< relative to those of the exact run
 };

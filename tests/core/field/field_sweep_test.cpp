@@ -104,7 +104,7 @@ TEST(FieldSweep, APatchThatTheSearchDidNotReachIsUnreachable) {
 }
 
 TEST(FieldSweep, FarFromTheSourceNothingIsLostToRounding) {
-  // Border distances around ten million, of which single precision would keep whole numbers only.
+  // Border distances around ten million, of which single precision would keep only whole numbers.
   const auto index = test::make_index(test::plane_grid(20, 20, 1.0, 1.0, 0.2).soup, 1, 4);
   const PatchLayer& layer = index->data().second;
   BoundaryDijkstra search(layer);

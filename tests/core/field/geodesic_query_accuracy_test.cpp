@@ -75,7 +75,7 @@ TEST(GeodesicQueryAccuracy, CoarseExtrusion) { expect_accurate(HostileBase::extr
 TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.14, 2.0, 4.2}); }
 TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.05, 0.5, 2.0}); }
 
-// Real meshes, where they lie beside the repository: docs/figures.md.
+// Real meshes, if they are next to the repository: docs/figures.md.
 TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.02, 0.17, 1.5}); }
 TEST(GeodesicQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.014, 0.161, 1.04}); }
 TEST(GeodesicQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.019, 0.157, 1.05}); }

@@ -46,7 +46,7 @@ TEST(GeodesicQuery, WhatWasAskedBeforeHasNoInfluence) {
     const auto n = static_cast<Index>(soup.positions.size());
     GeodesicQuery used(index, 1);
     for (Index a : test::random_vertices(n, 6, 16)) {
-      // With one end in common, the side of that end is not made anew.
+      // With one end in common, the side of that end is reused.
       for (Index b : test::random_vertices(n, 25, 17)) {
         const double again = used.distance(a, b);
         EXPECT_EQ(GeodesicQuery(index, 1).distance(a, b), again) << a << ", " << b;

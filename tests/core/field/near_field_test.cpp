@@ -1,5 +1,5 @@
 // The near field on a plane, where distances are straight lines: what it reaches, how far it is certain, and
-// where it takes the place of other distances.
+// where it replaces other distances.
 #include "field/near_field.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(NearField, ReachesAllVerticesOfThePatchesExactly) {
       for (Index v : on.data.work.mesh->face_vertices(f)) {
         ++inside;
         const double found = on.near.solver().distance(v);
-        // A path in the plane is straight; one that leaves the halo is found a little too long.
+        // A path in the plane is straight; one that leaves the halo comes out slightly too long.
         EXPECT_GE(found, on.straight(v) - precise);
         EXPECT_LE(found, 1.01 * on.straight(v) + precise);
       }

@@ -27,7 +27,7 @@ void expect_field(const test::Soup& soup, const std::vector<ExactSource>& source
   for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
     errors.add(field.distance[v], solver.distance(v));
     if (field.source[v] == solver.nearest_source(v)) continue;
-    // Another label only where both sources are nearly equally near.
+    // Labels differ only where both sources are nearly equally near.
     ++other_labels;
     ASSERT_NE(field.source[v], no_index) << v;
     ExactSolver alone(index->mesh());

@@ -1,4 +1,4 @@
-// What the index knows of its own layout: lookups against a search through all members and nodes.
+// What the index knows about its own layout: lookups against a search through all members and nodes.
 #include "index/index_data.h"
 
 #include <gtest/gtest.h>

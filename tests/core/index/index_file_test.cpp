@@ -103,7 +103,7 @@ TEST(IndexFile, MissingFilesAndFolders) {
 
 TEST(IndexFile, NamesThatCannotBeOpened) {
   const TemporaryFolder folder;
-  const auto long_name = folder / std::string(300, 'a');  // longer than any file system takes
+  const auto long_name = folder / std::string(300, 'a');  // longer than any file system allows
   EXPECT_EQ(reading(long_name), "Cannot open the index file " + long_name.string() +
                                     " (File name too long); check that you may read it.");
 }

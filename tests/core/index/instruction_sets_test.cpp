@@ -97,7 +97,7 @@ TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
     vorogeo_scalar::relax_by_line(entries.data(), unit, 0.2F, 5, count, two.data(), scalar_best.data());
     for (Index i = 0; i < count; ++i) {
       ASSERT_NEAR(one[i], two[i], rounding);
-      // Where the two choose another one, it is a tie.
+      // Where the two choose different ones, it is a tie.
       if (vector_best[i] != scalar_best[i]) {
         ASSERT_NEAR(one[i], 0.2F + unit * static_cast<float>(entries[i]), rounding);
       }
@@ -149,8 +149,8 @@ TEST(InstructionSets, CrossingGainsAgreeWithinRounding) {
     crossing_gains(crossings, 5.0F, one.data());
     vorogeo_scalar::crossing_gains(reinterpret_cast<const vorogeo_scalar::Crossings&>(crossings), 5.0F,
                                    two.data());
-    // A crossing at the end of its edge may count on one path and not on the other; the gain there is that of
-    // a way along the edge.
+    // A crossing at the end of its edge may be accepted by one and not by the other; the gain there is that
+    // of a path along the edge.
     int different = 0;
     for (Index k = 0; k < Crossings::capacity; ++k) different += std::abs(one[k] - two[k]) > 1e-4F ? 1 : 0;
     EXPECT_LE(different, 1) << "seed " << seed;

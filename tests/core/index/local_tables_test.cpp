@@ -32,7 +32,7 @@ test::ErrorCollector table_errors(const IndexData& data) {
     for (const PatchRow& at : data.second.patches_of(node)) {
       const auto members = data.second.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
-        // What rounding to the table's unit explains is no error.
+        // What rounding to the table's unit explains is not an error.
         const double exact = solver.distance(members[i]);
         const double entry = data.second.distance(at.patch, at.row, static_cast<Index>(i));
         errors.add(std::abs(entry - exact) <= 0.51 * data.second.unit[at.patch] ? exact : entry, exact);
@@ -53,7 +53,7 @@ TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
 
 TEST(LocalTables, OnCurvedSurfacesSeldomOffByMoreThanMergedWindows) {
   // Merging makes distances too short by some 1e-4 of an edge, so those of a few edges by up to 2.5e-4.
-  // On the torus a patch may reach far around the tube: a few pairs then have a shorter way outside.
+  // On the torus a patch may reach far around the tube: a few pairs then have a shorter path outside.
   struct Case {
     Soup soup;
     double p99;

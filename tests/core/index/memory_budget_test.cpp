@@ -1,4 +1,4 @@
-// The two forms: which is chosen, that both answer everything, and what a budget that is too small is told.
+// The two forms: which is chosen, that both answer everything, and the refusal of a budget that is too small.
 #include "index/memory_budget.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(MemoryBudget, ChoosesTheForm) {
   EXPECT_LT(graph->statistics().arcs, tables->statistics().arcs);
   EXPECT_LT(graph->statistics().bytes, tables->statistics().bytes);
 
-  // The budget of exactly what the tables take holds them; the sizes that are foretold are those that come.
+  // A budget of exactly what the tables take holds them; the predicted sizes are the actual ones.
   const auto needed =
       static_cast<std::int64_t>(std::ceil(static_cast<double>(tables->statistics().bytes) / mib));
   EXPECT_EQ(c.build(needed)->statistics().form, IndexForm::tables);

@@ -1,4 +1,4 @@
-// Min-plus scans: against loops as their comments put them, for all lengths around the blocks they work in.
+// Min-plus scans: against loops by their definitions, for all lengths around the size of their blocks.
 #include "index/min_plus.h"
 
 #include <gtest/gtest.h>

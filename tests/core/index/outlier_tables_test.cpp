@@ -18,7 +18,7 @@ struct Errors {
   test::ErrorStatistics outliers;  ///< fields of and from outliers
 };
 
-/// Errors beside exact fields, from a few ordinary vertices and one outlier.
+/// Errors against exact fields, from a few ordinary vertices and one outlier.
 Errors errors_of(const test::Soup& soup, const std::vector<Index>& outliers, Index n1 = 0, Index n2 = 0) {
   const auto index = test::make_index(soup, n1, n2);
   GeodesicQuery query(index, 1);

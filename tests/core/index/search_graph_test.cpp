@@ -211,7 +211,7 @@ TEST(SearchGraph, TheSameWhateverTheThreads) {
   }
 }
 
-/// One patch with the given table, square and symmetric, beside a first layer without nodes.
+/// One patch with the given table, square and symmetric, and a first layer without nodes.
 SearchGraph graph_of_table(const std::vector<std::vector<float>>& table, double delta) {
   const auto k = static_cast<Index>(table.size());
   PatchLayer second;

@@ -1,5 +1,5 @@
-// Border loops counted and measured on shapes where that is known; near borders found where there is a gap
-// only.
+// Border loops counted and measured on shapes where that is known; near borders found only where there is a
+// gap.
 #include "mesh/border_check.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ TEST(BorderCheck, LoopsThatTouchAtAVertexFollowTheirFaces) {
   EXPECT_EQ(loops.count, 2);
   EXPECT_EQ(loops.longest_edges, 12);
   EXPECT_NEAR(loops.longest_length, 4.0, 1e-12);
-  // Two triangular holes that meet at a vertex where they part the faces in two groups: the border follows
-  // the faces, from one hole into the other and back.
+  // Two triangular holes that meet at a vertex and divide its faces into two groups: the border follows the
+  // faces, from one hole into the other and back.
   Soup soup = test::icosphere(1);
   std::vector<Index> around;
   for (Index f = 0; f < static_cast<Index>(soup.faces.size()); ++f) {

@@ -38,7 +38,7 @@ TEST(FaceDistance, LeavesOutUnreachedCorners) {
 
 TEST(FaceDistance, MeetsTheCorners) {
   const auto mesh = test::make_mesh({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}});
-  // Two waves: no source of the plane has these three distances.
+  // Two waves: no source in the plane has these three distances.
   const std::array corners{4.0, 4.5, 6.5};
   EXPECT_NEAR(distance_in_face(*mesh, 0, {1, 0, 0}, corners), 4.0, 1e-12);
   EXPECT_NEAR(distance_in_face(*mesh, 0, {0, 1, 0}, corners), 4.5, 1e-12);

@@ -151,7 +151,7 @@ TEST(MeshCheck, NonManifoldEdges) {
             "each of the faces into any other.");
   const MeshReport report = check(test::book_of_three_pages(3, 1.0, 1.0).soup);
   EXPECT_EQ(report.first_non_manifold_edge, (std::array<Index, 2>{0, 1}));
-  // The faces around the spine hold together by its edges.
+  // The faces around the spine are connected across its edges.
   EXPECT_EQ(report.non_manifold_vertices.count, 0);
 }
 

@@ -19,7 +19,7 @@ using test::make_mesh;
 using test::Soup;
 constexpr double pi = std::numbers::pi;
 
-/// What holds for every Mesh, whatever the soup.
+/// Checks what holds for every Mesh, whatever the soup.
 void expect_consistent(const Mesh& mesh) {
   std::vector<int> faces_of_edge(mesh.edge_count(), 0);
   for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
@@ -147,7 +147,7 @@ TEST(Mesh, FanKinds) {
 }
 
 TEST(Mesh, AnEdgeOfLengthZeroLetsPathsTurnAtItsEnds) {
-  // Two squares side by side, one end of their common side doubled and sewn by a face without width.
+  // Two squares side by side, one end of their common side doubled and joined by a face without area.
   const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
                   {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 2}, {1, 4, 2}});
   EXPECT_EQ(mesh.fan(1), Mesh::Fan::non_manifold);

@@ -1,4 +1,4 @@
-// Which vertices are outliers, and the edge length that they leave as it is.
+// Which vertices are outliers, and the typical edge length, which they do not change.
 #include "mesh/outliers.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Nearest points beside a search through all faces, and from as far away as numbers go.
+// Nearest points against a search through all faces, and from as far away as numbers go.
 #include "mesh/surface_locator.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(SurfaceLocator, FarPointsAreAnswered) {
     EXPECT_LT(distance_between(position_of(*mesh, corner.point), {1.0, 2.0, 3.0}), 1e-6) << far;
     EXPECT_NEAR(corner.distance / std::sqrt(3.0), far, 4.0 + 1e-12 * far) << far;
   }
-  // A mesh that is one point, but for its connectivity.
+  // A mesh whose vertices all coincide.
   const auto dot = test::make_mesh({{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}});
   EXPECT_DOUBLE_EQ(SurfaceLocator(dot).nearest({4.0, 5.0, 1.0}).distance, 5.0);
 }

@@ -1,4 +1,4 @@
-// The front: close to exact distances, nearest sources, only allowed faces, starting anew.
+// The front: close to exact distances, nearest sources, only allowed faces, restarts.
 #include "partition/front.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The rim around patches: what is marked, where it ends, and that marks are taken back.
+// The rim around patches: what is marked, where it ends, and that marks are cleared.
 #include "partition/halo.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   Halo halo(mesh, data.first_face);
   const std::vector<Index> patch{0};
   const auto all_faces = static_cast<std::size_t>(mesh.face_count());
-  // Beside the patch, inside it, and where the second of three rings is too many.
+  // Next to the patch, inside it, and where the second of three rings is too many.
   for (const auto& [seed, most] : {std::pair(mesh.face_count() - 1, all_faces),
                                    std::pair(Index{0}, all_faces), std::pair(Index{0}, std::size_t{14})}) {
     halo.surround(patch);

@@ -27,7 +27,7 @@ void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, 
 }
 
 TEST(PatchColoring, BlocksOfAGridNeedFourColorsAndGetThem) {
-  // Blocks of 4 x 4 cells: four meet at each inner corner, so fewer than four colours do not do.
+  // Blocks of 4 x 4 cells: four meet at each inner corner, so fewer than four colours are not enough.
   const auto mesh = test::make_mesh(test::plane_grid(16, 16, 1.0, 1.0).soup);
   std::vector<Index> patch;
   for (Index f = 0; f < mesh->face_count(); ++f) {

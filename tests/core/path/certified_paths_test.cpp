@@ -1,4 +1,4 @@
-// Certified paths where edges have no length or next to none, lie twice, or faces have no area: what is
+// Certified paths where edges have no or negligible length or are doubled, or faces have no area: what is
 // certified is a path, and the shortest.
 //
 // VOROGEO_CERTIFIED_PAIRS: how many pairs in all (by default some hundred for each mesh and defect).
@@ -53,7 +53,7 @@ struct Count {
   int certified = 0;
 };
 
-/// Vertices, points on edges and points in faces in turns.
+/// Vertices, points on edges and points in faces, in turn.
 SurfacePoint random_point(const Mesh& mesh, std::mt19937& random, int kind) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh.face_count()));
@@ -119,7 +119,7 @@ TEST(CertifiedPaths, AreShortestPaths) {
       }
     }
   }
-  // Not every one has to be, but that is for faces of no shape.
+  // Not every path has to be, but exceptions are for degenerate faces.
   EXPECT_GE(all.certified, all.pairs - all.pairs / 500);
   RecordProperty("pairs", all.pairs);
   RecordProperty("certified", all.certified);

@@ -43,7 +43,7 @@ TEST(PathChain, StepsLieInPatchesAndSumToTheRoute) {
         }
         before = step.vertex;
       }
-      // Straight from vertex to vertex in a plane: no longer than the tables say, but for their units.
+      // Straight from vertex to vertex in a plane: no longer than the tables say, up to their units.
       EXPECT_NEAR(length, route.length, 2e-3 * route.length);
       EXPECT_GE(length, plane.vertex_distance(0, target) * (1.0 - 1e-12));
     }

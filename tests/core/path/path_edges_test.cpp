@@ -1,4 +1,4 @@
-// Ways over edges against Bellman and Ford's algorithm.
+// Paths along edges against the Bellman-Ford algorithm.
 #include "path/path_edges.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace vorogeo {
 namespace {
 
-/// Distances over edges from a vertex: every edge, until nothing becomes shorter.
+/// Distances along edges from a vertex: every edge is relaxed until nothing becomes shorter.
 std::vector<double> over_edges(const Mesh& mesh, Index start) {
   std::vector<double> distance(mesh.vertex_count(), unreachable);
   distance[start] = 0.0;

@@ -1,4 +1,4 @@
-// A line that is changed stretch by stretch is the one that its strip has as a whole.
+// A line that is changed piece by piece equals the one of its whole strip.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,7 +27,7 @@ double length_anew(const ExactGeometry& geometry, const PathLine& line) {
   return whole.length();
 }
 
-/// The faces beside the way from `to` down the distances of the solver, from vertex to vertex.
+/// The faces next to the path from `to` down the distances of the solver, from vertex to vertex.
 FaceStrip strip_along_edges(const ExactSolver& solver, Index from, Index to) {
   const Mesh& mesh = solver.mesh();
   FaceStrip strip;

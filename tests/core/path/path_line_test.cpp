@@ -1,4 +1,4 @@
-// Strips whose shortest lines are known, and the walking around vertices.
+// Strips whose shortest lines are known, and walks around vertices.
 #include "path/path_line.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(PathRefiner, GoesRoundTheOtherSide) {
   FaceStrip long_way;
   long_way.faces.push_back(Mesh::face_of(corners[0]));
   for (int i = 1; i <= 5; ++i) {
-    // Each next face is one step on, so that the strip goes the long way.
+    // Each next face is one step further, so that the strip goes the long way round.
     ASSERT_TRUE(turn_around(*mesh, long_way, 0, Mesh::face_of(corners[i])));
   }
   ASSERT_EQ(long_way.faces.size(), 6U);

@@ -45,7 +45,7 @@ TEST(PathNeighbourhood, GrowsByRingsOfVertices) {
 
 TEST(PathNeighbourhood, RoughnessIsTheMeanOfTheMissingAngles) {
   for (const double missing : {0.0, 0.1, 1.0}) {
-    // A cone is flat but for its apex, one end of the only edge that the strip crosses.
+    // A cone is flat except at its apex, one end of the only edge that the strip crosses.
     const auto mesh = test::make_mesh(test::cone(6, 3, 2.0 * std::numbers::pi - missing, 1.0).soup);
     const ExactGeometry geometry(mesh);
     PathLine line(geometry);

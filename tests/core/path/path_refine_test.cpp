@@ -30,7 +30,8 @@ TEST(PathRefine, ItsPointsLieOnTheStraightLine) {
 }
 
 TEST(PathRefine, ALineAcrossAnEdgeOfNoLengthPassesItsPlace) {
-  // Two triangles that meet tip to tip, sewn by two faces without width: the only way leads through the tip.
+  // Two triangles that meet tip to tip, joined by two faces without area: the only path leads through the
+  // tip.
   test::Soup soup;
   soup.positions = {{-1.0, -1.0, 0.0}, {-1.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.5, 0.0}};
   soup.faces = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};

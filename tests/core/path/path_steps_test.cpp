@@ -1,4 +1,4 @@
-// Strips along chains: from the source's face to the target's, each face beside the last one.
+// Strips along chains: from the source's face to the target's, each face adjacent to the previous one.
 #include "path/path_steps.h"
 
 #include <gtest/gtest.h>

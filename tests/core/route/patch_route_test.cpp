@@ -40,7 +40,7 @@ double least_length(const IndexData& data, const RouteEnd& source, const RouteEn
   return least;
 }
 
-/// How far the length of a route may be from the least one: the roundings of some turns.
+/// How far the length of a route may be from the least one: the rounding of some turns.
 double rounding(const IndexData& data) {
   return 8.0 * *std::max_element(data.second.unit.begin(), data.second.unit.end());
 }
@@ -73,7 +73,7 @@ void expect_shortest(const IndexData& data, PatchRouter& router, Index source, I
                                    static_cast<Index>(b - nodes.begin()));
   }
   EXPECT_NEAR(length, route.length, 1e-6 * route.length + 1e-12);
-  // Nothing is shorter than that, and what is not shorter than a limit is not given.
+  // Nothing is shorter than that, and a route that is not shorter than a limit is not returned.
   GraphRoute kept = route;
   EXPECT_FALSE(router.route(from, to, kept, route.length * (1.0 - 1e-3) - rounding(data)));
   EXPECT_EQ(kept.nodes, route.nodes);

@@ -28,7 +28,7 @@ Comparison compare(const test::Soup& soup) {
   for (Index source : test::random_vertices(n, 12, 3)) {
     solver.run_from_vertices(std::array{source});
     for (Index target : test::random_vertices(n, 120, 4)) {
-      // Two points of one patch are not asked of the graph.
+      // Pairs in one patch are not answered by routes.
       const auto a = test::patches_at(*data.work.mesh, data.work.second_layer, source);
       const auto b = test::patches_at(*data.work.mesh, data.work.second_layer, target);
       if (std::ranges::any_of(a, [&](Index p) { return b.contains(p); })) continue;

@@ -11,7 +11,7 @@
 namespace vorogeo {
 namespace {
 
-/// Distance of the start of an end from a row of a first-layer patch that holds it, by the table.
+/// Distance of a seed of an end from a row of a first-layer patch that holds it, by the table.
 double through_patch(const IndexData& data, Index parent, Index row, Index node) {
   const auto members = data.first.members(parent);
   const auto at = std::find(members.begin(), members.end(), data.second.node_vertex[node]);
@@ -19,7 +19,7 @@ double through_patch(const IndexData& data, Index parent, Index row, Index node)
   return data.first.distance(parent, row, static_cast<Index>(at - members.begin()));
 }
 
-/// All sums: start, first-layer border, first-layer border, start.
+/// All sums: seed, first-layer border, first-layer border, seed.
 double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to) {
   auto approach = [&](const RouteEnd& end, Index parent) {
     std::vector<double> least(data.first.border_size(parent), unreachable);

@@ -56,7 +56,7 @@ TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {
     queue.push(next, 0.1);
   }
   EXPECT_TRUE(seen);
-  // What comes after such a bucket is found as usual.
+  // Items after such a bucket are found as usual.
   for (int i = 0; i < 3 && queue.pop() != no_index; ++i) {
   }
   EXPECT_EQ(queue.pop(), no_index);
@@ -68,8 +68,8 @@ TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {
 }
 
 TEST(BucketQueue, KeysOfAllScalesCostAConstantEach) {
-  // 1e5 keys over 21 orders of magnitude: stepping from bucket to bucket, or looking at all that lies ahead
-  // for each of them, would take hours.
+  // 1e5 keys over 21 orders of magnitude: stepping from bucket to bucket, or examining all later items for
+  // each of them, would take hours.
   constexpr Index count = 100000;
   BucketQueue queue;
   queue.resize(count);

@@ -47,7 +47,7 @@ TEST(Checkpoint, ASilentWatchLeavesItToTheOneAround) {
 }
 
 TEST(Checkpoint, LongItemsOfAllThreadsLeaveWhenCancelled) {
-  // Each item lasts for ever but for its checkpoints.
+  // Each item would run forever without its checkpoints.
   for (int threads : {1, 3}) {
     int reports = 0;
     std::chrono::steady_clock::time_point refused;

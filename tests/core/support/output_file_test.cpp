@@ -1,4 +1,5 @@
-// Files that replace their target when they are whole: links, devices, full disks, writers that were killed.
+// Files that replace their target once they are complete: links, devices, full disks, writers that were
+// killed.
 #include "support/output_file.h"
 
 #include <gtest/gtest.h>

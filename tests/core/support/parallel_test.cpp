@@ -107,8 +107,8 @@ TEST(Parallel, CancellingStopsAllWorkers) {
 }
 
 TEST(Parallel, CancellingWhileTheCallerOnlyWaits) {
-  // One item sleeps on the helper's thread; the caller has nothing left to do and still notices the wish to
-  // stop.
+  // One item sleeps on the helper's thread; the caller has nothing left to do and still notices the
+  // cancelling.
   std::atomic<bool> finished = false;
   int reports = 0;  // the first comes before any item
   const Progress refusing([&](double, const std::string&) { return ++reports == 1; });

@@ -53,7 +53,7 @@ TEST(SubdividedGraph, OtherComponentsAreOutOfReach) {
 }
 
 TEST(SubdividedGraph, EdgesOfAMillionCostNoDigitsNearTheirEnds) {
-  // The far corner of a fin on a long edge does not change the way between neighbours.
+  // The far corner of a fin on a long edge does not change the path between neighbours.
   Shape plane = plane_grid(4, 4, 4.0, 4.0);
   plane.soup.positions.push_back({1e9, 0.0, 0.0});
   plane.soup.faces.push_back({0, 5, static_cast<Index>(plane.soup.positions.size()) - 1});

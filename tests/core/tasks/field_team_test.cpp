@@ -1,5 +1,4 @@
-// Fields and distances that a team hands to its workers, on a plane, and the orders in which it wants its
-// questions.
+// Fields and distances by a team's workers, on a plane, and the orders in which it prefers its queries.
 #include "tasks/field_team.h"
 
 #include <gtest/gtest.h>

@@ -56,7 +56,8 @@ TEST(VoronoiRegions, BorderOfTwoPointsOnAPlaneIsTheirBisector) {
 
 TEST(VoronoiRegions, ManyPointsOnAPlane) {
   const Shape plane = test::plane_grid(30, 24, 4.0, 3.0, 0.25);
-  // So many that regions are some faces large: in many faces three or more meet, or one only dips into them.
+  // So many sites that regions have only some faces: in many faces three or more meet, or one only just
+  // reaches into them.
   const auto sites = test::random_vertices(31 * 25, 120, 5);
   FieldTeam team(test::make_mesh(plane.soup), 2);
   const VoronoiRegions found = voronoi_regions(team, sites);
