@@ -9,7 +9,7 @@
 #   plugin and vorogeo. The core is then that of the C++ tests, in build/release.
 #   --daily: as --tests, without PyMeshLab 2022.2.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
-#   the packages it is compared with, and the programs in build/bench. What cannot be had is named and left out.
+#   the packages it is compared with, and the programs in build/bench. What cannot be obtained is named and left out.
 #
 # VOROGEO_JOBS: compilers at a time (default: one per core). VOROGEO_NO_PACKAGES=1: leave the system's packages alone.
 set -euo pipefail
@@ -132,7 +132,7 @@ build_plugin() {
 }
 plugin() { once "plugin-$1" "build/plugins/$1/.stamp" "$(sources core plugin)" build_plugin "$1"; }
 
-# The plugin that only the tests load, beside the one it tests.
+# The plugin that only the tests load, next to the one that they test.
 build_probe() { cmake --build "build/plugin-$1-double" --target filter_probe --parallel "$jobs"; }
 probe() {
   once "probe-$1" "build/plugins/$1/.stamp-probe" "$(sources plugin tests/plugin/probe)" build_probe "$1"
@@ -153,7 +153,7 @@ install_vorogeo() {
 vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library"; }
 
 # Usage: install_peers VENV REQUIREMENTS
-# A line each, so that one package that cannot be had does not take the others with it.
+# A line each, so that one package that cannot be obtained does not prevent the others.
 install_peers() {
   local line
   grep -v '^#' "$2" | while read -r line; do

@@ -5,7 +5,7 @@
 #   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, the older PyMeshLab and the window.
 #   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
 #     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
-# The core is compiled twice, as it is used and watched by sanitizers; the C++ tests are compiled once and run with both.
+# The core is compiled twice, as it is used and under sanitizers; the C++ tests are compiled once and run with both.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -120,7 +120,7 @@ window_suite() {
   fi
 }
 
-# All of this runs beside the checks below: it downloads, waits for windows, and seldom needs more than one core. When
+# All of this runs in parallel with the checks below: it downloads, waits for windows, and seldom needs more than one core. When
 # the second version is built, the checks are done or nearly so.
 if [ "$window" = yes ]; then
   { window_suite 2022.02 1; window_suite 2025.07 "$jobs"; } &

@@ -13,7 +13,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Angle deficits below this count as flat: a path may then pass through the vertex as through a saddle.
+/// Angle deficits below this are treated as flat: a path may then pass through the vertex as through a
+/// saddle.
 constexpr double flat_tolerance = 1e-7;
 
 FaceFrame frame_of(const Mesh& mesh, Index halfedge) {

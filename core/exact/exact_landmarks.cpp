@@ -41,10 +41,10 @@ ExactLandmarks::Seen ExactLandmarks::seen_from(const Mesh& mesh, const SurfacePo
   seen.greatest.fill(INFINITY);
   for (const Index corner : mesh.face_vertices(point.face)) {
     const Point& p = mesh.position(corner);
-    const auto beside = static_cast<float>(std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]));
+    const auto to_corner = static_cast<float>(std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]));
     for (int i = 0; i < count_; ++i) {
-      seen.least[i] = std::max(seen.least[i], row(corner)[i] - beside);
-      seen.greatest[i] = std::min(seen.greatest[i], row(corner)[i] + beside);
+      seen.least[i] = std::max(seen.least[i], row(corner)[i] - to_corner);
+      seen.greatest[i] = std::min(seen.greatest[i], row(corner)[i] + to_corner);
     }
   }
   return seen;

@@ -46,8 +46,8 @@ class IndexFileWriter {
 /// Reads the blocks in the order in which they were written.
 class IndexFileReader {
  public:
-  /// \throw IndexFileError if the file is missing, a folder or unreadable, is no index file, or is of another
-  /// version or byte order.
+  /// \throw IndexFileError if the file is missing, a folder or unreadable, is not an index file, or is of
+  /// another version or byte order.
   explicit IndexFileReader(const std::filesystem::path& file);
 
   /// The next block, which must hold `count` elements. \throw IndexFileError if it does not or is damaged.

@@ -72,7 +72,7 @@ void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::ve
   };
   for (std::size_t begin = 0, end = 0; begin < node_vertex.size(); begin = end) {
     while (end < node_vertex.size() && same(node_vertex[begin], node_vertex[end])) ++end;
-    // From the ends of open stretches first; what is left are closed curves.
+    // From the ends of open stretches first; what remains are closed curves.
     for (std::size_t i = begin; i < end; ++i) {
       if (placed[i] == 0 && beside[i].size() < 2) walk(i);
     }

@@ -20,12 +20,12 @@ PathEnd path_end(const IndexData& data, const SurfacePoint& user) {
     end.vertex = end.point.vertex;
   } else {
     const Point at = position_of(mesh, end.point);
-    end.beside = unreachable;
+    end.to_vertex = unreachable;
     for (Index v : mesh.face_vertices(end.point.face)) {
       const Point& p = mesh.position(v);
-      const double beside = std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]);
-      if (beside < end.beside) {
-        end.beside = beside;
+      const double distance = std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]);
+      if (distance < end.to_vertex) {
+        end.to_vertex = distance;
         end.vertex = v;
       }
     }

@@ -13,7 +13,7 @@ namespace vorogeo {
 struct PathEnd {
   SurfacePoint point;
   Index vertex = no_index;  ///< the point itself or the nearest corner of its face
-  double beside = 0.0;      ///< distance of the point from that vertex
+  double to_vertex = 0.0;   ///< distance of the point from that vertex
   std::vector<Index> patches;
 
   /// Second-layer patch of an end in a face; no_index for a vertex.

@@ -22,8 +22,8 @@ namespace {
 
 /// A length from the tables, multiplied by this, is an upper bound in spite of their precision.
 constexpr double estimate_slack = 1.0 + 1e-3;
-/// A refined path that is this much longer (relative) than the index's distance has probably gone a wrong
-/// way: exact propagation with the bounds of the index decides.
+/// A refined path that is this much longer (relative) than the index's distance is probably on the wrong side
+/// of something: exact propagation with the bounds of the index decides.
 constexpr double suspicious = 2e-4;
 /// A shorter path is looked for near the refined one if that is longer than the index's distance by this much
 /// (relative) on an even surface, by less for each radian of roughness, but by no less than a minimum.
@@ -128,14 +128,14 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
   });
 }
 
-/// Looks for a shorter path if the refined one may have gone a wrong way.
+/// Looks for a shorter path if the refined one may be on the wrong side of something.
 void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found) {
   const double doubtful = std::max(
       least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner.line()));
   if (found.path.length > expected * (1.0 + doubtful)) {
     // Within a few rings the shortest path may be missed, so this search proves nothing.
-    const auto beside = surroundings.surround(refiner.line(), rings_beside);
-    found.join({exact.within(from, to, found.path.length, beside).path, unreachable});
+    const auto nearby = surroundings.surround(refiner.line(), rings_beside);
+    found.join({exact.within(from, to, found.path.length, nearby).path, unreachable});
   }
   if (found.path.length > expected * (1.0 + suspicious)) {
     found.join(data.has_branches ? exact.between_landmarks(from, to, found.path.length)
@@ -147,7 +147,7 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
 FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
   FoundPath found;
   const GraphRoute route_found = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
-  const double estimate = (from.beside + route_found.length + to.beside) * estimate_slack;
+  const double estimate = (from.to_vertex + route_found.length + to.to_vertex) * estimate_slack;
   if (are_near(data, from, to)) {
     found = exact.nearby(from, to, estimate);
   } else {

@@ -14,10 +14,10 @@ namespace vorogeo {
 /// Queue of items 0..count-1, each at most once, in its lowest bucket. The propagation corrects itself, so
 /// the order within a bucket matters for speed only. Last in, first out creates fewer windows; but where a
 /// bucket is much wider than the edges, it would follow one chain of short steps (around a long spike, say)
-/// almost for ever, so a bucket from which many items have been taken continues first in, first out.
+/// almost forever, so a bucket from which many items have been taken continues first in, first out.
 ///
 /// Keys may lie further apart than any width suits. So a run counts the empty buckets it passes and the items
-/// it looks at in the overflow list; where these outnumber the pushed items many times over, buckets are made
+/// it examines in the overflow list; where these outnumber the pushed items many times over, buckets are made
 /// twice as wide. That can happen no more often than a key has bits, and between two widenings the work per
 /// pushed item is constant: every run costs O(pushes), whatever the keys.
 class BucketQueue {

@@ -23,7 +23,7 @@ class FileError : public Error {
 /// if it may not be written to.
 std::filesystem::path output_target(const std::filesystem::path& file, const std::string& what);
 
-/// Writes to a temporary file beside the target and renames it at the end.
+/// Writes to a temporary file next to the target and renames it at the end.
 ///
 /// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. So any
 /// user of the folder can tell one that a killed process has left from one in use, and whoever next writes to

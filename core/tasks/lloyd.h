@@ -13,7 +13,7 @@ struct RelaxedPoints {
   std::vector<SurfacePoint> points;  ///< final position of each point, in the order given
   std::vector<Index> vertices;       ///< the same as vertices; no_index for a point that stayed inside a face
   /// Before the first and after each round: integral over the surface of the squared distance from the
-  /// nearest point, in the fourth power of the unit (each vertex stands for a third of its faces).
+  /// nearest point, in the fourth power of the unit (each vertex represents a third of its faces).
   std::vector<double> energy;
 };
 

@@ -19,7 +19,7 @@ struct FarthestStop {
 
 struct FarthestSamples {
   std::vector<SurfacePoint> points;  ///< in the order in which they were taken
-  std::vector<Index> vertices;       ///< the same; no_index for a start that is no vertex
+  std::vector<Index> vertices;       ///< the same; no_index for a start that is not a vertex
   std::vector<double> radius;        ///< distance of each from the previous ones; infinity in a new component
   std::vector<double> distance;      ///< of every vertex from the nearest sample, shape (n)
   /// Greatest entry of `distance` (vertices without a face left out); infinity if a component has no sample.

@@ -2,13 +2,12 @@
 # Finds the source tree of one MeshLab version, whose headers the plugin is compiled with.
 #
 # Usage: obtain_headers.sh 2022.02|2025.07 [FOLDER]
-#
-# Looked at in this order, the first that fits is taken:
+# Tried in this order; the first that fits is taken:
 #   1. a folder the user names: FOLDER, or VOROGEO_MESHLAB_SOURCE_2022_02 / VOROGEO_MESHLAB_SOURCE_2025_07;
 #   2. the cache: VOROGEO_HOST_CACHE/VERSION, by default build/host/VERSION in the project;
 #   3. Debian's source package of that version (checked against a sha256), from the machine's own Debian mirror;
 #   4. a git clone of the tag MeshLab-VERSION with its submodule vcglib.
-# What was taken is said on the standard error; the last line of the standard output is the folder: it holds ML_VERSION,
+# The choice is reported on the standard error; the last line of the standard output is the folder: it holds ML_VERSION,
 # src/common and src/vcglib. Nothing outside the cache is written, and no Debian package is installed.
 set -euo pipefail
 
@@ -70,7 +69,7 @@ work="$(mktemp -d "$cache/.unpack-$version-XXXXXX")"
 trap 'rm -rf "$work"' EXIT
 reasons=()
 
-# Puts the unpacked tree where the cache expects it, whole or not at all.
+# Puts the unpacked tree where the cache expects it, completely or not at all.
 keep() {
   local fault
   fault="$(fault_of "$1")"

@@ -1,4 +1,4 @@
-"""Refined and exact paths of random pairs beside exact fields, as two tables.
+"""Refined and exact paths of random pairs against exact fields, as two tables.
 
 Usage: tests/bench/paths.sh [--pairs N] [--points] [--landmarks K] [--write] [MESH...]; MESH is a file or the name of a
 test mesh, by default all clean ones of the test meshes. Pairs are grouped by source, 100 targets each, so that one

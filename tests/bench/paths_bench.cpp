@@ -1,4 +1,4 @@
-// Refined and exact paths of random pairs beside the exact field of each source, on one mesh.
+// Refined and exact paths of random pairs against the exact field of each source, on one mesh.
 //
 // Usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS LANDMARKS
 //   MESH: see mesh_file.h. INDEX: read if it is there and of this mesh, else built and written. POINTS: 0 for
@@ -66,7 +66,7 @@ class Draw {
     if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
     return SurfacePoint::in_face(below(mesh_.face_count()), {1.0 - u - v, u, v});
   }
-  SurfacePoint beside(const SurfacePoint& other) {
+  SurfacePoint near(const SurfacePoint& other) {
     for (;;) {
       const SurfacePoint point = any();
       if (component(point) == component(other)) return point;
@@ -105,7 +105,7 @@ int run(char** arguments) {
     limits.distances_only = !in_faces;
     solver.run(std::span(&source, 1), limits);
     for (long i = 0; i < targets; ++i) {
-      const SurfacePoint target = draw.beside(source.point);
+      const SurfacePoint target = draw.near(source.point);
       vorogeo::SurfacePath refined;
       vorogeo::ExactPath exact;
       const double refined_seconds = seconds_of([&] { refined = query.path(source.point, target); });

@@ -4,7 +4,7 @@
 # Usage: tests/fuzz/run.sh [--sanitized] [--hours H | --count N] [OPTIONS OF hostile_fuzz]
 #   --hours: as many as fit; one hour is for 10,000 meshes on two cores. Without either: 1,000 meshes.
 # The findings are printed as they come, and lie in build/fuzz. The status is 1 if there is one of a kind that
-# allowed.txt beside this script does not name.
+# allowed.txt next to this script does not name.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes a Debian root with MeshLab, a compiler, and what runs and drives a window without a screen.
+# Makes a Debian root with MeshLab, a compiler, and what runs and drives a window on a virtual display.
 #
 # Usage: make_root.sh 2022.02|2025.07
 #   2022.02 is the MeshLab of Debian 13 (trixie), 2025.07 that of Debian unstable (sid). The last line of the standard
-#   output is the root's folder, build/window/root-VERSION; it is kept, and made anew only if the list of packages changes.
+#   output is the root's folder, build/window/root-VERSION; it is kept, and remade only if the list of packages changes.
 # Exit status 77 with a sentence on the standard error where a root cannot be made.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -50,7 +50,7 @@ debootstrap --variant=minbase "$suite" "$work/root" "$mirror" >"$log" 2>&1 ||
   cannot "debootstrap failed: $(tail -n 1 "$log")"
 cp /etc/resolv.conf "$work/root/etc/resolv.conf"
 # A test root may be made from a mirror that lags behind (signatures are checked all the same), and if the machine stops
-# in the middle it is made anew: no need to wait for the disk after each file.
+# in the middle it is remade: no need to wait for the disk after each file.
 echo 'Acquire::Check-Valid-Until "false";' >"$work/root/etc/apt/apt.conf.d/90vorogeo"
 echo force-unsafe-io >"$work/root/etc/dpkg/dpkg.cfg.d/90vorogeo"
 tests/window/in_root.sh "$work/root" sh -c "apt-get update -q && apt-get install -q -y ${packages[*]} && apt-get clean" \

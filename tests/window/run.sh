@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests the plugin in the real MeshLab window, without a screen: MeshLab of the right Debian in a root of its own.
+# Tests the plugin in the real MeshLab window, on a virtual display: MeshLab of the right Debian in its own root.
 #
 # Usage: tests/window/run.sh [--million] [2022.02|2025.07]... [-- PYTEST OPTIONS]
 #   --million: instead of the tests, work on a mesh of a million vertices, some ten minutes on two idle cores; prints the

@@ -20,7 +20,7 @@ TEST(PathEnds, APointInAFaceIsBesideItsNearestCorner) {
     const PathEnd end = path_end(data, point);
     const Point at = position_of(*data.mesh, point);
     const Point corner = data.work.mesh->position(end.vertex);
-    EXPECT_NEAR(end.beside, std::hypot(at[0] - corner[0], at[1] - corner[1]), 1e-12);
+    EXPECT_NEAR(end.to_vertex, std::hypot(at[0] - corner[0], at[1] - corner[1]), 1e-12);
     EXPECT_EQ(end.patches.size(), 1U);
     EXPECT_TRUE(are_near(data, end, end));
     // In a plane the distance to a border vertex is the straight line: that of the tables errs by a unit.
@@ -37,7 +37,7 @@ TEST(PathEnds, AVertexOnABorderIsInAllItsPatches) {
   int on_border = 0;
   for (Index v = 0; v < data.mesh->vertex_count(); ++v) {
     const PathEnd end = path_end(data, SurfacePoint::at_vertex(v));
-    EXPECT_EQ(end.beside, 0.0);
+    EXPECT_EQ(end.to_vertex, 0.0);
     const bool is_node = data.second.vertex_node[end.vertex] != no_index;
     EXPECT_EQ(end.patches.size() > 1, is_node);
     on_border += is_node ? 1 : 0;
