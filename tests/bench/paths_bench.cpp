@@ -66,7 +66,7 @@ class Draw {
     if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
     return SurfacePoint::in_face(below(mesh_.face_count()), {1.0 - u - v, u, v});
   }
-  SurfacePoint near(const SurfacePoint& other) {
+  SurfacePoint connected_to(const SurfacePoint& other) {
     for (;;) {
       const SurfacePoint point = any();
       if (component(point) == component(other)) return point;
@@ -105,7 +105,7 @@ int run(char** arguments) {
     limits.distances_only = !in_faces;
     solver.run(std::span(&source, 1), limits);
     for (long i = 0; i < targets; ++i) {
-      const SurfacePoint target = draw.near(source.point);
+      const SurfacePoint target = draw.connected_to(source.point);
       vorogeo::SurfacePath refined;
       vorogeo::ExactPath exact;
       const double refined_seconds = seconds_of([&] { refined = query.path(source.point, target); });
