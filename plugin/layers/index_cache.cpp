@@ -30,7 +30,7 @@ void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const Geodesic
   }
   entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });
   entries_.push_front(std::move(entry));
-  while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > most_bytes_)) entries_.pop_back();
+  while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > max_bytes_)) entries_.pop_back();
 }
 
 void IndexCache::forget(const void* document) {

@@ -22,8 +22,8 @@ namespace vorogeo::plugin {
 /// used by several threads.
 class IndexCache {
  public:
-  /// `most_bytes`: what the indexes may take together; the newest is kept, however large it is.
-  explicit IndexCache(std::int64_t most_bytes = default_memory_budget << 20) : most_bytes_(most_bytes) {}
+  /// `max_bytes`: what the indexes may take together; the newest is kept, however large it is.
+  explicit IndexCache(std::int64_t max_bytes = default_memory_budget << 20) : max_bytes_(max_bytes) {}
 
   /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is
   /// named).
@@ -49,7 +49,7 @@ class IndexCache {
 
   std::int64_t bytes() const;
 
-  const std::int64_t most_bytes_;
+  const std::int64_t max_bytes_;
   std::mutex mutex_;
   std::list<Entry> entries_;  ///< most recently used first
 };

@@ -105,10 +105,10 @@ nb::tuple eccentricity(nb::handle index, const PointArrays& points, bool exact, 
 }
 
 /// `start`: no_index for the largest component.
-nb::tuple extent(nb::handle index, Index start, Index most_fields, bool exact, nb::object progress) {
+nb::tuple extent(nb::handle index, Index start, Index max_fields, bool exact, nb::object progress) {
   const Extent found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     const Index first = start == no_index ? first_vertex_of_largest_component(team.mesh()) : start;
-    return extent_of_component(team, first, most_fields, report);
+    return extent_of_component(team, first, max_fields, report);
   });
   return nb::make_tuple(nb::make_tuple(found.diameter.lower, found.diameter.upper),
                         nb::make_tuple(found.ends[0], found.ends[1]),
@@ -135,7 +135,7 @@ void bind_surface_tasks(nb::module_& module) {
   module.def("sample_poisson_disk", &poisson_disk, index, radius, seed, exact, progress);
   module.def("disk", &disk, index, sources, radius, exact);
   module.def("eccentricity", &eccentricity, index, points, exact, progress);
-  module.def("extent", &extent, index, nb::arg("start"), nb::arg("most_fields"), exact, progress);
+  module.def("extent", &extent, index, nb::arg("start"), nb::arg("max_fields"), exact, progress);
   module.def("relax", &relax, index, points, nb::arg("rounds"), exact, progress);
 }
 

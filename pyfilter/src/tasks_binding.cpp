@@ -55,18 +55,18 @@ nb::tuple as_tuple(SparseDistances&& sparse) {
                         to_numpy(std::move(sparse.distance)));
 }
 
-nb::tuple within(nb::handle index, const PointArrays& points, double radius, std::int64_t most_bytes,
+nb::tuple within(nb::handle index, const PointArrays& points, double radius, std::int64_t max_bytes,
                  nb::object progress) {
   return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
-    return pairs_within(team, points_from(team.mesh(), points), radius, most_bytes, report);
+    return pairs_within(team, points_from(team.mesh(), points), radius, max_bytes, report);
   }));
 }
 
 nb::tuple within_others(nb::handle index, const PointArrays& points, const PointArrays& others, double radius,
-                        std::int64_t most_bytes, nb::object progress) {
+                        std::int64_t max_bytes, nb::object progress) {
   return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
     return pairs_within(team, points_from(team.mesh(), points), points_from(team.mesh(), others), radius,
-                        most_bytes, report);
+                        max_bytes, report);
   }));
 }
 
@@ -83,15 +83,15 @@ nb::tuple nearest(nb::handle index, const PointArrays& set, const PointArrays& q
 
 void bind_tasks(nb::module_& module) {
   const nb::arg index("index"), points("points"), others("others"), sources("sources"), method("method"),
-      out("out"), radius("radius"), most_bytes("most_bytes");
+      out("out"), radius("radius"), max_bytes("max_bytes");
   const auto progress = nb::arg("progress").none();
   module.def("available_memory_bytes", &available_memory_bytes);
   module.def("fill_matrix", &fill_matrix, index, nb::arg("rows"), nb::arg("columns"), method, out, progress);
   module.def("fill_square_matrix", &fill_square_matrix, index, points, method, out, progress);
   module.def("fill_fields", &fill_fields, index, sources, nb::arg("max_distance"), out, progress);
   module.def("pair_distances", &pairs, index, sources, nb::arg("targets"), progress);
-  module.def("pairs_within", &within, index, points, radius, most_bytes, progress);
-  module.def("pairs_within_others", &within_others, index, points, others, radius, most_bytes, progress);
+  module.def("pairs_within", &within, index, points, radius, max_bytes, progress);
+  module.def("pairs_within_others", &within_others, index, points, others, radius, max_bytes, progress);
   module.def("nearest", &nearest, index, nb::arg("set"), nb::arg("queries"), nb::arg("count"), progress);
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/error.h"
+
 namespace vorogeo::test {
 
 std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches,
@@ -21,6 +23,15 @@ std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_la
 std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
                                                       Index second_layer_patches, double delta) {
   return make_index(soup, first_layer_patches, second_layer_patches, delta, 0, IndexForm::graph);
+}
+
+std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh) {
+  try {
+    GeodesicIndex::load(file, mesh);
+  } catch (const IndexFileError& error) {
+    return error.what();
+  }
+  return "loaded";
 }
 
 Soup hills(int cells, double height) {

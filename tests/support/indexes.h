@@ -1,10 +1,12 @@
 // Small indexes for tests, and what is measured on them.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <random>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,9 @@ std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_la
 /// The same in the form of a graph.
 std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
                                                       Index second_layer_patches, double delta = 0.0);
+
+/// The sentence with which loading an index file is refused, or "loaded".
+std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh);
 
 /// A terrain over plane_grid: smooth hills, so that shortest paths bend and distances have no formula.
 Soup hills(int cells, double height);

@@ -1,7 +1,7 @@
 """Keeps what was done in MeshLab's window as a filter script, and applies a script with another start.
 
 Usage (inside a root, within dbus-run-session): python3 filter_script.py FOLDER
-  FOLDER holds meshes/; all that was seen goes to filter_script.json, which test_loading.py judges, the scripts to
+  FOLDER holds meshes/; all that was seen goes to filter_script.json, which test_filter_script.py judges, the scripts to
   saved.mlx and applied.mlx, the field to field_script.ply.
 """
 

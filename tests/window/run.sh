@@ -4,7 +4,7 @@
 # Usage: tests/window/run.sh [--million] [2022.02|2025.07]... [-- PYTEST OPTIONS]
 #   --million: instead of the tests, work on a mesh of a million vertices, some ten minutes on two idle cores; prints the
 #     time of each filter and the longest time in which the window did not answer (tests/window/million.py).
-#   Without a version: both. The first time it downloads some 700 MB and takes several minutes; later it takes about
+#   Without a version: both, 2022.02 only through what differs between the two. The first time it downloads some 700 MB and takes several minutes; later it takes about
 #   one per version. Pictures: build/window/VERSION/seen/shots. Needs what samples/setup.sh sets up, and the rights of root.
 # Exit status 77 where no root can be made; the reason stands on the standard error.
 set -euo pipefail
@@ -47,14 +47,21 @@ for version in "${versions[@]}"; do
     exec {turn}>&-
     continue
   fi
+  # What is refused, edited and scripted is the same code under both versions; starting, dialogs and loading are not.
+  scripts=(scenario loading extra_folder)
+  judges=(tests/window/test_{window,loading}.py)
+  if [ "$version" = 2025.07 ]; then
+    scripts=(scenario refusals filter_script edits loading extra_folder)
+    judges=(tests/window)
+  fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
   rm -rf "$folder/seen"
-  for script in scenario refusals filter_script edits loading extra_folder; do
+  for script in "${scripts[@]}"; do
     "$python" tests/window/make_meshes.py "$folder/seen/meshes" # scripts save over them
     log="$folder/seen/$script-run.log"
     drive 2400 "$script" "$folder/seen" >"$log" 2>&1 || tail -n 15 "$log"
   done
-  VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider tests/window \
+  VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider "${judges[@]}" \
     -o "junit_suite_name=window-$version" "$@"
   exec {turn}>&-
 done

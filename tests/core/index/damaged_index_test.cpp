@@ -19,20 +19,11 @@ namespace vorogeo {
 namespace {
 
 using test::IndexBlock;
+using test::loading;
 using test::read_bytes;
 using test::Soup;
 using test::TemporaryFolder;
 using test::write_bytes;
-
-/// The message of the refusal, or "loaded".
-std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh) {
-  try {
-    GeodesicIndex::load(file, mesh);
-  } catch (const IndexFileError& error) {
-    return error.what();
-  }
-  return "loaded";
-}
 
 class DamagedIndex : public testing::Test {
  protected:

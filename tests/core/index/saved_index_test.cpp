@@ -15,19 +15,10 @@
 namespace vorogeo {
 namespace {
 
+using test::loading;
 using test::read_bytes;
 using test::Soup;
 using test::TemporaryFolder;
-
-/// The message of the refusal, or "loaded".
-std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh) {
-  try {
-    GeodesicIndex::load(file, mesh);
-  } catch (const IndexFileError& error) {
-    return error.what();
-  }
-  return "loaded";
-}
 
 void expect_equal_answers(const std::shared_ptr<const GeodesicIndex>& a,
                           const std::shared_ptr<const GeodesicIndex>& b) {
