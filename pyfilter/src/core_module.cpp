@@ -4,6 +4,7 @@
 #include "errors.h"
 #include "index_binding.h"
 #include "mesh_binding.h"
+#include "methods_binding.h"
 #include "output_binding.h"
 #include "paths_binding.h"
 #include "point_arrays.h"
@@ -14,6 +15,7 @@ NB_MODULE(_core, module) {
       "The core of VoroGeo; use the functions of the package vorogeo, which check their arguments.";
   vorogeo::python::translate_errors();
   vorogeo::python::bind_mesh_functions(module);
+  vorogeo::python::bind_methods(module);
   vorogeo::python::bind_output(module);
   vorogeo::python::bind_index(module);
   vorogeo::python::bind_points(module);

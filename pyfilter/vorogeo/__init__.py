@@ -1,8 +1,9 @@
 """VoroGeo: geodesic distances on triangle meshes, for numpy and PyMeshLab.
 
 On numpy arrays: `GeodesicIndex` is built once per mesh and then answers distances between vertices and distance fields;
-`exact_distance_field` needs no index; `check_mesh` reports what a mesh contains. When PyMeshLab is installed, importing
-this package also loads the VoroGeo filters into it and binds them as methods of ``pymeshlab.MeshSet``.
+`exact_distance_field` needs no index, `distance_field` takes any of the `methods` of the literature; `check_mesh`
+reports what a mesh contains. When PyMeshLab is installed, importing this package also loads the VoroGeo filters into it
+and binds them as methods of ``pymeshlab.MeshSet``.
 """
 
 from importlib.metadata import version as _version
@@ -10,6 +11,15 @@ from importlib.metadata import version as _version
 from ._output import matrix_bytes
 from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
 from .exact import exact_distance_field
+from .geodesic_methods import (
+    GeodesicMethod,
+    MethodClaims,
+    MethodInfo,
+    MethodOption,
+    MethodWarning,
+    distance_field,
+    methods,
+)
 from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .paths import GeodesicPath
@@ -38,6 +48,7 @@ __all__ = [
     "FarthestSamples",
     "FileError",
     "GeodesicIndex",
+    "GeodesicMethod",
     "GeodesicPath",
     "IndexFileError",
     "IndexStatistics",
@@ -45,6 +56,10 @@ __all__ = [
     "Isolines",
     "MeshFinding",
     "MeshReport",
+    "MethodClaims",
+    "MethodInfo",
+    "MethodOption",
+    "MethodWarning",
     "NotEnoughMemory",
     "PluginError",
     "Polylines",
@@ -53,9 +68,11 @@ __all__ = [
     "SurfacePoints",
     "VoronoiRegions",
     "check_mesh",
+    "distance_field",
     "exact_distance_field",
     "load_plugin",
     "matrix_bytes",
+    "methods",
 ]
 
 _load_on_import()

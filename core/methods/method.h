@@ -1,0 +1,77 @@
+// What all geodesic methods have in common: options, what they claim, fields, pairs, memory.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+/// A number that a method takes.
+struct MethodOption {
+  std::string name;
+  double standard;  ///< taken where none is given
+  double least, greatest;
+  bool whole;  ///< only whole numbers
+  std::string meaning;
+};
+
+/// What the literature claims of a method, in the columns of the comparison: short phrases.
+struct MethodClaims {
+  std::string sources;  ///< "MSAD": many sources in one field; "SSSD": two points without a field
+  std::string reuse;    ///< what is prepared once and serves all sources
+  std::string bound;    ///< of the error
+  std::string metrics;  ///< other than the lengths of the mesh
+  std::string growth;   ///< time of preparation and field with the number n of vertices
+};
+
+/// What is known of a method before it runs.
+struct MethodInfo {
+  std::string name;   ///< by which it is chosen
+  std::string title;  ///< for people
+  std::string paper;
+  std::vector<MethodOption> options;
+  MethodClaims claims;
+  bool exact = false;
+  bool has_pairs = false;  ///< two points cost it less than a field
+};
+
+/// Values of all options of a method, by their names.
+using MethodOptions = std::map<std::string, double>;
+
+/// A method that has been prepared for a mesh. Belongs to one thread.
+class GeodesicMethod {
+ public:
+  virtual ~GeodesicMethod() = default;
+  /// Distances from the nearest of the sources to every vertex; `unreachable` where there is none.
+  /// \pre The sources are vertices of the mesh. \throw Cancelled.
+  virtual std::vector<double> field(std::span<const Index> sources, const Progress& progress) = 0;
+  /// Distance of two vertices. Without a better way it is the value of a field.
+  virtual double pair(Index source, Index target) { return field({&source, 1}, {})[target]; }
+  /// Bytes held beside the mesh, scratch memory of the last field included.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// A row of the table of methods.
+struct MethodEntry {
+  MethodInfo info;
+  std::function<std::unique_ptr<GeodesicMethod>(const std::shared_ptr<const Mesh>& mesh,
+                                                const MethodOptions& options, const Progress& progress)>
+      prepare;
+  /// What a user ought to know before it runs on this mesh; empty if nothing. May be unset.
+  std::function<std::string(const Mesh& mesh)> warning;
+};
+
+/// Bytes of a vector's memory.
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+}  // namespace vorogeo
