@@ -92,7 +92,7 @@ def test_fast_marching_equals_that_of_potpourri3d_on_acute_triangles(side):
         (7, {}, "method: 7 is not known"),
         ("mmp", {"eps": 1}, "The method mmp has no option eps; it has none."),
         ("ammp", {"eps": 2}, "The option eps of the method ammp is 2; give a number from 0 to 0.1."),
-        ("ammp", {"eps": "small"}, "eps: 'small' is no real number"),
+        ("ammp", {"eps": "small"}, "eps: 'small' is not a real number"),
         ("heat", {"delaunay": 0.5}, "give a whole number from 0 to 1."),
     ],
 )
