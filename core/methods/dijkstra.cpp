@@ -1,7 +1,6 @@
 // Shortest paths along the edges of the mesh.
-#include "methods/distance_graph.h"
+#include "methods/graph_method.h"
 #include "methods/method_table.h"
-#include "support/checkpoint.h"
 
 namespace vorogeo {
 
@@ -13,25 +12,8 @@ DistanceGraph edge_graph(const Mesh& mesh) {
     const auto [a, b] = mesh.edge_vertices(e);
     arcs[a].push_back({b, mesh.edge_length(e)});
   }
-  return DistanceGraph(arcs);
+  return DistanceGraph(std::move(arcs));
 }
-
-class EdgePaths final : public GeodesicMethod {
- public:
-  explicit EdgePaths(const Mesh& mesh) : graph_(edge_graph(mesh)), vertices_(mesh.vertex_count()) {}
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Shortest edge paths");
-    return graph_.field(sources);
-  }
-  double pair(Index source, Index target) override { return graph_.field({&source, 1}, target)[target]; }
-  std::size_t bytes() const override {
-    return graph_.bytes() + static_cast<std::size_t>(vertices_) * sizeof(double);
-  }
-
- private:
-  DistanceGraph graph_;
-  Index vertices_;
-};
 
 }  // namespace
 
@@ -45,7 +27,7 @@ MethodEntry dijkstra_entry() {
        false,
        true},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-        return std::make_unique<EdgePaths>(*mesh);
+        return std::make_unique<GraphMethod>(edge_graph(*mesh), mesh->vertex_count());
       },
       {}};
 }

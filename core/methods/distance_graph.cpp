@@ -9,14 +9,18 @@
 
 namespace vorogeo {
 
-DistanceGraph::DistanceGraph(const std::vector<std::vector<GraphArc>>& arcs_of) {
+DistanceGraph::DistanceGraph(std::vector<std::vector<GraphArc>> arcs_of) {
   const auto count = static_cast<Index>(arcs_of.size());
-  std::vector<std::vector<GraphArc>> both = arcs_of;
+  std::vector<std::size_t> own;
+  for (const auto& arcs : arcs_of) own.push_back(arcs.size());
   for (Index v = 0; v < count; ++v) {
-    for (const GraphArc& arc : arcs_of[v]) both[arc.target].push_back({v, arc.length});
+    for (std::size_t i = 0; i < own[v]; ++i) {
+      const GraphArc arc = arcs_of[v][i];
+      arcs_of[arc.target].push_back({v, arc.length});
+    }
   }
   begin_.assign(1, 0);
-  for (auto& arcs : both) {
+  for (auto& arcs : arcs_of) {
     std::sort(arcs.begin(), arcs.end(), [](const GraphArc& a, const GraphArc& b) {
       return std::pair(a.target, a.length) < std::pair(b.target, b.length);
     });
@@ -24,6 +28,7 @@ DistanceGraph::DistanceGraph(const std::vector<std::vector<GraphArc>>& arcs_of) 
                                  [](const GraphArc& a, const GraphArc& b) { return a.target == b.target; });
     arcs_.insert(arcs_.end(), arcs.begin(), end);
     begin_.push_back(arcs_.size());
+    std::vector<GraphArc>().swap(arcs);
   }
   arcs_.shrink_to_fit();
 }

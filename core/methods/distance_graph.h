@@ -18,7 +18,7 @@ struct GraphArc {
 class DistanceGraph {
  public:
   /// Takes arcs by their tails; those of one pair of vertices become one, the shortest, in both directions.
-  explicit DistanceGraph(const std::vector<std::vector<GraphArc>>& arcs_of);
+  explicit DistanceGraph(std::vector<std::vector<GraphArc>> arcs_of);
 
   std::span<const GraphArc> arcs(Index vertex) const {
     return {arcs_.data() + begin_[vertex], arcs_.data() + begin_[vertex + 1]};

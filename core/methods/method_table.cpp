@@ -1,6 +1,7 @@
 // Finds methods by name and completes their options.
 #include "methods/method_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -50,8 +51,9 @@ MethodOptions completed(const MethodInfo& info, const MethodOptions& given) {
 }  // namespace
 
 const std::vector<MethodEntry>& all_methods() {
-  static const std::vector<MethodEntry> methods{vorogeo_entry(),       mmp_entry(),  ammp_entry(),
-                                                fast_marching_entry(), heat_entry(), dijkstra_entry()};
+  static const std::vector<MethodEntry> methods{
+      vorogeo_entry(), mmp_entry(), ch_entry(),  ich_entry(), ammp_entry(), fast_marching_entry(),
+      heat_entry(),    svg_entry(), dgg_entry(), gsp_entry(), stvd_entry(), dijkstra_entry()};
   return methods;
 }
 

@@ -8,8 +8,14 @@ namespace vorogeo {
 // Each in the file of its name.
 MethodEntry mmp_entry();
 MethodEntry ammp_entry();
+MethodEntry ch_entry();  // in chen_han.cpp, with ich
+MethodEntry ich_entry();
 MethodEntry fast_marching_entry();
 MethodEntry heat_entry();
+MethodEntry svg_entry();
+MethodEntry dgg_entry();
+MethodEntry gsp_entry();
+MethodEntry stvd_entry();
 MethodEntry dijkstra_entry();
 MethodEntry vorogeo_entry();
 

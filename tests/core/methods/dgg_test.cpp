@@ -1,0 +1,35 @@
+// The discrete geodesic graph: the error follows epsilon, with fewer arcs than SVG needs for it; its build is
+// slow.
+#include <gtest/gtest.h>
+
+#include "support/indexes.h"
+#include "support/methods.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(DggMethod, ExpectedErrorFollowsEpsilon) {
+  for (const test::Soup& soup : {test::hills(40, 0.3), test::icosphere(4)}) {
+    const auto mesh = test::make_mesh(soup);
+    for (double epsilon : {0.01, 0.001}) {
+      const auto errors = test::errors_against_exact("dgg", mesh, 100, {{"epsilon", epsilon}});
+      EXPECT_LT(errors.mean, epsilon);
+      EXPECT_LT(errors.greatest, 6.0 * epsilon);
+      EXPECT_GT(errors.least, -1e-9);  // a path over the surface is never too short
+    }
+  }
+}
+
+TEST(DggMethod, IsMoreAccurateThanSvgWithAsManyArcs) {
+  const auto mesh = test::make_mesh(test::hills(40, 0.3));
+  const auto dgg = prepare_method("dgg", mesh, {{"epsilon", 0.003}}, {});
+  const auto svg = prepare_method("svg", mesh, {{"K", 60.0}}, {});
+  const std::vector<Index> source{100};
+  const auto exact = exact_distance_field(mesh, source);
+  EXPECT_LT(dgg->bytes(), svg->bytes());
+  EXPECT_LT(test::errors_of(dgg->field(source, {}), exact).mean,
+            test::errors_of(svg->field(source, {}), exact).mean);
+}
+
+}  // namespace
+}  // namespace vorogeo
