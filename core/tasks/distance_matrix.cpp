@@ -44,6 +44,94 @@ void in_blocks(FieldTeam& team, std::size_t count, const Progress& progress, Bod
                });
 }
 
+/// Entries are distances in double or single precision.
+template <class Entry>
+void fill_rectangle(FieldTeam& team, const PointList& row_points, const PointList& column_points,
+                    MatrixMethod method, std::span<Entry> matrix, const Progress& progress) {
+  require_size(matrix.size(), row_points.size() * column_points.size());
+  const PointList rows = points_on(team.mesh(), row_points, "Row");
+  const PointList columns = points_on(team.mesh(), column_points, "Column");
+  const std::size_t width = columns.size();
+  const auto fewer = static_cast<double>(std::min(rows.size(), width));
+  const bool only_vertices = rows.only_vertices() && columns.only_vertices();
+  if (!use_fields(team, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
+    const auto row_order = team.order_of_points(rows);
+    const auto column_order = team.order_of_points(columns);
+    in_blocks(team, matrix.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
+      for (std::size_t k = first; k < last; ++k) {
+        const std::size_t i = row_order[k / width];
+        const std::size_t j = column_order[k % width];
+        matrix[i * width + j] = static_cast<Entry>(team.distance(rows[i], columns[j], worker));
+      }
+    });
+    return;
+  }
+  const bool from_rows = rows.size() <= width;
+  const PointList& sources = from_rows ? rows : columns;
+  const PointList& targets = from_rows ? columns : rows;
+  parallel_for(sources.size(), team.threads(), progress, "Distance fields",
+               [&](std::size_t source, int worker) {
+                 const auto found = team.distances(sources[source], targets, unreachable, worker);
+                 for (std::size_t i = 0; i < found.size(); ++i) {
+                   matrix[from_rows ? source * width + i : i * width + source] = static_cast<Entry>(found[i]);
+                 }
+               });
+}
+
+template <class Entry>
+void fill_square(FieldTeam& team, const PointList& given, MatrixMethod method, std::span<Entry> matrix,
+                 const Progress& progress) {
+  const std::size_t count = given.size();
+  require_size(matrix.size(), count * count);
+  const PointList points = points_on(team.mesh(), given, "Point");
+  const auto fields = static_cast<double>(count);
+  if (!use_fields(team, method, points.only_vertices(), fields, 0.5 * fields * (fields - 1.0))) {
+    const auto order = team.order_of_points(points);
+    // Row i ends at the diagonal: pairing the first row with the last, and so on, makes items of equal work.
+    parallel_for((count + 1) / 2, team.threads(), progress, "Distances of pairs",
+                 [&](std::size_t item, int worker) {
+                   for (std::size_t k : {item, count - 1 - item}) {
+                     const std::size_t i = order[k];
+                     for (std::size_t l = 0; l < k; ++l) {
+                       const std::size_t j = order[l];
+                       const auto distance = static_cast<Entry>(team.distance(points[i], points[j], worker));
+                       matrix[i * count + j] = matrix[j * count + i] = distance;
+                     }
+                     matrix[i * count + i] = Entry{};
+                     if (item == count - 1 - item) break;
+                   }
+                 });
+    return;
+  }
+  parallel_for(count, team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
+    const auto found = team.distances(points[i], points, unreachable, worker);
+    for (std::size_t j = 0; j < count; ++j) {
+      if (points[j] == points[i]) {
+        matrix[i * count + j] = Entry{};
+      } else if (points[i] < points[j]) {
+        matrix[i * count + j] = matrix[j * count + i] = static_cast<Entry>(found[j]);
+      }
+    }
+  });
+}
+
+template <class Entry>
+void fill_rows(FieldTeam& team, const PointList& given, double max_distance, std::span<Entry> rows,
+               const Progress& progress) {
+  const auto width = static_cast<std::size_t>(team.mesh().vertex_count());
+  require_size(rows.size(), given.size() * width);
+  const PointList sources = points_on(team.mesh(), given, "Source");
+  if (!(max_distance >= 0.0)) {
+    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
+                       "; it must be at least 0.");
+  }
+  parallel_for(sources.size(), team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
+    const auto field = team.field(sources[i], max_distance, worker);
+    std::ranges::transform(field, rows.begin() + static_cast<std::ptrdiff_t>(i * width),
+                           [](double distance) { return static_cast<Entry>(distance); });
+  });
+}
+
 }  // namespace
 
 void pair_distances(FieldTeam& team, const PointList& sources, const PointList& targets,
@@ -64,87 +152,34 @@ void pair_distances(FieldTeam& team, const PointList& sources, const PointList& 
   });
 }
 
-void distance_matrix(FieldTeam& team, const PointList& row_points, const PointList& column_points,
-                     MatrixMethod method, std::span<double> matrix, const Progress& progress) {
-  require_size(matrix.size(), row_points.size() * column_points.size());
-  const PointList rows = points_on(team.mesh(), row_points, "Row");
-  const PointList columns = points_on(team.mesh(), column_points, "Column");
-  const std::size_t width = columns.size();
-  const auto fewer = static_cast<double>(std::min(rows.size(), width));
-  const bool only_vertices = rows.only_vertices() && columns.only_vertices();
-  if (!use_fields(team, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
-    const auto row_order = team.order_of_points(rows);
-    const auto column_order = team.order_of_points(columns);
-    in_blocks(team, matrix.size(), progress, [&](std::size_t first, std::size_t last, int worker) {
-      for (std::size_t k = first; k < last; ++k) {
-        const std::size_t i = row_order[k / width];
-        const std::size_t j = column_order[k % width];
-        matrix[i * width + j] = team.distance(rows[i], columns[j], worker);
-      }
-    });
-    return;
-  }
-  const bool from_rows = rows.size() <= width;
-  const PointList& sources = from_rows ? rows : columns;
-  const PointList& targets = from_rows ? columns : rows;
-  parallel_for(sources.size(), team.threads(), progress, "Distance fields",
-               [&](std::size_t source, int worker) {
-                 const auto found = team.distances(sources[source], targets, unreachable, worker);
-                 for (std::size_t i = 0; i < found.size(); ++i) {
-                   matrix[from_rows ? source * width + i : i * width + source] = found[i];
-                 }
-               });
+void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
+                     std::span<double> matrix, const Progress& progress) {
+  fill_rectangle(team, rows, columns, method, matrix, progress);
 }
 
-void distance_matrix(FieldTeam& team, const PointList& given, MatrixMethod method, std::span<double> matrix,
+void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<double> matrix,
                      const Progress& progress) {
-  const std::size_t count = given.size();
-  require_size(matrix.size(), count * count);
-  const PointList points = points_on(team.mesh(), given, "Point");
-  const auto fields = static_cast<double>(count);
-  if (!use_fields(team, method, points.only_vertices(), fields, 0.5 * fields * (fields - 1.0))) {
-    const auto order = team.order_of_points(points);
-    // Row i ends at the diagonal: pairing the first row with the last, and so on, makes items of equal work.
-    parallel_for((count + 1) / 2, team.threads(), progress, "Distances of pairs",
-                 [&](std::size_t item, int worker) {
-                   for (std::size_t k : {item, count - 1 - item}) {
-                     const std::size_t i = order[k];
-                     for (std::size_t l = 0; l < k; ++l) {
-                       const std::size_t j = order[l];
-                       const double distance = team.distance(points[i], points[j], worker);
-                       matrix[i * count + j] = matrix[j * count + i] = distance;
-                     }
-                     matrix[i * count + i] = 0.0;
-                     if (item == count - 1 - item) break;
-                   }
-                 });
-    return;
-  }
-  parallel_for(count, team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
-    const auto found = team.distances(points[i], points, unreachable, worker);
-    for (std::size_t j = 0; j < count; ++j) {
-      if (points[j] == points[i]) {
-        matrix[i * count + j] = 0.0;
-      } else if (points[i] < points[j]) {
-        matrix[i * count + j] = matrix[j * count + i] = found[j];
-      }
-    }
-  });
+  fill_square(team, points, method, matrix, progress);
 }
 
-void distance_fields(FieldTeam& team, const PointList& given, double max_distance, std::span<double> rows,
+void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<double> rows,
                      const Progress& progress) {
-  const auto width = static_cast<std::size_t>(team.mesh().vertex_count());
-  require_size(rows.size(), given.size() * width);
-  const PointList sources = points_on(team.mesh(), given, "Source");
-  if (!(max_distance >= 0.0)) {
-    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
-                       "; it must be at least 0.");
-  }
-  parallel_for(sources.size(), team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
-    const auto field = team.field(sources[i], max_distance, worker);
-    std::copy(field.begin(), field.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * width));
-  });
+  fill_rows(team, sources, max_distance, rows, progress);
+}
+
+void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
+                     std::span<float> matrix, const Progress& progress) {
+  fill_rectangle(team, rows, columns, method, matrix, progress);
+}
+
+void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<float> matrix,
+                     const Progress& progress) {
+  fill_square(team, points, method, matrix, progress);
+}
+
+void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<float> rows,
+                     const Progress& progress) {
+  fill_rows(team, sources, max_distance, rows, progress);
 }
 
 }  // namespace vorogeo

@@ -26,16 +26,25 @@ void pair_distances(FieldTeam& team, const PointList& sources, const PointList& 
 /// matrix of another size, Cancelled (the matrix is then partly filled).
 void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
                      std::span<double> matrix, const Progress& progress = {});
+/// The same, rounded to single precision.
+void distance_matrix(FieldTeam& team, const PointList& rows, const PointList& columns, MatrixMethod method,
+                     std::span<float> matrix, const Progress& progress = {});
 
 /// The matrix of one list with itself: symmetric to the last bit, zero on the diagonal and for repeated
 /// points. With fields, the value of a pair is read from the field of its smaller point
 /// (SurfacePoint::<=>).
 void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<double> matrix,
                      const Progress& progress = {});
+/// The same, rounded to single precision.
+void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod method, std::span<float> matrix,
+                     const Progress& progress = {});
 
 /// The field of each source at all vertices in a row of n values; distances above max_distance are
 /// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or no number.
 void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<double> rows,
+                     const Progress& progress = {});
+/// The same, rounded to single precision.
+void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<float> rows,
                      const Progress& progress = {});
 
 }  // namespace vorogeo

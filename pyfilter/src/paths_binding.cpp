@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "arrays.h"
+#include "exact/exact_solver.h"
 #include "index_binding.h"
 #include "mesh/surface_locator.h"
 #include "path/path_query.h"
@@ -83,16 +84,20 @@ class Paths {
     return bytes;
   }
 
-  nb::tuple field(const PointArrays& source, const ValueArray& offsets, double max_distance) {
+  /// Distances of all vertices from the nearest source, and which it is; from the index or exact.
+  nb::tuple field(const PointArrays& source, const ValueArray& offsets, double max_distance, bool exact) {
     const PointList points = points_on(mesh(), points_from(mesh(), source), "Source");
     LabelledField result;
+    std::vector<ExactSource> sources;
     {
       nb::gil_scoped_release release;
-      std::vector<ExactSource> sources;
       for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets.data()[i]});
-      result =
-          held_.pool->lend([&](GeodesicQuery& query) { return query.labelled_field(sources, max_distance); });
+      if (!exact) {
+        result = held_.pool->lend(
+            [&](GeodesicQuery& query) { return query.labelled_field(sources, max_distance); });
+      }
     }
+    if (exact) result = exact_field(sources, max_distance);
     return nb::make_tuple(to_numpy(std::move(result.distance)), to_numpy(std::move(result.source)));
   }
 
@@ -112,6 +117,26 @@ class Paths {
  private:
   /// Number of pairs in one call from which landmarks usually save more time than they cost (docs/paths.md).
   static constexpr std::size_t pairs_worth_landmarks = 1000;
+
+  /// Ctrl-C stops it.
+  LabelledField exact_field(const std::vector<ExactSource>& sources, double max_distance) const {
+    ProgressBridge bridge{nb::handle(Py_None)};
+    return bridge.run([&](const Progress& progress) {
+      ExactSolver solver(held_.index->mesh());
+      ExactLimits limits;
+      limits.max_distance = max_distance;
+      limits.progress = &progress;
+      limits.distances_only = true;
+      solver.run(sources, limits);
+      LabelledField field;
+      for (Index v = 0; v < mesh().vertex_count(); ++v) {
+        const bool reached = solver.distance(v) <= max_distance && solver.distance(v) != unreachable;
+        field.distance.push_back(reached ? solver.distance(v) : unreachable);
+        field.source.push_back(reached ? solver.nearest_source(v) : no_index);
+      }
+      return field;
+    });
+  }
 
   bool has_landmarks() {
     const std::lock_guard lock(mutex_);
@@ -197,7 +222,8 @@ void bind_paths(nb::module_& module) {
       .def("paths", &Paths::paths, nb::arg("sources"), nb::arg("targets"), nb::arg("exact"),
            nb::arg("certify"), nb::arg("progress").none())
       .def("use_landmarks", &Paths::use_landmarks, nb::arg("count"), nb::arg("progress").none())
-      .def("field", &Paths::field, nb::arg("sources"), nb::arg("offsets"), nb::arg("max_distance"))
+      .def("field", &Paths::field, nb::arg("sources"), nb::arg("offsets"), nb::arg("max_distance"),
+           nb::arg("exact"))
       .def("along_edges", &Paths::along_edges, nb::arg("ends"), nb::arg("spacing"));
 }
 

@@ -12,32 +12,53 @@ namespace vorogeo::python {
 
 namespace {
 
-/// Memory of the caller, such as an array or a mapped file.
-using OutArray = nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+/// Memory of the caller, such as an array or a mapped file, in double or single precision.
+template <class Entry>
+using OutArray = nb::ndarray<Entry, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
-std::span<double> values_of(const OutArray& out) { return {out.data(), out.shape(0) * out.shape(1)}; }
+template <class Entry>
+std::span<Entry> values_of(const OutArray<Entry>& out) {
+  return {out.data(), out.shape(0) * out.shape(1)};
+}
 
+template <class Entry>
 void fill_matrix(nb::handle index, const PointArrays& rows, const PointArrays& columns, int method,
-                 const OutArray& out, nb::object progress) {
-  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+                 bool exact, const OutArray<Entry>& out, nb::object progress) {
+  with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     distance_matrix(team, points_from(team.mesh(), rows), points_from(team.mesh(), columns),
                     static_cast<MatrixMethod>(method), values_of(out), report);
   });
 }
 
-void fill_square_matrix(nb::handle index, const PointArrays& points, int method, const OutArray& out,
-                        nb::object progress) {
-  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+template <class Entry>
+void fill_square_matrix(nb::handle index, const PointArrays& points, int method, bool exact,
+                        const OutArray<Entry>& out, nb::object progress) {
+  with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     distance_matrix(team, points_from(team.mesh(), points), static_cast<MatrixMethod>(method), values_of(out),
                     report);
   });
 }
 
-void fill_fields(nb::handle index, const PointArrays& sources, double max_distance, const OutArray& out,
-                 nb::object progress) {
-  with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+template <class Entry>
+void fill_fields(nb::handle index, const PointArrays& sources, double max_distance, bool exact,
+                 const OutArray<Entry>& out, nb::object progress) {
+  with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     distance_fields(team, points_from(team.mesh(), sources), max_distance, values_of(out), report);
   });
+}
+
+/// The functions that write to an array, for arrays of one type.
+template <class Entry>
+void bind_fills(nb::module_& module) {
+  const nb::arg index("index"), method("method"), exact("exact");
+  const auto out = nb::arg("out").noconvert();
+  const auto progress = nb::arg("progress").none();
+  module.def("fill_matrix", &fill_matrix<Entry>, index, nb::arg("rows"), nb::arg("columns"), method, exact,
+             out, progress);
+  module.def("fill_square_matrix", &fill_square_matrix<Entry>, index, nb::arg("points"), method, exact, out,
+             progress);
+  module.def("fill_fields", &fill_fields<Entry>, index, nb::arg("sources"), nb::arg("max_distance"), exact,
+             out, progress);
 }
 
 DoubleArray pairs(nb::handle index, const PointArrays& sources, const PointArrays& targets,
@@ -55,24 +76,24 @@ nb::tuple as_tuple(SparseDistances&& sparse) {
                         to_numpy(std::move(sparse.distance)));
 }
 
-nb::tuple within(nb::handle index, const PointArrays& points, double radius, std::int64_t max_bytes,
-                 nb::object progress) {
-  return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+nb::tuple within(nb::handle index, const PointArrays& points, double radius, bool exact,
+                 std::int64_t max_bytes, nb::object progress) {
+  return as_tuple(with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     return pairs_within(team, points_from(team.mesh(), points), radius, max_bytes, report);
   }));
 }
 
 nb::tuple within_others(nb::handle index, const PointArrays& points, const PointArrays& others, double radius,
-                        std::int64_t max_bytes, nb::object progress) {
-  return as_tuple(with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+                        bool exact, std::int64_t max_bytes, nb::object progress) {
+  return as_tuple(with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     return pairs_within(team, points_from(team.mesh(), points), points_from(team.mesh(), others), radius,
                         max_bytes, report);
   }));
 }
 
 nb::tuple nearest(nb::handle index, const PointArrays& set, const PointArrays& queries, std::size_t count,
-                  nb::object progress) {
-  NearestOfSet found = with_team(index, progress, [&](FieldTeam& team, const Progress& report) {
+                  bool exact, nb::object progress) {
+  NearestOfSet found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     return nearest_of_set(team, points_from(team.mesh(), set), points_from(team.mesh(), queries), count,
                           report);
   });
@@ -82,17 +103,18 @@ nb::tuple nearest(nb::handle index, const PointArrays& set, const PointArrays& q
 }  // namespace
 
 void bind_tasks(nb::module_& module) {
-  const nb::arg index("index"), points("points"), others("others"), sources("sources"), method("method"),
-      out("out"), radius("radius"), max_bytes("max_bytes");
+  const nb::arg index("index"), points("points"), others("others"), sources("sources"), radius("radius"),
+      exact("exact"), max_bytes("max_bytes");
   const auto progress = nb::arg("progress").none();
   module.def("available_memory_bytes", &available_memory_bytes);
-  module.def("fill_matrix", &fill_matrix, index, nb::arg("rows"), nb::arg("columns"), method, out, progress);
-  module.def("fill_square_matrix", &fill_square_matrix, index, points, method, out, progress);
-  module.def("fill_fields", &fill_fields, index, sources, nb::arg("max_distance"), out, progress);
+  bind_fills<double>(module);
+  bind_fills<float>(module);
   module.def("pair_distances", &pairs, index, sources, nb::arg("targets"), progress);
-  module.def("pairs_within", &within, index, points, radius, max_bytes, progress);
-  module.def("pairs_within_others", &within_others, index, points, others, radius, max_bytes, progress);
-  module.def("nearest", &nearest, index, nb::arg("set"), nb::arg("queries"), nb::arg("count"), progress);
+  module.def("pairs_within", &within, index, points, radius, exact, max_bytes, progress);
+  module.def("pairs_within_others", &within_others, index, points, others, radius, exact, max_bytes,
+             progress);
+  module.def("nearest", &nearest, index, nb::arg("set"), nb::arg("queries"), nb::arg("count"), exact,
+             progress);
 }
 
 }  // namespace vorogeo::python

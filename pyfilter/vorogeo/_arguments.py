@@ -8,7 +8,7 @@ import os
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from .errors import InvalidInput
 
@@ -69,6 +69,13 @@ def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
         vertex = int(array[row][bad[row]][0])
         raise InvalidInput(f"faces[{row}]: names vertex {vertex}, but {_vertex_range(vertex_count)}.")
     return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def kept(array: NDArray[Any], given: Any) -> NDArray[Any]:
+    """A read-only array that the caller cannot change, even if it is the one given."""
+    own = array.copy() if np.may_share_memory(array, np.asarray(given)) else array
+    own.flags.writeable = False
+    return own
 
 
 def unchecked_faces(value: ArrayLike) -> NDArray[np.int32]:
@@ -182,6 +189,18 @@ def patches(value: tuple[int, int] | None) -> tuple[int, int]:
     if len(pair) != 2:
         raise InvalidInput(f"patches: has {len(pair)} entries; give {wanted}.")
     return integer("patches[0]", pair[0], 0, _INT32.max), integer("patches[1]", pair[1], 0, _INT32.max)
+
+
+def real_type(value: DTypeLike | None) -> np.dtype[Any]:
+    """The type of results: float32 or float64, which None stands for."""
+    wanted = "give float32 or float64"
+    try:
+        found = np.dtype(np.float64 if value is None else value)
+    except TypeError:
+        raise InvalidInput(f"dtype: {value!r} is no type of numbers; {wanted}.") from None
+    if found not in (np.float32, np.float64):
+        raise InvalidInput(f"dtype: {found} is not possible; {wanted}.")
+    return found
 
 
 def threads(value: int | None) -> int:

@@ -3,29 +3,38 @@
 from __future__ import annotations
 
 import io
+import mmap
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from . import _arguments as check
 from . import _core
 from .errors import InvalidInput, NotEnoughMemory
 
-Output = str | os.PathLike[str] | NDArray[np.float64] | None
+Output = str | os.PathLike[str] | NDArray[Any] | None
+_Report = Callable[[float, str], object] | None
+
+#: Of a mapped file, this much is filled before its pages leave the process; the file keeps them.
+_MAPPED_BYTES = 2**28
 
 
-def matrix_bytes(rows: int, columns: int) -> int:
-    """Bytes that a matrix of float64 distances takes.
+def matrix_bytes(rows: int, columns: int, dtype: DTypeLike | None = None) -> int:
+    """Bytes that a matrix of distances takes.
 
     Parameters
     ----------
     rows, columns : int
         Its shape.
+    dtype : {float64, float32}, optional
+        Of the entries; None is float64.
     """
-    return 8 * check.integer("rows", rows, 0, 2**40) * check.integer("columns", columns, 0, 2**40)
+    size: int = check.real_type(dtype).itemsize
+    return size * check.integer("rows", rows, 0, 2**40) * check.integer("columns", columns, 0, 2**40)
 
 
 def require_memory(what: str, needed: float, max_bytes: int | None, advice: str) -> None:
@@ -39,8 +48,10 @@ def require_memory(what: str, needed: float, max_bytes: int | None, advice: str)
 
 
 @contextmanager
-def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Iterator[NDArray[np.float64]]:
-    """An array of float64 to fill in the block: new, given, or mapped to a file that appears complete or not at all.
+def matrix(
+    rows: int, columns: int, out: Output, max_bytes: int | None, dtype: DTypeLike | None = None
+) -> Iterator[NDArray[Any]]:
+    """An array to fill in the block: new, given, or mapped to a file that appears whole or not at all.
 
     The file's space is reserved first: writing to mapped memory on a full disk would kill the process.
 
@@ -54,39 +65,66 @@ def matrix(rows: int, columns: int, out: Output, max_bytes: int | None) -> Itera
     NotEnoughMemory
         If the array does not fit into memory.
     """
+    if isinstance(out, np.ndarray):
+        yield _given(rows, columns, out, dtype)
+        return
+    entry = check.real_type(dtype)
+    size = matrix_bytes(rows, columns, entry)
     if out is None:
         require_memory(
-            f"The matrix of {rows} x {columns} distances", matrix_bytes(rows, columns), max_bytes,
-            "give fewer points, or out='file.npy' to write it to a file.",
+            f"The matrix of {rows} x {columns} distances", size, max_bytes,
+            "give fewer points, dtype='float32', or out='file.npy' to write it to a file.",
         )  # fmt: skip
-        yield np.empty((rows, columns))
-    elif isinstance(out, np.ndarray):
-        if out.shape != (rows, columns) or out.dtype != np.float64 or not out.flags.c_contiguous:
-            raise InvalidInput(
-                f"out: is an array of {out.dtype} and shape {out.shape}; give a contiguous one of float64 and shape "
-                f"({rows}, {columns})."
-            )
-        if not out.flags.writeable:
-            raise InvalidInput("out: is read-only; give an array that can be written, or the name of a file.")
-        yield out
-    else:
-        head = _head(rows, columns)
-        file = _core.OutputFile.make(check.file_path(out), "out: the file", head, matrix_bytes(rows, columns))
-        try:
-            if rows * columns == 0:
-                yield np.empty((rows, columns))
-            else:
-                array = np.memmap(file.temporary, np.float64, "r+", len(head), (rows, columns))
-                yield array
-                array.flush()
-            file.finish()
-        finally:
-            file.discard()
+        yield np.empty((rows, columns), entry)
+        return
+    head = _head(rows, columns, entry)
+    file = _core.OutputFile.make(check.file_path(out), "out: the file", head, size)
+    try:
+        if rows * columns == 0:
+            yield np.empty((rows, columns), entry)
+        else:
+            array = np.memmap(file.temporary, entry, "r+", len(head), (rows, columns))
+            yield array
+            array.flush()
+        file.finish()
+    finally:
+        file.discard()
 
 
-def _head(rows: int, columns: int) -> bytes:
-    """The beginning of a .npy file of this matrix."""
+def _given(rows: int, columns: int, out: NDArray[Any], dtype: DTypeLike | None) -> NDArray[Any]:
+    """The caller's array, if it can hold the result."""
+    real = out.dtype in (np.float32, np.float64) if dtype is None else out.dtype == check.real_type(dtype)
+    if out.shape != (rows, columns) or not real or not out.flags.c_contiguous:
+        wanted = "float64 or float32" if dtype is None else check.real_type(dtype)
+        raise InvalidInput(
+            f"out: is an array of {out.dtype} and shape {out.shape}; give a contiguous one of {wanted} and shape "
+            f"({rows}, {columns})."
+        )
+    if not out.flags.writeable:
+        raise InvalidInput("out: is read-only; give an array that can be written, or the name of a file.")
+    return out
+
+
+def releasing(array: NDArray[Any], report: _Report) -> _Report:
+    """The progress function; while a large file is filled, it also hands the pages written back to the system."""
+    mapped: mmap.mmap | None = getattr(array, "_mmap", None)
+    if mapped is None or array.nbytes <= _MAPPED_BYTES or not hasattr(mmap, "MADV_DONTNEED"):
+        return report
+    released = 0.0
+
+    def report_and_release(fraction: float, text: str) -> object:
+        nonlocal released
+        if (fraction - released) * array.nbytes > _MAPPED_BYTES:
+            released = fraction
+            mapped.madvise(mmap.MADV_DONTNEED)
+        return None if report is None else report(fraction, text)
+
+    return report_and_release
+
+
+def _head(rows: int, columns: int, entry: np.dtype[Any]) -> bytes:
+    """What a .npy file of this matrix begins with."""
     head = io.BytesIO()
-    dtype = np.lib.format.dtype_to_descr(np.dtype(np.float64))
+    dtype = np.lib.format.dtype_to_descr(entry)
     np.lib.format.write_array_header_1_0(head, {"descr": dtype, "fortran_order": False, "shape": (rows, columns)})
     return head.getvalue()

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from . import _core
+from .masks import face_mask, without_masked
 
 
 def exact_distance_field(
-    vertices: ArrayLike, faces: ArrayLike, sources: ArrayLike, max_distance: float | None = None
-) -> NDArray[np.float64]:
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    sources: ArrayLike,
+    max_distance: float | None = None,
+    dtype: DTypeLike = np.float64,
+    mask: ArrayLike | None = None,
+) -> NDArray[Any]:
     """Exact distance of every vertex from its nearest source, on one thread.
 
     Parameters
@@ -24,10 +32,14 @@ def exact_distance_field(
         Vertex ids; repeated ones make no difference.
     max_distance : float, optional
         Distances above it are not computed and become infinity; None for no limit.
+    dtype : {float64, float32}
+        Of the result.
+    mask : array_like of bool, shape (m,) or (n,), optional
+        Which faces or vertices belong to the surface, as for `GeodesicIndex`.
 
     Returns
     -------
-    ndarray of float64, shape (n,)
+    ndarray, shape (n,)
         Lengths of shortest paths over the surface, in the unit of the vertices; infinity where there is none.
 
     Raises
@@ -41,5 +53,7 @@ def exact_distance_field(
     """
     points = check.vertices(vertices)
     triangles = check.faces(faces, len(points))
+    surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
     ids = check.source_ids(sources, len(points))
-    return _core.exact_distance_field(points, triangles, ids, check.max_distance(max_distance))
+    entry, limit = check.real_type(dtype), check.max_distance(max_distance)
+    return _core.exact_distance_field(points, surface, ids, limit).astype(entry, copy=False)

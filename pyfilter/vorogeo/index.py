@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 import os
-from typing import Literal, cast, overload
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
 from . import _core
-from .errors import InvalidInput
-from .matrices import Matrices
-from .points import EdgeCurve, Points, Sources, SurfacePoints, holds
+from ._serial import loaded, saved
+from .masks import face_mask, without_masked
 from .progress import ProgressFunction, reporter
+from .queries import Queries
 from .results import IndexStatistics
-from .surface_tasks import SurfaceTasks
 
 
-class GeodesicIndex(Matrices, SurfaceTasks):
+class GeodesicIndex(Queries):
     """Index of a triangle mesh for geodesic distances.
 
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
-    exists. The index is immutable and may be used by several threads at once; long computations release the GIL.
+    exists. The index is immutable and may be used by several threads at once; long computations release the GIL. It
+    can be pickled, and works in processes that were forked, spawned or served.
 
     Parameters
     ----------
@@ -45,6 +45,10 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     memory_budget : int, optional
         MiB that the index may take; None is 4096. It consists of tables if they fit, otherwise of a pruned graph, which
         is smaller and slower; `statistics.form` says which.
+    mask : array_like of bool, shape (m,) or (n,), optional
+        Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
+        many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
+        without a face are unreachable. Results refer to all vertices and faces.
 
     Raises
     ------
@@ -63,10 +67,14 @@ class GeodesicIndex(Matrices, SurfaceTasks):
     >>> index.distance_field([0, 17])
     """
 
-    __slots__ = ("__weakref__", "_handle", "_paths", "_statistics")
+    __slots__ = ("__weakref__", "_faces", "_handle", "_mask", "_paths", "_statistics", "_threads", "_vertices")
 
     _handle: _core.Index
     _statistics: IndexStatistics
+    _vertices: NDArray[np.float64]
+    _faces: NDArray[np.int32]
+    _mask: NDArray[np.bool_] | None
+    _threads: int
 
     def __init__(
         self,
@@ -78,21 +86,29 @@ class GeodesicIndex(Matrices, SurfaceTasks):
         seed: int = 0,
         progress: ProgressFunction | bool | None = None,
         memory_budget: int | None = None,
+        mask: ArrayLike | None = None,
     ) -> None:
-        points = check.vertices(vertices)
-        triangles = check.faces(faces, len(points))
+        points = check.kept(check.vertices(vertices), vertices)
+        triangles = check.kept(check.faces(faces, len(points)), faces)
+        kept = face_mask(mask, triangles, len(points))
         n1, n2 = check.patches(patches)
         delta = check.delta(delta)
         workers = check.threads(threads)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         budget = 0 if memory_budget is None else check.integer("memory_budget", memory_budget, 1, 2**31 - 1)
+        surface = without_masked(triangles, kept)
         with reporter(progress) as report:
-            handle = _core.Index.build(points, triangles, n1, n2, delta, workers, seed, budget, report)
-        self._adopt(handle)
+            handle = _core.Index.build(points, surface, n1, n2, delta, workers, seed, budget, report)
+        self._adopt(handle, points, triangles, kept, workers)
 
     @classmethod
     def load(
-        cls, file: str | os.PathLike[str], vertices: ArrayLike, faces: ArrayLike, threads: int | None = None
+        cls,
+        file: str | os.PathLike[str],
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        threads: int | None = None,
+        mask: ArrayLike | None = None,
     ) -> GeodesicIndex:
         """Read an index that was saved for exactly this mesh.
 
@@ -106,6 +122,8 @@ class GeodesicIndex(Matrices, SurfaceTasks):
             Its triangles.
         threads : int, optional
             Threads of each field; None is one per core.
+        mask : array_like of bool, optional
+            The one that the index was built with.
 
         Raises
         ------
@@ -115,16 +133,63 @@ class GeodesicIndex(Matrices, SurfaceTasks):
             (a ValueError) If an argument has a wrong shape, type or range.
         """
         path = check.file_path(file)
-        points = check.vertices(vertices)
-        triangles = check.faces(faces, len(points))
+        points = check.kept(check.vertices(vertices), vertices)
+        triangles = check.kept(check.faces(faces, len(points)), faces)
+        workers = check.threads(threads)
+        kept = face_mask(mask, triangles, len(points))
+        handle = _core.Index.load(path, points, without_masked(triangles, kept), workers)
+        return cls._of(handle, points, triangles, kept, workers)
+
+    @classmethod
+    def _of(
+        cls,
+        handle: _core.Index,
+        vertices: NDArray[np.float64],
+        faces: NDArray[np.int32],
+        mask: NDArray[np.bool_] | None,
+        threads: int,
+    ) -> GeodesicIndex:
         index = cls.__new__(cls)
-        index._adopt(_core.Index.load(path, points, triangles, check.threads(threads)))
+        index._adopt(handle, vertices, faces, mask, threads)
         return index
 
-    def _adopt(self, handle: _core.Index) -> None:
+    def _adopt(
+        self,
+        handle: _core.Index,
+        vertices: NDArray[np.float64],
+        faces: NDArray[np.int32],
+        mask: NDArray[np.bool_] | None,
+        threads: int,
+    ) -> None:
         self._handle = handle
         self._paths = _core.Paths(handle)
         self._statistics = IndexStatistics(**handle.statistics())
+        self._vertices, self._faces, self._mask, self._threads = vertices, faces, mask, threads
+
+    def __copy__(self) -> GeodesicIndex:
+        return self  # immutable
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> GeodesicIndex:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        mesh = self._vertices, self._faces, self._mask
+        return _restored, (type(self), saved(self._handle), *mesh, self._threads)
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """Positions of the mesh, of shape (n, 3); read-only."""
+        return self._vertices
+
+    @property
+    def faces(self) -> NDArray[np.int32]:
+        """Triangles of the mesh as they were given, of shape (m, 3); read-only."""
+        return self._faces
+
+    @property
+    def mask(self) -> NDArray[np.bool_] | None:
+        """Which faces belong to the surface, of shape (m,), read-only; None if all do."""
+        return self._mask
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
@@ -137,109 +202,6 @@ class GeodesicIndex(Matrices, SurfaceTasks):
             (an OSError) If it cannot be written: a full disk, no permission, a folder, a device or a pipe.
         """
         self._handle.save(check.file_path(file))
-
-    @overload
-    def distance(self, source: int | np.integer, target: int | np.integer) -> float: ...
-    @overload
-    def distance(self, source: Points, target: Points) -> float | NDArray[np.float64]: ...
-    def distance(self, source: Points, target: Points) -> float | NDArray[np.float64]:
-        """Distance between two points, or between the points of each of k pairs.
-
-        Parameters
-        ----------
-        source, target : a point, or k points
-            Vertex ids, 0 to n - 1, `SurfacePoints`, or lists of both; both single or both of the same length. With
-            SurfacePoints the answer is the length of the refined path (`path`).
-
-        Returns
-        -------
-        float, or ndarray of float64, shape (k,)
-            In the unit of the vertices; infinity between components. Symmetric.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an id is not an integer or out of range, or if the lengths differ.
-        """
-        count = self._statistics.vertices
-        if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
-            return self._handle.distance(source, target)
-        if holds(source, SurfacePoints) or holds(target, SurfacePoints):
-            found = self.path(source, target)
-            return np.array([path.length for path in found]) if isinstance(found, list) else found.length
-        sources = check.vertex_ids("source", cast(ArrayLike, source), count)
-        targets = check.vertex_ids("target", cast(ArrayLike, target), count)
-        if sources.shape != targets.shape:
-            raise InvalidInput(
-                f"source has shape {sources.shape} and target {targets.shape}; "
-                "give two vertex ids, or two arrays of one length (distance_field goes from one vertex to all)."
-            )
-        if sources.ndim == 0:
-            return self._handle.distance(int(sources), int(targets))
-        return self._handle.distances(sources, targets)
-
-    @overload
-    def distance_field(
-        self,
-        sources: Sources,
-        max_distance: float | None = None,
-        *,
-        offsets: ArrayLike | None = None,
-        return_labels: Literal[False] = False,
-    ) -> NDArray[np.float64]: ...
-    @overload
-    def distance_field(
-        self,
-        sources: Sources,
-        max_distance: float | None = None,
-        *,
-        offsets: ArrayLike | None = None,
-        return_labels: Literal[True],
-    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
-    def distance_field(
-        self,
-        sources: Sources,
-        max_distance: float | None = None,
-        *,
-        offsets: ArrayLike | None = None,
-        return_labels: bool = False,
-    ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Distance of every vertex from its nearest source.
-
-        Parameters
-        ----------
-        sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
-            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones make no difference. A
-            curve is one source.
-        max_distance : float, optional
-            Distances above it become infinity; None for no limit.
-        offsets : array_like, shape (k,), optional
-            Lengths added to the distances from each source, 0 or more; the least sum is taken.
-        return_labels : bool, default False
-            Whether to return also the nearest source.
-
-        Returns
-        -------
-        distance : ndarray of float64, shape (n,)
-            In the unit of the vertices; infinity where no source can be reached.
-        label : ndarray of int32, shape (n,)
-            Only if `return_labels`: the position of the nearest source in `sources`, -1 where there is none. Of sources
-            at nearly the same distance, any.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If there is no source, an id is not an integer or out of range, an offset is negative or not
-            finite, or the limit is negative.
-        """
-        limit = check.max_distance(max_distance)
-        plain = not holds(sources, (SurfacePoints, EdgeCurve))
-        if plain and offsets is None and not return_labels:
-            return self._handle.distance_field(
-                check.source_ids(cast(ArrayLike, sources), self._statistics.vertices), limit
-            )
-        distance, label = self._labelled_field(sources, offsets, limit)
-        return (distance, label) if return_labels else distance
 
     def face_patches(self, layer: int) -> NDArray[np.int32]:
         """Patch of each face, numbered from 0.
@@ -272,3 +234,16 @@ class GeodesicIndex(Matrices, SurfaceTasks):
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
+
+
+def _restored(
+    cls: type[GeodesicIndex],
+    contents: NDArray[np.uint8],
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    mask: NDArray[np.bool_] | None,
+    threads: int,
+) -> GeodesicIndex:
+    """The index that pickle took apart."""
+    handle = loaded(contents, vertices, without_masked(faces, mask), threads)
+    return cls._of(handle, vertices, faces, mask, threads)

@@ -248,9 +248,9 @@ class Paths:
         return found, number
 
     def _labelled_field(
-        self, sources: Sources, offsets: ArrayLike | None, limit: float
+        self, sources: Sources, offsets: ArrayLike | None, limit: float, exact: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         rows, number = self._source_rows(sources)
         start = check.offsets(offsets, int(number[-1]) + 1)[number]
-        distance, label = self._paths.field(_core.Points(*rows), start, limit)
+        distance, label = self._paths.field(_core.Points(*rows), start, limit, exact)
         return distance, np.where(label < 0, np.int32(-1), number[label])

@@ -106,9 +106,11 @@ TEST(DistanceMatrix, UnreachableIsInfinityAndEmptyListsAreEmptyMatrices) {
   std::vector<double> matrix(4);
   distance_matrix(team, ends, MatrixMethod::automatic, matrix);
   EXPECT_EQ(matrix, (std::vector<double>{0.0, unreachable, unreachable, 0.0}));
-  EXPECT_NO_THROW(distance_matrix(team, std::span<const Index>(), MatrixMethod::automatic, {}));
-  EXPECT_NO_THROW(distance_matrix(team, ends, std::span<const Index>(), MatrixMethod::fields, {}));
-  EXPECT_NO_THROW(distance_fields(team, {}, unreachable, {}));
+  EXPECT_NO_THROW(
+      distance_matrix(team, std::span<const Index>(), MatrixMethod::automatic, std::span<double>()));
+  EXPECT_NO_THROW(
+      distance_matrix(team, ends, std::span<const Index>(), MatrixMethod::fields, std::span<double>()));
+  EXPECT_NO_THROW(distance_fields(team, {}, unreachable, std::span<double>()));
 }
 
 TEST(DistanceMatrix, FieldsAreThoseOfTheQueryAndRespectTheLimit) {
@@ -123,6 +125,34 @@ TEST(DistanceMatrix, FieldsAreThoseOfTheQueryAndRespectTheLimit) {
     const auto field = query.distance_field(sources.subspan(i, 1), 0.4);
     EXPECT_TRUE(std::equal(field.begin(), field.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * n)));
   }
+}
+
+TEST(DistanceMatrix, SinglePrecisionIsTheRoundedDouble) {
+  const Case c = two_sheets();
+  FieldTeam team(c.index, 2);
+  const std::size_t k = c.points.size();
+  const auto n = static_cast<std::size_t>(c.index->mesh()->vertex_count());
+  const std::span<const Index> few(c.points.data(), 3);
+  auto expect_rounded = [](const std::vector<double>& wide, const std::vector<float>& narrow) {
+    for (std::size_t i = 0; i < wide.size(); ++i) EXPECT_EQ(narrow[i], static_cast<float>(wide[i]));
+  };
+  for (MatrixMethod method : {MatrixMethod::pairs, MatrixMethod::fields}) {
+    std::vector<double> wide(k * k, -1.0);
+    std::vector<float> narrow(k * k, -1.0F);
+    distance_matrix(team, c.points, method, wide);
+    distance_matrix(team, c.points, method, narrow);
+    expect_rounded(wide, narrow);
+    wide.resize(3 * k);
+    narrow.resize(3 * k);
+    distance_matrix(team, few, c.points, method, wide);
+    distance_matrix(team, few, c.points, method, narrow);
+    expect_rounded(wide, narrow);
+  }
+  std::vector<double> wide(3 * n);
+  std::vector<float> narrow(3 * n);
+  distance_fields(team, few, unreachable, wide);
+  distance_fields(team, few, unreachable, narrow);
+  expect_rounded(wide, narrow);
 }
 
 TEST(DistanceMatrix, RefusesWhatDoesNotFit) {

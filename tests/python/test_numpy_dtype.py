@@ -1,0 +1,125 @@
+"""float32 and exact results everywhere: the rounded doubles, and the distances of the plane and of the exact field."""
+
+import numpy as np
+import pytest
+import vorogeo
+
+from sample_meshes import bent_grid, plane_grid
+
+MESH = bent_grid(40, 30)
+POINTS = np.random.default_rng(5).integers(0, 1200, 12)
+FLAT = plane_grid(15, 12, 1.4, 1.1)
+APART = np.linalg.norm(FLAT[0][:, None] - FLAT[0][None], axis=2)
+
+
+@pytest.fixture(scope="module")
+def index():
+    return vorogeo.GeodesicIndex(*MESH, patches=(5, 4))
+
+
+@pytest.fixture(scope="module")
+def flat():
+    return vorogeo.GeodesicIndex(*FLAT, patches=(3, 2))
+
+
+CALLS = {
+    "distances": lambda i, **how: i.distances(POINTS, POINTS[::-1], **how),
+    "distance_matrix": lambda i, **how: i.distance_matrix(POINTS, **how),
+    "distance_matrix of two lists": lambda i, **how: i.distance_matrix(POINTS, POINTS[:3], method="fields", **how),
+    "fields": lambda i, **how: i.fields(POINTS[:3], max_distance=0.7, **how),
+    "nearest": lambda i, **how: i.nearest(POINTS, POINTS[:5], k=3, **how)[0],
+    "pairs_within": lambda i, **how: i.pairs_within(POINTS, 0.9, as_arrays=True, **how).data,
+    "distance_field": lambda i, **how: i.distance_field(POINTS[:2], **how),
+    "labelled field": lambda i, **how: i.distance_field(POINTS[:2], return_labels=True, **how)[0],
+    "exact_distance_field": lambda i, **how: vorogeo.exact_distance_field(*MESH, POINTS[:2], **how),
+}
+
+
+@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS.keys())
+def test_float32_is_the_rounded_float64(index, call):
+    wide = call(index)
+    narrow = call(index, dtype="float32")
+    assert wide.dtype == np.float64
+    assert narrow.dtype == np.float32
+    assert np.isfinite(wide).any()
+    np.testing.assert_array_equal(narrow, wide.astype(np.float32))
+
+
+def test_float32_goes_to_files_and_arrays_of_the_caller(index, tmp_path):
+    expected = index.distance_matrix(POINTS, dtype=np.float32)
+    mapped = index.distance_matrix(POINTS, out=tmp_path / "m.npy", dtype=np.float32)
+    assert mapped.dtype == np.float32
+    np.testing.assert_array_equal(np.load(tmp_path / "m.npy"), expected)
+    out = np.empty((12, 12), np.float32)
+    assert index.distance_matrix(POINTS, out=out) is out
+    np.testing.assert_array_equal(out, expected)
+    assert vorogeo.matrix_bytes(12, 12, "float32") == out.nbytes == (tmp_path / "m.npy").stat().st_size - 128
+    with pytest.raises(vorogeo.InvalidInput, match="out: is an array of float32"):
+        index.fields(POINTS[:1], out=np.empty((1, 1200), np.float32), dtype=np.float64)
+
+
+def test_pages_of_a_large_file_leave_the_process(index, tmp_path, monkeypatch):
+    monkeypatch.setattr("vorogeo._output._MAPPED_BYTES", 20_000)
+    everyone, seen = np.arange(0, 1200, 6), []
+    index.distance_matrix(everyone, method="fields", out=tmp_path / "m.npy", progress=lambda f, _: seen.append(f))
+    np.testing.assert_array_equal(np.load(tmp_path / "m.npy"), index.distance_matrix(everyone, method="fields"))
+    assert seen[-1] == 1
+
+
+def test_exact_results_are_those_of_the_plane(flat):
+    sources, targets = np.array([0, 17, 100, 7]), np.array([179, 18, 3])
+    close = {"rtol": 1e-12, "atol": 1e-14}
+    np.testing.assert_allclose(flat.distance_matrix(sources, exact=True), APART[np.ix_(sources, sources)], **close)
+    wide = flat.distance_matrix(sources, targets, exact=True, method="pairs")
+    np.testing.assert_allclose(wide, APART[np.ix_(sources, targets)], **close)
+    np.testing.assert_allclose(flat.fields(sources, exact=True), APART[sources], **close)
+    np.testing.assert_allclose(flat.distances(sources[:3], targets, exact=True), APART[sources[:3], targets], **close)
+    distances, positions = flat.nearest(targets, sources, k=2, exact=True)
+    np.testing.assert_allclose(distances, np.sort(APART[np.ix_(sources, targets)], axis=1)[:, :2], **close)
+    assert positions[0].tolist() == [2, 1]
+    sparse = flat.pairs_within(np.arange(180), 0.31, as_arrays=True, exact=True)
+    assert len(sparse.data) == ((APART <= 0.31) & (APART > 0)).sum()
+
+
+def test_exact_fields_take_every_kind_of_source(flat):
+    middle = flat.snap([0.53, 0.41, 0.0])
+    curve = vorogeo.EdgeCurve([0, 1, 2, 3], spacing=0.01)
+    sources = [middle, 179, curve]
+    field, label = flat.distance_field(sources, offsets=[0.1, 0.0, 0.05], return_labels=True, exact=True)
+    x, y = FLAT[0][:, 0], FLAT[0][:, 1]
+    expected = np.stack(
+        [
+            np.hypot(x - 0.53, y - 0.41) + 0.1,
+            np.hypot(x - 1.4, y - 1.1),
+            np.hypot(np.maximum(x - 0.3, 0), y) + 0.05,
+        ]
+    )
+    np.testing.assert_allclose(field, expected.min(axis=0), atol=1e-3)  # a curve is points 0.01 apart
+    sure = np.sort(expected, axis=0)[1] - expected.min(axis=0) > 2e-3
+    np.testing.assert_array_equal(label[sure], expected.argmin(axis=0)[sure])
+    near, owner = flat.distance_field(179, max_distance=0.2, exact=True, return_labels=True)
+    np.testing.assert_array_equal(np.isfinite(near), APART[179] <= 0.2)
+    np.testing.assert_array_equal(owner, np.where(APART[179] <= 0.2, 0, -1))
+
+
+def test_exact_values_are_those_of_the_exact_field(index):
+    expected = vorogeo.exact_distance_field(*MESH, POINTS[0])
+    np.testing.assert_allclose(index.fields(POINTS[:1], exact=True)[0], expected, rtol=1e-12)
+    np.testing.assert_allclose(index.distance_field(POINTS[0], exact=True), expected, rtol=1e-12)
+    pairs = index.distances(np.full(12, POINTS[0]), POINTS, exact=True)
+    np.testing.assert_allclose(pairs, expected[POINTS], rtol=1e-9)
+
+
+@pytest.mark.parametrize("real", [np.float32, np.float16, ">f8", np.int16])
+def test_input_of_any_real_type_is_taken(real):
+    vertices = FLAT[0].astype(real) if np.dtype(real).kind == "f" else (10 * FLAT[0]).round().astype(real)
+    assert vorogeo.GeodesicIndex(vertices, FLAT[1]).distance(0, 14) == pytest.approx(
+        np.linalg.norm(vertices[14].astype(float) - vertices[0]), rel=1e-6
+    )
+
+
+@pytest.mark.parametrize("dtype", ["int32", "float16", "complex128", "no type"])
+def test_other_types_of_results_are_refused(flat, dtype):
+    for call in (lambda: flat.fields([0], dtype=dtype), lambda: flat.distance_field(0, dtype=dtype)):
+        with pytest.raises(vorogeo.InvalidInput, match=r"dtype: .*give float32 or float64"):
+            call()

@@ -1,0 +1,115 @@
+"""Pickling and copying: an index and its results are the same afterwards, also in other processes."""
+
+import copy
+import multiprocessing
+import pickle
+
+import numpy as np
+import pytest
+import vorogeo
+
+from sample_meshes import bent_grid
+
+MESH = bent_grid(30, 20)
+POINTS = [0, 17, 333, 599]
+
+
+@pytest.fixture(scope="module")
+def index():
+    return vorogeo.GeodesicIndex(*MESH, patches=(4, 3), threads=2)
+
+
+def matrix_of(index):
+    return index.distance_matrix(POINTS, method="fields")
+
+
+def test_a_pickled_index_answers_the_same_to_the_last_bit(index):
+    for protocol in (2, pickle.HIGHEST_PROTOCOL):
+        other = pickle.loads(pickle.dumps(index, protocol))
+        assert repr(other) == repr(index)
+        np.testing.assert_array_equal(matrix_of(other), matrix_of(index))
+        np.testing.assert_array_equal(other.distance_field([3, 4]), index.distance_field([3, 4]))
+        np.testing.assert_array_equal(other.face_patches(2), index.face_patches(2))
+        assert other.exact_path(0, 599).length == index.exact_path(0, 599).length
+
+
+def test_large_parts_are_handed_over_without_a_copy(index):
+    buffers = []
+    head = pickle.dumps(index, 5, buffer_callback=buffers.append)
+    assert len(buffers) == 3  # the index, vertices, faces
+    assert len(head) < 2000
+    np.testing.assert_array_equal(matrix_of(pickle.loads(head, buffers=buffers)), matrix_of(index))
+
+
+def test_a_copy_is_the_immutable_index_itself(index):
+    assert copy.copy(index) is index
+    assert copy.deepcopy([index])[0] is index
+
+
+def test_the_mesh_can_be_asked_for_and_not_changed(index):
+    np.testing.assert_array_equal(index.vertices, MESH[0])
+    np.testing.assert_array_equal(index.faces, MESH[1])
+    for array in (index.vertices, index.faces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0, 0] = 1
+    assert MESH[0].flags.writeable
+    mine = MESH[0].copy()
+    other = vorogeo.GeodesicIndex(mine, MESH[1])
+    mine[:] = 0
+    np.testing.assert_array_equal(other.vertices, MESH[0])
+
+
+def test_a_damaged_pickle_is_refused(index):
+    restore, (kind, contents, *mesh) = index.__reduce__()
+    damaged = contents.copy()
+    damaged[len(damaged) // 2] ^= 1
+    with pytest.raises(vorogeo.IndexFileError, match="damaged"):
+        restore(kind, damaged, *mesh)
+
+
+def results(index):
+    snapped = index.snap([[0.3, 0.4, 0.1], [1.1, 0.9, 0.0]])
+    return {
+        "surface points": snapped,
+        "curve": vorogeo.EdgeCurve([0, 1, 2]),
+        "path": index.path(0, 599),
+        "statistics": index.statistics,
+        "sparse": index.pairs_within(POINTS, 1.0, as_arrays=True),
+        "regions": index.voronoi([0, snapped]),
+        "samples": index.sample_farthest(5),
+        "isolines": index.isolines(index.distance_field(0), 3),
+        "disk": index.disk(0, 0.5),
+        "extent": index.extent(),
+        "relaxed": index.relax([0, 5], rounds=1),
+        "report": vorogeo.check_mesh(*MESH),
+    }
+
+
+def same(a, b):
+    if isinstance(a, np.ndarray):
+        return a.dtype == b.dtype and np.array_equal(a, b, equal_nan=True)
+    if hasattr(a, "__dict__"):
+        return type(a) is type(b) and all(same(vars(a)[name], vars(b)[name]) for name in vars(a))
+    if isinstance(a, tuple):
+        return len(a) == len(b) and all(map(same, a, b))
+    return a == b
+
+
+def test_every_result_can_be_pickled_and_copied(index):
+    for name, result in results(index).items():
+        for other in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result), copy.copy(result)):
+            assert same(other, result), name
+
+
+@pytest.mark.parametrize("start", ["spawn", "forkserver", "fork"])
+@pytest.mark.filterwarnings("ignore:This process .* is multi-threaded")
+def test_other_processes_answer_the_same(index, start):
+    expected = matrix_of(index)  # threads have run before the fork
+    with multiprocessing.get_context(start).Pool(1) as pool:
+        np.testing.assert_array_equal(pool.apply_async(matrix_of, [index]).get(60), expected)
+
+
+def test_joblib_workers_answer_the_same(index):
+    joblib = pytest.importorskip("joblib")
+    rows = joblib.Parallel(n_jobs=2)(joblib.delayed(index.distance_field)(point) for point in POINTS[:2])
+    np.testing.assert_array_equal(rows, [index.distance_field(point) for point in POINTS[:2]])
