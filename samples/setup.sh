@@ -183,6 +183,8 @@ core
 plugin 2025.07
 vorogeo .venv 2025.07
 if [ "$with_tests" = yes ]; then
+  peers=tests/requirements-peers.txt
+  once venv-peers .venv/.stamp-peers "$(cat "$peers" .venv/.stamp)" install_peers .venv "$peers"
   probe 2025.07
 fi
 if [ "$with_older" = yes ]; then
