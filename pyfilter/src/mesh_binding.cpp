@@ -84,6 +84,14 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
 }  // namespace
 
 void bind_mesh_functions(nb::module_& module) {
+  nb::class_<HeldMesh>(module, "Surface")
+      .def(
+          "__init__",
+          [](HeldMesh* self, const VertexArray& vertices, const FaceArray& faces, int threads) {
+            nb::gil_scoped_release release;
+            new (self) HeldMesh{mesh_of(vertices, faces), threads};
+          },
+          nb::arg("vertices"), nb::arg("faces"), nb::arg("threads"));
   module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
              nb::arg("sources"), nb::arg("max_distance"));
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"));

@@ -30,10 +30,10 @@ inline Index face_of_row(const Mesh& mesh, Index row) {
     (mesh.input_face(middle) < row ? low : high) = mesh.input_face(middle) < row ? middle + 1 : middle;
   }
   if (low < mesh.face_count() && mesh.input_face(low) == row) return low;
-  throw InvalidInput(
-      "Face " + std::to_string(row) +
-      " does not exist or is left out of the index (it is masked, names a vertex twice or repeats a face), so "
-      "no point lies in it.");
+  throw InvalidInput("Face " + std::to_string(row) +
+                     " does not exist or is left out of the index (it is masked, names a vertex twice or "
+                     "repeats a face), so "
+                     "no point lies in it.");
 }
 
 inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {

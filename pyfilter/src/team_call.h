@@ -2,17 +2,24 @@
 #pragma once
 
 #include "index_binding.h"
+#include "mesh_binding.h"
 #include "progress_bridge.h"
 #include "tasks/field_team.h"
 
 namespace vorogeo::python {
 
 /// Calls body(team, progress) without the GIL; the team answers from an object of _core.Index, or by exact
-/// propagation on its mesh.
+/// propagation on its mesh or on that of an object of _core.Surface.
 template <class Body>
 auto with_team(nb::handle index, bool exact, nb::handle progress, Body&& body) {
-  const HeldIndex held = held_index(index);
   ProgressBridge bridge(progress);
+  if (HeldMesh* surface = nullptr; nb::try_cast(index, surface)) {
+    return bridge.run([&](const Progress& report) {
+      FieldTeam team(surface->mesh, surface->threads);
+      return body(team, report);
+    });
+  }
+  const HeldIndex held = held_index(index);
   return bridge.run([&](const Progress& report) {
     FieldTeam team =
         exact ? FieldTeam(held.index->mesh(), held.threads) : FieldTeam(held.index, held.threads);

@@ -66,6 +66,9 @@ _Ids = NDArray[np.int32]
 _Floats = NDArray[np.float64]
 _Reals = NDArray[np.float64] | NDArray[np.float32]
 
+class Surface:
+    def __init__(self, vertices: _Floats, faces: _Ids, threads: int) -> None: ...
+
 class Points:
     def __init__(self, vertex: _Ids, face: _Ids, weights: _Floats) -> None: ...
 
@@ -80,7 +83,7 @@ def fill_fields(
 ) -> None: ...
 def pair_distances(index: Index, sources: Points, targets: Points, progress: _Progress) -> _Floats: ...
 def pairs_within(
-    index: Index, points: Points, radius: float, exact: bool, max_bytes: int, progress: _Progress
+    index: Index | Surface, points: Points, radius: float, exact: bool, max_bytes: int, progress: _Progress
 ) -> tuple[NDArray[np.int64], _Ids, _Floats]: ...
 def pairs_within_others(
     index: Index, points: Points, others: Points, radius: float, exact: bool, max_bytes: int, progress: _Progress

@@ -1,0 +1,7 @@
+"""What ``python -m vorogeo`` runs."""
+
+import sys
+
+from .cli.main import main
+
+sys.exit(main())

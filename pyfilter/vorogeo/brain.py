@@ -1,0 +1,266 @@
+"""Brain surfaces: labels and masks from FreeSurfer and GIFTI files, distances to borders of labels, nearest labels."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from .errors import FileError, InvalidInput
+from .index import GeodesicIndex
+from .points import SurfacePoints
+
+#: Names of labels that are no cortex, in lower case without spaces and underscores.
+OUTSIDE = frozenset(("???", "unknown", "medialwall", "corpuscallosum", "mask", "background"))
+
+
+@dataclass(frozen=True)
+class Labels:
+    """A label for each vertex.
+
+    Attributes
+    ----------
+    values : ndarray of int32, shape (n,)
+        The label of each vertex; of annotations the position in `names`, -1 for none.
+    names : dict of int to str
+        Names of labels, where the file has some.
+    """
+
+    values: NDArray[np.int32]
+    names: dict[int, str]
+
+    def mask(self, outside: Iterable[str] = OUTSIDE) -> NDArray[np.bool_]:
+        """The vertices that belong to the surface: those whose label is not negative and has no name in `outside`.
+
+        Without names, those whose label is not 0.
+        """
+        if not self.names:
+            return np.not_equal(self.values, 0)
+        plain = {name.lower().replace("_", "").replace(" ", "") for name in outside}
+        left_out = [key for key, name in self.names.items() if name.lower().replace("_", "").replace(" ", "") in plain]
+        return (self.values >= 0) & ~np.isin(self.values, left_out)
+
+
+def read_labels(file: str | os.PathLike[str], vertex_count: int | None = None) -> Labels:
+    """Labels of vertices from an annotation (.annot), a label (.label), GIFTI (.gii), or an array (.npy).
+
+    Parameters
+    ----------
+    file : str or path
+        A FreeSurfer .label lists the vertices of one label: these get 1, all others 0.
+    vertex_count : int, optional
+        Needed for .label files, which do not say how many vertices there are.
+
+    Raises
+    ------
+    FileError
+        (an OSError) If the file is missing or cannot be read.
+    InvalidInput
+        (a ValueError) If it holds no value for each vertex, or `vertex_count` is missing.
+    """
+    path = check.file_path(file)
+    name = path.lower().removesuffix(".gz")
+    if name.endswith(".label"):
+        if vertex_count is None:
+            raise InvalidInput(f"{path}: a .label file lists vertices only; give vertex_count.")
+        ids = check.id_list(path, _loaded(path, "read_label"), vertex_count)
+        values = np.zeros(vertex_count, np.int32)
+        values[ids] = 1
+        return Labels(values, {})
+    if name.endswith(".annot"):
+        found, _, names = _loaded(path, "read_annot")
+        return Labels(np.asarray(found, np.int32), {k: text.decode() for k, text in enumerate(names)})
+    values, names_of = _values(path)
+    if values.dtype.kind == "f" and not (values == np.round(values)).all():
+        raise InvalidInput(f"{path}: holds reals, no labels; give whole numbers.")
+    return Labels(values.astype(np.int32), names_of)
+
+
+def read_mask(file: str | os.PathLike[str], vertex_count: int | None = None) -> NDArray[np.bool_]:
+    """What belongs to the surface, for `mask=`, from a file of labels or of values.
+
+    Parameters
+    ----------
+    file : str or path
+        An annotation or GIFTI labels: all but the medial wall and what else has a name in `OUTSIDE`. A FreeSurfer
+        .label, such as lh.cortex.label: its vertices. Values in GIFTI or .npy: all but 0 and NaN.
+    vertex_count : int, optional
+        Needed for .label files.
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+        Or (m,), of a .npy file with a value for each face.
+
+    Raises
+    ------
+    FileError, InvalidInput
+        As `read_labels`.
+    """
+    path = check.file_path(file)
+    if path.lower().endswith((".label", ".annot")):
+        return read_labels(path, vertex_count).mask()
+    values, names = _values(path)
+    if names:
+        return Labels(values.astype(np.int32), names).mask()
+    kept: NDArray[np.bool_] = np.nan_to_num(values) != 0
+    return kept
+
+
+def _loaded(path: str, reader: str) -> Any:
+    """What a function of nibabel reads."""
+    try:
+        import nibabel
+        import nibabel.freesurfer
+    except ImportError:
+        raise ImportError(f"{path} is read by nibabel; run 'pip install nibabel'.") from None
+    try:
+        return nibabel.load(path) if reader == "load" else getattr(nibabel.freesurfer, reader)(path)
+    except Exception as error:
+        raise FileError(f"{path}: cannot be read ({' '.join(str(error).split())}).") from None
+
+
+def _values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
+    """One value for each vertex and, of GIFTI labels, their names."""
+    names: dict[int, str] = {}
+    if path.lower().endswith(".npy"):
+        try:
+            values = np.load(path, allow_pickle=False)
+        except (OSError, ValueError) as error:
+            raise FileError(f"{path}: cannot be read ({error}).") from None
+    else:
+        image = _loaded(path, "load")
+        arrays = getattr(image, "darrays", [])
+        if not arrays:
+            raise InvalidInput(f"{path}: holds no values of vertices; give GIFTI, .annot, .label or .npy.")
+        values = np.asarray(arrays[0].data)
+        if image.get_arrays_from_intent("NIFTI_INTENT_LABEL"):
+            names = {int(key): str(text) for key, text in image.labeltable.get_labels_as_dict().items()}
+    if values.ndim != 1 or values.dtype.kind not in "biuf":
+        raise InvalidInput(f"{path}: holds values of shape {values.shape}; give one for each vertex.")
+    return values, names
+
+
+def _checked(index: GeodesicIndex, labels: ArrayLike | Labels) -> NDArray[Any]:
+    values: NDArray[Any] = np.asarray(labels.values if isinstance(labels, Labels) else labels)
+    count = len(index.vertices)
+    if values.shape != (count,) or values.dtype.kind not in "biu":
+        raise InvalidInput(
+            f"labels: have shape {values.shape} and type {values.dtype}; give an integer for each of "
+            f"the {count} vertices."
+        )
+    return values
+
+
+def label_borders(index: GeodesicIndex, labels: ArrayLike | Labels, label: int | None = None) -> SurfacePoints:
+    """Points along the borders between labels, at most a quarter of an edge from the next.
+
+    A border crosses an edge between two labels in its middle, goes straight through a face, and three meet in its
+    centre.
+
+    Parameters
+    ----------
+    index : GeodesicIndex
+        Of the surface; masked faces have no border.
+    labels : Labels or array_like of int, shape (n,)
+    label : int, optional
+        Only the borders of this one; None is all.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If there is not one label for each vertex.
+    """
+    values = _checked(index, labels)
+    if label is not None:
+        values = values == label
+    corner = values[index.faces]
+    used = np.ones(len(corner), bool) if index.mask is None else index.mask
+    differs = np.stack([corner[:, k] != corner[:, (k + 1) % 3] for k in range(3)], axis=1) & used[:, None]
+    middle = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
+    faces, weights = [], []
+    for alone in range(3):  # the corner with a label of its own: its two edges are crossed
+        rows = np.flatnonzero(differs[:, alone] & differs[:, alone - 1] & ~differs[:, (alone + 1) % 3])
+        ends = middle[alone], middle[alone - 1]
+        for part in (0.0, 0.25, 0.5, 0.75, 1.0):
+            faces.append(rows)
+            weights.append(np.tile((1 - part) * ends[0] + part * ends[1], (len(rows), 1)))
+    rows = np.flatnonzero(differs.all(axis=1))
+    for edge in range(3):
+        for part in (0.0, 0.5, 1.0) if edge == 0 else (0.0, 0.5):
+            faces.append(rows)
+            weights.append(np.tile((1 - part) * middle[edge] + part / 3, (len(rows), 1)))
+    return SurfacePoints(np.concatenate(faces).astype(np.int32), np.concatenate(weights))
+
+
+def border_distance(
+    index: GeodesicIndex,
+    labels: ArrayLike | Labels,
+    label: int | None = None,
+    max_distance: float | None = None,
+    exact: bool = False,
+) -> NDArray[np.float64]:
+    """Distance of every vertex from the nearest border between labels (`label_borders`).
+
+    Parameters
+    ----------
+    index, labels, label
+        As for `label_borders`.
+    max_distance, exact
+        As for `GeodesicIndex.distance_field`.
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Too long by at most an eighth of an edge beside a border, far away by much less; infinity where no path
+        leads to one.
+    """
+    points = label_borders(index, labels, label)
+    if not len(points):
+        return np.full(len(index.vertices), np.inf)
+    return index.distance_field(points, max_distance, exact=exact)
+
+
+def nearest_label(
+    index: GeodesicIndex,
+    labels: ArrayLike | Labels,
+    background: Iterable[int] = (-1, 0),
+    max_distance: float | None = None,
+    exact: bool = False,
+) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+    """The geodesic Voronoi regions of labels: for every vertex the label of the nearest labelled vertex.
+
+    Parameters
+    ----------
+    index : GeodesicIndex
+    labels : Labels or array_like of int, shape (n,)
+    background : iterable of int, default (-1, 0)
+        Values that are no label; these vertices get one.
+    max_distance, exact
+        As for `GeodesicIndex.distance_field`.
+
+    Returns
+    -------
+    label : ndarray of int32, shape (n,)
+        -1 where no labelled vertex can be reached.
+    distance : ndarray of float64, shape (n,)
+        From it; 0 for labelled vertices.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If there is not one label for each vertex, or no vertex has one.
+    """
+    values = _checked(index, labels)
+    labelled = np.flatnonzero(~np.isin(values, list(background)))
+    if not len(labelled):
+        raise InvalidInput("labels: no vertex has a label that is not background.")
+    distance, nearest = index.distance_field(labelled, max_distance, return_labels=True, exact=exact)
+    found = np.where(nearest < 0, -1, values[labelled][nearest]).astype(np.int32)
+    found[labelled] = values[labelled]
+    return found, distance

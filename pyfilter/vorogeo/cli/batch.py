@@ -1,0 +1,142 @@
+"""Many meshes: which they are, where their results go, what is done already, and what failed."""
+
+from __future__ import annotations
+
+import glob
+import json
+import os
+import sys
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+from ..errors import FileError, InvalidInput
+from .job import Job
+from .outputs import whole_file
+from .worker import run_in_own_process
+
+#: In the folder of results: the options that they were made with.
+RECORD = "vorogeo.json"
+_FREESURFER = {".inflated", ".orig", ".pial", ".smoothwm", ".sphere", ".white"}
+_ENDINGS = {".gii", ".mesh", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp", ".vtu"} | _FREESURFER
+
+
+def mesh_files(words: list[str]) -> list[Path]:
+    """The files that names, patterns and folders stand for, each once.
+
+    Raises
+    ------
+    InvalidInput
+        If a pattern or a folder holds no mesh.
+    """
+    found: list[Path] = []
+    for word in words:
+        path = Path(word)
+        if path.is_dir():
+            some = sorted(
+                file for file in path.iterdir() if file.suffix.lower() in _ENDINGS or file.name.endswith(".gii.gz")
+            )
+        elif glob.has_magic(word) and not path.exists():
+            some = [Path(name) for name in sorted(glob.glob(word, recursive=True)) if os.path.isfile(name)]
+        else:
+            some = [path]
+        if not some:
+            raise InvalidInput(f"{word}: there is no mesh; give files, a folder, or a pattern in quotes.")
+        found += some
+    return list(dict.fromkeys(found))
+
+
+def targets(meshes: list[Path], folder: Path, ending: str) -> dict[Path, Path]:
+    """Where the result of each mesh goes.
+
+    Raises
+    ------
+    InvalidInput
+        If two meshes would go into one file.
+    """
+    chosen: dict[Path, Path] = {}
+    for mesh in meshes:
+        name = mesh.name.removesuffix(".gz")
+        stem = name.removesuffix(Path(name).suffix) if Path(name).suffix.lower() in _ENDINGS - _FREESURFER else name
+        target = folder / f"{stem}{ending}"
+        if target in chosen:
+            raise InvalidInput(f"{chosen[target]} and {mesh} would both go into {target}; give them in two runs.")
+        chosen[target] = mesh
+    return {mesh: target for target, mesh in chosen.items()}
+
+
+def prepare_folder(folder: Path, options: dict[str, object], overwrite: bool) -> None:
+    """Make the folder of results, and write down the options; results of other options are not mixed with these.
+
+    Raises
+    ------
+    InvalidInput
+        If it holds results of another command, naming the first option that differs.
+    FileError
+        If it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(f"{folder}: cannot be made ({error.strerror}).") from None
+    record = folder / RECORD
+    if record.is_file() and not overwrite:
+        before = json.loads(record.read_text())
+        for name in sorted({*before, *options}):
+            if before.get(name) != options.get(name):
+                raise InvalidInput(
+                    f"{folder}: holds results with {name} {before.get(name)!r}, not {options.get(name)!r}; give "
+                    "another folder, or --overwrite."
+                )
+    with whole_file(record) as part:
+        part.write_text(json.dumps(options, indent=1, sort_keys=True) + "\n")
+
+
+def is_done(mesh: Path, target: Path) -> bool:
+    """Whether the result is there and no older than its mesh."""
+    try:
+        return target.stat().st_mtime >= mesh.stat().st_mtime
+    except OSError:
+        return False
+
+
+def in_processes(jobs: list[Job], at_once: int) -> Iterator[tuple[Job, bool, str]]:
+    """Each job in a process of its own, some at a time; as they end: whether it succeeded, and its line."""
+    with ThreadPoolExecutor(at_once) as pool:
+        running = {pool.submit(run_in_own_process, job): job for job in jobs}
+        try:
+            for done in as_completed(running):
+                yield running[done], *done.result()
+        finally:
+            for waiting in running:
+                waiting.cancel()
+
+
+def report(ended: Iterable[tuple[Job, bool, str]], count: int, kept: int, quiet: bool) -> int:
+    """Tell what ended and, at the end, what failed; the exit status."""
+    failed: list[tuple[Job, str]] = []
+    bar = _bar(count, quiet)
+    for job, succeeded, line in ended:
+        if not succeeded:
+            failed.append((job, line))
+        elif not quiet:
+            print(line, flush=True)
+        if bar is not None:
+            bar.update()
+    if bar is not None:
+        bar.close()
+    if not quiet:
+        print(f"{count - len(failed)} done, {kept} kept, {len(failed)} failed")
+    for job, line in failed:
+        print(f"vorogeo: {line if job.mesh in line else f'{job.mesh}: {line}'}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+def _bar(count: int, quiet: bool):  # type: ignore[no-untyped-def]
+    if quiet or not sys.stderr.isatty():
+        return None
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return tqdm(total=count, unit="mesh")

@@ -1,0 +1,129 @@
+"""The command line over dask.distributed: many meshes, or the matrix of one by blocks of rows."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._output import matrix
+from ..dask import blocks_of, matrix_rows, write_files
+from ..errors import Error, InvalidInput
+from .job import Job, MeshTask
+from .outputs import format_of
+from .worker import failure, run
+
+_RETRIES = 3
+
+
+@contextmanager
+def _client(address: str, workers: int) -> Iterator[Any]:
+    """A client of a scheduler; of one with so many worker processes on this machine for 'local'."""
+    try:
+        from distributed import Client, LocalCluster
+    except ImportError:
+        raise InvalidInput("--scheduler: needs dask.distributed; run 'pip install vorogeo[dask]'.") from None
+    if address != "local":
+        try:
+            client = Client(address, timeout=20)
+        except (OSError, ValueError) as error:
+            raise InvalidInput(f"--scheduler {address}: cannot be reached ({error}).") from None
+        with client:
+            yield client
+        return
+    cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
+    with cluster, Client(cluster) as client:
+        yield client
+
+
+def _outcome(job: Job) -> tuple[bool, str]:
+    """What a worker runs: its errors are values, so that only a lost worker makes dask try again."""
+    try:
+        return True, run(job)
+    except Exception as error:
+        return False, failure(error)
+
+
+def _absolute(job: Job) -> Job:
+    return replace(job, mesh=os.path.abspath(job.mesh), out=os.path.abspath(job.out))
+
+
+def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job, bool, str]]:
+    """Each job on a worker; as they end: whether it succeeded, and its line."""
+    from distributed import as_completed
+
+    with _client(address, workers) as client:
+        running = {client.submit(_outcome, _absolute(job), pure=False, retries=_RETRIES): job for job in jobs}
+        for done in as_completed(list(running)):
+            job = running[done]
+            if done.status == "finished":
+                succeeded, line = done.result()
+            else:
+                succeeded, line = False, f"its workers were lost ({done.status})"
+            yield job, succeeded, line.replace(os.path.abspath(job.out), job.out)
+
+
+def run_one(job: Job, address: str, workers: int) -> str:
+    """One job: a matrix of all vertices by blocks of rows on all workers, anything else on one of them.
+
+    Raises
+    ------
+    Error
+        Whatever is wrong with the mesh, the options or the workers.
+    """
+    if job.command == "matrix" and not job.options.get("to") and format_of(Path(job.out)) == ".npy":
+        return _matrix_by_rows(job, address, workers)
+    for _, succeeded, line in run_many([job], address, workers):
+        if succeeded:
+            return line
+        raise Error(line)
+    raise Error("the scheduler returned nothing")
+
+
+def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
+    from distributed import as_completed
+
+    task = MeshTask(job)
+    if task.options.get("points"):
+        points = task.points("points")
+        if not isinstance(points, np.ndarray):
+            raise InvalidInput("--points: over a scheduler, give vertex ids.")
+        ids = points.astype(np.int32)
+    else:
+        ids = np.arange(len(task.vertices), dtype=np.int32)
+    columns = ids if task.options.get("points") else None
+    dtype = np.dtype(task.dtype)
+    beside = os.path.dirname(os.path.abspath(job.out))  # on the file system that the workers share
+    with tempfile.TemporaryDirectory(prefix=".vorogeo-", dir=beside) as folder, _client(address, workers) as client:
+        files = write_files(task.index, folder)
+        blocks = blocks_of(len(ids), len(ids), dtype.itemsize, None)
+        with matrix(len(ids), len(ids), job.out, None, dtype) as out:
+            at_once = 4 * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+            waiting = iter(blocks)
+            running: dict[Any, tuple[int, int]] = {}
+
+            def submit() -> Any:
+                for block in waiting:
+                    rows = ids[slice(*block)]
+                    future = client.submit(
+                        matrix_rows, files, rows, columns, task.dtype, task.exact, pure=False, retries=_RETRIES
+                    )
+                    running[future] = block
+                    return future
+                return None
+
+            first = [submit() for _ in range(min(at_once, len(blocks)))]
+            finished = as_completed(first)
+            for done in finished:
+                out[slice(*running.pop(done))] = done.result()
+                done.release()
+                following = submit()
+                if following is not None:
+                    finished.add(following)
+    return f"{job.out}: {len(ids)} x {len(ids)} distances, {dtype}, in {len(blocks)} blocks"

@@ -1,0 +1,66 @@
+"""Points named on the command line: vertex ids, positions, or files that hold either."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InvalidInput
+from ..mesh_files import read_mesh
+from ..points import Points, SurfacePoints
+
+
+def points_of(name: str, words: list[str], snap: Callable[[Any], SurfacePoints], scale: float) -> Points:
+    """The points; positions, in the unit of the file, are moved by `snap` to the nearest point of the surface.
+
+    Raises
+    ------
+    InvalidInput
+        If a word is neither an id nor three coordinates nor a file, or a file holds neither.
+    """
+    found: list[Points] = [_points_of_word(name, word, snap, scale) for word in words]
+    if all(isinstance(part, np.ndarray) for part in found):
+        return np.concatenate([np.atleast_1d(np.asarray(part)) for part in found])
+    return list(found)  # type: ignore[return-value]
+
+
+def _points_of_word(name: str, word: str, snap: Callable[[Any], SurfacePoints], scale: float) -> Points:
+    try:
+        return np.array([int(word)])
+    except ValueError:
+        pass
+    if word.count(",") == 2:
+        try:
+            return snap(scale * np.array([float(number) for number in word.split(",")]))
+        except ValueError as error:
+            raise InvalidInput(f"{name} {word}: {error}") from None
+    path = Path(word)
+    if not path.is_file():
+        raise InvalidInput(
+            f"{name} {word}: is neither a vertex id, nor a position x,y,z, nor a file with ids or positions."
+        )
+    values = _values(path)
+    if values.ndim == 2 and values.shape[1] == 3:
+        return snap(scale * values.astype(float))
+    if (values.ndim == 2 and values.shape[1] == 1) or values.ndim <= 1:
+        ids = np.atleast_1d(values.squeeze())
+        if (ids == np.round(ids)).all():
+            return ids.astype(np.int64)
+    raise InvalidInput(f"{name} {word}: holds numbers of shape {values.shape}; give one column of ids or x, y, z.")
+
+
+def _values(path: Path) -> NDArray[Any]:
+    """The numbers of an array or a table, or the vertices of a mesh."""
+    if path.suffix == ".npy":
+        return np.asarray(np.load(path))
+    if path.suffix.lower() in (".txt", ".csv", ".dat"):
+        text = path.read_text().replace(",", " ").replace(";", " ").splitlines()
+        try:
+            return np.array([[float(number) for number in line.split()] for line in text if line.strip()])
+        except ValueError as error:
+            raise InvalidInput(f"{path}: is no table of numbers ({error}); give rows of equal length.") from None
+    return read_mesh(path)[0]

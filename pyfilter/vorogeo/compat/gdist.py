@@ -1,0 +1,159 @@
+"""The functions of the package gdist, with its arguments, on all cores: ``from vorogeo.compat import gdist``.
+
+Distances are exact, as there. Where gdist returns 1e100 or infinity for what lies beyond `max_distance`, depending on
+the place, this is always infinity; what it leaves unchecked, such as ids out of range, is an error here.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _arguments as check
+from .. import _core
+from ..errors import InvalidInput
+from ..exact import exact_distance_field
+
+
+def compute_gdist(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    source_indices: ArrayLike | None = None,
+    target_indices: ArrayLike | None = None,
+    max_distance: float = 1e100,
+    is_one_indexed: bool = False,
+) -> NDArray[np.float64]:
+    """Geodesic distance of the targets from the nearest source.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+    triangles : array_like of int, shape (m, 3)
+        Vertex ids of the faces.
+    source_indices : array_like of int, optional
+        Vertex ids; None is vertex 0.
+    target_indices : array_like of int, optional
+        Vertex ids; None is all vertices.
+    max_distance : float, default 1e100
+        Without targets, what is farther away is infinite; with targets it has no effect, as in gdist.
+    is_one_indexed : bool, default False
+        Whether the ids in `triangles` (not those of sources and targets) begin with 1.
+
+    Returns
+    -------
+    ndarray of float64
+        A distance for each target; infinity where no path leads.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+    """
+    sources = [0] if source_indices is None else source_indices
+    faces = _faces(triangles, is_one_indexed)
+    if target_indices is None:
+        return exact_distance_field(vertices, faces, sources, _limit(max_distance))
+    field = exact_distance_field(vertices, faces, sources)
+    found: NDArray[np.float64] = field[check.id_list("target_indices", target_indices, len(field))]
+    return found
+
+
+def local_gdist_matrix(
+    vertices: ArrayLike, triangles: ArrayLike, max_distance: float = 1e100, is_one_indexed: bool = False
+) -> Any:
+    """Geodesic distances of all pairs of vertices at most a distance apart.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+    triangles : array_like of int, shape (m, 3)
+        Vertex ids of the faces.
+    max_distance : float, default 1e100
+        Pairs that are farther apart are left out.
+    is_one_indexed : bool, default False
+        Whether the ids in `triangles` begin with 1.
+
+    Returns
+    -------
+    scipy.sparse.csc_matrix of float64, shape (n, n)
+        Without entries for distances of 0 and where no path leads.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+    NotEnoughMemory
+        (a MemoryError) If the pairs do not fit.
+    """
+    points, faces = _mesh(vertices, triangles, is_one_indexed)
+    return _pairs(points, faces, np.arange(len(points), dtype=np.int32), max_distance)
+
+
+def distance_matrix_of_selected_points(
+    vertices: ArrayLike,
+    triangles: ArrayLike,
+    points: ArrayLike,
+    max_distance: float = 1e100,
+    is_one_indexed: bool = False,
+) -> Any:
+    """Geodesic distances of all pairs of chosen vertices at most a distance apart.
+
+    Parameters
+    ----------
+    points : array_like of int
+        Vertex ids.
+    vertices, triangles, max_distance, is_one_indexed
+        As for `local_gdist_matrix`.
+
+    Returns
+    -------
+    scipy.sparse.csc_matrix of float64, shape (n, n)
+        With entries in the rows and columns of the chosen vertices only.
+
+    Raises
+    ------
+    InvalidInput, NotEnoughMemory
+        As `local_gdist_matrix`.
+    """
+    where, faces = _mesh(vertices, triangles, is_one_indexed)
+    chosen = np.unique(check.id_list("points", points, len(where)))
+    return _pairs(where, faces, chosen, max_distance)
+
+
+def _pairs(points: NDArray[np.float64], faces: NDArray[np.int32], ids: NDArray[np.int32], reach: float) -> Any:
+    try:
+        from scipy.sparse import csc_matrix
+    except ImportError:
+        raise ImportError("The result is a matrix of scipy, which is not installed; run 'pip install scipy'.") from None
+    surface = _core.Surface(points, faces, 0)
+    asked = _core.Points(ids, np.empty(0, np.int32), np.empty((0, 3)))
+    begin, columns, distances = _core.pairs_within(surface, asked, _limit(reach), True, 0, None)
+    rows = np.repeat(ids, np.diff(begin))
+    real = np.isfinite(distances) & (distances > 0)
+    return csc_matrix((distances[real], (rows[real], ids[columns[real]])), shape=(len(points), len(points)))
+
+
+def _mesh(
+    vertices: ArrayLike, triangles: ArrayLike, is_one_indexed: bool
+) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    points = check.vertices(vertices)
+    return points, check.faces(_faces(triangles, is_one_indexed), len(points))
+
+
+def _faces(triangles: ArrayLike, is_one_indexed: bool) -> ArrayLike:
+    """Vertex ids that begin with 0; gdist also takes whole numbers that are stored as reals."""
+    given = np.asarray(triangles)
+    if given.dtype.kind == "f":
+        if not (given == np.round(given)).all():
+            raise InvalidInput("triangles: are no whole numbers; give vertex ids.")
+        given = given.astype(np.int64)
+    return given - 1 if is_one_indexed else given
+
+
+def _limit(max_distance: float) -> float:
+    """A limit; 1e100, which stands for none in gdist, is infinity."""
+    reach = check.max_distance(max_distance)
+    return math.inf if reach >= 1e100 else reach

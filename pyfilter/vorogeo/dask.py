@@ -1,0 +1,164 @@
+"""Distance matrices that are larger than memory or made by many machines: lazy dask arrays by blocks of rows."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import weakref
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from . import _arguments as check
+from .errors import InvalidInput
+from .index import GeodesicIndex
+from .mesh_files import Mesh, read_mesh
+
+_BLOCK_BYTES = 2**25
+
+
+@dataclass(frozen=True)
+class IndexFiles:
+    """Where workers find an index and its mesh: an index file, and arrays that are mapped."""
+
+    index: str
+    folder: str
+
+    def open(self) -> GeodesicIndex:
+        """The index, read once in each process; its calls use one thread, as workers have several."""
+        return _opened(self.index, self.folder)
+
+
+@lru_cache(maxsize=2)
+def _opened(index: str, folder: str) -> GeodesicIndex:
+    vertices, faces = (np.load(Path(folder) / f"{name}.npy", mmap_mode="r") for name in ("vertices", "faces"))
+    mask = Path(folder) / "mask.npy"
+    return GeodesicIndex.load(index, vertices, faces, threads=1, mask=np.load(mask) if mask.is_file() else None)
+
+
+def write_files(
+    index: GeodesicIndex | str | os.PathLike[str],
+    folder: str,
+    mesh: Mesh | str | os.PathLike[str] | None = None,
+    mask: ArrayLike | None = None,
+) -> IndexFiles:
+    """Put what workers need into a folder that all of them see.
+
+    Raises
+    ------
+    InvalidInput
+        If an index file is given without its mesh.
+    IndexFileError
+        If the index does not belong to the mesh.
+    """
+    if not isinstance(index, GeodesicIndex):
+        if mesh is None:
+            raise InvalidInput(
+                "mesh: is missing; an index file does not hold the mesh, so give its file or its arrays."
+            )
+        vertices, faces = read_mesh(mesh) if isinstance(mesh, (str, os.PathLike)) else mesh
+        file = os.path.abspath(check.file_path(index))
+        index = GeodesicIndex.load(file, vertices, faces, mask=mask)
+    else:
+        file = os.path.join(folder, "index.vgi")
+        index.save(file)
+    for name, array in (("vertices", index.vertices), ("faces", index.faces), ("mask", index.mask)):
+        if array is not None:
+            np.save(os.path.join(folder, f"{name}.npy"), array)
+    return IndexFiles(file, folder)
+
+
+def matrix_rows(files: IndexFiles, rows: NDArray[Any], columns: NDArray[Any] | None, dtype: str, exact: bool) -> Any:
+    """What one task computes: rows of the matrix."""
+    index = files.open()
+    if columns is None:
+        return index.fields(rows, dtype=dtype, exact=exact)
+    return index.fields(rows, dtype=dtype, exact=exact)[:, columns]
+
+
+def blocks_of(count: int, columns: int, itemsize: int, rows: int | None) -> list[tuple[int, int]]:
+    """First and last row of each block; by default blocks of 32 MiB, and eight at least."""
+    height = rows or max(1, min(_BLOCK_BYTES // max(1, columns * itemsize), -(-count // 8)))
+    return [(first, min(count, first + height)) for first in range(0, count, height)]
+
+
+def matrix(
+    index: GeodesicIndex | str | os.PathLike[str],
+    dtype: DTypeLike = np.float64,
+    points: ArrayLike | None = None,
+    mesh: Mesh | str | os.PathLike[str] | None = None,
+    mask: ArrayLike | None = None,
+    exact: bool = False,
+    rows: int | None = None,
+    folder: str | os.PathLike[str] | None = None,
+) -> Any:
+    """Distances between all vertices, or chosen ones, as a lazy dask array.
+
+    Parameters
+    ----------
+    index : GeodesicIndex, str or path
+        The index, or the file of one.
+    dtype : {float64, float32}
+        Of the entries.
+    points : array_like of int, shape (k,), optional
+        Vertex ids of the rows and columns; None is all vertices.
+    mesh : (vertices, faces) or a file that `read_mesh` reads, optional
+        Needed with an index file.
+    mask : array_like of bool, optional
+        The one that the index of the file was built with.
+    exact : bool, default False
+        Exact propagation instead of the index.
+    rows : int, optional
+        Of each block; None is about 32 MiB.
+    folder : str or path, optional
+        Where the index and the mesh are put for the workers, which must see it; None is a temporary folder that goes
+        with the array.
+
+    Returns
+    -------
+    dask.array.Array, shape (n, n) or (k, k)
+        Entry (i, j) is read from the field of i, so that it may differ from entry (j, i) by the errors of the index.
+        Infinity where no path leads. Nothing is computed yet: ``store`` or ``to_zarr`` it, or ``compute`` parts.
+
+    Raises
+    ------
+    InvalidInput, IndexFileError
+        As `GeodesicIndex.load`.
+
+    Notes
+    -----
+    Each worker process reads the index file once; only its name travels. A block that is lost with its worker is
+    computed again.
+    """
+    from dask import array, delayed
+
+    entry = check.real_type(dtype)
+    temporary = folder is None
+    place = tempfile.mkdtemp(prefix="vorogeo-") if folder is None else os.path.abspath(folder)
+    try:
+        os.makedirs(place, exist_ok=True)
+        files = write_files(index, place, mesh, mask)
+        count = len(np.load(os.path.join(place, "vertices.npy"), mmap_mode="r"))
+        ids = np.arange(count, dtype=np.int32) if points is None else check.id_list("points", points, count)
+        columns = None if points is None else ids
+        height = None if rows is None else check.integer("rows", rows, 1, 2**31 - 1)
+        compute = delayed(matrix_rows, pure=True)
+        parts = [
+            array.from_delayed(
+                compute(files, ids[first:last], columns, entry.name, exact), (last - first, len(ids)), dtype=entry
+            )
+            for first, last in blocks_of(len(ids), len(ids), entry.itemsize, height)
+        ]
+        whole = array.concatenate(parts) if parts else array.zeros((0, 0), dtype=entry)
+    except BaseException:
+        if temporary:
+            shutil.rmtree(place, ignore_errors=True)
+        raise
+    if temporary:
+        weakref.finalize(whole, shutil.rmtree, place, ignore_errors=True)
+    return whole

@@ -1,0 +1,121 @@
+"""Reads triangle meshes from files: whatever nibabel, meshio or PyMeshLab reads."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import importlib.util
+import io
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arguments as check
+from .errors import FileError, InvalidInput
+
+Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
+
+_FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
+_POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
+
+
+def read_mesh(file: str | os.PathLike[str]) -> Mesh:
+    """Read a mesh; vertices keep the order of the file, and polygons become fans of triangles.
+
+    Parameters
+    ----------
+    file : str or path
+        GIFTI (.gii, .gii.gz) and FreeSurfer surfaces (lh.white, rh.pial, ...) need nibabel; other formats meshio or
+        PyMeshLab, whichever reads it first.
+
+    Returns
+    -------
+    vertices : ndarray of float64, shape (n, 3)
+    faces : ndarray of int32, shape (m, 3)
+
+    Raises
+    ------
+    FileError
+        (an OSError) If the file is missing, or cannot be read by any of these; says why, and what to install.
+    InvalidInput
+        (a ValueError) If it holds no triangle.
+    """
+    path = check.file_path(file)
+    if not os.path.isfile(path):
+        raise FileError(f"{path}: there is no such file.")
+    reasons = []
+    for name, package, reader in _readers(Path(path)):
+        if importlib.util.find_spec(package) is None:
+            reasons.append(f"{name} is not installed (pip install {package})")
+            continue
+        try:
+            vertices, faces = reader(path)
+        except MemoryError:
+            raise
+        except (Exception, SystemExit) as error:  # meshio ends the process for a file that it does not understand
+            reasons.append(f"{name}: {' '.join(str(error).split()) or type(error).__name__}")
+            continue
+        if not len(faces):
+            raise InvalidInput(f"{path}: holds no triangle; give a surface.")
+        points = check.vertices(vertices)
+        return points, check.faces(faces, len(points))
+    raise FileError(f"{path}: cannot be read as a mesh ({'; '.join(reasons)}).")
+
+
+def _readers(path: Path) -> Iterator[tuple[str, str, Callable[[str], tuple[Any, Any]]]]:
+    name = path.name.lower().removesuffix(".gz")
+    if name.endswith(".gii"):
+        yield "nibabel", "nibabel", _read_gifti
+    elif name.startswith(("lh.", "rh.")) or name.endswith(_FREESURFER):
+        yield "nibabel", "nibabel", _read_freesurfer
+    else:
+        yield "meshio", "meshio", _read_with_meshio
+        yield "PyMeshLab", "pymeshlab", _read_with_pymeshlab
+
+
+def _read_gifti(path: str) -> tuple[Any, Any]:
+    import nibabel
+
+    image = nibabel.load(path)
+    arrays = [image.get_arrays_from_intent(f"NIFTI_INTENT_{kind}") for kind in ("POINTSET", "TRIANGLE")]
+    if not all(arrays):
+        raise ValueError("holds no surface, only values")
+    return arrays[0][0].data, np.asarray(arrays[1][0].data, np.int32)
+
+
+def _read_freesurfer(path: str) -> tuple[Any, Any]:
+    import nibabel.freesurfer
+
+    vertices, faces = nibabel.freesurfer.read_geometry(path)[:2]
+    return vertices, np.asarray(faces, np.int32)
+
+
+def _read_with_meshio(path: str) -> tuple[Any, Any]:
+    import meshio
+
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        mesh = meshio.read(path)
+    faces = [_fans(np.asarray(block.data)) for block in mesh.cells if block.type in _POLYGONS and len(block.data)]
+    points = np.asarray(mesh.points)
+    if points.ndim == 2 and points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    return points, np.concatenate(faces).astype(np.int32) if faces else np.empty((0, 3), np.int32)
+
+
+def _fans(polygons: NDArray[Any]) -> NDArray[Any]:
+    """Triangles of polygons with equally many corners."""
+    corners = polygons.shape[1]
+    fans = [polygons[:, [0, k, k + 1]] for k in range(1, corners - 1)]
+    return np.stack(fans, axis=1).reshape(-1, 3)
+
+
+def _read_with_pymeshlab(path: str) -> tuple[Any, Any]:
+    pymeshlab: Any = importlib.import_module("pymeshlab")
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(path)
+    mesh = mesh_set.current_mesh()
+    return np.array(mesh.vertex_matrix()), np.array(mesh.face_matrix(), np.int32)
