@@ -22,6 +22,7 @@ from .geodesic_methods import (
 )
 from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
+from .mesh_files import read_mesh
 from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
@@ -73,6 +74,7 @@ __all__ = [
     "load_plugin",
     "matrix_bytes",
     "methods",
+    "read_mesh",
 ]
 
 _load_on_import()

@@ -51,7 +51,7 @@ def require_memory(what: str, needed: float, max_bytes: int | None, advice: str)
 def matrix(
     rows: int, columns: int, out: Output, max_bytes: int | None, dtype: DTypeLike | None = None
 ) -> Iterator[NDArray[Any]]:
-    """An array to fill in the block: new, given, or mapped to a file that appears whole or not at all.
+    """An array to fill in the block: new, given, or mapped to a file that appears complete or not at all.
 
     The file's space is reserved first: writing to mapped memory on a full disk would kill the process.
 
@@ -123,7 +123,7 @@ def releasing(array: NDArray[Any], report: _Report) -> _Report:
 
 
 def _head(rows: int, columns: int, entry: np.dtype[Any]) -> bytes:
-    """What a .npy file of this matrix begins with."""
+    """The beginning of a .npy file of this matrix."""
     head = io.BytesIO()
     dtype = np.lib.format.dtype_to_descr(entry)
     np.lib.format.write_array_header_1_0(head, {"descr": dtype, "fortran_order": False, "shape": (rows, columns)})

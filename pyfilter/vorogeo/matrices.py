@@ -44,7 +44,7 @@ class Matrices:
         exact: bool = False,
         dtype: DTypeLike = np.float64,
     ) -> NDArray[Any]:
-        """Distances of k pairs of points, on all threads; the values of `distance`.
+        """Distances of k pairs of points, on all threads; the same values as by `distance`.
 
         Parameters
         ----------
@@ -109,7 +109,7 @@ class Matrices:
             in faces "pairs" is more accurate. "auto": whichever should be faster for this size.
         out : str, path or ndarray, optional
             A file to write as .npy, or an array of float64 or float32 and the shape of the result. A file is mapped, so
-            it may be larger than the memory; its space is taken first, and an old one stays until it is whole.
+            it may be larger than the memory; its space is reserved first, and an old file stays until it is complete.
         max_bytes : int, optional
             Memory that the result may take; None: what is available. `vorogeo.matrix_bytes` says how much it takes.
         progress : callable or bool, optional
@@ -164,7 +164,7 @@ class Matrices:
         exact: bool = False,
         dtype: DTypeLike | None = None,
     ) -> NDArray[Any]:
-        """The distance field of each single source; `distance_field` is the one of the nearest of several.
+        """The distance field of each source on its own; `distance_field` is that from the nearest of several.
 
         Parameters
         ----------

@@ -97,6 +97,8 @@ def _read_freesurfer(path: str) -> tuple[Any, Any]:
 def _read_with_meshio(path: str) -> tuple[Any, Any]:
     import meshio
 
+    if path.lower().endswith(".off") and not _has_second_line(path):  # meshio would wait for it forever
+        raise ValueError("ends before the numbers of vertices and faces")
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
         mesh = meshio.read(path)
     faces = [_fans(np.asarray(block.data)) for block in mesh.cells if block.type in _POLYGONS and len(block.data)]
@@ -104,6 +106,13 @@ def _read_with_meshio(path: str) -> tuple[Any, Any]:
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
     return points, np.concatenate(faces).astype(np.int32) if faces else np.empty((0, 3), np.int32)
+
+
+def _has_second_line(path: str) -> bool:
+    """Whether anything but comments follows the first line."""
+    with open(path, "rb") as file:
+        next(file, None)
+        return any(line.strip() and not line.strip().startswith(b"#") for line in file)
 
 
 def _fans(polygons: NDArray[Any]) -> NDArray[Any]:

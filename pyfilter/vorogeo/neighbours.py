@@ -48,7 +48,7 @@ class Neighbours(Matrices):
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
         max_bytes : int, optional
-            Memory that may be used; None is what is available. `pairs_within_bytes` estimates it.
+            Memory that may be used; None: what is available. `pairs_within_bytes` estimates it.
         progress : callable or bool, optional
             As for the constructor.
         exact, dtype
@@ -131,7 +131,7 @@ class Neighbours(Matrices):
             The set.
         queries : q points
         k : int, default 1
-            How many of the set; may be more than it has.
+            Number of neighbours; may be larger than the set.
         progress : callable or bool, optional
             As for the constructor.
         exact, dtype
@@ -142,7 +142,7 @@ class Neighbours(Matrices):
         distances : ndarray, shape (q, k)
             Nearest first; infinity where fewer can be reached.
         positions : ndarray of int32, shape (q, k)
-            Positions in `points`, of equally near ones the first; -1 where fewer can be reached.
+            Positions in `points`, the first of equally near ones; -1 where fewer can be reached.
 
         Raises
         ------

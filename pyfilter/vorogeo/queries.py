@@ -40,7 +40,7 @@ class Queries(Neighbours, SurfaceTasks):
         Raises
         ------
         InvalidInput
-            (a ValueError) If an id is no integer or out of range, or if the lengths differ.
+            (a ValueError) If an id is not an integer or out of range, or if the lengths differ.
         """
         count = self._statistics.vertices
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
@@ -96,14 +96,14 @@ class Queries(Neighbours, SurfaceTasks):
         Parameters
         ----------
         sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
-            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones count once. A curve
-            counts as one source.
+            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones make no difference. A
+            curve is one source.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional
-            What to add to the distance from each source, 0 or more; the least sum is taken.
+            Lengths added to the distances from each source, 0 or more; the least sum is taken.
         return_labels : bool, default False
-            Whether to return also which source is nearest.
+            Whether to return also the nearest source.
         exact : bool, default False
             Exact propagation instead of the index: slower, but without errors. A curve is still points along it.
         dtype : {float64, float32}
@@ -120,7 +120,7 @@ class Queries(Neighbours, SurfaceTasks):
         Raises
         ------
         InvalidInput
-            (a ValueError) If there is no source, an id is no integer or out of range, an offset is negative or not
+            (a ValueError) If there is no source, an id is not an integer or out of range, an offset is negative or not
             finite, or the limit is negative.
         """
         limit, entry = check.max_distance(max_distance), check.real_type(dtype)

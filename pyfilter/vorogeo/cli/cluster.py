@@ -17,9 +17,10 @@ from ..dask import blocks_of, matrix_rows, write_files
 from ..errors import Error, InvalidInput
 from .job import Job, MeshTask
 from .outputs import format_of
-from .worker import failure, run
+from .worker import run_in_own_process
 
 _RETRIES = 3
+_SECONDS = 20  # to reach the scheduler
 
 
 @contextmanager
@@ -31,7 +32,7 @@ def _client(address: str, workers: int) -> Iterator[Any]:
         raise InvalidInput("--scheduler: needs dask.distributed; run 'pip install vorogeo[dask]'.") from None
     if address != "local":
         try:
-            client = Client(address, timeout=20)
+            client = Client(address, timeout=_SECONDS)
         except (OSError, ValueError) as error:
             raise InvalidInput(f"--scheduler {address}: cannot be reached ({error}).") from None
         with client:
@@ -42,24 +43,16 @@ def _client(address: str, workers: int) -> Iterator[Any]:
         yield client
 
 
-def _outcome(job: Job) -> tuple[bool, str]:
-    """What a worker runs: its errors are values, so that only a lost worker makes dask try again."""
-    try:
-        return True, run(job)
-    except Exception as error:
-        return False, failure(error)
-
-
 def _absolute(job: Job) -> Job:
     return replace(job, mesh=os.path.abspath(job.mesh), out=os.path.abspath(job.out))
 
 
 def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job, bool, str]]:
-    """Each job on a worker; as they end: whether it succeeded, and its line."""
+    """Each job in a process of its own that a worker starts; as they end: whether it succeeded, and its line."""
     from distributed import as_completed
 
     with _client(address, workers) as client:
-        running = {client.submit(_outcome, _absolute(job), pure=False, retries=_RETRIES): job for job in jobs}
+        running = {client.submit(run_in_own_process, _absolute(job), pure=False, retries=_RETRIES): job for job in jobs}
         for done in as_completed(list(running)):
             job = running[done]
             if done.status == "finished":

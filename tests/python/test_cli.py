@@ -1,0 +1,183 @@
+"""The command line on one mesh: values against the plane and the package, formats, printed lines, errors and status."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import vorogeo
+from vorogeo.cli.main import main
+
+from sample_meshes import plane_grid, write_off
+
+VERTICES, FACES = plane_grid(13, 11, 1.2, 1.0)
+APART = np.linalg.norm(VERTICES[:, None] - VERTICES[None], axis=2)
+ENDINGS = ("npy", "npz", "mat", "csv", "ply", "gii")
+NEAR = {"rtol": 0.01, "atol": 1e-6}
+
+
+@pytest.fixture
+def mesh(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write_off(tmp_path / "plane.off", VERTICES, FACES)
+    return "plane.off"
+
+
+def test_field_in_every_format(mesh, tmp_path):
+    import meshio
+    import nibabel
+    from scipy.io import loadmat
+
+    for ending in ENDINGS:
+        assert main(["field", mesh, "--from", "0", "140", "--out", f"f.{ending}", "--quiet", "--exact"]) == 0
+    expected = APART[[0, 140]].min(axis=0)
+    np.testing.assert_allclose(np.load("f.npy"), expected, atol=1e-12)
+    np.testing.assert_array_equal(np.load("f.npz")["distance"], np.load("f.npy"))
+    np.testing.assert_array_equal(loadmat("f.mat")["distance"].ravel(), np.load("f.npy"))
+    np.testing.assert_array_equal(np.loadtxt("f.csv", skiprows=1), np.load("f.npy"))
+    ply = meshio.read("f.ply")
+    np.testing.assert_array_equal(ply.points, VERTICES)
+    np.testing.assert_array_equal(ply.cells[0].data, FACES)
+    np.testing.assert_allclose(ply.point_data["quality"], expected, atol=1e-6)
+    np.testing.assert_allclose(nibabel.load("f.gii").darrays[0].data, expected, atol=1e-6)
+    assert {file.name for file in tmp_path.iterdir()} == {mesh, *(f"f.{e}" for e in ENDINGS)}
+
+
+def test_sources_are_ids_positions_and_files(mesh, tmp_path):
+    np.save("ids.npy", [0, 12])
+    (tmp_path / "points.csv").write_text("0.0, 0.52, 0.3\n1.2, 0.31, 0.0\n")
+    assert main(["field", mesh, "--from", "ids.npy", "points.csv", "0.55,0.6,9", "--out", "f.npy", "--exact"]) == 0
+    sources = np.array([[0, 0], [1.2, 0], [0, 0.52], [1.2, 0.31], [0.55, 0.6]])
+    expected = np.linalg.norm(VERTICES[:, None, :2] - sources[None], axis=2).min(axis=1)
+    np.testing.assert_allclose(np.load("f.npy"), expected, atol=1e-9)
+
+
+def test_distance_and_path_print_or_write(mesh, capsys):
+    assert main(["distance", mesh, "--from", "0", "--to", "12", "142", "1.0,0.5,0"]) == 0
+    printed = [float(line) for line in capsys.readouterr().out.split()]
+    np.testing.assert_allclose(printed, [1.2, np.hypot(1.2, 1), np.hypot(1, 0.5)], rtol=0.01)
+    assert main(["path", mesh, "--from", "0", "--to", "142", "--exact"]) == 0
+    assert float(capsys.readouterr().out) == pytest.approx(np.hypot(1.2, 1), rel=1e-9)
+    for ending in ("npz", "csv", "ply"):
+        assert main(["path", mesh, "--from", "0", "1", "--to", "142", "--out", f"p.{ending}", "--quiet"]) == 0
+    paths = np.load("p.npz")
+    for k in range(2):
+        points = paths["points"][paths["path"] == k]
+        assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() == pytest.approx(paths["length"][k])
+    surface = vorogeo.SurfacePoints(paths["face"], paths["barycentric"])
+    np.testing.assert_allclose(surface.positions(VERTICES, FACES), paths["points"], atol=1e-12)
+    table = np.loadtxt("p.csv", delimiter=",", skiprows=1)
+    np.testing.assert_array_equal(table[:, 1:4], paths["points"])
+    assert b"element edge" in Path("p.ply").read_bytes()[:400]
+
+
+def test_matrix_of_all_and_of_chosen_points(mesh):
+    assert main(["matrix", mesh, "--out", "m.npy", "--dtype", "float32", "--quiet"]) == 0
+    whole = np.load("m.npy")
+    assert whole.dtype == np.float32
+    np.testing.assert_allclose(whole, APART, **NEAR)
+    assert main(["matrix", mesh, "--points", "3", "77", "--to", "5", "--out", "m.npz", "--exact", "--quiet"]) == 0
+    np.testing.assert_allclose(np.load("m.npz")["matrix"], APART[[3, 77]][:, [5]])
+    assert main(["matrix", mesh, "--points", "3", "77", "--out", "m.csv", "--quiet"]) == 0
+    assert np.loadtxt("m.csv", delimiter=",").shape == (2, 2)
+
+
+def test_normalised_lengths_are_parts_of_the_root_of_the_area(mesh):
+    assert main(["matrix", mesh, "--out", "m.npy", "--normalise", "sqrt-area", "--exact", "--quiet"]) == 0
+    np.testing.assert_allclose(np.load("m.npy"), APART / np.sqrt(1.2), atol=1e-12)
+    assert main(["field", mesh, "--from", "0.3,0.4,0", "--normalise", "sqrt-area", "--out", "f.npy", "--exact"]) == 0
+    expected = np.hypot(VERTICES[:, 0] - 0.3, VERTICES[:, 1] - 0.4) / np.sqrt(1.2)
+    np.testing.assert_allclose(np.load("f.npy"), expected, atol=1e-9)
+
+
+def test_neighbours_are_sparse(mesh):
+    from scipy.sparse import load_npz
+
+    assert main(["neighbours", mesh, "--radius", "0.25", "--exact", "--out", "n.npz", "--quiet"]) == 0
+    found = load_npz("n.npz").tocoo()
+    assert set(zip(found.row, found.col, strict=True)) == set(map(tuple, np.argwhere((APART <= 0.25) & (APART > 0))))
+    np.testing.assert_allclose(found.data, APART[found.row, found.col])
+    assert main(["neighbours", mesh, "--radius", "0.25", "--exact", "--out", "n.csv", "--quiet"]) == 0
+    assert len(np.loadtxt("n.csv", delimiter=",", skiprows=1)) == found.nnz
+
+
+def test_voronoi_sample_index_compare_and_info(mesh, capsys):
+    assert main(["voronoi", mesh, "--from", "0", "142", "--exact", "--out", "v.npz", "--quiet"]) == 0
+    regions = np.load("v.npz")
+    assert regions["area"].sum() == pytest.approx(1.2)
+    clear = np.abs(APART[0] - APART[142]) > 1e-9
+    np.testing.assert_array_equal(regions["vertex_region"][clear], (APART[142] < APART[0])[clear])
+    assert main(["sample", mesh, "--count", "7", "--out", "s.npy", "--quiet"]) == 0
+    assert len(set(np.load("s.npy").tolist())) == 7
+    assert main(["sample", mesh, "--method", "poisson", "--radius", "0.3", "--out", "s.npy", "--quiet"]) == 0
+    ids = np.load("s.npy")
+    assert (APART[np.ix_(ids, ids)] + np.eye(len(ids)) >= 0.3 * 0.99).all()
+    assert main(["index", mesh, "--out", "plane.vgi", "--patches", "3", "2", "--quiet"]) == 0
+    assert main(["field", mesh, "--from", "0", "--index", "plane.vgi", "--out", "f.npy"]) == 0
+    assert "reached" in capsys.readouterr().out
+    np.testing.assert_allclose(np.load("f.npy"), APART[0], **NEAR)
+    np.save("twice.npy", 1.01 * APART[0])
+    assert main(["compare", mesh, "--from", "0", "--with", "twice.npy"]) == 0
+    assert "mean error 1 %" in capsys.readouterr().out
+    assert main(["info", mesh]) == 0
+    assert "143 vertices" in capsys.readouterr().out
+
+
+def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
+    assert main(["sample", mesh, "--count", "3"]) == 0
+    assert np.load("plane-sample.npy").shape == (3,)
+    assert capsys.readouterr().out.startswith("plane-sample.npy: 3 samples")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "line"),
+    [
+        (["field", "missing.off", "--from", "0"], 1, "missing.off: there is no such file"),
+        (["field", "plane.off", "--from", "143"], 1, "there is no vertex 143"),
+        (["field", "plane.off", "--from", "here"], 1, "--from here: is neither a vertex id, nor a position"),
+        (["field", "plane.off", "--from", "0", "--out", "f.xyz"], 1, "f.xyz: has no known ending; give one of .npy"),
+        (["field", "plane.off", "--from", "0", "--out", "no/f.npy"], 1, "no/f.npy: cannot be written"),
+        (["distance", "plane.off", "--from", "0", "1", "--to", "1", "2", "3"], 1, "as many of both"),
+        (["matrix", "plane.off", "--out", "m.gii"], 1, "has no value for each vertex"),
+        (["neighbours", "plane.off", "--radius", "1", "--out", "n.npy"], 1, "sparse matrix goes into .npz"),
+        (["sample", "plane.off", "--method", "poisson"], 1, "--radius: is missing"),
+        (["field", "text.off", "--from", "0"], 1, "text.off: cannot be read as a mesh"),
+        (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
+        (["field", "plane.off"], 2, "the following arguments are required: --from"),
+        (["neighbours", "plane.off", "--radius", "-1"], 2, "'-1' is not a length of 0 or more"),
+        (["guess", "plane.off"], 2, "invalid choice: 'guess'"),
+        ([], 2, "no command given"),
+    ],
+)
+def test_errors_are_one_line_and_a_status(mesh, tmp_path, capsys, arguments, status, line):
+    (tmp_path / "text.off").write_text("no mesh\n")
+    (tmp_path / "short.off").write_text("OFF\n# nothing follows\n")
+    before = {file.name for file in tmp_path.iterdir()}
+    assert main(arguments) == status
+    said = capsys.readouterr().err
+    assert line in said
+    assert sum(map(bool, said.splitlines())) <= (2 if not arguments else 1)
+    assert {file.name for file in tmp_path.iterdir()} == before
+
+
+def test_program_and_module_are_one(mesh):
+    script = [str(Path(sys.executable).with_name("vorogeo"))]
+    for program in ([sys.executable, "-m", "vorogeo"], script):
+        done = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True)
+        for command in [
+            "field",
+            "distance",
+            "path",
+            "matrix",
+            "neighbours",
+            "voronoi",
+            "sample",
+            "index",
+            "compare",
+            "info",
+        ]:
+            assert f"  {command}  " in done.stdout
+        assert max(map(len, done.stdout.splitlines())) <= 120
+    done = subprocess.run([*script, "field", mesh, "--from", "999"], capture_output=True, text=True, check=False)
+    assert (done.returncode, len(done.stderr.splitlines())) == (1, 1)
