@@ -24,7 +24,9 @@ std::string names_of(const Rows& rows, Name&& name) {
   return list;
 }
 
-MethodOptions completed(const MethodInfo& info, const MethodOptions& given) {
+}  // namespace
+
+MethodOptions completed_options(const MethodInfo& info, const MethodOptions& given) {
   MethodOptions options;
   for (const MethodOption& option : info.options) options[option.name] = option.standard;
   for (const auto& [name, value] : given) {
@@ -48,8 +50,6 @@ MethodOptions completed(const MethodInfo& info, const MethodOptions& given) {
   return options;
 }
 
-}  // namespace
-
 const std::vector<MethodEntry>& all_methods() {
   static const std::vector<MethodEntry> methods{
       vorogeo_entry(), mmp_entry(), ch_entry(),  ich_entry(), ammp_entry(), fast_marching_entry(),
@@ -69,7 +69,7 @@ std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,
                                                const std::shared_ptr<const Mesh>& mesh,
                                                const MethodOptions& given, const Progress& progress) {
   const MethodEntry& entry = method_named(name);
-  return entry.prepare(mesh, completed(entry.info, given), progress);
+  return entry.prepare(mesh, completed_options(entry.info, given), progress);
 }
 
 }  // namespace vorogeo

@@ -25,6 +25,10 @@ const std::vector<MethodEntry>& all_methods();
 /// \throw InvalidInput for a name that is not known; it lists those that are.
 const MethodEntry& method_named(const std::string& name);
 
+/// Options of a method with standard values for those that are not given.
+/// \throw InvalidInput for an unknown option, or a value out of range.
+MethodOptions completed_options(const MethodInfo& info, const MethodOptions& given);
+
 /// Prepares a method. Options that are not given have their standard value.
 /// \throw InvalidInput for an unknown name or option, or a value out of range; Cancelled.
 std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,

@@ -111,13 +111,13 @@ TEST(MethodTable, EveryMethodScalesWithTheMesh) {
 }
 
 TEST(MethodTable, PairsAreThoseOfTheFieldsAndCountedBytesAreNotNone) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
+  const auto mesh = test::make_mesh(test::icosphere(2));
   for (const MethodEntry& entry : all_methods()) {
     const auto method = entry.info.name;
     const auto prepared = prepare_method(method, mesh, {}, {});
     const std::vector<Index> source{17};
     const auto field = prepared->field(source, {});
-    for (Index target : {17, 200, 641}) {
+    for (Index target : {17, 100, 161}) {
       EXPECT_NEAR(prepared->pair(17, target), field[target], 2e-3 * field[target] + 1e-12) << method;
     }
     EXPECT_GT(prepared->bytes(), 1000u) << method;

@@ -32,7 +32,9 @@ TEST(StvdMethod, IsMuchBetterThanEdgePathsAndDoesNotConverge) {
     const Index middle = cells / 2 * (cells + 2);
     const auto four = test::errors_against_exact("stvd", mesh, middle);
     EXPECT_LT(four.mean, 0.3 * test::errors_against_exact("dijkstra", mesh, middle).mean);
-    if (coarse > 0.0) EXPECT_GT(four.mean, 0.5 * coarse);
+    if (coarse > 0.0) {
+      EXPECT_GT(four.mean, 0.5 * coarse);
+    }
     coarse = four.mean;
   }
 }
