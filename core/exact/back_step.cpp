@@ -59,7 +59,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
     if (is_avoided(state.mesh.vertex_count() + edge)) continue;
     const FaceFrame& frame = state.geometry->frame[h];
     const double length = state.mesh.edge_length(edge);
-    const bool along = state.mesh.tail(h) == state.mesh.edge_vertices(edge)[0];
+    const bool along = state.mesh.tail(h) == state.geometry->ends(edge)[0];
     const double x = barycentric[along ? (i + 1) % 3 : i] * length + barycentric[(i + 2) % 3] * frame.apex_x;
     const double depth = barycentric[(i + 2) % 3] * frame.apex_depth;
     for (const Window& window : state.envelope.windows(edge)) {
@@ -76,9 +76,9 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
 }
 
 double ExactSolver::State::distance_on_edge(const EdgePoint& point) const {
-  const auto [a, b] = mesh.edge_vertices(point.edge);
+  const auto [a, b] = geometry->ends(point.edge);
   const double length = mesh.edge_length(point.edge);
-  const double x = point.position;
+  const double x = geometry->is_turned(point.edge) ? length - point.position : point.position;
   double found = std::min(vertices[a].distance + x, vertices[b].distance + (length - x));
   for (const ExactSource& source : sources) {
     if (source.point.is_vertex()) continue;

@@ -7,7 +7,7 @@
 namespace vorogeo {
 
 void ExactSolver::State::look_at_target() {
-  const auto [a, b] = mesh.edge_vertices(open);
+  const auto [a, b] = geometry->ends(open);
   const Point& p = mesh.position(a);
   const Point& q = mesh.position(b);
   const double scale = open_length > 0.0 ? 1.0 / open_length : 0.0;
@@ -44,7 +44,7 @@ double ExactSolver::State::length_through(const Window& window) const {
                     window.distance(x) + std::max(proven_at_first - x, proven_at_second - (length - x)));
   }
   if (least_remaining.empty()) return straight;
-  const auto [a, b] = mesh.edge_vertices(open);
+  const auto [a, b] = geometry->ends(open);
   const double from_a = least_remaining[a];
   const double from_b = least_remaining[b];
   const double nearest = std::min(from_a, from_b);

@@ -45,6 +45,7 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
     if (greatest_angle < width) window.end = std::min(length, at(greatest_angle));
   }
   add_window(edge, window);
+  if (is_on_edge && length > 0.0 && lies_on_edge(window, length)) pass_through(window);
 }
 
 void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
@@ -116,7 +117,7 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
   const Index face = Mesh::face_of(halfedge);
   const FaceFrame& frame = geometry->frame[halfedge];
   const Index edge = mesh.edge_of(halfedge);
-  const bool along = mesh.tail(halfedge) == mesh.edge_vertices(edge)[0];
+  const bool along = mesh.tail(halfedge) == geometry->ends(edge)[0];
   const int tail = halfedge - 3 * face;
   const double at_apex = source.point.barycentric[(tail + 2) % 3];
   const double at_second = source.point.barycentric[along ? (tail + 1) % 3 : tail];

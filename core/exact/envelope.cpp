@@ -123,7 +123,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
 
 }  // namespace
 
-void WindowEnvelope::open(Index edge, double sliver) {
+void WindowEnvelope::open(Index edge, const Sliver& sliver) {
   open_ = edge;
   sliver_ = sliver;
   changed_ = false;
@@ -146,7 +146,7 @@ void WindowEnvelope::add_old(const Window& old, double begin, double end) {
 }
 
 bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_end) {
-  if (before_.empty() || right_begin_ < window.end - sliver_) return false;
+  if (before_.empty() || right_begin_ < window.end - sliver_.at(window.end, at_end)) return false;
   Window& last = before_.top();
   if (last.offset != window.offset || last.begin > window.begin || last.end > window.end) return false;
   // Equal offsets: the difference of the squares is linear in x.
@@ -168,16 +168,17 @@ bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_e
 }
 
 void WindowEnvelope::insert_among(Window window, double at_begin, double at_end) {
-  while (!before_.empty() && before_.top().end > window.begin + sliver_) {
+  const double begin = window.begin + sliver_.at(window.begin, at_begin);
+  while (!before_.empty() && before_.top().end > begin) {
     after_.push(before_.top());
     before_.pop();
   }
-  while (!after_.empty() && after_.top().end <= window.begin + sliver_) {
+  while (!after_.empty() && after_.top().end <= begin) {
     before_.push(after_.top());
     after_.pop();
   }
   find_gap();
-  if (right_begin_ >= window.end - sliver_) {
+  if (right_begin_ >= window.end - sliver_.at(window.end, at_end)) {
     insert(window, at_begin, at_end);
     return;
   }
@@ -191,7 +192,8 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
   double reached = window.begin;
   double piece = window.begin;
   bool open = false;
-  while (!after_.empty() && after_.top().begin < window.end - sliver_) {
+  const double end = window.end - sliver_.at(window.end, at_end);
+  while (!after_.empty() && after_.top().begin < end) {
     const Window old = after_.top();
     const double l = std::max(reached, old.begin);
     const double r = std::min(window.end, old.end);

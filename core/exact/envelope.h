@@ -24,13 +24,24 @@ class WindowEnvelope {
   }
   std::span<Window> windows(Index edge) { return {pool_.data() + lists_[edge].offset, lists_[edge].size}; }
 
-  /// Overlaps up to `sliver` (a length) are regarded as rounding of a shared end and not compared.
-  void open(Index edge, double sliver);
+  /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a
+  /// length) where the edge begins, growing with the position and the distance there up to `most`.
+  struct Sliver {
+    double at_begin;
+    double most;
+    double slope;  ///< 0: `most` is `at_begin`
+    double at(double x, double distance) const {
+      return slope == 0.0 ? most : std::min(most, at_begin + slope * (x + distance));
+    }
+  };
+  void open(Index edge, const Sliver& sliver);
+  void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
   /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
   /// Ties (relative 1e-12) are left with the older window. `at_begin`, `at_end`: the window's distances at
   /// its ends, which the caller has at hand.
   void insert(const Window& window, double at_begin, double at_end) {
-    const bool free = left_end_ <= window.begin + sliver_ && right_begin_ >= window.end - sliver_;
+    const bool free = left_end_ <= window.begin + sliver_.at(window.begin, at_begin) &&
+                      right_begin_ >= window.end - sliver_.at(window.end, at_end);
     if (!free) {
       if (!cut_last(window, at_begin, at_end)) insert_among(window, at_begin, at_end);
       return;
@@ -123,7 +134,7 @@ class WindowEnvelope {
   std::vector<Index> touched_;
   Index open_ = no_index;
   bool changed_ = false;
-  double sliver_ = 0.0;
+  Sliver sliver_{};
   double least_ = unreachable;
   Stack before_;                      ///< windows of the open edge up to the last insertion, in order
   Stack after_;                       ///< those behind it, last first

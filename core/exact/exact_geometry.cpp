@@ -17,22 +17,23 @@ namespace {
 /// saddle.
 constexpr double flat_tolerance = 1e-7;
 
-FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
+FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
+  const Mesh& mesh = *geometry.mesh;
   const Index edge = mesh.edge_of(halfedge);
   FaceFrame frame{};
   frame.apex = mesh.apex(halfedge);
-  frame.along = mesh.tail(halfedge) == mesh.edge_vertices(edge)[0];
+  frame.along = mesh.tail(halfedge) == geometry.ends(edge)[0];
   const Index first_edge = mesh.edge_of(frame.first_side(halfedge));
   const Index second_edge = mesh.edge_of(frame.second_side(halfedge));
-  frame.first_side_reversed = mesh.edge_vertices(first_edge)[0] == frame.apex;
-  frame.second_side_reversed = mesh.edge_vertices(second_edge)[0] == frame.apex;
+  frame.first_side_reversed = geometry.ends(first_edge)[0] == frame.apex;
+  frame.second_side_reversed = geometry.ends(second_edge)[0] == frame.apex;
   const double length = mesh.edge_length(edge);
   if (!(length > 0.0)) return frame;
   // Computed from positions: the lengths of a needle or of a nearly flat face, each rounded, tell next to
   // nothing about its angles. Measured from the nearer end of the edge, as the difference of two large
   // numbers loses digits.
-  const Point& p = mesh.position(mesh.edge_vertices(edge)[0]);
-  const Point& q = mesh.position(mesh.edge_vertices(edge)[1]);
+  const Point& p = mesh.position(geometry.ends(edge)[0]);
+  const Point& q = mesh.position(geometry.ends(edge)[1]);
   const Point& r = mesh.position(frame.apex);
   const bool nearer_first = mesh.edge_length(first_edge) <= mesh.edge_length(second_edge);
   const Point& from = nearer_first ? p : q;
@@ -54,12 +55,13 @@ FaceFrame frame_of(const Mesh& mesh, Index halfedge) {
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
   require_lengths(*mesh, "exact distances take", exact_lengths.least_mean, exact_lengths.greatest);
+  turn_long_edges();
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
   constexpr Index per_checkpoint = 1 << 13;
   for (Index h = 0; h < halfedges; ++h) {
     if (h % per_checkpoint == 0) checkpoint();
-    frame[h] = frame_of(*mesh, h);
+    frame[h] = frame_of(*this, h);
   }
 
   can_bend.assign(mesh->vertex_count(), never);
@@ -95,6 +97,20 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
       angle += mesh->corner_angle(corner);
       entered = mesh->next_around_edge(entered == corner ? Mesh::previous_in_face(corner) : corner);
     }
+  }
+}
+
+void ExactGeometry::turn_long_edges() {
+  long_length = long_edge * mesh->typical_edge_length();
+  if (!(mesh->longest_edge_length() > long_length)) return;
+  std::vector<double> shortest(mesh->vertex_count(), unreachable);
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], mesh->edge_length(e));
+  }
+  turned.assign(mesh->edge_count(), 0);
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    const auto [a, b] = mesh->edge_vertices(e);
+    turned[e] = mesh->edge_length(e) > long_length && shortest[b] < shortest[a];
   }
 }
 

@@ -8,10 +8,11 @@ FacePlane::FacePlane(const ExactGeometry& geometry, Index face) {
   const FaceFrame& frame = geometry.frame[3 * face];
   const Index edge = mesh.edge_of(3 * face);
   const double length = mesh.edge_length(edge);
-  const bool along = mesh.edge_vertices(edge)[0] == mesh.face_vertices(face)[0];
-  corner[0] = {0.0, 0.0};
-  corner[1] = {length, 0.0};
-  corner[2] = {along ? frame.apex_x : length - frame.apex_x, frame.apex_depth};
+  // The origin is where positions on the edge count from: at the other end, digits may be lost.
+  const bool along = geometry.ends(edge)[0] == mesh.face_vertices(face)[0];
+  corner[0] = {along ? 0.0 : -length, 0.0};
+  corner[1] = {along ? length : 0.0, 0.0};
+  corner[2] = {along ? frame.apex_x : -frame.apex_x, frame.apex_depth};
   // Two corners at one place: the third is as far from both, in any direction.
   if (!(length > 0.0)) corner[2] = {mesh.edge_length(mesh.edge_of(3 * face + 1)), 0.0};
 }

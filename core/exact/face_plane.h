@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-/// Plane coordinates of a point of a face: half-edge 3 f on the x axis from its tail, apex above.
+/// Plane coordinates of a point of a face: half-edge 3 f on the x axis, one of its ends at 0, apex above.
 struct FacePlane {
   FacePlane(const ExactGeometry& geometry, Index face);
   std::array<double, 2> at(const std::array<double, 3>& barycentric) const;

@@ -17,21 +17,27 @@ namespace {
 constexpr double snap = 1e-10;
 constexpr double snap_of_path = 1e-13;
 
-/// How much longer than the distance (relative) a traced path may be: first by ordinary rounding, then by
-/// rounding on nearly degenerate faces, finally by any amount, so that there is a path.
-constexpr double slack[] = {0.5 * path_tolerance, 1e-6, unreachable};
-
-/// Rounding of a distance in a face, in mean edge lengths.
-constexpr double rounding = 1e-14;
+/// How much longer than the distance a traced path may be: relative to it, and by the rounding of a distance
+/// in a face, in mean edge lengths (which may be many times a path in a small part of the mesh).
+struct Slack {
+  double relative;
+  double mean_edges;
+};
+/// First by ordinary rounding, then by that of long edges and of nearly degenerate faces, finally by any
+/// amount, so that there is a path.
+constexpr Slack slacks[] = {
+    {0.5 * path_tolerance, 0.0}, {0.5 * path_tolerance, 1e-14}, {1e-6, 1e-14}, {unreachable, 0.0}};
 
 /// Walks from a target back to its source: a depth-first search over the vertices and edges that are passed,
 /// the best step first. Nearly always the best steps alone lead there. But among edges of no length and faces
 /// of no area many paths are equally long, and some are dead ends.
 class Tracer {
  public:
-  Tracer(const ExactSolver::State& state, const SurfacePoint& target, double distance, double longer)
-      : state_(state), mesh_(state.mesh), distance_(distance), bound_(distance * (1.0 + longer)) {
-    bound_ += rounding * mesh_.mean_edge_length();
+  Tracer(const ExactSolver::State& state, const SurfacePoint& target, double distance, const Slack& slack)
+      : state_(state),
+        mesh_(state.mesh),
+        distance_(distance),
+        bound_(distance * (1.0 + slack.relative) + slack.mean_edges * state.mesh.mean_edge_length()) {
     stops_.push_back({target, no_index, 0.0});
     if (target.is_vertex()) passed_.insert(target.vertex);
   }
@@ -114,7 +120,7 @@ class Tracer {
     double t = length > 0.0 ? step.x / length : 0.0;
     if (step.x <= at_end) t = 0.0;
     if (length - step.x <= at_end) t = 1.0;
-    if (mesh_.tail(h) != mesh_.edge_vertices(mesh_.edge_of(h))[0]) t = 1.0 - t;
+    if (mesh_.tail(h) != state_.geometry->ends(mesh_.edge_of(h))[0]) t = 1.0 - t;
     std::array<double, 3> there{};
     there[h % 3] = 1.0 - t;
     there[Mesh::next_in_face(h) % 3] = t;
@@ -154,8 +160,8 @@ SurfacePath ExactSolver::path_to_source(const SurfacePoint& target) const {
   state_->require_windows();
   const double total = distance(start);
   if (total == unreachable) return {};
-  for (const double longer : slack) {
-    SurfacePath path = Tracer(*state_, start, total, longer).trace();
+  for (const Slack& slack : slacks) {
+    SurfacePath path = Tracer(*state_, start, total, slack).trace();
     if (!path.points.empty()) return path;
   }
   return {};

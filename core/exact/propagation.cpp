@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/side.h"
 #include "exact/solver_state.h"
 
 namespace vorogeo {
@@ -15,38 +16,23 @@ constexpr double vertex_tolerance = 1e-11;
 /// ever more slivers.
 constexpr double least_width = 1e-11;
 
+/// Pseudo-sources this close to the edge, relative to its length, send rays in widely different directions
+/// through points of it that rounding cannot tell apart.
+constexpr double near_edge = 1e-6;
+
+/// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
+/// side of that end is rounding. Each way through the gap, of some units in the last place of positions and
+/// distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be lost.
+void open_at_source(const ExactGeometry& geometry, Window& window, double length) {
+  if (!(window.source_y < near_edge * length)) return;
+  const double distance = window.offset + window.source_y;
+  const double tolerance = 4e-16 * geometry.scale_at(window.source_x, distance, length) + 1e-12 * distance;
+  if (window.source_x <= window.begin - tolerance || window.source_x >= window.end + tolerance) return;
+  if (window.source_x < window.begin + tolerance) window.begin -= 2.0 * tolerance;
+  if (window.source_x > window.end - tolerance) window.end += 2.0 * tolerance;
+}
+
 }  // namespace
-
-/// A side of the face being crossed; positions on the crossed edge count from the vertex it shares with the
-/// side.
-struct Side {
-  Side(const Mesh& mesh, Index side_halfedge, bool is_reversed, double apex_from_shared, double depth)
-      : halfedge(side_halfedge),
-        edge(mesh.edge_of(side_halfedge)),
-        reversed(is_reversed),
-        length(mesh.edge_length(edge)),
-        apex_x(apex_from_shared),
-        apex_depth(depth),
-        cosine(apex_from_shared / length),
-        sine(depth / length) {}
-
-  /// Where the ray through x leaves the side, counted from the shared vertex.
-  double crossing(double x, double source_x, double source_y) const {
-    const double denominator = source_y * apex_x - (x - source_x) * apex_depth;
-    if (!(denominator > 0.0)) return x > 0.0 ? length : 0.0;
-    return length * std::min(1.0, x * source_y / denominator);
-  }
-  double inside(double x) const { return std::clamp(x, 0.0, length); }
-
-  Index halfedge;
-  Index edge;
-  bool reversed;
-  double length;
-  double apex_x;
-  double apex_depth;
-  double cosine;
-  double sine;
-};
 
 void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
                                       Index along_edge_from) {
@@ -59,13 +45,15 @@ void ExactSolver::State::reach_vertex(Index vertex, double distance, Index sourc
 
 bool ExactSolver::State::open_edge(Index edge) {
   if (envelope.is_retired(edge)) return false;
-  const auto [a, b] = mesh.edge_vertices(edge);
+  const auto [a, b] = geometry->ends(edge);
   open = edge;
   open_length = mesh.edge_length(edge);
+  least_open_width = least_width * open_length;
   from_first = vertices[a].distance;
   from_second = vertices[b].distance;
   if (has_corridor) look_at_target();
-  envelope.open(edge, least_width * open_length);
+  const double at_begin = least_width * geometry->scale_at(0.0, 0.0, open_length);
+  envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0});
   return true;
 }
 
@@ -94,13 +82,22 @@ bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& a
 
 void ExactSolver::State::insert_cut(Window window, double at_begin, double at_end) {
   if (!cut_at_ends(window, at_begin, at_end)) return;
-  if (!(window.end - window.begin > least_width * open_length)) return;
+  if (is_sliver(window)) return;
   if (has_corridor && !in_corridor(length_through(window))) return;
   envelope.insert(window, at_begin, at_end);
 }
 
+bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
+  const double scale = geometry->scale_at(window.begin, window.distance(window.begin), open_length);
+  return !(window.end - window.begin > least_width * scale);
+}
+
+inline bool ExactSolver::State::is_sliver(const Window& window) const {
+  return !(window.end - window.begin > least_open_width) && is_narrow_sliver(window);
+}
+
 inline void ExactSolver::State::insert_window(const Window& window) {
-  if (!(window.end - window.begin > least_width * open_length)) return;
+  if (is_sliver(window)) return;
   const double at_begin = window.distance(window.begin);
   const double at_end = window.distance(window.end);
   const bool cut =
@@ -149,28 +146,35 @@ void ExactSolver::State::cross_face(Index halfedge) {
   }
   const FaceFrame& frame = geometry->frame[halfedge];
   const double length = mesh.edge_length(edge);
-  const double tolerance = vertex_tolerance * length;
+  const bool is_long = geometry->is_long(length);
+  double tolerance = vertex_tolerance * length;
   // The apex first: its distance cuts the windows on both sides.
   for (Crossing& item : crossing) {
+    open_at_source(*geometry, item.window, length);
     const Window& window = item.window;
     const double height = window.source_y + frame.apex_depth;
     const double dx = frame.apex_x - window.source_x;
     item.to_apex = height > 0.0 ? window.source_x + dx * (window.source_y / height) : frame.apex_x;
+    if (is_long) {
+      tolerance =
+          vertex_tolerance * geometry->scale_at(item.to_apex, window.offset + window.source_y, length);
+    }
     if (item.to_apex >= window.begin - tolerance && item.to_apex <= window.end + tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (distance < vertices[frame.apex].distance) reach_apex(window, halfedge, distance);
     }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
-          false, length);
+          false, length, frame.apex_x);
   hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed,
                geometry->apex_from_second(halfedge), frame.apex_depth),
-          true, length);
+          true, length, frame.apex_x);
 }
 
-void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_length) {
+void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_length, double apex_along) {
   if (!(side.length > 0.0)) return;
   bool is_open = false;
+  const bool is_long = geometry->is_long(crossed_length) || geometry->is_long(side.length);
   auto hand_on_one = [&](const Crossing& item) {
     const double begin = second ? std::max(item.window.begin, item.to_apex) : item.window.begin;
     const double end = second ? item.window.end : std::min(item.window.end, item.to_apex);
@@ -179,22 +183,15 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
       if (!open_edge(side.edge)) return;
       is_open = true;
     }
-    // Positions on the crossed edge from the vertex shared with the side.
-    const double source_x = second ? crossed_length - item.window.source_x : item.window.source_x;
-    const double source_y = item.window.source_y;
-    const double from = side.crossing(second ? crossed_length - end : begin, source_x, source_y);
     // A window that is cut at the ray to the apex ends at the apex: from a source close to the edge, all rays
     // leave the edge at the same position up to rounding.
     const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
-    const double to =
-        to_end ? side.length : side.crossing(second ? crossed_length - begin : end, source_x, source_y);
-    const double turned_x = source_x * side.cosine - source_y * side.sine;
-    const double turned_y = std::max(0.0, source_y * side.cosine + source_x * side.sine);
-    const bool reversed = side.reversed;
-    insert_window({side.inside(reversed ? side.length - to : from),
-                   side.inside(reversed ? side.length - from : to),
-                   reversed ? side.length - turned_x : turned_x, turned_y, item.window.offset, side.halfedge,
-                   item.window.source});
+    const Window window = is_long && side.reversed
+                              ? side.arriving_from_apex(item.window, begin, end, to_end, second,
+                                                        crossed_length, apex_along, item.to_apex)
+                              : side.arriving(item.window, begin, end, to_end, second, crossed_length);
+    insert_window(window);
+    if (passes_through && lies_on_edge(window, side.length)) through.push_back(window);
   };
   // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
   if (side.reversed == second) {
@@ -203,6 +200,23 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
     for (auto item = crossing.rbegin(); item != crossing.rend(); ++item) hand_on_one(*item);
   }
   if (is_open) store_edge();
+}
+
+void ExactSolver::State::pass_through(const Window& window) {
+  // Each face is crossed at a place that its corner touches, so more than this many are one heap of faces
+  // without width, whose vertices pass on what they are reached by themselves.
+  constexpr std::size_t most_edges = 64;
+  passes_through = true;
+  through.assign(1, window);
+  for (std::size_t i = 0; i < std::min(through.size(), most_edges); ++i) {
+    const Window next = through[i];
+    const Index entry = next.entry();
+    for (Index h = mesh.next_around_edge(entry); h != entry; h = mesh.next_around_edge(h)) {
+      crossing.assign(1, {next, 0.0});
+      cross_face(h);
+    }
+  }
+  passes_through = false;
 }
 
 void ExactSolver::State::close_edges_at(Index vertex) {

@@ -41,11 +41,23 @@ struct ExactSolver::State {
   void close_edges_at(Index vertex);
   void close_edges_behind_front();
   void cross_face(Index halfedge);
-  void hand_on(const Side& side, bool second, double crossed_length);
+  void hand_on(const Side& side, bool second, double crossed_length, double apex_along);
+  /// Whether the pseudo-source lies on the edge up to a negligible distance.
+  static bool lies_on_edge(const Window& window, double length) {
+    return window.source_y <= ExactGeometry::next_to_nothing * length && window.source_x >= window.begin &&
+           window.source_x <= window.end;
+  }
+  /// Sends the rays of a vertex that lies on an edge on across it, and across further edges through the same
+  /// place. On the edge itself others may be nearer on both sides of that one point, so that its window is no
+  /// longer than a point, whose rays nevertheless fill the shadow behind the vertex.
+  void pass_through(const Window& window);
   /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
   bool open_edge(Index edge);
   void insert_window(const Window& window);
+  /// Whether a window of the open edge is so narrow that it comes from rounding.
+  bool is_sliver(const Window& window) const;
+  bool is_narrow_sliver(const Window& window) const;
   /// The same for a window that an end vertex may overtake, or with a corridor.
   void insert_cut(Window window, double at_begin, double at_end);
   void store_edge();
@@ -75,7 +87,7 @@ struct ExactSolver::State {
   }
   double length_at_edge(double length, Index edge) const {
     if (!has_corridor) return length;
-    const auto [a, b] = mesh.edge_vertices(edge);
+    const auto [a, b] = geometry->ends(edge);
     const Point& p = mesh.position(a);
     const Point& q = mesh.position(b);
     const Point middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
@@ -119,12 +131,15 @@ struct ExactSolver::State {
     double to_apex;
   };
   std::vector<Crossing> crossing;
+  bool passes_through = false;
+  std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).
   void merge_crossing(double length);
   double merge_tolerance = 0.0;
   /// The open edge, to which windows are being added, and the distances of its ends.
   Index open = no_index;
   double open_length = 0.0;
+  double least_open_width = 0.0;
   double from_first = 0.0;
   double from_second = 0.0;
   double target_x = 0.0;         ///< of the corridor's target, along the edge

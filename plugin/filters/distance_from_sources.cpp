@@ -21,7 +21,7 @@ namespace {
 RichLength spacing_parameter(const MeshDocument& document) {
   return length_parameter(document, "spacing", 0.0, "Spacing",
                           "Distances start at points along lines at most this far apart; 0: a quarter of the "
-                          "mean edge.");
+                          "typical edge.");
 }
 
 RichParameterList from_layer_parameters(const MeshDocument& document) {
@@ -47,7 +47,7 @@ RichParameterList from_edges_parameters(const MeshDocument& document) {
 
 double spacing_of(const FilterCall& call, const Mesh& mesh) {
   const double spacing = length_of(call, "spacing", true);
-  return spacing > 0.0 ? spacing : 0.25 * mesh.mean_edge_length();
+  return spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
 }
 
 Method method_of(const FilterCall& call) {

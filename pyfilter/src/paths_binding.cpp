@@ -101,13 +101,13 @@ class Paths {
     return nb::make_tuple(to_numpy(std::move(result.distance)), to_numpy(std::move(result.source)));
   }
 
-  /// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the mean
+  /// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the typical
   /// edge.
   nb::tuple along_edges(const EdgeArray& ends, double spacing) const {
     std::vector<Index> edges;
     for (std::size_t i = 0; i < ends.shape(0); ++i) edges.push_back(edge_between(ends(i, 0), ends(i, 1)));
     PointRows rows;
-    const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().mean_edge_length();
+    const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
     for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted))
       rows.add(mesh(), source.point);
     return nb::make_tuple(to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),

@@ -87,7 +87,7 @@ class EdgeCurve:
         order.
     spacing : float, optional
         The curve is replaced by points on it at most this far apart, including its vertices; None: a quarter of the
-        mean edge. Distances are never too short, and too long by at most half the spacing, far away by much less.
+        typical edge. Distances are never too short, and too long by at most half the spacing, far away by much less.
     """
 
     vertices: ArrayLike

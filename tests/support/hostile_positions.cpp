@@ -65,15 +65,19 @@ void shorten_edges(HostileMesh& mesh, double share, HostileRandom& random) {
     positions[b] = share == 0.0 ? positions[a] : mix(positions[a], positions[b], share);
   }
   if (in_plane) {
-    // In the plane it still unrolls unless a face has turned over.
+    // In the plane it still unrolls unless a face has turned over or an end on the outline has moved, which
+    // cuts a corner off or leaves a hair.
     for (std::size_t v = 0; v < positions.size(); ++v) mesh.flat[v] = {positions[v][0], positions[v][1]};
     const auto after = flat_areas(mesh);
+    bool unrolls = true;
+    double lost = 0.0;
+    double whole = 0.0;
     for (std::size_t f = 0; f < after.size(); ++f) {
-      if (!(before[f] * after[f] >= 0.0)) {
-        mesh.flat.clear();
-        break;
-      }
+      unrolls = unrolls && before[f] * after[f] >= 0.0;
+      lost += std::abs(before[f]) - std::abs(after[f]);
+      whole += std::abs(before[f]);
     }
+    if (!unrolls || std::abs(lost) > 1e-12 * whole) mesh.flat.clear();
   } else {
     mesh.flat.clear();
   }

@@ -2,6 +2,7 @@
 // plane.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -162,6 +163,38 @@ TEST(ExactDefects, CoincidentVerticesJoinedByFacesWithoutWidth) {
       const Point& q = mesh->position(v);
       expect_near(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), *mesh, 1e-12,
                   "vertices " + std::to_string(source) + ", " + std::to_string(v));
+    }
+  }
+}
+
+TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
+  // The pulled vertex is the last of its edges in one numbering and the first in the other.
+  for (const bool reversed : {false, true}) {
+    for (const double lift : {1e4, 1e8, 1e10, 1e11, 1e12}) {
+      Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
+      soup.positions[9 * 4 + 4][2] = lift;
+      if (reversed) {
+        std::ranges::reverse(soup.positions);
+        for (auto& face : soup.faces) {
+          for (Index& v : face) v = 80 - v;
+        }
+      }
+      const auto mesh = test::make_mesh(soup);
+      ExactSolver solver(mesh);
+      for (const Index source : {Index{9}, Index{30}, Index{50}}) {
+        solver.run_from_vertices(std::array{source});
+        const Point& p = mesh->position(source);
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          const Point& q = mesh->position(v);
+          // In the plane the outlier leaves a hole between 3 and 5: straight lines beside it are the way.
+          const bool beside = (p[1] <= 3.0 && q[1] <= 3.0) || (p[1] >= 5.0 && q[1] >= 5.0);
+          if (!beside || v == source) continue;
+          const double straight = std::hypot(p[0] - q[0], p[1] - q[1]);
+          ASSERT_NEAR(solver.distance(v), straight, 1e-9 * straight) << lift << ", " << source << " to " << v;
+          const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
+          ASSERT_NEAR(path.length, straight, 1e-9 * straight) << lift << ", " << source << " to " << v;
+        }
+      }
     }
   }
 }

@@ -32,6 +32,32 @@ TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
   }
 }
 
+TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
+  // Vertex 2 lies on the edge 0-1, joined to it by a face without width. Of the rays from vertex 3 that end
+  // left of it, there is no face above the edge: vertex 5 lies in its shadow, behind the face 0-1-4, whose
+  // apex lies in the shadow as well.
+  for (const bool mirrored : {false, true}) {
+    for (const double lifted : {0.0, 1e-17, 1e-14, 1e-12}) {
+      test::Soup soup;
+      soup.positions = {{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0},   {0.0, lifted, 0.0},
+                        {1.0, 0.5, 0.0},  {-0.9, -0.1, 0.0}, {-1.0, -0.3, 0.0}};
+      soup.faces = {{0, 2, 1}, {2, 1, 3}, {0, 1, 4}, {4, 1, 5}};
+      if (mirrored) {
+        for (Point& p : soup.positions) p[0] = -p[0];
+        for (auto& face : soup.faces) {
+          for (Index& v : face) v = v < 2 ? 1 - v : v;
+        }
+        std::swap(soup.positions[0], soup.positions[1]);
+      }
+      ExactSolver solver(test::make_mesh(soup));
+      solver.run_from_vertices(std::array<Index, 1>{3});
+      EXPECT_NEAR(solver.distance(5), std::hypot(1.0, 0.5) + std::hypot(1.0, 0.3), 1e-11) << lifted;
+      solver.run_from_vertices(std::array<Index, 1>{5});
+      EXPECT_NEAR(solver.distance(3), std::hypot(1.0, 0.5) + std::hypot(1.0, 0.3), 1e-11) << lifted;
+    }
+  }
+}
+
 TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
   // A wall of two columns of faces with a gap at the top: the path leads round its end.
   const auto mesh = test::make_mesh(test::plane_grid(4, 4, 4.0, 4.0).soup);
