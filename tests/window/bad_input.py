@@ -72,7 +72,7 @@ NO_PATH = [
 GEOMETRIC_FUNCTION = "Per Vertex Geometric Function"
 NOT_FINITE = {"NaN": "(vi == 37) ? 0/0 : x", "infinite": "(vi == 37) ? 1/0 : x"}
 FINITE_AGAIN = "(vi == 37) ? 1 : x"
-NOT_FINITE_SENTENCE = "Vertex 37 has a coordinate that is NaN or infinite. Correct or delete this vertex first."
+NOT_FINITE_SENTENCE = "Vertex 37 has a coordinate that is NaN or infinite; repair or remove it."
 
 # In this order: what is refused before an index is there comes first. FOLDER stands for the folder of the scenario.
 BAD_INPUT = [

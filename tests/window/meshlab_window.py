@@ -60,13 +60,19 @@ class MeshLabWindow(Screen):
         return node.get_state_set().contains(Atspi.StateType.SHOWING)
 
     def search(self, text: str, down: int) -> None:
-        """Type into the search box and choose the entry so many steps down."""
-        before = self.windows()
-        self.keys("ctrl+f")
-        box = wait_for("the search box", lambda: self.windows() - before)
-        self.write(text)
-        self.keys(*["Down"] * down, "Return")
-        wait_for("the search box to close", lambda: not self.windows() & box)
+        """Type into the search box and choose the entry so many steps down; on a busy machine a key may be missed."""
+        for _ in range(TRIES):
+            before = self.windows()
+            self.keys("ctrl+f")
+            try:
+                box = wait_for("the search box", lambda before=before: self.windows() - before, 15)
+                self.write(text)
+                self.keys(*["Down"] * down, "Return")
+                wait_for("the search box to close", lambda box=box: not self.windows() & box, 15)
+                return
+            except TimeoutError:
+                self.keys("Escape")
+        raise TimeoutError(f"the search box does not take '{text}'")
 
     def open_filter(self, name: str) -> Atspi.Accessible | None:
         """Find a filter by its name in the search box and open its dialog; without parameters it is applied at once."""
