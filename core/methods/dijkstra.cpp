@@ -23,7 +23,7 @@ MethodEntry dijkstra_entry() {
        "Shortest edge path (Dijkstra)",
        "E. W. Dijkstra: A note on two problems in connexion with graphs. Numerische Mathematik 1, 1959",
        {},
-       {"MSAD, SSSD", "none", "never too short; grows with no refinement", "any on edges", "field n log n"},
+       {"MSAD, SSSD", "none", "never too short; no refinement helps", "any on edges", "field n log n"},
        false,
        true},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {

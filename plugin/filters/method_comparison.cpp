@@ -16,6 +16,7 @@
 #include "layers/index_of_layer.h"
 #include "layers/parameters.h"
 #include "layers/start_vertex.h"
+#include "methods/method_table.h"
 #include "support/error.h"
 #include "tasks/field_difference.h"
 
@@ -28,9 +29,26 @@ using Clock = std::chrono::steady_clock;
 /// In the order of the choices in the dialog; scripts hold these numbers.
 enum class Compared { index, exact, fast_marching, heat, edge_graph };
 
+constexpr int own_methods = 5;
+
+/// The methods of core/methods that are not among the five in other words.
+const std::vector<MethodInfo>& further_methods() {
+  static const std::vector<MethodInfo> methods = [] {
+    std::vector<MethodInfo> infos;
+    for (const MethodEntry& entry : all_methods()) {
+      const std::string& name = entry.info.name;
+      if (name != "vorogeo" && name != "mmp" && name != "dijkstra") infos.push_back(entry.info);
+    }
+    return infos;
+  }();
+  return methods;
+}
+
 QStringList method_names() {
-  return {"VoroGeo index", "Exact (VoroGeo)", "Fast marching (MeshLab)", "Heat method (MeshLab)",
-          "Shortest edge path (Dijkstra)"};
+  QStringList names{"VoroGeo index", "Exact (VoroGeo)", "Fast marching (MeshLab)", "Heat method (MeshLab)",
+                    "Shortest edge path (Dijkstra)"};
+  for (const MethodInfo& info : further_methods()) names.append(QString::fromStdString(info.title));
+  return names;
 }
 
 RichParameterList comparison_parameters(const MeshDocument& document) {
@@ -46,7 +64,8 @@ RichParameterList comparison_parameters(const MeshDocument& document) {
 Compared method_of(const FilterCall& call, const char* parameter) {
   const int number = call.parameters.getEnum(parameter);
   if (number < 0 || number >= method_names().size()) {
-    refuse(call, parameter, number, ". Give the number of a method, 0 to 4.");
+    refuse(call, parameter, number,
+           ". Give the number of a method, 0 to " + std::to_string(method_names().size() - 1) + ".");
   }
   const auto method = static_cast<Compared>(number);
   if (method == Compared::heat && !host_has_heat_method()) {
@@ -89,6 +108,18 @@ MethodField exact_field(const std::shared_ptr<const Mesh>& mesh, Index source, c
   return field;
 }
 
+MethodField further_field(const MethodInfo& info, const std::shared_ptr<const Mesh>& mesh, Index source,
+                          const Progress& progress) {
+  MethodField field;
+  auto start = Clock::now();
+  const auto method = prepare_method(info.name, mesh, {}, progress.part(0.0, 0.5));
+  field.build_seconds = seconds_since(start);
+  start = Clock::now();
+  field.distances = method->field(std::array{source}, progress.part(0.5, 1.0));
+  field.seconds = seconds_since(start);
+  return field;
+}
+
 MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::shared_ptr<const Mesh>& mesh,
                      Index source, Compared method, const Progress& progress) {
   const std::string activity = "Geodesic distances: " + method_names()[int(method)].toStdString();
@@ -108,7 +139,10 @@ MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::s
       return run_ticking(progress, activity,
                          [&](const Progress&) { return edge_graph_field(*mesh, source); });
   }
-  throw InvalidInput("This method is not known.");
+  const MethodEntry& entry = method_named(further_methods()[int(method) - own_methods].name);
+  if (entry.warning && !entry.warning(*mesh).empty()) call.log(entry.warning(*mesh));
+  return run_ticking(progress, activity,
+                     [&](const Progress& inner) { return further_field(entry.info, mesh, source, inner); });
 }
 
 /// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
@@ -199,8 +233,9 @@ FilterRow method_comparison_row() {
       "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
       "logged.</p>"
       "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
-      "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without "
-      "a limit of distance.</p>"
+      "methods with each other. Fast marching and heat (MeshLab) and Dijkstra are the code of this MeshLab, "
+      "without a limit of distance; the methods after them are VoroGeo's code, with the options that "
+      "docs/methods.md names.</p>"
       "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on triangular "
       "meshes\"</b><br/>WSCG 2002.<br/>"
       "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "

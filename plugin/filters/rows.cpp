@@ -28,7 +28,8 @@ std::vector<FilterRow> all_rows() {
           distance_from_layer_row(),
           distance_from_edges_row(),
           geodesic_path_row(),
-          method_comparison_row()};
+          method_comparison_row(),
+          method_table_row()};
 }
 
 }  // namespace vorogeo::plugin

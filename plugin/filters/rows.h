@@ -32,6 +32,7 @@ FilterRow describe_index_row();
 FilterRow save_index_row();
 FilterRow load_index_row();
 FilterRow method_comparison_row();
+FilterRow method_table_row();
 
 /// In the order in which the host lists them.
 std::vector<FilterRow> all_rows();

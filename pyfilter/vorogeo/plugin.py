@@ -22,7 +22,7 @@ FILE_NAME = "libfilter_vorogeo.so"
 SUPPORTED = {"2022.02": "2022.2.post4", "2025.07": "2025.7.post1"}
 
 #: The names of our filters, and of no others, contain one of these.
-_NAME_PARTS = ("vorogeo", "exact_geodesic_distance", "geodesic_method_comparison")
+_NAME_PARTS = ("vorogeo", "exact_geodesic_distance", "geodesic_method_comparison", "geodesic_method_table")
 _NUMPY_PART = "The numpy functions of vorogeo work without it."
 _lock = threading.Lock()
 _loaded: tuple[str, ...] | None = None

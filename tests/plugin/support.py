@@ -23,6 +23,7 @@ DESCRIBE_INDEX = "get_geodesic_index_by_vorogeo"
 SAVE_INDEX = "save_geodesic_index_by_vorogeo"
 LOAD_INDEX = "load_geodesic_index_by_vorogeo"
 COMPARISON = "compute_scalar_by_geodesic_method_comparison_per_vertex"
+METHOD_TABLE = "get_geodesic_method_table"
 TWO_POINTS = "get_vorogeo_distance_between_points"
 MATRIX = "get_vorogeo_distance_matrix_of_selection"
 PAIRS_WITHIN = "get_vorogeo_pairs_within_radius_of_selection"
@@ -48,6 +49,7 @@ ALL_FILTERS = [
     TWO_POINTS,
     DESCRIBE_INDEX,
     COMPARISON,
+    METHOD_TABLE,
     MATRIX,
     PAIRS_WITHIN,
     NEAREST,

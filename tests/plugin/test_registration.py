@@ -23,6 +23,7 @@ from support import (
     LLOYD,
     LOAD_INDEX,
     MATRIX,
+    METHOD_TABLE,
     NEAREST,
     PAIRS_WITHIN,
     PATCHES,
@@ -73,6 +74,7 @@ END_POINTS = {"source", "target", "source_point", "target_point", "surface_point
         (ISOLINES, {"line_number", "values", "is_distance"}),
         (DISK, {"radius", "vertex_index", "exact"} | TASK_POINTS),
         (EXTENT, {"fields", "vertex_index", "exact"}),
+        (METHOD_TABLE, {"methods", "sources", "csv_file"}),
         (
             FROM_LAYER,
             {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "exact", "max_distance"},
@@ -110,6 +112,7 @@ def test_parameters_have_python_names(name, parameters):
         (ISOLINES, 0),
         (DISK, VERTEX_SELECTION | FACE_SELECTION),
         (EXTENT, 0),
+        (METHOD_TABLE, 0),
         (FROM_LAYER, VERTEX_COLOR | VERTEX_QUALITY),
         (FROM_EDGES, VERTEX_COLOR | VERTEX_QUALITY),
         (PATH, 0),
