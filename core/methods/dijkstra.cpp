@@ -18,18 +18,17 @@ DistanceGraph edge_graph(const Mesh& mesh) {
 }  // namespace
 
 MethodEntry dijkstra_entry() {
-  return {
-      {"dijkstra",
-       "Shortest edge path (Dijkstra)",
-       "E. W. Dijkstra: A note on two problems in connexion with graphs. Numerische Mathematik 1, 1959",
-       {},
-       {"MSAD, SSSD", "none", "never too short; no refinement helps", "any on edges", "field n log n"},
-       false,
-       true},
-      [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-        return std::make_unique<GraphMethod>(edge_graph(*mesh), mesh->vertex_count());
-      },
-      {}};
+  return {{"dijkstra",
+           "Shortest edge path (Dijkstra)",
+           "E. W. Dijkstra: A note on two problems in connexion with graphs. Numerische Mathematik 1, 1959",
+           {},
+           {"MSAD, SSSD", "none", "never too short; no refinement helps", "any on edges", "field n log n"},
+           false,
+           true},
+          [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
+            return std::make_unique<GraphMethod>(edge_graph(*mesh), mesh->vertex_count());
+          },
+          {}};
 }
 
 }  // namespace vorogeo
