@@ -30,8 +30,8 @@ bool host_has_windows() {
   return application != nullptr && application->inherits("QApplication");
 }
 
-vorogeo::Progress progress_to(vcg::CallBackPos* callback) {
-  if (callback == nullptr) return {};
+vorogeo::Progress progress_to(vcg::CallBackPos* callback, const vorogeo::WarningFunction& warning) {
+  if (callback == nullptr) return vorogeo::Progress({}, warning);
   return vorogeo::Progress(
       [callback, has_windows = host_has_windows(), told = still_the_same, last = Clock::time_point{}](
           double fraction, const std::string& activity) mutable {
@@ -41,7 +41,8 @@ vorogeo::Progress progress_to(vcg::CallBackPos* callback) {
         const int percentage = static_cast<int>(100.0 * fraction);
         told = has_windows && percentage == told ? still_the_same : percentage;
         return callback(told, activity.c_str());
-      });
+      },
+      warning);
 }
 
 }  // namespace
@@ -92,12 +93,12 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
     if (document.mm() == nullptr) {
       throw vorogeo::InvalidInput("There is no layer. Load or create a triangle mesh first.");
     }
-    FilterCall call{document,
-                    *document.mm(),
-                    parameters,
-                    indexes_,
-                    progress_to(callback),
-                    [this](const std::string& sentence) { log(GLLogStream::FILTER, sentence); }};
+    const auto to_log = [this](const std::string& sentence) { log(GLLogStream::FILTER, sentence); };
+    const auto warning = [this](const std::string& sentence) {
+      log(GLLogStream::WARNING, sentence);
+      return true;
+    };
+    FilterCall call{document, *document.mm(), parameters, indexes_, progress_to(callback, warning), to_log};
     free_indexes_with(document);
     return row(action).apply(call);
   } catch (const MLException&) {

@@ -29,6 +29,22 @@ void NearField::add(Index patch) {
   is_near_[patch] = 1;
 }
 
+void NearField::add_at(const SurfacePoint& point) {
+  const Mesh& mesh = *data_.work.mesh;
+  for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    add(data_.work.second_layer[face]);
+    const double twice_area = 2.0 * mesh.face_area(face);
+    for (int i = 0; i < 3; ++i) {
+      const Index own = 3 * face + i;
+      const double length = mesh.edge_length(mesh.edge_of(own));
+      if (weights[(i + 2) % 3] * twice_area >= beside * length * length) continue;
+      for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
+        add(data_.work.second_layer[Mesh::face_of(h)]);
+      }
+    }
+  });
+}
+
 void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
   targets_.clear();
   for (Index p : patches_) {

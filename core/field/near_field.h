@@ -29,12 +29,18 @@ class NearField {
   /// unfolded crossings can err: then the distance by the tables is below this fraction of it.
   static constexpr double shorter_outside = 0.99;
 
+  /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
+  /// behind the edge, sums over its ends are so much too long that paths along other ways look shorter.
+  static constexpr double beside = 0.5;
+
   explicit NearField(const IndexData& data);
 
   /// Forgets the patches.
   void clear();
   /// Adds a patch in which distances are to be exact, unless it was added before.
   void add(Index patch);
+  /// Adds the patches of the faces at a point of the work mesh, and those just behind a border beside it.
+  void add_at(const SurfacePoint& point);
   /// Solves from the sources (on the work mesh) until all vertices of the patches are reached.
   /// `distances_only`: as in ExactLimits.
   void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);

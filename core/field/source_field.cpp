@@ -114,11 +114,7 @@ void SourceField::run(std::span<const ExactSource> given, double max_distance, W
   if (wanted.labels) label_.assign(data_.work.mesh->vertex_count(), no_index);
   near_.clear();
   if (sources_.empty()) return;
-  for (const ExactSource& one : sources_) {
-    for_each_face_at(*data_.work.mesh, one.point, [&](Index face, const std::array<double, 3>&) {
-      near_.add(data_.work.second_layer[face]);
-    });
-  }
+  for (const ExactSource& one : sources_) near_.add_at(one.point);
   near_.run(sources_, max_distance, !wanted.windows);
   find_seeds();
   borders_.reset(seeds_, max_distance);

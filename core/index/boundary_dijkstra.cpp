@@ -51,22 +51,19 @@ double BoundaryDijkstra::across(Index patch, Index row, Index column, double sum
   if (at.patch == patch) return sum;
   const double source = distance_[nodes[row]];
   const double beyond = layer_.distance(patch, row, column);
-  double best = sum;
-  std::array<BorderSample, 2> beside{};
-  int known = 0;
+  // Where more borders meet, the neighbours beyond the first few are left out.
+  std::array<BorderSample, 4> beside{};
+  std::size_t known = 0;
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
     const NodeState& other = state_[nodes[next.row]];
     const double other_source = distance_[nodes[next.row]];
     if (other_source == unreachable || other.patch == patch ||
         !may_share_wave(predecessor(nodes[row]), predecessor(nodes[next.row])))
       continue;
-    const BorderSample sample{other_source, layer_.distance(patch, next.row, column), next.length};
-    best = std::min(best, unfolded_distance(sample.length, source, sample.source, beyond, sample.target));
-    if (known < 2) beside[known] = sample;
-    ++known;
+    if (known == beside.size()) break;
+    beside[known++] = {other_source, layer_.distance(patch, next.row, column), next.length};
   }
-  if (known == 2) best = std::min(best, parabola_distance(source, beyond, beside[0], beside[1]));
-  return best;
+  return std::min(sum, crossing_distance(source, beyond, {beside.data(), known}));
 }
 
 double BoundaryDijkstra::sum(Index node) const {

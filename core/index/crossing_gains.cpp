@@ -48,6 +48,38 @@ inline __attribute__((always_inline)) float offset(float source_difference, floa
   return length * root(1.0f - cosine * cosine);
 }
 
+inline __attribute__((always_inline)) float bounded(float cosine) {
+  const float least = cosine < -1.0f ? -1.0f : cosine;
+  return least > 1.0f ? 1.0f : least;
+}
+
+struct FloatTurn {
+  float cosine;
+  float sine;
+};
+
+/// turn_at().
+inline __attribute__((always_inline)) FloatTurn turn(float source, float other_source, float target,
+                                                     float other_target, float length, float lowest) {
+  const float away = lowest + source;
+  const float to_source = bounded(
+      0.5f * (length / away + (source - other_source) / length * ((away + (lowest + other_source)) / away)));
+  const float to_target = bounded(
+      0.5f * (length / target + (target - other_target) / length * ((target + other_target) / target)));
+  const float source_sine = root(1.0f - to_source * to_source);
+  const float target_sine = root(1.0f - to_target * to_target);
+  return {to_source * to_target - source_sine * target_sine,
+          source_sine * to_target + to_source * target_sine};
+}
+
+/// may_be_one_path().
+inline __attribute__((always_inline)) bool one_path(const FloatTurn& before, const FloatTurn& after) {
+  const float sine = before.sine * after.cosine + before.cosine * after.sine;
+  const float cosine = before.cosine * after.cosine - before.sine * after.sine;
+  return ((sine < 0.0f) & (cosine >= 0.0f)) |
+         ((sine >= 0.0f) & ((before.sine <= 0.0f) | (after.sine <= 0.0f)));
+}
+
 }  // namespace
 
 VOROGEO_CLONES
@@ -71,7 +103,11 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float after = lengths_after[k];
     const float first = unfolded_gain(source, sources_before[k], target, targets_before[k], before, lowest);
     const float second = unfolded_gain(source, sources_after[k], target, targets_after[k], after, lowest);
-    const float unfolded = first > second ? first : second;
+    const bool consistent =
+        !(before > 0.0f) | !(after > 0.0f) |
+        one_path(turn(source, sources_before[k], target, targets_before[k], before, lowest),
+                 turn(source, sources_after[k], target, targets_after[k], after, lowest));
+    const float unfolded = consistent ? (first > second ? first : second) : 0.0f;
     const float source_before = sources_before[k] - source;
     const float target_before = targets_before[k] - target;
     const float source_after = sources_after[k] - source;
@@ -91,10 +127,10 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     // By the triangle inequality no gain is more than twice the nearer distance; rounding of distances that
     // are much longer than their edges could make it more, and the distance negative.
     const float nearer = away < target ? away : target;
-    const bool valid = (nearer >= least_edges * before) & (nearer >= least_edges * after) & (left < 0.0f) &
-                       (right > 0.0f) & (-left >= narrowest * before) & (right >= narrowest * after) &
-                       (curvature > 0.0f) & (lowest_point > left) & (lowest_point < right) &
-                       (parabola > unfolded) & (parabola <= nearer);
+    const bool valid = consistent & (nearer >= least_edges * before) & (nearer >= least_edges * after) &
+                       (left < 0.0f) & (right > 0.0f) & (-left >= narrowest * before) &
+                       (right >= narrowest * after) & (curvature > 0.0f) & (lowest_point > left) &
+                       (lowest_point < right) & (parabola > unfolded) & (parabola <= nearer);
     best[k] = valid ? parabola : unfolded;
   }
   std::memcpy(gain, best, sizeof(best));

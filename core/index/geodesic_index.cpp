@@ -139,8 +139,9 @@ std::unique_ptr<IndexData> build_data(std::shared_ptr<const Mesh> mesh, const In
   const MemoryBudget budget(options);
   const IndexForm form = budget.form_of(*data);
   require_memory_for_tables(*data);
-  fill_local_tables(make_table_surface(*data->mesh, data->work, data->geometry), data->work, data->second,
-                    options.threads, progress.part(0.1, 0.8));
+  data->statistics.expected_fields =
+      fill_local_tables(make_table_surface(*data->mesh, data->work, data->geometry), data->work, data->second,
+                        options.threads, progress.part(0.1, 0.8));
   compose_tables(data->second, data->partition.parent, data->first, options.threads,
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {

@@ -5,11 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iomanip>
+#include <optional>
+#include <sstream>
 #include <string>
 
 #include "exact/exact_solver.h"
+#include "index/index_options.h"
 #include "index/table_draft.h"
 #include "support/checkpoint.h"
+#include "support/error.h"
 #include "support/parallel.h"
 #include "support/per_worker.h"
 
@@ -21,11 +26,8 @@ constexpr Index nodes_per_group = 16;
 
 /// Number of runs from which the cost of all is estimated.
 constexpr std::size_t runs_to_estimate = 8;
-/// Seconds of one core per vertex above which the report compares the index with exact fields. Scans take a
-/// quarter.
-constexpr double usual_seconds = 1e-3;
-/// An index that costs more exact fields than this hardly pays.
-constexpr double many_fields = 200.0;
+/// Shorter builds need no warning.
+constexpr double least_seconds = 1.0;
 
 /// A merged window deviates by at most this fraction of its edge, on average by far less: the tables resolve
 /// some 3e-4 of an edge.
@@ -116,53 +118,84 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// What is reported while the tables are filled: with figures if that takes so long that an index may not
-/// pay. `groups`: as from group_by_patches().
-std::string activity_of(const TableSurface& surface, const PatchLayer& layer, std::span<const Index> groups,
-                        GroupSolver& solver, TableDraft& tables, const Progress& progress) {
-  const std::string activity = "Computing exact distances inside patches";
+constexpr const char* table_phase = "Computing exact distances inside patches";
+
+/// Seconds of one core that all runs will take, by a few of them. `groups`: as of group_by_patches().
+double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, GroupSolver& solver,
+                        TableDraft& tables, const Progress& progress) {
   const std::size_t count = groups.size() - 1;
   const std::size_t step = std::max<std::size_t>(1, count / runs_to_estimate);
   double seconds = 0.0;
   int runs = 0;
   for (std::size_t group = step / 2; group < count; group += step, ++runs) {
-    progress.report(0.0, activity);
+    progress.report(0.0, table_phase);
     seconds += seconds_of([&] {
       solver.reset(layer.patches_of(groups[group]));
       solver.solve(groups[group], tables);
     });
   }
-  const Mesh& mesh = *surface.geometry->mesh;
-  if (runs == 0) return activity;
-  seconds *= static_cast<double>(layer.node_count()) / runs;
-  if (seconds < usual_seconds * mesh.vertex_count()) return activity;
-  const double field = seconds_of([&] {
-    const Index source = 0;
-    ExactSolver exact(surface.geometry);
-    ExactLimits limits;
-    limits.distances_only = true;
-    limits.progress = &progress;
-    exact.run_from_vertices(std::span(&source, 1), limits);
+  return runs == 0 ? 0.0 : seconds * layer.node_count() / runs;
+}
+
+/// Seconds that an exact field from a vertex takes, or nothing if they are more than `most`.
+std::optional<double> field_seconds(const TableSurface& surface, double most, const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  bool too_long = false;
+  const Progress until([&](double, const std::string&) {
+    progress.report(0.0, table_phase);
+    too_long = elapsed() > most;
+    return !too_long;
   });
-  if (seconds < many_fields * field) return activity;
-  return activity + ": about " + std::to_string(std::lround(seconds)) + " s of one core, as long as " +
-         std::to_string(std::lround(seconds / field)) + " exact fields of this mesh (" +
-         std::to_string(std::lround(1000.0 * field)) + " ms each); for fewer, take the exact method";
+  const Index source = 0;
+  ExactSolver exact(surface.geometry);
+  ExactLimits limits;
+  limits.distances_only = true;
+  limits.progress = &until;
+  try {
+    exact.run_from_vertices(std::span(&source, 1), limits);
+  } catch (const Cancelled&) {
+    if (!too_long) throw;
+  }
+  const double seconds = elapsed();
+  if (too_long || seconds > most) return std::nullopt;
+  return seconds;
+}
+
+/// Warns if all runs will take as long as many exact fields of the mesh; returns how many then, otherwise 0.
+/// Takes some half a percent of their time.
+double warn_of_dear_tables(const TableSurface& surface, double seconds, const Progress& progress) {
+  if (seconds < least_seconds) return 0.0;
+  const auto field = field_seconds(surface, seconds / many_fields, progress);
+  if (!field || *field <= 0.0) return 0.0;
+  const double fields = seconds / *field;
+  auto rounded = [](double value) {
+    std::ostringstream text;
+    text << std::setprecision(value < 100.0 ? 2 : 9) << (value < 100.0 ? value : std::round(value));
+    return text.str();
+  };
+  progress.warn("Building this index will take about " + rounded(seconds) + " s of one core, as long as " +
+                std::to_string(std::lround(fields)) + " exact fields of this mesh (" +
+                rounded(1000.0 * *field) + " ms each): for fewer fields, take the exact method.");
+  return fields;
 }
 
 }  // namespace
 
-void fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
-                       const Progress& progress) {
+double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
+                         const Progress& progress) {
   TableDraft tables(layer);
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
   PerWorker<GroupSolver> solvers(threads);
-  const std::string activity =
-      activity_of(surface, layer, groups, solvers.of(0, surface, work, layer, face_begin), tables,
-                  progress.part(0.0, 0.0));
-  parallel_for(groups.size() - 1, threads, progress.part(0.0, 0.98), activity,
+  const Progress before = progress.part(0.0, 0.0);
+  const double seconds =
+      expected_seconds(layer, groups, solvers.of(0, surface, work, layer, face_begin), tables, before);
+  const double fields = warn_of_dear_tables(surface, seconds, before);
+  parallel_for(groups.size() - 1, threads, progress.part(0.0, 0.98), table_phase,
                [&](std::size_t group, int worker) {
                  GroupSolver& solver = solvers.of(worker, surface, work, layer, face_begin);
                  solver.reset(layer.patches_of(groups[group]));
@@ -172,13 +205,14 @@ void fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchL
                  }
                });
   {
-    const Watch watch(progress.part(0.98, 0.98), activity);
+    const Watch watch(progress.part(0.98, 0.98), table_phase);
     tables.make_symmetric();
   }
-  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0), activity,
+  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0), table_phase,
                [&](std::size_t patch, int) { tables.close(static_cast<Index>(patch)); });
-  const Watch watch(progress.part(1.0, 1.0), activity);
+  const Watch watch(progress.part(1.0, 1.0), table_phase);
   tables.finish(layer);
+  return fields;
 }
 
 }  // namespace vorogeo

@@ -1,7 +1,9 @@
 // Crossing a border between its vertices: edge unfolding, and the parabola through three border vertices.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "mesh/unfolded_distance.h"
 #include "support/types.h"
@@ -22,6 +24,35 @@ inline constexpr double least_offset = 0.1;
 /// Greatest gain of a parabola, for border edges of length 1 with source and target at harmonic distance 1:
 /// three times that of circles, 1/8.
 inline constexpr double greatest_gain = 0.375;
+
+/// The angle between the ways to source and target at a border vertex, on one side of them.
+struct Turn {
+  double cosine;
+  double sine;
+};
+
+/// On the side of one neighbour: the angles of both ways with the border edge that leads to it.
+inline Turn turn_at(double source, double target, const BorderSample& beside) {
+  auto cosine = [&](double own, double other) {
+    const double exact = 0.5 * (beside.length / own + (own - other) / beside.length * ((own + other) / own));
+    return std::clamp(exact, -1.0, 1.0);
+  };
+  const double to_source = cosine(source, beside.source);
+  const double to_target = cosine(target, beside.target);
+  const double source_sine = std::sqrt(1.0 - to_source * to_source);
+  const double target_sine = std::sqrt(1.0 - to_target * to_target);
+  return {to_source * to_target - source_sine * target_sine,
+          source_sine * to_target + to_source * target_sine};
+}
+
+/// Whether both neighbours may have been reached by one wave: a path passes a vertex on one side only, so
+/// what one side falls short of half a turn the other one has more than that. Together they are at least
+/// three quarters of a turn: less is no matter of curvature.
+inline bool may_be_one_path(const Turn& before, const Turn& after) {
+  const double sine = before.sine * after.cosine + before.cosine * after.sine;
+  if (sine < 0.0) return before.cosine * after.cosine - before.sine * after.sine >= 0.0;
+  return before.sine <= 0.0 || after.sine <= 0.0;
+}
 
 /// Distance across a border from three consecutive border vertices, of which the middle one (`source`,
 /// `target`) has the least sum. Measured across the path, the sum grows with the square of the offset from
@@ -54,6 +85,20 @@ inline double parabola_distance(double source, double target, const BorderSample
   const double longest = std::fmax(before.length, after.length);
   const double most = greatest_gain * longest * longest * (1.0 / source + 1.0 / target);
   return sum - std::fmin(-0.5 * slope * lowest, most);
+}
+
+/// Distance across a border at the vertex with the least sum source + target, improved by the neighbours
+/// along the border; at most that sum.
+inline double crossing_distance(double source, double target, std::span<const BorderSample> beside) {
+  double best = source + target;
+  for (const BorderSample& sample : beside) {
+    best = std::min(best, unfolded_distance(sample.length, source, sample.source, target, sample.target));
+  }
+  if (beside.size() != 2) return best;
+  if (!may_be_one_path(turn_at(source, target, beside[0]), turn_at(source, target, beside[1]))) {
+    return source + target;
+  }
+  return std::min(best, parabola_distance(source, target, beside[0], beside[1]));
 }
 
 }  // namespace vorogeo

@@ -15,6 +15,8 @@ namespace {
 /// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
 /// patch of a regular mesh with 350 vertices has 0.06.
 constexpr double longest_border_edge = 0.1;
+/// On coarse meshes.
+constexpr double coarse_border_edge = 0.065;
 constexpr Index most_pieces = 32;
 
 /// Number of pieces of each edge: 1 unless it is a long border edge.
@@ -27,6 +29,7 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
         std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
     if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
   }
+  const double longest = is_coarse(mesh) ? coarse_border_edge : longest_border_edge;
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
@@ -39,7 +42,7 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
       least = std::min(least, area[patch]);
     }
     if (!border || least <= 0.0) continue;
-    const double wanted = std::ceil(mesh.edge_length(e) / (longest_border_edge * std::sqrt(least)));
+    const double wanted = std::ceil(mesh.edge_length(e) / (longest * std::sqrt(least)));
     pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(most_pieces)));
   }
   return pieces;

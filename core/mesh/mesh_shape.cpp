@@ -1,5 +1,6 @@
-// Angles and areas of faces, by the cross product of two sides.
+// Angles and areas of faces, by the cross product of two sides, and the mean angle defect.
 #include <cmath>
+#include <numbers>
 
 #include "mesh/mesh.h"
 
@@ -36,6 +37,17 @@ double Mesh::face_area(Index face) const {
   const Point& corner = positions_[apex(opposite)];
   return 0.5 * cross_length(from_to(corner, positions_[tail(opposite)]),
                             from_to(corner, positions_[head(opposite)]));
+}
+
+double Mesh::mean_angle_defect() const {
+  double sum = 0.0;
+  Index count = 0;
+  for (Index v = 0; v < vertex_count(); ++v) {
+    if (fan_[v] != Fan::closed) continue;
+    sum += std::abs(total_angle_[v] - 2.0 * std::numbers::pi);
+    ++count;
+  }
+  return count == 0 ? 0.0 : sum / count;
 }
 
 }  // namespace vorogeo

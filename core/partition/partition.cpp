@@ -14,9 +14,17 @@ namespace vorogeo {
 
 namespace {
 
-/// Vertices of a second-layer patch. Larger patches mean fewer crossings, but build time and table size grow
-/// with the square root of this number.
-constexpr double second_layer_vertices = 350.0;
+/// How large patches are.
+struct PatchSizes {
+  /// Vertices of a second-layer patch. Larger patches mean fewer crossings, but build time and table size
+  /// grow with the square root of this number.
+  double second_layer_vertices;
+  /// Second-layer patches that a first-layer patch has at least, which counts on small meshes.
+  double least_patches_per_parent;
+};
+constexpr PatchSizes usual_sizes{350.0, 2.0};
+/// On coarse meshes a crossing costs more accuracy, and fewer of them pay for the closer points on borders.
+constexpr PatchSizes coarse_sizes{450.0, 5.0};
 /// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
 /// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
 constexpr double ordinary_patches = 16.0;
@@ -24,19 +32,21 @@ constexpr double ordinary_patches = 16.0;
 constexpr double ordinary_patches_per_parent = 24.0;
 /// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then that table
 /// and the first-layer tables grow alike, by the cube root per vertex.
-constexpr double ordinary_vertices = ordinary_patches * ordinary_patches_per_parent * second_layer_vertices;
-/// On small meshes a first-layer patch has at least this many second-layer patches.
-constexpr double least_patches_per_parent = 2.0;
+constexpr double ordinary_vertices =
+    ordinary_patches * ordinary_patches_per_parent * usual_sizes.second_layer_vertices;
+/// Mean angle defect, in radians, from which on a mesh is coarse. Scans have 0.005 to 0.035, simplified ones
+/// 0.04 to 0.09, CAD parts and buildings up to 0.4.
+constexpr double coarse_defect = 0.04;
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
 
 /// Number of first-layer patches that suits a mesh of this many vertices.
-Index first_layer_count(double vertices, const PartitionOptions& options) {
+Index first_layer_count(double vertices, const PatchSizes& sizes, const PartitionOptions& options) {
   if (options.second_layer_patches) {
-    return rounded(vertices / (options.second_layer_patches * second_layer_vertices));
+    return rounded(vertices / (options.second_layer_patches * sizes.second_layer_vertices));
   }
   const double wanted = ordinary_patches * std::cbrt(std::max(1.0, vertices / ordinary_vertices));
-  return rounded(std::min(wanted, vertices / (least_patches_per_parent * second_layer_vertices)));
+  return rounded(std::min(wanted, vertices / (sizes.least_patches_per_parent * sizes.second_layer_vertices)));
 }
 
 std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces) {
@@ -71,6 +81,8 @@ void check_patches(const char* which, Index requested, Index faces) {
 
 }  // namespace
 
+bool is_coarse(const Mesh& mesh) { return mesh.mean_angle_defect() >= coarse_defect; }
+
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
   const Index faces = mesh.face_count();
   if (faces == 0) throw InvalidInput("The mesh has no face; geodesic distances need a surface.");
@@ -82,8 +94,9 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
   const auto all_vertices = vertices_of(mesh, all_faces);
   const auto vertices = static_cast<double>(all_vertices.size());
+  const PatchSizes& sizes = is_coarse(mesh) ? coarse_sizes : usual_sizes;
   const Index first_count =
-      options.first_layer_patches ? options.first_layer_patches : first_layer_count(vertices, options);
+      options.first_layer_patches ? options.first_layer_patches : first_layer_count(vertices, sizes, options);
 
   const MeshPart whole{all_vertices, {}};
   partition.first_layer.assign(faces, 0);
@@ -123,7 +136,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
                  const Index count =
                      options.second_layer_patches
                          ? options.second_layer_patches
-                         : rounded(static_cast<double>(patch_vertices.size()) / second_layer_vertices);
+                         : rounded(static_cast<double>(patch_vertices.size()) / sizes.second_layer_vertices);
                  const auto inner = own->sampler.spread(part, count, options.seed + 1 + patch);
                  label_voronoi_faces(own->front, mesh, part, list, inner, outliers, partition.second_layer);
                  children[patch] = compact(partition.second_layer, list, static_cast<Index>(inner.size()));

@@ -27,6 +27,11 @@ struct Partition {
   Index second_layer_count = 0;
 };
 
+/// Whether the edges of a mesh are long for the shape of its surface, as on simplified meshes and CAD parts:
+/// by its mean angle defect. Distances between its vertices then tell little of those beside them, and an
+/// index needs closer points on borders and fewer borders to cross.
+bool is_coarse(const Mesh& mesh);
+
 /// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
 /// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);

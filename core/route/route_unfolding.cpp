@@ -56,21 +56,14 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
     }
   }
   if (best == unreachable) return best;
-  std::array<BorderSample, 2> beside{};
-  int known = 0;
+  std::array<BorderSample, 8> beside{};
+  std::size_t known = 0;
   for (std::size_t i = 0; i < count; ++i) {
     // Only the route's own node is a neighbour of all the others.
     if (i == least || (least != 0 && i != 0) || beyond[i] == unreachable) continue;
-    const BorderSample sample{near[i].distance, beyond[i], near[std::max(i, least)].length};
-    best = std::min(best, unfolded_distance(sample.length, near[least].distance, sample.source, beyond[least],
-                                            sample.target));
-    if (known < 2) beside[known] = sample;
-    ++known;
+    beside[known++] = {near[i].distance, beyond[i], near[std::max(i, least)].length};
   }
-  if (known == 2) {
-    best = std::min(best, parabola_distance(near[least].distance, beyond[least], beside[0], beside[1]));
-  }
-  return best;
+  return crossing_distance(near[least].distance, beyond[least], {beside.data(), known});
 }
 
 void find_stages(const IndexData& data, const GraphRoute& route, Index source, Index target,

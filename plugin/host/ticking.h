@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "support/checkpoint.h"
 #include "support/progress.h"
@@ -28,15 +29,22 @@ auto run_ticking(const Progress& progress, const std::string& activity, Work wor
     std::mutex mutex;
     double fraction = 0.0;
     std::string activity;
+    std::vector<std::string> warnings;
     bool stop = false;
   } state;
   state.activity = activity;
-  const Progress inner([&state](double fraction, const std::string& now) {
-    const std::lock_guard lock(state.mutex);
-    state.fraction = fraction;
-    state.activity = now;
-    return !state.stop;
-  });
+  const Progress inner(
+      [&state](double fraction, const std::string& now) {
+        const std::lock_guard lock(state.mutex);
+        state.fraction = fraction;
+        state.activity = now;
+        return !state.stop;
+      },
+      [&state](const std::string& sentence) {
+        const std::lock_guard lock(state.mutex);
+        state.warnings.push_back(sentence);
+        return !state.stop;
+      });
   auto result = std::async(std::launch::async, [&] {
     const Watch watch([&state] {
       const std::lock_guard lock(state.mutex);
@@ -45,22 +53,27 @@ auto run_ticking(const Progress& progress, const std::string& activity, Work wor
     return work(inner);
   });
   bool stop = false;
-  do {
+  auto hand_on = [&] {
     std::unique_lock lock(state.mutex);
     const double fraction = state.fraction;
     const std::string now = state.activity;
+    const std::vector<std::string> warnings = std::exchange(state.warnings, {});
     lock.unlock();
+    for (const std::string& sentence : warnings) progress.warn(sentence);
+    progress.report(fraction, now);
+  };
+  do {
     try {
-      if (!stop) progress.report(fraction, now);
+      if (!stop) hand_on();
     } catch (const Cancelled&) {
       stop = true;
-      lock.lock();
+      const std::lock_guard lock(state.mutex);
       state.stop = true;
     }
   } while (result.wait_for(tick) != std::future_status::ready);
-  if (!stop) return result.get();
-  result.wait();
-  throw Cancelled();
+  if (stop) throw Cancelled();
+  for (const std::string& sentence : state.warnings) progress.warn(sentence);
+  return result.get();
 }
 
 }  // namespace vorogeo::plugin

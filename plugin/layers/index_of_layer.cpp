@@ -33,7 +33,8 @@ Results statistics_results(const IndexStatistics& s) {
           {"arcs_before_pruning", static_cast<double>(s.arcs_before_pruning)},
           {"arcs", static_cast<double>(s.arcs)},
           {"bytes", static_cast<double>(s.bytes)},
-          {"seconds", s.seconds}};
+          {"seconds", s.seconds},
+          {"expected_fields", s.expected_fields}};
 }
 
 Results about_index(const IndexOfLayer& found) {

@@ -96,6 +96,7 @@ class IndexHandle {
     d["arcs"] = s.arcs;
     d["bytes"] = s.bytes;
     d["seconds"] = s.seconds;
+    d["expected_fields"] = s.expected_fields;
     d["delta"] = s.delta;
     d["seed"] = s.seed;
     return d;

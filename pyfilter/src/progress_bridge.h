@@ -32,7 +32,8 @@ class ProgressBridge {
   template <class Body>
   auto run(Body&& body) {
     const Progress progress(
-        [this](double fraction, const std::string& activity) { return report(fraction, activity); });
+        [this](double fraction, const std::string& activity) { return report(fraction, activity); },
+        [this](const std::string& sentence) { return warn(sentence); });
     try {
       nb::gil_scoped_release release;
       return body(progress);
@@ -45,6 +46,8 @@ class ProgressBridge {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr auto interval = std::chrono::milliseconds(20);
+  /// Frames above the binding: the package's own, then whoever called it.
+  static constexpr Py_ssize_t caller_of_the_package = 2;
 
   bool report(double fraction, const std::string& activity) {
     const auto now = Clock::now();
@@ -64,6 +67,14 @@ class ProgressBridge {
       failure_ = std::current_exception();
       return false;
     }
+  }
+
+  /// A UserWarning; if Python's filters make it an exception, that stops the computation.
+  bool warn(const std::string& sentence) {
+    nb::gil_scoped_acquire acquire;
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), caller_of_the_package) == 0) return true;
+    failure_ = std::make_exception_ptr(nb::python_error());
+    return false;
   }
 
   /// Comparisons of numpy numbers give numpy's False, which prints as "False".

@@ -60,6 +60,11 @@ class GeodesicIndex(Queries):
     MemoryError
         If the index does not fit into memory.
 
+    Warns
+    -----
+    UserWarning
+        Before a build that is expected to take more than a second and more than 200 exact fields of this mesh.
+
     Examples
     --------
     >>> index = vorogeo.GeodesicIndex(vertices, faces)

@@ -195,6 +195,9 @@ class IndexStatistics:
         Memory held by the index.
     seconds : float
         Build time; 0 for an index that was loaded.
+    expected_fields : float
+        Exact fields of the mesh in whose time the build was expected, if that is so much (over 200) that an
+        index hardly pays; 0 otherwise, and for an index that was loaded.
     delta : float
         Average relative error that pruning was allowed to add.
     seed : int
@@ -213,6 +216,7 @@ class IndexStatistics:
     arcs: int
     bytes: int
     seconds: float
+    expected_fields: float
     delta: float
     seed: int
 

@@ -49,6 +49,10 @@ const Generated generated[] = {
     {"drilled_plate", [] { return vorogeo::test::drilled_plate(14, 14, 0.6, 1); }},
     {"drilled_block", [] { return vorogeo::test::drilled_plate(10, 10, 6.0, 2); }},
     {"gear", [] { return vorogeo::test::gear(200, 24, 8.0); }},
+    {"small_plate", [] { return vorogeo::test::drilled_plate(6, 6, 0.6, 1); }},
+    {"small_gear", [] { return vorogeo::test::gear(40, 16, 8.0); }},
+    {"coarse_sphere", [] { return vorogeo::test::random_sphere(1500, 2); }},
+    {"block_city", [] { return vorogeo::test::block_city(20, 20, 1); }},
 };
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

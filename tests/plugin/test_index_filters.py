@@ -96,6 +96,7 @@ def test_index_values_describe_the_mesh_and_the_parameters():
     assert set(result) == {
         "vertices", "first_layer_patches", "second_layer_patches", "first_layer_border_vertices",
         "second_layer_border_vertices", "is_graph", "arcs_before_pruning", "arcs", "bytes", "seconds",
+        "expected_fields",
     }  # fmt: skip
     assert result["vertices"] == len(vertices)
     assert result["first_layer_patches"] == 12

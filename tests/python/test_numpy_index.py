@@ -1,6 +1,7 @@
 """vorogeo.GeodesicIndex: values against exact distances, symmetry, infinity, patches, statistics."""
 
 import dataclasses
+import warnings
 
 import numpy as np
 import pytest
@@ -134,6 +135,18 @@ def test_statistics_describe_the_mesh(index):
     assert statistics.delta == 0.0
     with pytest.raises(dataclasses.FrozenInstanceError):
         statistics.vertices = 3
+
+
+def test_a_build_that_hardly_pays_warns_before_it_begins(index):
+    assert index.statistics.expected_fields == 0
+    vertices, faces = bent_grid(60, 40)
+    parts = 16
+    apart = np.repeat(np.arange(parts), len(vertices))[:, None] * [0.0, 0.0, 10.0]
+    many = np.concatenate([faces + k * len(vertices) for k in range(parts)])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(UserWarning, match=r"about [0-9.]+ s of one core, as long as [0-9]+ exact fields"):
+            vorogeo.GeodesicIndex(np.tile(vertices, (parts, 1)) + apart, many)
 
 
 def test_repr_says_what_it_is(index):

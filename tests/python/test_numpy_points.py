@@ -41,7 +41,7 @@ def test_points_are_given_alike_everywhere(plane, points):
     np.testing.assert_allclose(plane.distances(mixed, points[:7]), np.diag(expected[:, :7]), rtol=1e-9)
     np.testing.assert_allclose(plane.distance(mixed, points[:7]), np.diag(expected[:, :7]), rtol=1e-9)
     np.testing.assert_allclose([p.length for p in plane.path(mixed, points[:7])], np.diag(expected[:, :7]), rtol=1e-9)
-    np.testing.assert_allclose(plane.fields(mixed), straight(places, PLANE[0]), rtol=5e-2, atol=1e-12)
+    np.testing.assert_allclose(plane.fields(mixed), straight(places, PLANE[0]), rtol=2e-2, atol=1e-12)
     np.testing.assert_allclose(plane.distance_field(mixed), straight(places, PLANE[0]).min(axis=0), rtol=2e-2)
     distances, farthest = plane.eccentricity(mixed)
     np.testing.assert_allclose(distances, straight(places, PLANE[0]).max(axis=1), rtol=2e-3)

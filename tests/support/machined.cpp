@@ -1,4 +1,4 @@
-// Parts as CAD programs triangulate them: long faces, fans, needles, many holes.
+// Parts as CAD programs triangulate them: long faces, fans, needles, many holes; and blocks of buildings.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -112,6 +112,44 @@ Soup gear(int teeth, int points_per_tooth, double height) {
   for (int k = 0; k < inside; ++k) {
     add_wall(soup, bore(k, 0), bore(k + 1, 0), bore(k, 1), bore(k + 1, 1));
     for (int side : {0, 1}) soup.faces.push_back({bore(k, side), rim(8 * (k + 1), side), bore(k + 1, side)});
+  }
+  return soup;
+}
+
+Soup block_city(int columns, int rows, unsigned seed) {
+  Soup soup;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> height(0.1, 1.5);
+  std::uniform_real_distribution<double> gap(0.05, 0.25);
+  auto corner = [&](int i, int j) { return j * (columns + 1) + i; };
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) add_point(soup, i, j, 0.0);
+  }
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const double left = i + gap(random);
+      const double right = i + 1 - gap(random);
+      const double front = j + gap(random);
+      const double back = j + 1 - gap(random);
+      const double top = height(random);
+      const std::array<Index, 4> street{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                                        corner(i, j + 1)};
+      std::array<Index, 4> foot{};
+      std::array<Index, 4> roof{};
+      for (int q = 0; q < 4; ++q) {
+        const double x = q == 0 || q == 3 ? left : right;
+        const double y = q < 2 ? front : back;
+        foot[q] = add_point(soup, x, y, 0.0);
+        roof[q] = add_point(soup, x, y, top);
+      }
+      for (int q = 0; q < 4; ++q) {
+        const int next = (q + 1) % 4;
+        add_wall(soup, street[q], street[next], foot[q], foot[next]);
+        add_wall(soup, foot[q], foot[next], roof[q], roof[next]);
+      }
+      soup.faces.push_back({roof[0], roof[1], roof[2]});
+      soup.faces.push_back({roof[0], roof[2], roof[3]});
+    }
   }
   return soup;
 }

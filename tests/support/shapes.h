@@ -86,6 +86,9 @@ Soup drilled_plate(int columns, int rows, double thickness, unsigned seed);
 /// Toothed wheel with a bore, one face high; the end faces are needles from the teeth to an eighth as many
 /// points of the bore. `points_per_tooth` x `teeth` is a multiple of 8. Closed, genus 1.
 Soup gear(int teeth, int points_per_tooth, double height);
+/// Ground [0, columns] x [0, rows] with a block of random height on each unit cell, in as few faces as that
+/// takes. One sheet with a border; positions are heights above the ground but for the walls.
+Soup block_city(int columns, int rows, unsigned seed);
 
 // ---- defects (defects.cpp); indices of the vertices and faces that were there stay, unless said otherwise
 

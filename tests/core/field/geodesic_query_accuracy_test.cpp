@@ -69,11 +69,24 @@ void expect_accurate(HostileBase base, const Documented& documented) {
   expect_accurate(mesh.soup, documented, 6);
 }
 
-// A clone alone has these: rough, with long thin faces, of high genus (method.md, "Errors by kind of mesh").
-TEST(GeodesicQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.03, 0.25, 2.0}); }
-TEST(GeodesicQueryAccuracy, CoarseExtrusion) { expect_accurate(HostileBase::extrusion, {0.05, 0.5, 2.0}); }
-TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.14, 2.0, 4.2}); }
-TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.05, 0.5, 2.0}); }
+// A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
+// rough, with long thin faces, of high genus (docs/accuracy.md).
+TEST(GeodesicQueryAccuracy, DrilledPlate) {
+  expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0212, 0.212, 0.75}, 6);
+}
+TEST(GeodesicQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {0.008, 0.189, 0.77}, 6); }
+TEST(GeodesicQueryAccuracy, CoarseSphere) {
+  expect_accurate(test::random_sphere(1500, 2), {0.0191, 0.147, 0.52}, 6);
+}
+TEST(GeodesicQueryAccuracy, BlockCity) {
+  expect_accurate(test::block_city(20, 20, 1), {0.0508, 0.835, 1.52}, 6);
+}
+TEST(GeodesicQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0116, 0.108, 1.29}); }
+TEST(GeodesicQueryAccuracy, CoarseExtrusion) {
+  expect_accurate(HostileBase::extrusion, {0.0084, 0.156, 0.4});
+}
+TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0576, 0.412, 2.54}); }
+TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0006, 0.007, 0.06}); }
 
 // Real meshes, if they are next to the repository: docs/figures.md.
 TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.02, 0.17, 1.5}); }

@@ -23,8 +23,8 @@ struct OnPlane {
         data(index->data()),
         source(data.work.work_vertex[vertex]),
         near(data) {
-    for (Index p : test::patches_at(*data.work.mesh, data.work.second_layer, source)) near.add(p);
     const ExactSource one{SurfacePoint::at_vertex(source)};
+    near.add_at(one.point);
     near.run(std::span(&one, 1), max_distance, true);
   }
   double straight(Index v) const {
@@ -100,6 +100,41 @@ TEST(NearField, ForgetsItsPatches) {
   OnPlane on(840);
   on.near.clear();
   for (Index f = 0; f < on.data.work.mesh->face_count(); ++f) EXPECT_FALSE(on.near.inside(f));
+}
+
+TEST(NearField, TakesThePatchBehindABorderCloseToTheSource) {
+  const auto index = test::make_index(test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, 4, 4);
+  const IndexData& data = index->data();
+  const Mesh& mesh = *data.work.mesh;
+  const auto& label = data.work.second_layer;
+  int borders = 0;
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
+    const Index face = Mesh::face_of(h);
+    const Index other = Mesh::face_of(mesh.next_around_edge(h));
+    if (label[other] == label[face]) continue;
+    ++borders;
+    NearField near(data);
+    std::array<double, 3> weights{};
+    weights[h % 3] = weights[Mesh::next_in_face(h) % 3] = 0.49;
+    weights[Mesh::previous_in_face(h) % 3] = 0.02;
+    near.add_at(SurfacePoint::in_face(face, weights));
+    EXPECT_TRUE(near.inside(face));
+    EXPECT_TRUE(near.inside(other)) << "behind edge " << mesh.edge_of(h);
+  }
+  EXPECT_GT(borders, 0);
+  // Nothing is added for the middle of a face inside a patch.
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    NearField near(data);
+    near.add_at(SurfacePoint::in_face(face, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
+    std::set<Index> around{label[face]};
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      around.insert(label[Mesh::face_of(mesh.next_around_edge(h))]);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      if (near.inside(f)) {
+        EXPECT_TRUE(around.contains(label[f]));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
         const Scene& scene = scenes[k];
         crossings.source[k] = static_cast<float>(scene.from[1] - lowest);
         crossings.target[k] = static_cast<float>(scene.to[1]);
-        double best = scene.from[1] + scene.to[1];
         std::array<BorderSample, 2> samples{};
+        std::vector<BorderSample> known;
         for (int s : {0, 1}) {
           // Every fifth crossing lacks a neighbour.
           const bool used = k % 5 != 0 || s == k % 2;
@@ -66,12 +66,9 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
           crossings.side[s].source[k] = static_cast<float>(scene.from[2 * s] - lowest);
           crossings.side[s].target[k] = static_cast<float>(scene.to[2 * s]);
           crossings.side[s].length[k] = used ? static_cast<float>(scene.lengths[s]) : 0.0F;
-          if (!used) continue;
-          best = std::min(best, unfolded_distance(scene.lengths[s], scene.from[1], scene.from[2 * s],
-                                                  scene.to[1], scene.to[2 * s]));
+          if (used) known.push_back(samples[s]);
         }
-        if (k % 5 != 0)
-          best = std::min(best, parabola_distance(scene.from[1], scene.to[1], samples[0], samples[1]));
+        const double best = crossing_distance(scene.from[1], scene.to[1], known);
         expected[k] = scene.from[1] + scene.to[1] - best;
       }
       float gain[Crossings::capacity];
@@ -82,6 +79,28 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
       }
     }
   }
+}
+
+TEST(CrossingGains, NothingWhereThePathWouldPassOnBothSides) {
+  // The wave runs along the border, from the neighbour before to the vertex; the one at the neighbour behind
+  // came by another way.
+  Crossings crossings{};
+  for (Index k = 0; k < Crossings::capacity; ++k) {
+    crossings.source[k] = 0.5F;
+    crossings.target[k] = 0.25F;
+    crossings.side[0].source[k] = 0.3F;
+    crossings.side[0].target[k] = 0.45F;
+    crossings.side[0].length[k] = 0.2F;
+    crossings.side[1].source[k] = 0.0F;
+    crossings.side[1].target[k] = 0.77F;
+    crossings.side[1].length[k] = 1.0F;
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings, 6.7F, gain);
+  for (float value : gain) EXPECT_EQ(value, 0.0F);
+  for (Index k = 0; k < Crossings::capacity; ++k) crossings.side[0].length[k] = 0.0F;
+  crossing_gains(crossings, 6.7F, gain);
+  for (float value : gain) EXPECT_GT(value, 0.1F);
 }
 
 TEST(CrossingGains, NothingWithoutNeighboursOrWithoutDistances) {

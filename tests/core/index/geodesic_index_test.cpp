@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "index/index_data.h"
 #include "support/error.h"
@@ -194,6 +197,48 @@ TEST(GeodesicIndex, CancelledAtAnyReport) {
   }
   EXPECT_THROW(reports_of(mesh, 0), Cancelled);
   EXPECT_THROW(reports_of(mesh, 3), Cancelled);
+}
+
+/// A surface of many parts, each of several patches: a field stays in one part, the tables are of all.
+Soup many_tori(int count) {
+  const Soup part = test::torus(60, 30, 2.0, 0.7);
+  Soup all = part;
+  for (int i = 1; i < count; ++i) all = test::two_components(all, part);
+  return all;
+}
+
+TEST(GeodesicIndex, WarnsWithFiguresBeforeABuildThatHardlyPays) {
+  std::vector<std::string> warnings;
+  double reached = 0.0;
+  const Progress progress(
+      [&](double fraction, const std::string&) {
+        reached = fraction;
+        return true;
+      },
+      [&](const std::string& sentence) {
+        warnings.push_back(sentence);
+        return false;
+      });
+  const auto mesh = test::make_mesh(many_tori(24));
+  EXPECT_THROW(GeodesicIndex::build(mesh, {}, progress), Cancelled);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_LE(reached, 0.1 + 1e-9) << "before the tables";
+  std::smatch figures;
+  ASSERT_TRUE(std::regex_search(
+      warnings[0], figures, std::regex("about ([0-9.]+) s of one core, as long as ([0-9]+) exact fields")))
+      << warnings[0];
+  EXPECT_GE(std::stod(figures[1]), 1.0);
+  EXPECT_GE(std::stod(figures[2]), many_fields);
+}
+
+TEST(GeodesicIndex, DoesNotWarnOfAnIndexThatPays) {
+  const Progress progress([](double, const std::string&) { return true; },
+                          [](const std::string& sentence) {
+                            ADD_FAILURE() << sentence;
+                            return true;
+                          });
+  const auto index = GeodesicIndex::build(test::make_mesh(test::icosphere(4)), {}, progress);
+  EXPECT_EQ(index->statistics().expected_fields, 0.0);
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   write_bytes(file, newer);
   EXPECT_EQ(reading(file),
             "The index file " + file.string() +
-                " has format version 99, this program reads version 5; build the index again.");
+                " has format version 99, this program reads version 6; build the index again.");
   std::string swapped = good;
   std::swap(swapped[12], swapped[15]);
   std::swap(swapped[13], swapped[14]);

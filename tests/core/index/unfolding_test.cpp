@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -124,6 +126,42 @@ TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
     limited += found < source + target - 0.999 * most ? 1 : 0;
   }
   EXPECT_GT(limited, 0);
+}
+
+TEST(Unfolding, ACrossingInThePlaneIsAStraightLine) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  int crossed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // A bent border with its vertex of least sum at the origin; the target is too close for a parabola.
+    const std::array<double, 2> before{-1.0, 0.4 * number(random)};
+    const std::array<double, 2> after{1.0, 0.4 * number(random)};
+    const std::array<double, 2> source{3.0 * number(random), -1.0 - 3.0 * std::abs(number(random))};
+    const std::array<double, 2> target{1.5 * number(random), 1.0 + std::abs(number(random))};
+    auto length = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
+    auto sample = [&](const auto& at) {
+      return BorderSample{length(at, source), length(at, target), length(at, std::array{0.0, 0.0})};
+    };
+    const auto middle = sample(std::array{0.0, 0.0});
+    const std::array beside{sample(before), sample(after)};
+    const double sum = middle.source + middle.target;
+    if (sum > std::min(beside[0].source + beside[0].target, beside[1].source + beside[1].target)) continue;
+    ++crossed;
+    const double found = crossing_distance(middle.source, middle.target, beside);
+    EXPECT_NEAR(found, length(source, target), 1e-9) << i;
+  }
+  EXPECT_GT(crossed, 1000);
+}
+
+TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
+  // A wave along the border reaches the vertex; behind it another wave came earlier. The way on is along the
+  // border, so the sum is right.
+  const BorderSample before{7.0, 0.45, 0.2};
+  const BorderSample after{6.7, 0.77, 1.0};
+  EXPECT_LT(unfolded_distance(after.length, 7.2, after.source, 0.25, after.target), 7.2);
+  EXPECT_EQ(crossing_distance(7.2, 0.25, std::array{before, after}), 7.45);
+  EXPECT_EQ(crossing_distance(7.2, 0.25, std::array{after, before}), 7.45);
+  EXPECT_LT(crossing_distance(7.2, 0.25, std::array{after}), 7.2);
 }
 
 }  // namespace

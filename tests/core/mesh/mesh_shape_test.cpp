@@ -1,10 +1,12 @@
-// Angles and areas of needles and of nearly flat faces, where three lengths would not determine them.
+// Angles and areas of needles and of nearly flat faces, where three lengths would not determine them; angle
+// defects.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "mesh/mesh.h"
+#include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
@@ -37,6 +39,19 @@ TEST(MeshShape, FacesWithoutArea) {
   const Mesh closed = triangle({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, {4.0, 4.0, 4.0});
   EXPECT_EQ(closed.face_area(0), 0.0);
   EXPECT_EQ(closed.corner_angle(2), 0.0);
+}
+
+TEST(MeshShape, AngleDefectsOfConvexMeshesAddUpToTwoFullTurns) {
+  for (const test::Soup& soup : {test::icosphere(0), test::icosphere(3), test::random_sphere(200, 1)}) {
+    const Mesh mesh(soup.positions, soup.faces);
+    EXPECT_NEAR(mesh.mean_angle_defect() * mesh.vertex_count(), 4.0 * std::numbers::pi, 1e-9);
+  }
+}
+
+TEST(MeshShape, APlaneHasNoAngleDefectAndBordersDoNotCount) {
+  const test::Soup plane = test::plane_grid(8, 6, 1.0, 1.0, 0.2).soup;
+  EXPECT_NEAR(Mesh(plane.positions, plane.faces).mean_angle_defect(), 0.0, 1e-12);
+  EXPECT_EQ(triangle({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}).mean_angle_defect(), 0.0);
 }
 
 }  // namespace

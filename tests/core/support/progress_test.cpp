@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace vorogeo {
@@ -44,6 +45,19 @@ TEST(Progress, FalseCancels) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "Cancelled: nothing was changed.");
   }
+}
+
+TEST(Progress, WarningsPassThroughPartsAndMayCancel) {
+  std::vector<std::string> seen;
+  const Progress whole({}, [&](const std::string& sentence) {
+    seen.push_back(sentence);
+    return sentence != "stop";
+  });
+  whole.warn("first");
+  whole.part(0.25, 0.5).part(0.0, 0.1).warn("second");
+  EXPECT_THROW(whole.part(0.5, 1.0).warn("stop"), Cancelled);
+  EXPECT_EQ(seen, (std::vector<std::string>{"first", "second", "stop"}));
+  EXPECT_NO_THROW(Progress().warn("to nobody"));
 }
 
 }  // namespace

@@ -101,6 +101,17 @@ TEST(Shapes, ClosedSurfacesHaveTheirEulerNumber) {
   EXPECT_EQ(euler(box({1.0, 2.0, 3.0}, 3).soup), 2);
 }
 
+TEST(Shapes, ABlockCityIsOneSheetAroundItsBlocks) {
+  const auto mesh = make_mesh(block_city(5, 4, 2));
+  EXPECT_EQ(mesh->vertex_count() - mesh->edge_count() + mesh->face_count(), 1);
+  EXPECT_EQ(mesh->component_count(), 1);
+  EXPECT_EQ(mesh->face_count(), 5 * 4 * 18);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    EXPECT_GE(mesh->position(v)[2], 0.0);
+    EXPECT_NE(mesh->fan(v), Mesh::Fan::non_manifold) << "vertex " << v;
+  }
+}
+
 TEST(Shapes, BookHasThreeFacesAtItsSpine) {
   const auto mesh = make_mesh(book_of_three_pages(3, 1.0, 1.0).soup);
   int spine = 0;
