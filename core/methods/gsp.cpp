@@ -21,20 +21,6 @@ struct FaceSource {
   double distance = unreachable;
 };
 
-/// Where between the centroid (1) and the far corner (0) a face is looked at to tell whether the source is
-/// seen through an edge: the table that the authors trained (section 3.2), by four tests of the triangle's
-/// shape.
-double looked_at(double edge, double second, double third, double height) {
-  constexpr std::array weights{0.320991,  0.446887,  0.595879,  0.270094, 0.236679,  0.159685,
-                               0.0872932, 0.434132,  1.0,       0.726262, 0.0635997, 0.0515979,
-                               0.56903,   0.0447586, 0.0612103, 0.718198};
-  const double longest = std::max({edge, second, third});
-  const double shortest = std::min({edge, second, third});
-  const int row = (longest > 5.1424 * edge ? 1 : 0) + (longest > 4.20638 * shortest ? 2 : 0) +
-                  (height < 0.504201 * edge ? 4 : 0) + (height < 2.84918 * longest ? 8 : 0);
-  return weights[row];
-}
-
 class VirtualSources final : public GeodesicMethod {
  public:
   explicit VirtualSources(const std::shared_ptr<const Mesh>& mesh) : mesh_(mesh), faces_(mesh->face_count()) {
@@ -46,7 +32,7 @@ class VirtualSources final : public GeodesicMethod {
       const double to_tail = length(Mesh::previous_in_face(h));
       const double x = edge > 0.0 ? 0.5 * (edge + (to_tail - to_head) * (to_tail + to_head) / edge) : 0.0;
       const double y = edge > 0.0 ? 2.0 * mesh->face_area(Mesh::face_of(h)) / edge : to_tail;
-      apexes_.push_back({x, y, looked_at(edge, to_head, to_tail, y)});
+      apexes_.push_back({x, y});
     }
     queue_.resize(faces_.size());
   }
@@ -79,7 +65,6 @@ class VirtualSources final : public GeodesicMethod {
  private:
   struct Apex {
     double x, y;
-    double weight;
   };
 
   double length(Index halfedge) const { return mesh_->edge_length(mesh_->edge_of(halfedge)); }
@@ -117,10 +102,9 @@ class VirtualSources final : public GeodesicMethod {
     const Apex& apex = apexes_[g];
     const double centre_x = (edge + apex.x) / 3.0;
     const double centre_y = apex.y / 3.0;
-    const double seen_x = apex.weight * centre_x + (1.0 - apex.weight) * apex.x;
-    const double seen_y = apex.weight * centre_y + (1.0 - apex.weight) * apex.y;
-    const double height = seen_y + depth;
-    const double crossing = height > 0.0 ? x + (seen_x - x) * (depth / height) : x;
+    // Whether the source is seen through the edge is decided for the centroid, for which faces are compared.
+    const double height = centre_y + depth;
+    const double crossing = height > 0.0 ? x + (centre_x - x) * (depth / height) : x;
     FaceSource found;
     std::array<double, 3> square{tail_square, head_square, 0.0};
     if (crossing >= 0.0 && crossing <= edge) {
