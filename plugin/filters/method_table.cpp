@@ -85,6 +85,9 @@ FilterRow method_table_row() {
       "<i>field_seconds</i>, "
       "<i>pair_seconds</i> (not a number where two points cost a field), <i>bytes</i>, <i>mean_error</i>, "
       "<i>p99_error</i>, <i>max_error</i> (0.01 is 1 %).</p>"
+      "<p>How to choose: a few sources tell the errors, more of them the mean times; on meshes of a million "
+      "vertices name the methods, as <i>svg</i> and <i>dgg</i> take minutes there. For an error map of one "
+      "method take <i>Compare geodesic methods (VoroGeo)</i>.</p>"
       "<p>See:<br/><i>Keenan Crane, Marco Livesu, Enrico Puppo, Yipeng Qin</i><br/><b>\"A survey of "
       "algorithms for "
       "geodesic paths and distances\"</b><br/>2020.</p>",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple
@@ -110,8 +110,26 @@ def _described() -> dict[str, MethodInfo]:
     }
 
 
-#: All methods by their names, in the order in which they are offered.
-methods: Mapping[str, MethodInfo] = MappingProxyType(_described())
+class Methods(Mapping[str, MethodInfo]):
+    """All methods by their names, in the order in which they are offered; read-only."""
+
+    def __init__(self, rows: dict[str, MethodInfo]) -> None:
+        self._rows = rows
+
+    def __getitem__(self, name: str) -> MethodInfo:
+        return self._rows[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._rows)
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __repr__(self) -> str:
+        return f"Methods({list(self._rows)})"
+
+
+methods = Methods(_described())
 
 
 class GeodesicMethod:
