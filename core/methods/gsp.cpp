@@ -112,14 +112,14 @@ class VirtualSources final : public GeodesicMethod {
       square[2] = (apex.x - x) * (apex.x - x) + (apex.y + depth) * (apex.y + depth);
       found.distance = found.sigma + std::hypot(centre_x - x, centre_y + depth);
     } else {
-      // Out of sight: the way goes on from the end of the edge on that side, the new virtual source.
+      // Out of sight: the path bends at the end of the edge on that side, the new virtual source.
       const bool at_tail = crossing < 0.0;
       const double end = at_tail ? 0.0 : edge;
       found.sigma = from.sigma + std::sqrt(at_tail ? tail_square : head_square);
       square = {end * end, (edge - end) * (edge - end), (apex.x - end) * (apex.x - end) + apex.y * apex.y};
       found.distance = found.sigma + std::hypot(centre_x - end, centre_y);
     }
-    // A gain of next to nothing would be handed round a vertex without an end.
+    // Without this threshold, negligible gains would circle a vertex forever.
     if (!(found.distance < to.distance * (1.0 - 1e-12))) return;
     found.square[g % 3] = square[0];
     found.square[Mesh::next_in_face(g) % 3] = square[1];

@@ -68,7 +68,7 @@ class ShortTermVectors final : public GeodesicMethod {
         const Index w = spokes_[s].target;
         if (accepted[w] != 0) continue;
         const double found = over(v, spokes_[s], distance, before, reached_by);
-        // Of ways alike but for rounding the first stays: it has the fewest edges, so the longest memory.
+        // Of paths equal up to rounding, the first is kept: it has the fewest edges, so the longest memory.
         if (found < distance[w] * (1.0 - 1e-12)) {
           distance[w] = found;
           before[w] = v;
