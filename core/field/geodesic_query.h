@@ -28,7 +28,7 @@ class GeodesicQuery {
 
   /// Distances from the nearest of the sources to every vertex (SSAD, MSAD), `unreachable` where there is
   /// none. Shape (n). Distances above max_distance are `unreachable`. Duplicate sources count once. \throw
-  /// InvalidInput for a vertex out of range, a max_distance that is negative or no number, or no source.
+  /// InvalidInput for a vertex out of range, a max_distance that is negative or NaN, or no source.
   std::vector<double> distance_field(std::span<const Index> sources, double max_distance = unreachable);
 
   /// The same from sources of every kind: see labelled_field, without its labels.

@@ -30,7 +30,7 @@ class NearField {
   static constexpr double shorter_outside = 0.99;
 
   /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
-  /// behind the edge, sums over its ends are so much too long that paths along other ways look shorter.
+  /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
   static constexpr double beside = 0.5;
 
   explicit NearField(const IndexData& data);

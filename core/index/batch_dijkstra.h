@@ -29,7 +29,7 @@ class BatchDijkstra {
       : search_(layer), least_(layer.node_count()), taken_(layer.node_count()), best_(layer.node_count()) {}
 
   /// Finds the distances from each of a few sources close to each other, over the patches allowed (empty:
-  /// all): from the one in the middle by a full search, from the others along the corridor that this one
+  /// all): from the one in the middle by a full search, from the others over the stretches that this one
   /// finds. Calls `done(i)` when `search()` holds the distances from sources[i].
   void search_from_each(std::span<const Index> sources, std::span<const std::uint8_t> patch_allowed,
                         const std::function<void(std::size_t i)>& done);
@@ -58,7 +58,7 @@ class BatchDijkstra {
   std::vector<Stretch> stretch_;
 };
 
-/// First-layer nodes whose searches share a corridor; a multiple of TransitTable::group_size, as both kinds
+/// First-layer nodes whose searches make a batch; a multiple of TransitTable::group_size, as both kinds
 /// of groups begin where the patches at the border change.
 inline constexpr Index nodes_per_leader = 16;
 

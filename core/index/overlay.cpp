@@ -39,8 +39,8 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
   TableDraft tables(first);
   const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
-    explicit Scratch(const PatchLayer& layer) : corridor(layer) {}
-    BatchDijkstra corridor;
+    explicit Scratch(const PatchLayer& layer) : batch(layer) {}
+    BatchDijkstra batch;
     std::vector<Index> sources;
     std::vector<std::uint8_t> allowed;
   };
@@ -57,12 +57,12 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                  for (Index node = led[leader]; node < led[leader + 1]; ++node) {
                    own.sources.push_back(second.vertex_node[first.node_vertex[node]]);
                  }
-                 own.corridor.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
+                 own.batch.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
                    for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
                      const auto members = first.members(at.patch);
                      for (std::size_t m = 0; m < members.size(); ++m) {
                        tables.line(at.patch, static_cast<Index>(m))[at.row] =
-                           static_cast<float>(own.corridor.search().distance(second.vertex_node[members[m]]));
+                           static_cast<float>(own.batch.search().distance(second.vertex_node[members[m]]));
                      }
                    }
                  });

@@ -22,7 +22,7 @@ void save_layer(IndexFileWriter& out, const PatchLayer& layer) {
 template <class T>
 void require_distances(IndexFileReader& in, const std::vector<T>& values) {
   for (T value : values) {
-    if (!(value >= T(0))) in.fail("is damaged (a distance is negative or no number)");
+    if (!(value >= T(0))) in.fail("is damaged (a distance is negative or NaN)");
   }
 }
 
@@ -52,7 +52,7 @@ void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLay
   const auto unit = in.block<float>(1);
   require_distances(in, least);
   if (!(unit[0] >= 0.0f && unit[0] < std::numeric_limits<float>::infinity())) {
-    in.fail("is damaged (the unit of a table is infinite or no number)");
+    in.fail("is damaged (the unit of a table is infinite or NaN)");
   }
   if (first.node_count() == 0 && entry.empty() && least.empty()) return;
   TransitTable laid_out = group_nodes(first);

@@ -123,8 +123,8 @@ TransitTable make_transit_table(const PatchLayer& first, int threads, const Prog
   std::vector<float> unit_of_rows(groups);
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
   struct Scratch {
-    explicit Scratch(const PatchLayer& layer) : corridor(layer) {}
-    BatchDijkstra corridor;
+    explicit Scratch(const PatchLayer& layer) : batch(layer) {}
+    BatchDijkstra batch;
     std::vector<Index> sources;
     std::vector<float> rows;
   };
@@ -137,10 +137,10 @@ TransitTable make_transit_table(const PatchLayer& first, int threads, const Prog
     own.rows.resize((end - begin) * count);
     own.sources.resize(end - begin);
     std::iota(own.sources.begin(), own.sources.end(), begin);
-    own.corridor.search_from_each(own.sources, {}, [&](std::size_t i) {
+    own.batch.search_from_each(own.sources, {}, [&](std::size_t i) {
       float* row = own.rows.data() + i * count;
       for (Index other = 0; other < table.count; ++other) {
-        row[other] = static_cast<float>(own.corridor.search().distance(other));
+        row[other] = static_cast<float>(own.batch.search().distance(other));
       }
     });
     for (Index a = table.group_of[begin]; a <= table.group_of[end - 1]; ++a) {

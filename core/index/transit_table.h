@@ -60,9 +60,9 @@ std::int64_t transit_table_bytes(const PatchLayer& first);
 /// A table with the groups of the nodes, which follow from the layer alone, and without distances.
 TransitTable group_nodes(const PatchLayer& first);
 
-/// Fills the table by a search over the first layer from each of its nodes, most of them over a corridor
-/// only. Besides the table, only a few rows take memory. Complexity: O(nodes^2 (w + b / 16)), for b nodes on
-/// the border of a patch, of which w are in the corridor.
+/// Fills the table by a search over the first layer from each of its nodes, most of them in batches
+/// (BatchDijkstra). Besides the table, only a few rows take memory. Complexity: O(nodes^2 (w + b / 16)), for
+/// b nodes on the border of a patch, of which w are on its stretches.
 TransitTable make_transit_table(const PatchLayer& first, int threads, const Progress& progress);
 
 }  // namespace vorogeo

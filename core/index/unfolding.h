@@ -25,13 +25,13 @@ inline constexpr double least_offset = 0.1;
 /// three times that of circles, 1/8.
 inline constexpr double greatest_gain = 0.375;
 
-/// The angle between the ways to source and target at a border vertex, on one side of them.
+/// The angle between the directions to source and target at a border vertex, on one side of them.
 struct Turn {
   double cosine;
   double sine;
 };
 
-/// On the side of one neighbour: the angles of both ways with the border edge that leads to it.
+/// On the side of one neighbour: the angles of both directions with the border edge that leads to it.
 inline Turn turn_at(double source, double target, const BorderSample& beside) {
   auto cosine = [&](double own, double other) {
     const double exact = 0.5 * (beside.length / own + (own - other) / beside.length * ((own + other) / own));

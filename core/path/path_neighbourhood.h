@@ -18,8 +18,8 @@ class PathNeighbourhood {
   explicit PathNeighbourhood(const Mesh& mesh)
       : mesh_(mesh), face_(mesh.face_count(), 0), vertex_(mesh.vertex_count(), 0) {}
 
-  /// \return 1 for each face of the corridor, 0 for the others; valid until the next call. Complexity: that
-  /// of the corridor and of the last one.
+  /// \return 1 for each face of the neighbourhood, 0 for the others; valid until the next call. Complexity:
+  /// that of the neighbourhood and of the last one.
   std::span<const std::uint8_t> surround(const PathLine& line, int rings);
 
  private:

@@ -40,7 +40,7 @@ void distance_matrix(FieldTeam& team, const PointList& points, MatrixMethod meth
                      const Progress& progress = {});
 
 /// The field of each source at all vertices in a row of n values; distances above max_distance are
-/// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or no number.
+/// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or NaN.
 void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<double> rows,
                      const Progress& progress = {});
 /// The same, rounded to single precision.

@@ -53,7 +53,7 @@ struct GeodesicDisk {
   std::vector<Index> faces;      ///< with all three corners inside, ascending
 };
 
-/// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or no number.
+/// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or NaN.
 GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& sources, double radius);
 
 }  // namespace vorogeo

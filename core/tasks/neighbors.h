@@ -23,7 +23,7 @@ double sparse_bytes(double entries);
 /// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
 /// The value of a pair is read from the field of its smaller point (SurfacePoint::<=>).
 /// `max_bytes`: see require_memory; checked while the pairs are found.
-/// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or no number,
+/// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or NaN,
 /// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
 SparseDistances pairs_within(FieldTeam& team, const PointList& points, double radius,
                              std::int64_t max_bytes = 0, const Progress& progress = {});

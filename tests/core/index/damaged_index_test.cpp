@@ -146,7 +146,7 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
     for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
       blocks_ = original;
       blocks_[block].set<float>(2, value);
-      EXPECT_EQ(loading_blocks(), damaged("a distance is negative or no number"));
+      EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
     }
   }
   for (auto block : {test::second_table, test::first_table}) {
@@ -161,11 +161,11 @@ TEST_F(DamagedIndex, DistancesThatAreNone) {
        {-1.0F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     blocks_ = original;
     blocks_[test::node_unit].set<float>(0, value);
-    EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or no number"));
+    EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or NaN"));
   }
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(loading_blocks(), damaged("a distance is negative or no number"));
+  EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, unreachable);
   EXPECT_EQ(loading_blocks(), damaged("a landmark is infinitely far"));

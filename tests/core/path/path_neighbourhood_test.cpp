@@ -28,10 +28,10 @@ TEST(PathNeighbourhood, GrowsByRingsOfVertices) {
   const ExactGeometry geometry(mesh);
   PathLine line(geometry);
   line.assign(two_faces(*mesh));
-  PathNeighbourhood corridor(*mesh);
+  PathNeighbourhood neighbourhood(*mesh);
   auto marked = [&](int rings) {
     Index count = 0;
-    for (const auto mark : corridor.surround(line, rings)) count += mark;
+    for (const auto mark : neighbourhood.surround(line, rings)) count += mark;
     return count;
   };
   EXPECT_EQ(marked(0), 2);
