@@ -11,8 +11,6 @@
 
 namespace vorogeo {
 
-namespace {}  // namespace
-
 ParentSurroundings::ParentSurroundings(const PatchLayer& second, std::span<const Index> parent,
                                        Index parent_count)
     : near_(parent_count) {

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <queue>
+
+#include "support/disjoint_sets.h"
 
 namespace vorogeo {
 
@@ -21,20 +22,6 @@ constexpr double joined_edges = 1.5;
 /// warning without proof.
 constexpr int most_neighbours = 1024;
 constexpr int most_steps = 4096;
-
-/// Disjoint sets of numbers.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index i, Index j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Border vertices in boxes that are split at the median of their longest side.
 class VertexTree {
@@ -176,7 +163,7 @@ std::vector<Index> face_groups(const Mesh& mesh, Index vertex) {
   auto place_of = [&](Index corner) {
     return std::lower_bound(place.begin(), place.end(), std::pair{corner, Index{0}})->second;
   };
-  Joined groups(corners.size());
+  DisjointSets groups(static_cast<Index>(corners.size()));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (Index side : {corners[i], Mesh::previous_in_face(corners[i])}) {
       const Index next = mesh.next_around_edge(side);
@@ -190,7 +177,7 @@ std::vector<Index> face_groups(const Mesh& mesh, Index vertex) {
 }
 
 BorderLoops find_border_loops(const Mesh& mesh) {
-  Joined loops(mesh.edge_count());
+  DisjointSets loops(mesh.edge_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (!mesh.is_border(v)) continue;
     const auto corners = mesh.corners(v);

@@ -2,30 +2,19 @@
 #include "mesh/outliers.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "support/checkpoint.h"
+#include "support/disjoint_sets.h"
 
 namespace vorogeo {
 
 namespace {
 
-/// Disjoint sets of vertices.
-class VertexSets {
- public:
-  explicit VertexSets(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index root(Index v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(Index a, Index b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
+/// Joins two sets; their first vertex stands for them.
+void join_at_first(DisjointSets& sets, Index a, Index b) {
+  const auto [low, high] = std::minmax({sets.root(a), sets.root(b)});
+  sets.join(high, low);
+}
 
 constexpr Index edges_per_checkpoint = 1 << 13;
 
@@ -35,11 +24,11 @@ Outliers find_outliers(const Mesh& mesh) {
   Outliers result;
   const double longest = outlier_edges * mesh.typical_edge_length();
   if (!(mesh.longest_edge_length() > longest)) return result;
-  VertexSets pieces(mesh.vertex_count());
+  DisjointSets pieces(mesh.vertex_count());
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (e % edges_per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh.edge_vertices(e);
-    if (mesh.edge_length(e) <= longest) pieces.join(a, b);
+    if (mesh.edge_length(e) <= longest) join_at_first(pieces, a, b);
   }
   std::vector<Index> size(mesh.vertex_count(), 0);
   std::vector<Index> component_size(mesh.component_count(), 0);
@@ -62,10 +51,10 @@ Outliers find_outliers(const Mesh& mesh) {
   if (result.count == 0) return result;
 
   double shortest = mesh.longest_edge_length();
-  VertexSets groups(mesh.vertex_count());
+  DisjointSets groups(mesh.vertex_count());
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const auto [a, b] = mesh.edge_vertices(e);
-    if (is_outlier[a] != 0 && is_outlier[b] != 0) groups.join(a, b);
+    if (is_outlier[a] != 0 && is_outlier[b] != 0) join_at_first(groups, a, b);
     if (is_outlier[a] != is_outlier[b]) shortest = std::min(shortest, mesh.edge_length(e));
   }
   result.least_ratio = shortest / mesh.typical_edge_length();

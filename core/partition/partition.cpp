@@ -9,6 +9,7 @@
 #include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/parallel.h"
+#include "support/per_worker.h"
 
 namespace vorogeo {
 
@@ -124,23 +125,22 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
     Front front;
     std::vector<std::uint8_t> allowed;
   };
-  std::vector<std::unique_ptr<Scratch>> scratch(threads);
+  PerWorker<Scratch> scratch(threads);
   parallel_for(partition.first_layer_count, threads, progress.part(0.5, 1.0), "Growing second-layer patches",
                [&](std::size_t patch, int worker) {
-                 auto& own = scratch[worker];
-                 if (!own) own = std::make_unique<Scratch>(mesh);
+                 Scratch& own = scratch.of(worker, mesh);
                  const auto& list = patch_faces[patch];
-                 for (Index f : list) own->allowed[f] = 1;
+                 for (Index f : list) own.allowed[f] = 1;
                  const auto patch_vertices = vertices_of(mesh, list);
-                 const MeshPart part{patch_vertices, own->allowed};
+                 const MeshPart part{patch_vertices, own.allowed};
                  const Index count =
                      options.second_layer_patches
                          ? options.second_layer_patches
                          : rounded(static_cast<double>(patch_vertices.size()) / sizes.second_layer_vertices);
-                 const auto inner = own->sampler.spread(part, count, options.seed + 1 + patch);
-                 label_voronoi_faces(own->front, mesh, part, list, inner, outliers, partition.second_layer);
+                 const auto inner = own.sampler.spread(part, count, options.seed + 1 + patch);
+                 label_voronoi_faces(own.front, mesh, part, list, inner, outliers, partition.second_layer);
                  children[patch] = compact(partition.second_layer, list, static_cast<Index>(inner.size()));
-                 for (Index f : list) own->allowed[f] = 0;
+                 for (Index f : list) own.allowed[f] = 0;
                });
   for (Index patch = 0; patch < partition.first_layer_count; ++patch) {
     for (Index f : patch_faces[patch]) partition.second_layer[f] += partition.second_layer_count;
