@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SIZE = (1000, 900)  # of one panel
 ISOLINES = 24
-MOST_BALLS = 20
+MAX_BALLS = 20
 LINE = 0.0012  # radius of lines, relative to the diagonal of the mesh
 
 
@@ -91,7 +91,7 @@ def add_field(plotter: pyvista.Plotter, mesh: pyvista.PolyData, distance: np.nda
     lines = part.contour(np.linspace(*limits, ISOLINES + 1)[1:-1], scalars="distance")
     if lines.n_points:
         plotter.add_mesh(lines.tube(radius=LINE * mesh.length), color="black", lighting=False)
-    for source in mesh.points[distance == 0][:MOST_BALLS]:
+    for source in mesh.points[distance == 0][:MAX_BALLS]:
         plotter.add_mesh(pyvista.Sphere(0.008 * mesh.length, source), color="white", ambient=0.6)
     plotter.add_scalar_bar(
         " ", mapper=surface.mapper, n_labels=5, color="black", fmt="%.3g", label_font_size=22, width=0.5, height=0.06,

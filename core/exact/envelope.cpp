@@ -12,7 +12,7 @@ constexpr double tie = 1e-12;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
-constexpr int most_steps = 80;
+constexpr int max_steps = 80;
 
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
 struct Division {
@@ -52,7 +52,7 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
 double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
   std::array<double, 2> root{};
   double x = crossings(fresh, old, l, r, root) > 0 ? root[0] : 0.5 * (l + r);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const double to_fresh = fresh.plane_distance(x);
     const double to_old = old.plane_distance(x);
     const double difference = fresh.offset + to_fresh - (old.offset + to_old);

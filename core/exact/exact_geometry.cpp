@@ -84,8 +84,8 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
     if (can_bend[v] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[v] = by_angle;
     if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) continue;
     const auto corners = mesh->corners(v);
-    // The first corner begins at its border edge, if there is one; each of the others where the previous one
-    // ended.
+    // The first corner begins at its edge on a border of the mesh, if there is one; each of the others where
+    // the previous one ended.
     Index entered = corners[0];
     if (fan == Mesh::Fan::open && mesh->next_around_edge(entered) != entered) {
       entered = Mesh::previous_in_face(entered);

@@ -59,9 +59,9 @@ struct ExactGeometry {
   /// A length that is smaller than another one of its face by this factor is within the rounding of positions
   /// there.
   static constexpr double next_to_nothing = 1e-8;
-  /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, a border, or non-manifold.
-  /// `anywhere` at the ends of edges of negligible length: positions on the edges around do not tell on which
-  /// side of such an end a path passes, so it sends out windows in all directions.
+  /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, on a border of the mesh, or
+  /// non-manifold. `anywhere` at the ends of edges of negligible length: positions on the edges around do not
+  /// tell on which side of such an end a path passes, so it sends out windows in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };
   std::vector<Bend> can_bend;
   /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner

@@ -10,9 +10,9 @@ namespace vorogeo {
 
 ExactLandmarks::ExactLandmarks(std::span<const std::vector<double>> fields)
     : count_(static_cast<int>(fields.size())) {
-  if (fields.empty() || fields.size() > static_cast<std::size_t>(most)) {
+  if (fields.empty() || fields.size() > static_cast<std::size_t>(max_count)) {
     throw InvalidInput("There are " + std::to_string(fields.size()) + " landmarks; give 1 to " +
-                       std::to_string(most) + ".");
+                       std::to_string(max_count) + ".");
   }
   const std::size_t vertices = fields.front().size();
   distance_.resize(vertices * fields.size());

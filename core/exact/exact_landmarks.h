@@ -16,10 +16,10 @@ namespace vorogeo {
 /// by threads.
 class ExactLandmarks {
  public:
-  static constexpr int most = 32;
+  static constexpr int max_count = 32;
 
   /// `fields`: the exact distances of all vertices from each landmark, infinite in other components.
-  /// \throw InvalidInput for no field or more than `most`.
+  /// \throw InvalidInput for no field or more than `max_count`.
   explicit ExactLandmarks(std::span<const std::vector<double>> fields);
 
   int count() const { return count_; }
@@ -27,8 +27,8 @@ class ExactLandmarks {
 
   /// Bounds of the distances of a point from the landmarks.
   struct Seen {
-    std::array<float, most> least;
-    std::array<float, most> greatest;
+    std::array<float, max_count> least;
+    std::array<float, max_count> greatest;
   };
   Seen seen_from(const Mesh& mesh, const SurfacePoint& point) const;
 

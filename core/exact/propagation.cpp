@@ -21,8 +21,9 @@ constexpr double least_width = 1e-11;
 constexpr double near_edge = 1e-6;
 
 /// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
-/// side of that end is rounding. Each way through the gap, of some units in the last place of positions and
-/// distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be lost.
+/// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
+/// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
+/// lost.
 void open_at_source(const ExactGeometry& geometry, Window& window, double length) {
   if (!(window.source_y < near_edge * length)) return;
   const double distance = window.offset + window.source_y;
@@ -205,10 +206,10 @@ void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_l
 void ExactSolver::State::pass_through(const Window& window) {
   // Each face is crossed at a place that its corner touches, so more than this many are one heap of faces
   // without width, whose vertices pass on what they are reached by themselves.
-  constexpr std::size_t most_edges = 64;
+  constexpr std::size_t max_edges = 64;
   passes_through = true;
   through.assign(1, window);
-  for (std::size_t i = 0; i < std::min(through.size(), most_edges); ++i) {
+  for (std::size_t i = 0; i < std::min(through.size(), max_edges); ++i) {
     const Window next = through[i];
     const Index entry = next.entry();
     for (Index h = mesh.next_around_edge(entry); h != entry; h = mesh.next_around_edge(h)) {

@@ -60,7 +60,7 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance, b
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
   const double members = static_cast<double>(targets_.size()) / patches;
   halo_->widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
-               static_cast<std::size_t>(most_faces * members * static_cast<double>(sources.size())));
+               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
   ExactLimits limits;
   limits.face_allowed = halo_->mask();
   limits.targets = targets_;

@@ -24,7 +24,7 @@ class NearField {
   static constexpr double reach = 0.7;
   /// No further ring is added beyond this many faces per source, relative to the members of a patch: rings of
   /// regular faces have about three, those at fans of needles any number.
-  static constexpr double most_faces = 8.0;
+  static constexpr double max_faces = 8.0;
   /// Inside the patches the solver's distance holds, unless a path outside the halo is shorter by more than
   /// unfolded crossings can err: then the distance by the tables is below this fraction of it.
   static constexpr double shorter_outside = 0.99;

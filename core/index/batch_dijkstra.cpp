@@ -18,7 +18,7 @@ constexpr Index scan_width = 16;
 constexpr float least_gain = 1.0f - 1e-4f;
 /// Rounds in which nodes are processed again; a few suffice unless tables contradict each other, and then a
 /// full search decides.
-constexpr int most_rounds = 64;
+constexpr int max_rounds = 64;
 
 }  // namespace
 
@@ -124,7 +124,7 @@ bool BatchDijkstra::follow(Index source, std::span<const std::uint8_t> patch_all
     take(k);
   }
   // Where waves from two sides meet, the order of a few nodes may differ, too.
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     bool changed = false;
     for (std::size_t k = 0; k < order_.size(); ++k) {
       if (!(least_[order_[k]] < least_gain * taken_[order_[k]])) continue;

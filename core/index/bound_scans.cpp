@@ -85,7 +85,7 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
                   Index end, float* least) {
   constexpr Index width = 8;
   constexpr float infinite = std::numeric_limits<float>::infinity();
-  std::uint8_t sums[most_lanes];
+  std::uint8_t sums[max_lanes];
   Bytes lowest = ~Bytes{};
   for (Index lane = 0; lane < seeds.lanes; lane += byte_lanes) {
     Bytes sum;
@@ -117,11 +117,11 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
   for (Index k = first; k < end; ++k) farthest = found[k] > farthest ? found[k] : farthest;
   const float most = limit < farthest ? limit : farthest;
   const float in_units = bound_unit > 0.0f ? most / bound_unit : 255.0f;
-  const auto most_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
+  const auto max_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
   for (Index begin = 0; begin < seeds.lanes; begin += byte_lanes) {
     Bytes sum;
     load(sum, sums + begin);
-    const Bytes within = reinterpret_cast<Bytes>(sum <= most_bound);
+    const Bytes within = reinterpret_cast<Bytes>(sum <= max_bound);
     std::uint64_t words[byte_lanes / sizeof(std::uint64_t)];
     std::memcpy(words, &within, sizeof(words));
     Index lane = begin;

@@ -24,9 +24,9 @@ struct SeedLanes {
   const float* distance;
   const std::uint8_t* bound;
   const Index* line;
-  Index lanes;  ///< a multiple of byte_lanes, at most most_lanes
+  Index lanes;  ///< a multiple of byte_lanes, at most max_lanes
 };
-inline constexpr Index most_lanes = 512;
+inline constexpr Index max_lanes = 512;
 
 /// Relaxes least[0 .. columns) by paths over the lanes that can matter: the lane of the least bound comes
 /// first, then those whose bounds[lane] allows less than `limit` and less than the greatest of least[first ..

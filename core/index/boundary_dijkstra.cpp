@@ -13,7 +13,7 @@ namespace vorogeo {
 namespace {
 
 /// On the test meshes no node is relaxed more than a few dozen times.
-constexpr Index most_corrected = 1000;
+constexpr Index max_relaxed = 1000;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ double BoundaryDijkstra::sum(Index node) const {
 
 double BoundaryDijkstra::corrected(Index node) const {
   const NodeState& state = state_[node];
-  if (state.patch == no_index || state.relaxed > most_corrected) return distance_[node];
+  if (state.patch == no_index || state.relaxed > max_relaxed) return distance_[node];
   const double across_border =
       across(state.patch, state.row, layer_.row_of(node, state.patch), distance_[node]);
   return std::max(across_border, std::min(distance_[node], distance_[predecessor(node)]));

@@ -13,8 +13,8 @@ namespace vorogeo {
 /// Nodes are settled in buckets of distance about as wide as half a border edge. Nearly all arcs are longer
 /// than that, so nearly every node is settled once, with its final distance; a node that is relaxed later is
 /// settled again. No distance is corrected to less than that of the predecessor, so that nodes cannot relax
-/// each other in turns; a node that was relaxed very often is no longer corrected, and searches by plain sums
-/// always end.
+/// each other again and again; a node that was relaxed very often is no longer corrected, and searches by
+/// plain sums always end.
 ///
 /// One search at a time over the nodes of a layer; reset() takes time proportional to the nodes touched. The
 /// layer must outlive it. One object belongs to one thread.

@@ -53,14 +53,15 @@ inline __attribute__((always_inline)) float bounded(float cosine) {
   return least > 1.0f ? 1.0f : least;
 }
 
-struct FloatTurn {
+struct FloatSideAngle {
   float cosine;
   float sine;
 };
 
-/// turn_at().
-inline __attribute__((always_inline)) FloatTurn turn(float source, float other_source, float target,
-                                                     float other_target, float length, float lowest) {
+/// side_angle().
+inline __attribute__((always_inline)) FloatSideAngle float_side_angle(float source, float other_source,
+                                                                      float target, float other_target,
+                                                                      float length, float lowest) {
   const float away = lowest + source;
   const float to_source = bounded(
       0.5f * (length / away + (source - other_source) / length * ((away + (lowest + other_source)) / away)));
@@ -73,7 +74,8 @@ inline __attribute__((always_inline)) FloatTurn turn(float source, float other_s
 }
 
 /// may_be_one_path().
-inline __attribute__((always_inline)) bool one_path(const FloatTurn& before, const FloatTurn& after) {
+inline __attribute__((always_inline)) bool one_path(const FloatSideAngle& before,
+                                                    const FloatSideAngle& after) {
   const float sine = before.sine * after.cosine + before.cosine * after.sine;
   const float cosine = before.cosine * after.cosine - before.sine * after.sine;
   return ((sine < 0.0f) & (cosine >= 0.0f)) |
@@ -105,8 +107,8 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float second = unfolded_gain(source, sources_after[k], target, targets_after[k], after, lowest);
     const bool consistent =
         !(before > 0.0f) | !(after > 0.0f) |
-        one_path(turn(source, sources_before[k], target, targets_before[k], before, lowest),
-                 turn(source, sources_after[k], target, targets_after[k], after, lowest));
+        one_path(float_side_angle(source, sources_before[k], target, targets_before[k], before, lowest),
+                 float_side_angle(source, sources_after[k], target, targets_after[k], after, lowest));
     const float unfolded = consistent ? (first > second ? first : second) : 0.0f;
     const float source_before = sources_before[k] - source;
     const float target_before = targets_before[k] - target;

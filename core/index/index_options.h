@@ -56,13 +56,13 @@ struct IndexStatistics {
   std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, work mesh
   double seconds = 0.0;    ///< build time; 0 for an index that was loaded
   /// Exact fields of the mesh in whose time the build was expected before its long part, where that is so
-  /// much (many_fields) that an index hardly pays; 0 otherwise, and for an index that was loaded.
+  /// much (fields_to_warn) that an index hardly pays; 0 otherwise, and for an index that was loaded.
   double expected_fields = 0.0;
   double delta = 0.0;
   std::uint64_t seed = 0;
 };
 
 /// An index hardly pays if its build takes as long as more exact fields of the mesh than this.
-inline constexpr double many_fields = 200.0;
+inline constexpr double fields_to_warn = 200.0;
 
 }  // namespace vorogeo

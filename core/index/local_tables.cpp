@@ -138,7 +138,7 @@ double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, 
 }
 
 /// Seconds that an exact field from a vertex takes, or nothing if they are more than `most`.
-std::optional<double> field_seconds(const TableSurface& surface, double most, const Progress& progress) {
+std::optional<double> field_seconds(const TableSurface& surface, double limit, const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -146,7 +146,7 @@ std::optional<double> field_seconds(const TableSurface& surface, double most, co
   bool too_long = false;
   const Progress until([&](double, const std::string&) {
     progress.report(0.0, table_phase);
-    too_long = elapsed() > most;
+    too_long = elapsed() > limit;
     return !too_long;
   });
   const Index source = 0;
@@ -160,7 +160,7 @@ std::optional<double> field_seconds(const TableSurface& surface, double most, co
     if (!too_long) throw;
   }
   const double seconds = elapsed();
-  if (too_long || seconds > most) return std::nullopt;
+  if (too_long || seconds > limit) return std::nullopt;
   return seconds;
 }
 
@@ -168,7 +168,7 @@ std::optional<double> field_seconds(const TableSurface& surface, double most, co
 /// Takes some half a percent of their time.
 double warn_of_dear_tables(const TableSurface& surface, double seconds, const Progress& progress) {
   if (seconds < least_seconds) return 0.0;
-  const auto field = field_seconds(surface, seconds / many_fields, progress);
+  const auto field = field_seconds(surface, seconds / fields_to_warn, progress);
   if (!field || *field <= 0.0) return 0.0;
   const double fields = seconds / *field;
   auto rounded = [](double value) {

@@ -16,7 +16,7 @@ namespace vorogeo {
 inline constexpr double table_growth = 1.2;
 
 /// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
-/// halo. If a few runs show that all take as long as many exact fields of the mesh (many_fields), warns
+/// halo. If a few runs show that all take as long as many exact fields of the mesh (fields_to_warn), warns
 /// before it begins and returns how many; otherwise returns 0.
 double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
                          const Progress& progress);

@@ -183,10 +183,10 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   return layer;
 }
 
-std::vector<Index> group_by_patches(const PatchLayer& layer, Index most) {
+std::vector<Index> group_by_patches(const PatchLayer& layer, Index max_nodes) {
   std::vector<Index> begin;
   for (Index node = 0; node < layer.node_count(); ++node) {
-    const bool joins = !begin.empty() && node - begin.back() < most &&
+    const bool joins = !begin.empty() && node - begin.back() < max_nodes &&
                        std::ranges::equal(layer.patches_of(node), layer.patches_of(begin.back()), {},
                                           &PatchRow::patch, &PatchRow::patch);
     if (!joins) begin.push_back(node);

@@ -162,7 +162,7 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
 
 /// Groups of consecutive nodes between the same patches, at most `most` in each: their first nodes, then the
 /// number of nodes.
-std::vector<Index> group_by_patches(const PatchLayer& layer, Index most);
+std::vector<Index> group_by_patches(const PatchLayer& layer, Index max_nodes);
 
 /// Entries that the table of a patch takes.
 std::size_t table_size(const PatchLayer& layer, Index patch);

@@ -26,13 +26,13 @@ inline constexpr double least_offset = 0.1;
 inline constexpr double greatest_gain = 0.375;
 
 /// The angle between the directions to source and target at a border vertex, on one side of them.
-struct Turn {
+struct SideAngle {
   double cosine;
   double sine;
 };
 
 /// On the side of one neighbour: the angles of both directions with the border edge that leads to it.
-inline Turn turn_at(double source, double target, const BorderSample& beside) {
+inline SideAngle side_angle(double source, double target, const BorderSample& beside) {
   auto cosine = [&](double own, double other) {
     const double exact = 0.5 * (beside.length / own + (own - other) / beside.length * ((own + other) / own));
     return std::clamp(exact, -1.0, 1.0);
@@ -46,9 +46,9 @@ inline Turn turn_at(double source, double target, const BorderSample& beside) {
 }
 
 /// Whether both neighbours may have been reached by one wave: a path passes a vertex on one side only, so
-/// what one side falls short of half a turn the other one has more than that. Together they are at least
-/// three quarters of a turn: less is no matter of curvature.
-inline bool may_be_one_path(const Turn& before, const Turn& after) {
+/// what one side falls short of pi the other one has more than that. Together they are at least 1.5 pi: less
+/// is no matter of curvature.
+inline bool may_be_one_path(const SideAngle& before, const SideAngle& after) {
   const double sine = before.sine * after.cosine + before.cosine * after.sine;
   if (sine < 0.0) return before.cosine * after.cosine - before.sine * after.sine >= 0.0;
   return before.sine <= 0.0 || after.sine <= 0.0;
@@ -95,7 +95,7 @@ inline double crossing_distance(double source, double target, std::span<const Bo
     best = std::min(best, unfolded_distance(sample.length, source, sample.source, target, sample.target));
   }
   if (beside.size() != 2) return best;
-  if (!may_be_one_path(turn_at(source, target, beside[0]), turn_at(source, target, beside[1]))) {
+  if (!may_be_one_path(side_angle(source, target, beside[0]), side_angle(source, target, beside[1]))) {
     return source + target;
   }
   return std::min(best, parabola_distance(source, target, beside[0], beside[1]));

@@ -17,7 +17,7 @@ namespace {
 constexpr double longest_border_edge = 0.1;
 /// On coarse meshes.
 constexpr double coarse_border_edge = 0.065;
-constexpr Index most_pieces = 32;
+constexpr Index max_pieces = 32;
 
 /// Number of pieces of each edge: 1 unless it is a long border edge.
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
@@ -43,7 +43,7 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
     }
     if (!border || least <= 0.0) continue;
     const double wanted = std::ceil(mesh.edge_length(e) / (longest * std::sqrt(least)));
-    pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(most_pieces)));
+    pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(max_pieces)));
   }
   return pieces;
 }

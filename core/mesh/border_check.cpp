@@ -20,8 +20,8 @@ constexpr double joined_edges = 1.5;
 /// Limits of the work for one vertex, so that dense clusters of border vertices and vertices with thousands
 /// of edges cost time proportional to their number. A walk that is cut short is treated like a path found: no
 /// warning without proof.
-constexpr int most_neighbours = 1024;
-constexpr int most_steps = 4096;
+constexpr int max_neighbours = 1024;
+constexpr int max_steps = 4096;
 
 /// Border vertices in boxes that are split at the median of their longest side.
 class VertexTree {
@@ -33,7 +33,7 @@ class VertexTree {
   /// Calls visit(vertex) for the vertices within a radius of a point: `reach` at first, then what visit last
   /// returned. Stops after `most` calls.
   template <class Visit>
-  void visit_near(const Point& point, double reach, int most, Visit&& visit) const {
+  void visit_near(const Point& point, double reach, int max_visited, Visit&& visit) const {
     std::vector<Index> open{0};
     while (!open.empty()) {
       const Index id = open.back();
@@ -52,7 +52,7 @@ class VertexTree {
       }
       for (Index i = box.begin; i < box.end; ++i) {
         if (distance_between(mesh_.position(order_[i]), point) > reach) continue;
-        if (most-- == 0) return;
+        if (max_visited-- == 0) return;
         reach = visit(order_[i]);
       }
     }
@@ -69,7 +69,7 @@ class VertexTree {
   };
 
   Index build(Index begin, Index end) {
-    constexpr Index most_in_leaf = 8;
+    constexpr Index max_in_leaf = 8;
     const auto id = static_cast<Index>(boxes_.size());
     Box box{mesh_.position(order_[begin]), mesh_.position(order_[begin]), begin, end};
     for (Index i = begin; i < end; ++i) {
@@ -79,7 +79,7 @@ class VertexTree {
       }
     }
     boxes_.push_back(box);
-    if (end - begin <= most_in_leaf) return id;
+    if (end - begin <= max_in_leaf) return id;
     int axis = 0;
     for (int k = 1; k < 3; ++k) {
       if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
@@ -122,7 +122,7 @@ class Walk {
       open.pop();
       if (distance > distance_[vertex]) continue;
       for (Index h : mesh_.corners(vertex)) {
-        if (++steps > most_steps) return false;
+        if (++steps > max_steps) return false;
         const Index before = Mesh::previous_in_face(h);
         reach(mesh_.head(h), distance + mesh_.edge_length(mesh_.edge_of(h)));
         reach(mesh_.tail(before), distance + mesh_.edge_length(mesh_.edge_of(before)));
@@ -232,7 +232,7 @@ NearBorders find_near_borders(const Mesh& mesh) {
     Index nearest = no_index;
     bool walked = false;
     bool ended = false;
-    tree.visit_near(mesh.position(u), least, most_neighbours, [&](Index v) {
+    tree.visit_near(mesh.position(u), least, max_neighbours, [&](Index v) {
       const double distance = distance_between(mesh.position(u), mesh.position(v));
       if (v == u || distance > near_share * edge[v] || (nearest != no_index && distance >= least))
         return least;

@@ -95,7 +95,7 @@ class Mesh {
   double corner_angle(Index halfedge) const;
   /// Sum of the corner angles at a vertex, in radians.
   double total_angle(Index vertex) const { return total_angle_[vertex]; }
-  /// How far the angles at a vertex are from a full turn, in radians: the mean over the vertices with a cycle
+  /// How far the angles at a vertex are from 2 pi, in radians: the mean over the vertices with a cycle
   /// of faces. Scans have 0.005 to 0.035, a mesh that is coarse for its shape has more. 0 without any.
   double mean_angle_defect() const;
   bool is_border(Index vertex) const { return border_[vertex] != 0; }

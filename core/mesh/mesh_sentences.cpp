@@ -34,8 +34,8 @@ std::string number(double value) {
 
 /// "2000, 40 and 3 vertices (the first: 0, 2000 and 2040)".
 std::string sizes_of(const std::vector<MeshComponent>& components) {
-  constexpr std::size_t most_named = 5;
-  const std::size_t named = std::min(components.size(), most_named);
+  constexpr std::size_t max_named = 5;
+  const std::size_t named = std::min(components.size(), max_named);
   std::string sizes;
   std::string vertices;
   for (std::size_t i = 0; i < named; ++i) {

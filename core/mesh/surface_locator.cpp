@@ -15,7 +15,7 @@ namespace vorogeo {
 
 namespace {
 
-constexpr Index most_in_leaf = 8;
+constexpr Index max_in_leaf = 8;
 /// Weights below this are rounding: the point lies on the edge or at the vertex.
 constexpr double least_weight = 1e-12;
 
@@ -116,7 +116,7 @@ Index SurfaceLocator::build(Index begin, Index end) {
     }
   }
   boxes_.push_back(box);
-  if (end - begin <= most_in_leaf) return id;
+  if (end - begin <= max_in_leaf) return id;
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
     if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;

@@ -11,7 +11,7 @@ namespace vorogeo {
 namespace {
 
 /// Windows that take about a minute without order and filter.
-constexpr double many_windows = 3e8;
+constexpr double windows_to_warn = 3e8;
 
 class ChenHan final : public GeodesicMethod {
  public:
@@ -50,7 +50,7 @@ MethodEntry ch_entry() {
           },
           [](const Mesh& mesh) -> std::string {
             const double windows = static_cast<double>(mesh.face_count()) * mesh.face_count();
-            if (windows < many_windows) return "";
+            if (windows < windows_to_warn) return "";
             std::ostringstream text;
             text.precision(2);
             text << "The method ch makes up to " << windows << " windows on this mesh of "

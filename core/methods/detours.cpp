@@ -15,10 +15,10 @@ constexpr double worst_to_mean = 2.25;
 }  // namespace
 
 // Adikusuma, Fang, He 2020, section 4, restated: a target at distance D in a direction that differs by the
-// small angle t from that of a vertex at distance d is reached over that vertex by a way longer than D by d D
-// t^2 / (2 (D - d)). That is at most e D from D = d + d t^2 / (2 e) on. A window lies between the rays to two
-// vertices; in the direction where both do worst, the better one of them gives the distance beyond which the
-// window need not go.
+// small angle t from that of a vertex at distance d is reached over that vertex by a path longer than D by d
+// D t^2 / (2 (D - d)). That is at most e D from D = d + d t^2 / (2 e) on. A window lies between the rays to
+// two vertices; in the direction where both do worst, the better one of them gives the distance beyond which
+// the window need not go.
 double WindowTree::greatest_distance(const TreeWindow& window) const {
   const double begin_x = window.begin - window.x;
   const double end_x = window.end - window.x;

@@ -26,7 +26,7 @@ double arrival(double low, double high, double to_low, double to_high, double co
   if (!(a > 0.0 && discriminant >= 0.0)) return along_edges;
   const double t = (-b + std::sqrt(discriminant)) / (2.0 * a);
   if (!(t > rise)) return along_edges;
-  // The way back along the gradient has to leave between the two vertices.
+  // The path back along the gradient has to leave between the two vertices.
   const double foot = to_low * (t - rise) / t;
   if (!(foot > to_high * cosine && foot * cosine < to_high)) return along_edges;
   return std::fmin(low + t, along_edges);

@@ -20,7 +20,7 @@ using Vector = Eigen::VectorXd;
 
 /// Crane, Weischedel, Wardetzky 2013, algorithm 1 with section 3.2: L is the Laplacian of half cotangents, A
 /// the lumped masses, a third of the area of each face for its vertices; step 1 solves (A + t L) u = 1 at the
-/// sources (borders free), step 3 solves L d = divergence of the unit field -grad u.
+/// sources (borders of the mesh free), step 3 solves L d = divergence of the unit field -grad u.
 class Heat final : public GeodesicMethod {
  public:
   Heat(const std::shared_ptr<const Mesh>& mesh, double time_step, bool delaunay, const Progress& progress)

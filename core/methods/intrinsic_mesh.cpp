@@ -130,9 +130,9 @@ std::size_t IntrinsicMesh::make_delaunay() {
   for (Index edge = static_cast<Index>(3 * faces.size()) - 1; edge >= 0; --edge) stack.push_back(edge);
   // Each flip makes the triangulation "more Delaunay", but rounding on needles might not: the count is
   // bounded.
-  const std::size_t most_flips = 100 * faces.size();
+  const std::size_t max_flips = 100 * faces.size();
   std::size_t flips = 0;
-  while (!stack.empty() && flips < most_flips) {
+  while (!stack.empty() && flips < max_flips) {
     const Index edge = stack.back();
     stack.pop_back();
     const Index f = edge / 3;

@@ -52,7 +52,7 @@ class GeodesicMethod {
   /// Distances from the nearest of the sources to every vertex; `unreachable` where there is none.
   /// \pre The sources are vertices of the mesh. \throw Cancelled.
   virtual std::vector<double> field(std::span<const Index> sources, const Progress& progress) = 0;
-  /// Distance of two vertices. Without a better way it is the value of a field.
+  /// Distance of two vertices. Without a faster method it is the value of a field.
   virtual double pair(Index source, Index target) { return field({&source, 1}, {})[target]; }
   /// Bytes held beside the mesh, scratch memory of the last field included.
   virtual std::size_t bytes() const = 0;

@@ -27,7 +27,7 @@ struct MethodMeasure {
   MethodRequest request;
   double setup_seconds = 0.0;
   double field_seconds = 0.0;  ///< of one field, in the mean
-  double pair_seconds = 0.0;   ///< of two vertices, in the mean; NaN where it has no better way than a field
+  double pair_seconds = 0.0;   ///< of two vertices, in the mean; NaN where a field is the only method
   std::size_t bytes = 0;
   double mean_error = 0.0;
   double p99_error = 0.0;

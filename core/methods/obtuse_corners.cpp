@@ -36,7 +36,7 @@ Split split_of(const Mesh& mesh, Index corner, double to_first, double to_second
   Flat left{to_second * cosine, to_second * sine};
   Index crossed = Mesh::next_in_face(corner);
   bool from_right = true;  // whether the crossed half-edge begins at `right`
-  for (int i = 0; i < most_unfolded; ++i) {
+  for (int i = 0; i < max_unfolded; ++i) {
     const Index beyond = mesh.next_around_edge(crossed);
     if (beyond == crossed || mesh.next_around_edge(beyond) != crossed) return {};
     const bool same = mesh.tail(beyond) == mesh.tail(crossed);

@@ -19,9 +19,9 @@ struct MarchingTriangle {
 /// The triangles at all corners of the mesh. A corner of more than 90 degrees is split: the faces opposite to
 /// it are unfolded one after the other until a vertex lies in the sector that leaves two acute angles
 /// (Kimmel, Sethian 1998, section 4, "extending to non-acute triangulations"). Where the strip meets a border
-/// or a non-manifold edge first, or after `most_unfolded` faces, the obtuse triangle stays.
+/// of the mesh or a non-manifold edge first, or after `max_unfolded` faces, the obtuse triangle stays.
 std::vector<MarchingTriangle> marching_triangles(const Mesh& mesh);
 
-inline constexpr int most_unfolded = 64;
+inline constexpr int max_unfolded = 64;
 
 }  // namespace vorogeo

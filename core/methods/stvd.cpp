@@ -22,8 +22,8 @@ struct Spoke {
 
 /// Campen, Heistermann, Kobbelt 2013, section 4: the step from v to w is charged not by its own length but by
 /// the least over i <= k of the distance of the i-th vertex back from w, plus the length of the sum of the
-/// last i edges, unfolded into the plane at the vertices between. At a border and at vertices that are no
-/// disk the sum ends, as the straight line might leave the surface.
+/// last i edges, unfolded into the plane at the vertices between. At a border of the mesh and at vertices
+/// that are no disk the sum ends, as the straight line might leave the surface.
 class ShortTermVectors final : public GeodesicMethod {
  public:
   ShortTermVectors(const std::shared_ptr<const Mesh>& mesh, int memory) : mesh_(mesh), memory_(memory) {

@@ -22,7 +22,7 @@ MethodEntry svg_entry() {
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
         TreeRules rules;
         rules.bends = false;
-        rules.most_vertices = static_cast<Index>(options.at("K"));
+        rules.max_vertices = static_cast<Index>(options.at("K"));
         return direct_geodesics(mesh, rules, progress);
       },
       {}};

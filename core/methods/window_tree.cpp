@@ -83,7 +83,7 @@ void WindowTree::run(std::span<const Index> sources, const TreeRules& rules) {
     reach(source, 0.0);
     is_source_[source] = 1;
   }
-  Index wanted = rules.most_vertices;
+  Index wanted = rules.max_vertices;
   Index taken = 0;
   while (!(rules.ordered ? ordered_.empty() : arrived_.empty())) {
     if (++taken % elements_per_checkpoint == 0) checkpoint();
@@ -107,7 +107,7 @@ void WindowTree::run(std::span<const Index> sources, const TreeRules& rules) {
     } else {
       const TreeWindow window = pool_[event.item];
       free_.push_back(event.item);
-      // Its vertex has been reached by a shorter way since, and has sent out other windows.
+      // Its vertex has been reached by a shorter path since, and has sent out other windows.
       if (is_longer(window.offset, distance_[window.root])) continue;
       cross(window);
     }
@@ -199,7 +199,7 @@ void WindowTree::cross(const TreeWindow& window) {
       apex_distance_[h] = total;
       apex_entry_[h] = entry;
     }
-    // Rays that enter at one place, as behind a vertex on the way, cross on neither side.
+    // Rays that enter at one place, as behind a vertex that the path passes, cross on neither side.
     const double tie = tied_entries * length(h);
     if (wins || entry < nearest_entry + tie) hand_on(window, true, entry, true, plane_distance);
     if (wins || entry > nearest_entry - tie) hand_on(window, false, entry, true, plane_distance);
@@ -237,7 +237,7 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
   child.end_critical = to_apex ? apex_distance : (left ? window.end_critical : window.begin_critical);
   ++child.level;
   if (rules_.filtered) {
-    // The third vertex lies at (crossed, 0), the window's beginning at that part of the way to the apex.
+    // The third vertex lies at (crossed, 0), the window's beginning at that part of the line to the apex.
     const double part = child.begin / whole;
     const double to_third = std::hypot(crossed - part * ax, part * ay);
     if (is_overtaken(child, whole, {origin, mesh_.apex(h), third}, to_third)) return;
@@ -247,7 +247,7 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
 
 bool WindowTree::is_overtaken(const TreeWindow& window, double whole, const std::array<Index, 3>& corners,
                               double to_third) const {
-  // Each ray of the window meets the straight way from such a vertex to the other end of the window.
+  // Each ray of the window meets the straight line from such a vertex to the other end of the window.
   const auto [origin, apex, third] = corners;
   const double at_begin = window.offset + std::hypot(window.begin - window.x, window.y);
   const double at_end = window.offset + std::hypot(window.end - window.x, window.y);

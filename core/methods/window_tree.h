@@ -21,7 +21,7 @@ struct TreeRules {
   bool filtered = true;  ///< windows that a vertex overtakes as a whole are dropped (section 3.2)
   bool bends = true;  ///< paths go on from saddle vertices; else geodesics from the sources alone are found
   /// The run ends when so many vertices beside the sources are final.
-  Index most_vertices = std::numeric_limits<Index>::max();
+  Index max_vertices = std::numeric_limits<Index>::max();
   /// Above 0: what a detour over a vertex beside it reaches with this relative excess is left out (dgg.cpp).
   double epsilon = 0.0;
 };
@@ -37,7 +37,7 @@ class WindowTree {
   double distance(Index vertex) const { return distance_[vertex]; }
   /// Vertices in the order in which they were taken up, the sources among them.
   std::span<const Index> settled() const { return settled_; }
-  /// Whether no detour over a vertex beside it stands for the way to a vertex (with epsilon).
+  /// Whether no detour over a vertex beside it stands for the path to a vertex (with epsilon).
   bool is_needed(Index vertex) const { return needed_[vertex] != 0; }
   std::size_t window_count() const { return made_; }
   std::size_t bytes() const;

@@ -12,9 +12,9 @@ namespace {
 /// Bucket width in typical edge lengths.
 constexpr double bucket_width = 0.5;
 /// Around faces without area, vertices may relax each other without end, by ever smaller amounts: a smaller
-/// gain than this (relative) is ignored, and a vertex is relaxed at most `most_lowerings` times.
+/// gain than this (relative) is ignored, and a vertex is relaxed at most `max_relaxed` times.
 constexpr double least_gain = 1.0 - 1e-9;
-constexpr std::uint8_t most_lowerings = 64;
+constexpr std::uint8_t max_relaxed = 64;
 constexpr int vertices_per_checkpoint = 4096;
 
 }  // namespace
@@ -23,14 +23,14 @@ Front::Front(const Mesh& mesh)
     : mesh_(mesh),
       distance_(mesh.vertex_count(), unreachable),
       source_(mesh.vertex_count(), no_index),
-      lowered_(mesh.vertex_count(), 0) {
+      relaxed_(mesh.vertex_count(), 0) {
   queue_.resize(mesh.vertex_count());
 }
 
 void Front::relax(Index vertex, double distance, Index source) {
-  if (!(distance < least_gain * distance_[vertex]) || lowered_[vertex] == most_lowerings) return;
+  if (!(distance < least_gain * distance_[vertex]) || relaxed_[vertex] == max_relaxed) return;
   if (distance_[vertex] == unreachable) touched_.push_back(vertex);
-  ++lowered_[vertex];
+  ++relaxed_[vertex];
   distance_[vertex] = distance;
   source_[vertex] = source;
   queue_.push(vertex, distance);
@@ -61,7 +61,7 @@ void Front::grow(std::span<const Index> sources, std::span<const std::uint8_t> f
   for (Index v : touched_) {
     distance_[v] = unreachable;
     source_[v] = no_index;
-    lowered_[v] = 0;
+    relaxed_[v] = 0;
   }
   touched_.clear();
   queue_.reset(bucket_width * mesh_.typical_edge_length());

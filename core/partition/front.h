@@ -37,7 +37,7 @@ class Front {
   const Mesh& mesh_;
   std::vector<double> distance_;
   std::vector<Index> source_;
-  std::vector<std::uint8_t> lowered_;  ///< how often, up to most_lowerings
+  std::vector<std::uint8_t> relaxed_;  ///< how often, up to max_relaxed
   std::vector<Index> touched_;
   BucketQueue queue_;
 };

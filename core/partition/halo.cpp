@@ -26,15 +26,15 @@ Halo::Halo(const Mesh& mesh, std::span<const Index> face_begin)
     : mesh_(mesh), face_begin_(face_begin), mask_(mesh.face_count(), 0), passed_(mesh.vertex_count(), 0) {}
 
 template <class Visit>
-std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t most,
+std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t max_faces,
                            Visit&& visit) {
   const std::size_t end = list.size();
   for (std::size_t i = begin; i < end; ++i) {
     for (Index v : mesh_.face_vertices(list[i])) {
-      if (passed_[v] == turn_) continue;
-      passed_[v] = turn_;
+      if (passed_[v] == stamp_) continue;
+      passed_[v] = stamp_;
       for (Index corner : mesh_.corners(v)) {
-        if (list.size() >= most) return end;
+        if (list.size() >= max_faces) return end;
         visit(Mesh::face_of(corner));
       }
     }
@@ -43,9 +43,9 @@ std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, st
 }
 
 void Halo::forget_vertices() {
-  if (++turn_ != 0) return;
+  if (++stamp_ != 0) return;
   std::fill(passed_.begin(), passed_.end(), 0);
-  turn_ = 1;
+  stamp_ = 1;
 }
 
 void Halo::surround(std::span<const Index> patches, double growth) {
@@ -69,7 +69,7 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   }
 }
 
-void Halo::widen(std::span<const Index> around, int rings, std::size_t most) {
+void Halo::widen(std::span<const Index> around, int rings, std::size_t max_faces) {
   ringed_.clear();
   forget_vertices();
   auto mark = [&](Index f) {
@@ -80,8 +80,8 @@ void Halo::widen(std::span<const Index> around, int rings, std::size_t most) {
   };
   for (Index f : around) mark(f);
   std::size_t ring = 0;
-  for (int k = 0; k < rings && ring < ringed_.size() && ringed_.size() < most; ++k) {
-    ring = for_ring(ringed_, ring, broken_off(most), mark);
+  for (int k = 0; k < rings && ring < ringed_.size() && ringed_.size() < max_faces; ++k) {
+    ring = for_ring(ringed_, ring, broken_off(max_faces), mark);
   }
 }
 

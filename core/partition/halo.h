@@ -29,9 +29,10 @@ class Halo {
   /// unless that would make the rim much larger than asked for: at the hub of a fan of needles a ring may be
   /// most of the mesh. Complexity: O(faces marked), plus the faces at the vertex where a ring is cut short.
   void surround(std::span<const Index> patches, double growth = default_growth);
-  /// Marks also what is within some rings of faces around the given faces, up to about `most` faces: the last
-  /// ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as there.
-  void widen(std::span<const Index> around, int rings, std::size_t most);
+  /// Marks also what is within some rings of faces around the given faces, up to about `max_faces` faces: the
+  /// last ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as
+  /// there.
+  void widen(std::span<const Index> around, int rings, std::size_t max_faces);
   /// Not 0 for the marked faces. Shape (faces).
   std::span<const std::uint8_t> mask() const { return mask_; }
   /// The marked faces.
@@ -39,9 +40,10 @@ class Halo {
 
  private:
   /// Calls visit(face) for the faces at the vertices of the faces list[begin ...], which may extend the list,
-  /// until it has `most` faces; returns the size that the list had at first.
+  /// until it has `max_faces` faces; returns the size that the list had at first.
   template <class Visit>
-  std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t most, Visit&& visit);
+  std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t max_faces,
+                       Visit&& visit);
   /// Marks all vertices as not passed.
   void forget_vertices();
 
@@ -53,9 +55,9 @@ class Halo {
   std::vector<std::uint8_t> mask_;
   std::vector<Index> faces_;
   std::vector<Index> ringed_;
-  /// By vertex: the value of turn_ when its faces were visited, so that those at a hub are visited once.
+  /// By vertex: the value of stamp_ when its faces were visited, so that those at a hub are visited once.
   std::vector<std::uint32_t> passed_;
-  std::uint32_t turn_ = 0;
+  std::uint32_t stamp_ = 0;
 };
 
 }  // namespace vorogeo

@@ -16,7 +16,7 @@ constexpr int smoothing_rounds = 8;
 
 /// Largest group of outliers that is kept inside one patch: its faces are then about as many as those of half
 /// a second-layer patch.
-constexpr Index most_kept_inside = 200;
+constexpr Index max_kept_inside = 200;
 
 /// The label two corners share, otherwise that of the corner nearest to its sample.
 Index face_label(const Front& front, const std::array<Index, 3>& vertices) {
@@ -39,7 +39,7 @@ void keep_outliers_inside(const Mesh& mesh, const Outliers& outliers, std::span<
   auto group_of_face = [&](Index f) {
     for (Index v : mesh.face_vertices(f)) {
       const Index group = outliers.group_of(v);
-      if (group != no_index) return outliers.group_size[group] <= most_kept_inside ? group : no_index;
+      if (group != no_index) return outliers.group_size[group] <= max_kept_inside ? group : no_index;
     }
     return no_index;
   };

@@ -27,10 +27,10 @@ FoundPath ExactSearch::run(const PathEnd& from, const PathEnd& to, ExactLimits l
   return found;
 }
 
-FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double most,
+FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double max_distance,
                               std::span<const std::uint8_t> face_allowed) {
   ExactLimits limits;
-  limits.max_distance = most;
+  limits.max_distance = max_distance;
   limits.face_allowed = face_allowed;
   FoundPath found = run(from, to, limits);
   // A path outside may be shorter.
@@ -38,17 +38,18 @@ FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double mos
   return found;
 }
 
-FoundPath ExactSearch::between_landmarks(const PathEnd& from, const PathEnd& to, double most) {
+FoundPath ExactSearch::between_landmarks(const PathEnd& from, const PathEnd& to, double max_distance) {
   ExactLimits limits;
-  limits.max_distance = most;
+  limits.max_distance = max_distance;
   limits.landmarks = landmarks_.get();
   return run(from, to, limits);
 }
 
-FoundPath ExactSearch::by_index(const PathEnd& from, const PathEnd& to, double most) {
+FoundPath ExactSearch::by_index(const PathEnd& from, const PathEnd& to, double max_distance) {
   ExactLimits limits;
-  limits.max_distance = most;
-  limits.least_remaining = bounds_.fill(route_end_of(data_, from), route_end_of(data_, to), to.patches, most);
+  limits.max_distance = max_distance;
+  limits.least_remaining =
+      bounds_.fill(route_end_of(data_, from), route_end_of(data_, to), to.patches, max_distance);
   FoundPath found = run(from, to, limits);
   found.distance = unreachable;
   return found;

@@ -30,12 +30,12 @@ class ExactSearch {
   explicit ExactSearch(const IndexData& data);
 
   /// Paths shorter than `most`, over the faces allowed (ExactLimits::face_allowed; empty: all).
-  FoundPath within(const PathEnd& from, const PathEnd& to, double most,
+  FoundPath within(const PathEnd& from, const PathEnd& to, double max_distance,
                    std::span<const std::uint8_t> face_allowed = {});
   /// The same with the bounds of the landmarks, if there are any.
-  FoundPath between_landmarks(const PathEnd& from, const PathEnd& to, double most);
+  FoundPath between_landmarks(const PathEnd& from, const PathEnd& to, double max_distance);
   /// The same with the bounds that the index gives, which are not proven.
-  FoundPath by_index(const PathEnd& from, const PathEnd& to, double most);
+  FoundPath by_index(const PathEnd& from, const PathEnd& to, double max_distance);
   /// Ends in one patch or in patches that touch: first in these patches and their halo; if a path could have
   /// left them, everywhere. `estimate`: an upper bound of the distance, if the tables are right.
   FoundPath nearby(const PathEnd& from, const PathEnd& to, double estimate);

@@ -23,7 +23,7 @@ UnfoldedCrossing PathLine::crossing_at(Index exit, Index entry, Index left, Inde
   const double length = mesh.edge_length(mesh.edge_of(entry));
   UnfoldedCrossing crossing{exit, entry, left, right, 0.0, 0.0, 0.0, {}, {}};
   if (!(length > 0.0)) {
-    crossing.ahead = mesh.edge_length(mesh.edge_of(frame.first_side(entry)));
+    crossing.corner_distance = mesh.edge_length(mesh.edge_of(frame.first_side(entry)));
     return crossing;
   }
   const bool left_first = (mesh.tail(entry) == left) == frame.along;

@@ -17,7 +17,8 @@ struct UnfoldedCrossing {
   Index right;
   double along;  ///< third corner of the face entered, in units of the edge's length: from left to right
   double aside;  ///< and beyond the edge
-  double ahead;  ///< if the edge has no length, and so no direction: distance of the corner, in any direction
+  double corner_distance;  ///< if the edge has no length, and so no direction: distance of the corner, in any
+                           ///< direction
   PlanePoint at_left;
   PlanePoint at_right;
 
@@ -25,7 +26,7 @@ struct UnfoldedCrossing {
   PlanePoint apex() const {
     const double ux = at_right[0] - at_left[0];
     const double uy = at_right[1] - at_left[1];
-    return {at_left[0] + ux * along - uy * aside + ahead, at_left[1] + uy * along + ux * aside};
+    return {at_left[0] + ux * along - uy * aside + corner_distance, at_left[1] + uy * along + ux * aside};
   }
 };
 

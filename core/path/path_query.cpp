@@ -92,7 +92,7 @@ GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
   return best;
 }
 
-/// The path of the index, refined; without points if the tables do not lead all the way.
+/// The path of the index, refined; without points if the tables do not lead to the other end.
 SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to,
                                             const GraphRoute& route_found) {
   SurfacePath none;
@@ -153,7 +153,7 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
   } else {
     found.path = path_by_chain(from, to, route_found);
     if (found.path.points.empty()) {
-      // The tables did not lead all the way: exact propagation, within the length of the route.
+      // The tables did not lead to the other end: exact propagation, within the length of the route.
       found = exact.between_landmarks(from, to, estimate);
     } else if (thorough) {
       improve(from, to, expected_length(from, to, route_found), found);

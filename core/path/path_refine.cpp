@@ -14,11 +14,11 @@ constexpr double pi = std::numbers::pi;
 constexpr double least_gain = 1e-13;
 /// Most rounds of flips. Nearly every round shortens the line, and the number of strips is finite, but
 /// rounding may cause cycles. Lines in meshes of a million vertices take some tens.
-constexpr int most_rounds = 1000;
+constexpr int max_rounds = 1000;
 /// Turns of less than this in the wrong direction are rounding.
 constexpr double least_turn = 1e-12;
 /// Vertices tried on their other side, at most.
-constexpr int most_trials = 64;
+constexpr int max_trials = 64;
 
 double length_of(const PlanePoint& vector) {
   return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1]);
@@ -55,7 +55,7 @@ bool PathRefiner::flip_bends() {
 void PathRefiner::straighten() {
   double length = line_.length();
   int without_gain = 0;
-  for (int round = 0; round < most_rounds && flip_bends(); ++round) {
+  for (int round = 0; round < max_rounds && flip_bends(); ++round) {
     // A round may gain nothing where several vertices lie on the line; then a few more rounds are allowed.
     const double now = line_.length();
     without_gain = now < length * (1.0 - least_gain) ? 0 : without_gain + 1;
@@ -83,12 +83,12 @@ void PathRefiner::look_beside(std::size_t piece) {
       const PlanePoint to_a{a[0] - at[0], a[1] - at[1]};
       const PlanePoint to_b{b[0] - at[0], b[1] - at[1]};
       const double across = std::abs(to_a[0] * to_b[1] - to_a[1] * to_b[0]);
-      const double ahead = to_a[0] * to_b[0] + to_a[1] * to_b[1];
+      const double along = to_a[0] * to_b[0] + to_a[1] * to_b[1];
       // The angle on this side must be more than half of the total; the tangent of a small angle is less than
       // twice the angle.
       const double missing = 2.0 * pi - total;
-      if (missing < 1.0 && !(across < -ahead * missing)) continue;
-      const double here = std::atan2(across, ahead);
+      if (missing < 1.0 && !(across < -along * missing)) continue;
+      const double here = std::atan2(across, along);
       const double there = total - here;
       if (there >= here || mesh_.fan(v) != Mesh::Fan::closed) continue;
       const double distance_a = length_of(to_a);
@@ -118,7 +118,7 @@ bool PathRefiner::try_other_sides() {
   const double length = line_.length();
   shortest_.assign(line_);
   for (const Candidate& candidate : candidates_) {
-    if (static_cast<int>(tried_.size()) >= most_trials) break;
+    if (static_cast<int>(tried_.size()) >= max_trials) break;
     tried_.push_back(candidate.beside.vertex);
     if (line_.flip_beside(candidate.piece, candidate.beside)) {
       straighten();
@@ -133,7 +133,7 @@ double PathRefiner::refine(const FaceStrip& strip) {
   tried_.clear();
   line_.assign(strip);
   straighten();
-  // This loop ends: each round tries at least one more vertex, and at most most_trials are tried.
+  // This loop ends: each round tries at least one more vertex, and at most max_trials are tried.
   while (try_other_sides()) {
   }
   return line_.length();

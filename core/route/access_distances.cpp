@@ -134,10 +134,10 @@ void AccessDistances::refine(std::size_t group, float limit) {
   const Index row = std::min(at.row, table_rows_ - columns);
   const Index first = at.row - row;
   for (const Part& part : parts_) {
-    for (Index begin = 0; begin < lanes_of(part); begin += most_lanes) {
+    for (Index begin = 0; begin < lanes_of(part); begin += max_lanes) {
       const Index lane = part.begin + begin;
       const SeedLanes seeds{seed_distance_.data() + lane, seed_bound_.data() + lane, column_.data() + lane,
-                            std::min(most_lanes, lanes_of(part) - begin)};
+                            std::min(max_lanes, lanes_of(part) - begin)};
       relax_within(seeds, bounds_of(part, group) + begin, table_ + row, table_rows_, unit_, bound_unit_,
                    limit, columns, first, first + size, distance_.data() + row);
     }

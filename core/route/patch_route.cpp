@@ -14,8 +14,8 @@ namespace {
 constexpr float lowest_base = -32768.0f;
 constexpr std::int16_t greatest_least = -2;
 
-/// Most rows in one turn: as many as the scan can number.
-constexpr std::size_t most_rows = 32767;
+/// Greatest number of rows in one scan: as many as it can number.
+constexpr std::size_t max_rows = 32767;
 
 /// Entries are rounded, so they may be slightly shorter than the straight line.
 constexpr double line_slack = 0.9999;
@@ -46,7 +46,7 @@ void PatchRouter::reset(const RouteEnd& source, const RouteEnd& target) {
   }
   target_vertex_ = target.vertex;
   meeting_ = no_index;
-  turns_ = 0;
+  scans_ = 0;
 }
 
 PatchRouter::NodeState& PatchRouter::touch(Index node) {
@@ -97,11 +97,11 @@ void PatchRouter::relax(Index node, float distance, Index predecessor, Index pat
   }
 }
 
-void PatchRouter::relax_patch(Index patch) {
+void PatchRouter::scan_patch(Index patch) {
   const PatchLayer& second = data_.second;
   const auto nodes = second.nodes(patch);
   PatchState& state = patch_[patch];
-  ++turns_;
+  ++scans_;
   rows_.clear();
   float lowest = unreachable_float;
   for (Index row : state.rows) {
@@ -116,8 +116,8 @@ void PatchRouter::relax_patch(Index patch) {
   const float unit = second.unit[patch];
   const float per_unit = unit > 0.0f ? 1.0f / unit : 0.0f;
   // In a complete table, paths from the lowest row are shorter everywhere than from rows that exceed it by
-  // more than any entry. In an incomplete one such a row may be the only access, so it waits for a turn in
-  // which it fits.
+  // more than any entry. In an incomplete one such a row may be the only access, so it waits for a scan
+  // in which it fits.
   const bool complete = second.complete[patch] != 0;
   const float most = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
   base_.clear();
@@ -126,7 +126,7 @@ void PatchRouter::relax_patch(Index patch) {
     const NodeState& at = node_[nodes[row]];
     const float above = at.distance - lowest;
     if (above > most && complete) continue;
-    if (above > most || kept == most_rows) {
+    if (above > most || kept == max_rows) {
       wait(patch, row, at.distance + at.lower_bound);
       continue;
     }
@@ -144,7 +144,7 @@ void PatchRouter::relax_patch(Index patch) {
     const Index count = std::min(PatchLayer::tile_width, columns - begin);
     for (Index k = 0; k < count; ++k) {
       if (least[k] > greatest_least) continue;
-      // Never below the predecessor, or two nodes could relax each other in turns.
+      // Never below the predecessor, or two nodes could relax each other without end.
       const Index predecessor = nodes[rows_[best[k]]];
       const float sum = lowest + unit * (static_cast<float>(least[k]) - lowest_base);
       relax(nodes[begin + k], std::max(sum, node_[predecessor].distance), predecessor, patch);
@@ -172,7 +172,7 @@ bool PatchRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     waiting_[next] = waiting_.back();
     waiting_.pop_back();
     patch_[patch].waits = false;
-    relax_patch(patch);
+    scan_patch(patch);
   }
   if (meeting_ == no_index) return false;
   write(result);

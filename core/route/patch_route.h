@@ -8,10 +8,10 @@
 
 namespace vorogeo {
 
-/// Searches the second-layer tables of an index in the form of tables. A step is a turn of a whole patch:
-/// from those of its border nodes that were relaxed since its last turn, the least sums to all others, 32 at
-/// a time. The straight line to the target in space is the lower bound (A*): it excludes nodes and selects
-/// the patch whose turn it is. One object belongs to one thread; a search resets it in O(1).
+/// Searches the second-layer tables of an index in the form of tables. A step scans a whole patch: from
+/// those of its border nodes that were relaxed since its last scan, the least sums to all others, 32 at a
+/// time. The straight line to the target in space is the lower bound (A*): it excludes nodes and selects the
+/// patch to scan next. One object belongs to one thread; a search resets it in O(1).
 class PatchRouter {
  public:
   explicit PatchRouter(const IndexData& data);
@@ -20,8 +20,8 @@ class PatchRouter {
   /// `below`, otherwise leaves `result` unchanged. \return whether it is shorter. Of routes whose lengths
   /// differ only by rounding of table entries, any may be found.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
-  /// Turns in the last search, for measurements.
-  std::size_t turns() const { return turns_; }
+  /// Patches scanned in the last search, each as often as it was scanned, for measurements.
+  std::size_t scans() const { return scans_; }
 
  private:
   struct NodeState {
@@ -35,13 +35,13 @@ class PatchRouter {
   struct PatchState {
     bool waits = false;
     float key = 0.0f;         ///< least sum of distance and lower bound over the rows that wait
-    std::vector<Index> rows;  ///< that wait for the next turn
+    std::vector<Index> rows;  ///< that wait for the next scan
   };
   void reset(const RouteEnd& source, const RouteEnd& target);
   NodeState& touch(Index node);
   void relax(Index node, float distance, Index predecessor, Index patch);
   void wait(Index patch, Index row, float key);
-  void relax_patch(Index patch);
+  void scan_patch(Index patch);
   void write(GraphRoute& result) const;
 
   const IndexData& data_;
@@ -54,7 +54,7 @@ class PatchRouter {
   Index target_vertex_ = no_index;
   float best_ = 0.0f;
   Index meeting_ = no_index;
-  std::size_t turns_ = 0;
+  std::size_t scans_ = 0;
   std::vector<Index> rows_;
   std::vector<std::int16_t> base_;
 };

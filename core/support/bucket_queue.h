@@ -31,7 +31,7 @@ class BucketQueue {
     width_ = width > 0.0 ? width : 1.0;
     current_ = 0;
     idle_ = 0;
-    most_idle_ = least_idle;
+    max_idle_ = least_idle;
   }
 
   void push(Index item, double key) {
@@ -39,7 +39,7 @@ class BucketQueue {
     const auto bucket = std::max(current_, static_cast<std::int64_t>(scaled));
     if (bucket_of_[item] <= bucket) return;
     bucket_of_[item] = bucket;
-    most_idle_ += idle_per_push;
+    max_idle_ += idle_per_push;
     if (bucket < current_ + ring_size) {
       ring_[bucket % ring_size].push_back(item);
       ++in_ring_;
@@ -58,7 +58,7 @@ class BucketQueue {
       auto& bucket = ring_[current_ % ring_size];
       while (first_ < bucket.size()) {
         Index item;
-        if (++taken_ <= most_last_first) {
+        if (++taken_ <= max_last_first) {
           item = bucket.back();
           bucket.pop_back();
         } else {
@@ -97,7 +97,7 @@ class BucketQueue {
  private:
   static constexpr std::int64_t ring_size = 1024;
   /// Items taken last in, first out from one bucket before it continues in order of arrival.
-  static constexpr std::size_t most_last_first = 1 << 14;
+  static constexpr std::size_t max_last_first = 1 << 14;
   static constexpr std::int64_t idle_per_push = 32;
   static constexpr std::int64_t least_idle = 64 * ring_size;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
@@ -123,14 +123,14 @@ class BucketQueue {
     per_width_ *= 0.5;
     width_ *= 2.0;
     idle_ = 0;
-    most_idle_ = least_idle + idle_per_push * static_cast<std::int64_t>(overflow_.size());
+    max_idle_ = least_idle + idle_per_push * static_cast<std::int64_t>(overflow_.size());
   }
 
   /// Moves what fits from the overflow into the ring; false if both are empty.
   bool refill() {
     idle_ += static_cast<std::int64_t>(overflow_.size());
     if (in_ring_ == 0) {
-      if (idle_ > most_idle_) widen();
+      if (idle_ > max_idle_) widen();
       std::int64_t least = none;
       for (Index item : overflow_) least = std::min(least, bucket_of_[item]);
       if (least == none) {
@@ -160,8 +160,8 @@ class BucketQueue {
   std::vector<Index> overflow_;
   std::int64_t current_ = 0;
   std::int64_t overflow_check_ = ring_size / 2;
-  std::int64_t idle_ = 0;       ///< empty buckets passed and overflow items examined since the last widening
-  std::int64_t most_idle_ = 0;  ///< value of idle_ at which buckets are widened
+  std::int64_t idle_ = 0;      ///< empty buckets passed and overflow items examined since the last widening
+  std::int64_t max_idle_ = 0;  ///< value of idle_ at which buckets are widened
   std::size_t in_ring_ = 0;
   std::size_t first_ = 0;  ///< first item left in the current bucket
   std::size_t taken_ = 0;  ///< items taken from the current bucket

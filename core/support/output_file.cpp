@@ -24,7 +24,7 @@ namespace {
 constexpr const char* mark = ".vorogeo-";
 constexpr const char* ending = ".part";
 constexpr std::size_t longest_name = 255;  ///< in bytes, of every usual file system
-constexpr int most_links = 40;             ///< as in the kernel
+constexpr int max_links = 40;              ///< as in the kernel
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -44,7 +44,7 @@ std::string prefix_of(const fs::path& target) {
 /// Where a chain of symbolic links ends, whether that exists or not.
 fs::path end_of_links(fs::path file) {
   std::error_code error;
-  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
+  for (int i = 0; i < max_links && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
     file = folder_of(file) / fs::read_symlink(file, error);  // an absolute link replaces the folder
   }
   return file;

@@ -30,9 +30,9 @@ std::vector<Index> spread(const std::shared_ptr<const GeodesicIndex>& index, int
 
 std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const GeodesicIndex>& index,
                                                    int count, int threads, const Progress& progress) {
-  if (count < 1 || count > ExactLandmarks::most) {
+  if (count < 1 || count > ExactLandmarks::max_count) {
     throw InvalidInput("The number of landmarks is " + std::to_string(count) + "; give 1 to " +
-                       std::to_string(ExactLandmarks::most) + ".");
+                       std::to_string(ExactLandmarks::max_count) + ".");
   }
   const IndexData& data = index->data();
   const auto vertices = spread(index, count, threads);

@@ -43,7 +43,7 @@ RichParameterList build_index_parameters(const MeshDocument&) {
 }
 
 /// More than the cores of any machine; the core starts no more threads than are useful.
-constexpr int most_threads = 1024;
+constexpr int max_threads = 1024;
 
 IndexOptions options_of(const FilterCall& call) {
   const RichParameterList& parameters = call.parameters;
@@ -58,7 +58,7 @@ IndexOptions options_of(const FilterCall& call) {
   if (memory_budget < 0) {
     refuse(call, "memory_budget", memory_budget, ". Give a positive number of MiB, or 0 for 4096.");
   }
-  if (threads < 0 || threads > most_threads) {
+  if (threads < 0 || threads > max_threads) {
     refuse(call, "threads", threads, ". Give a number from 1 to 1024, or 0 for one per core.");
   }
   IndexOptions options;

@@ -54,7 +54,7 @@ class Paths {
     ProgressBridge bridge(progress);
     bridge.run([&](const Progress& report) {
       const bool prepares = exact && certify && found.size() >= pairs_worth_landmarks && !has_landmarks();
-      if (prepares) make_landmarks(ExactLandmarks::most, report.part(0.0, 0.5));
+      if (prepares) make_landmarks(ExactLandmarks::max_count, report.part(0.0, 0.5));
       constexpr std::size_t at_once = 16;
       const std::size_t blocks = (found.size() + at_once - 1) / at_once;
       const Progress left = report.part(prepares ? 0.5 : 0.0, 1.0);

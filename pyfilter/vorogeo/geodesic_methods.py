@@ -206,7 +206,7 @@ class GeodesicMethod:
         return self._method.field(check.source_ids(sources, self._vertex_count))
 
     def distance(self, source: int, target: int) -> float:
-        """Distance of two vertices; without a faster way (``info.has_pairs``) taken from a field."""
+        """Distance of two vertices; without a faster method (``info.has_pairs``) taken from a field."""
         ends = [
             check.integer(name, value, 0, self._vertex_count - 1)
             for name, value in (("source", source), ("target", target))

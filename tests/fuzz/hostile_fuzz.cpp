@@ -45,11 +45,11 @@ struct Options {
 constexpr double slowness = 20.0;  // of the sanitizers
 #else
 constexpr double slowness = 1.0;
-constexpr rlim_t most_memory = rlim_t{4} << 30;
+constexpr rlim_t max_memory = rlim_t{4} << 30;
 #endif
 /// Processor time after which a mesh is assumed never to end; the slowest scan of this size takes a
 /// hundredth.
-double most_mesh_seconds(int vertices) { return slowness * (5.0 + 0.05 * vertices); }
+double max_mesh_seconds(int vertices) { return slowness * (5.0 + 0.05 * vertices); }
 
 int size_of(unsigned seed, const Options& options) {
   if (!options.mixed) return options.vertices;
@@ -97,7 +97,7 @@ struct Worker {
     process = fork();
     if (process != 0) return;
 #ifndef VOROGEO_SMALL_TESTS
-    const rlimit limit{most_memory, most_memory};
+    const rlimit limit{max_memory, max_memory};
     setrlimit(RLIMIT_AS, &limit);
 #endif
     ScanCosts scans = scan_costs(*tally);
@@ -135,7 +135,7 @@ struct Worker {
       if (next >= end || (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline)) return false;
       start(options, deadline);
     }
-    if (processor_seconds_used() - tally->mesh_seconds > most_mesh_seconds(size_of(tally->seed, options)) &&
+    if (processor_seconds_used() - tally->mesh_seconds > max_mesh_seconds(size_of(tally->seed, options)) &&
         !tally->finished) {
       kill(process, SIGKILL);
       waitpid(process, nullptr, 0);

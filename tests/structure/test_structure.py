@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 import tree
 
-MOST_LINES = 300
-MOST_LINES_OF_A_README = 30
+MAX_LINES = 300
+MAX_LINES_OF_A_README = 30
 
 
 def none(found: dict[str, str]) -> None:
@@ -78,7 +78,7 @@ def test_includes_in_quotes_name_a_file_of_the_project_from_its_part_on() -> Non
 
 def test_no_file_is_longer_than_a_reader_takes_in() -> None:
     lengths = {str(file): len(tree.text(file).splitlines()) for file in tree.sources()}
-    none({file: f"{n} lines" for file, n in lengths.items() if n > MOST_LINES})
+    none({file: f"{n} lines" for file, n in lengths.items() if n > MAX_LINES})
 
 
 def test_every_source_says_first_what_it_is() -> None:
@@ -99,8 +99,8 @@ def test_every_room_has_a_first_page() -> None:
         page = tree.PROJECT / room / "README.md"
         if not page.is_file():
             found[str(room)] = "has no README.md"
-        elif len(page.read_text().splitlines()) > MOST_LINES_OF_A_README:
-            found[str(room)] = f"its README.md has more than {MOST_LINES_OF_A_README} lines"
+        elif len(page.read_text().splitlines()) > MAX_LINES_OF_A_README:
+            found[str(room)] = f"its README.md has more than {MAX_LINES_OF_A_README} lines"
     none(found)
 
 

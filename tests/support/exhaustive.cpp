@@ -15,7 +15,7 @@ double cross(const Flat& a, const Flat& b) { return a[0] * b[1] - a[1] * b[0]; }
 double length(const Flat& a) { return std::hypot(a[0], a[1]); }
 
 /// Sine of the angle from ray a to ray b.
-double turn(const Flat& a, const Flat& b) { return cross(a, b) / (length(a) * length(b)); }
+double sine_between(const Flat& a, const Flat& b) { return cross(a, b) / (length(a) * length(b)); }
 
 /// Rays closer than this are one ray.
 constexpr double same_ray = 1e-13;
@@ -43,7 +43,7 @@ class Segments {
   /// Lines between the rays `low` and `high` leave by `side`, whose ends `right` and `left` lie at p and q.
   void leave(Index side, Index right, const Flat& p, const Flat& q, const Flat& low, const Flat& high) {
     // Opposite rays are not a thin fan: the origin lies on the side, and half of the plane is behind it.
-    const double width = turn(low, high);
+    const double width = sine_between(low, high);
     const bool opposite = low[0] * high[0] + low[1] * high[1] < 0.0 && std::abs(width) <= same_ray;
     if ((width <= same_ray && !opposite) || nearest(p, q) > farthest_) return;
     for (Index h = mesh_.next_around_edge(side); h != side; h = mesh_.next_around_edge(h)) {
@@ -61,8 +61,8 @@ class Segments {
                             mesh_.face_area(Mesh::face_of(h)));
     const Index apex = mesh_.apex(h);
     if (length(r) == 0.0) return;
-    const double from_low = turn(low, r);
-    const double to_high = turn(r, high);
+    const double from_low = sine_between(low, r);
+    const double to_high = sine_between(r, high);
     if (from_low >= -same_ray && to_high >= -same_ray) note(apex, length(r));
     leave(right_side, right, p, r, low, to_high > 0.0 ? r : high);
     leave(left_side, apex, r, q, from_low > 0.0 ? r : low, high);

@@ -105,7 +105,7 @@ double ReferenceRouter::length(Index source, Index target) {
     });
   }
   double least = unreachable;
-  for (const auto& start : to.seeds) least = std::min(least, found->second[start.node] + start.distance);
+  for (const auto& seed : to.seeds) least = std::min(least, found->second[seed.node] + seed.distance);
   return least;
 }
 

@@ -76,7 +76,7 @@ std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEn
     distance[node] = value;
     queue.insert({value, node});
   };
-  for (const auto& start : seeds) lower(start.node, start.distance);
+  for (const auto& seed : seeds) lower(seed.node, seed.distance);
   while (!queue.empty()) {
     const auto [value, node] = *queue.begin();
     queue.erase(queue.begin());

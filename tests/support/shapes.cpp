@@ -74,17 +74,17 @@ Shape prism(int sides, int columns_per_side, int rows, double side_width, double
 
 Shape cone(int sectors, int rings, double total_angle, double radius) {
   const double sector_angle = total_angle / sectors;
-  const double turn = 2.0 * pi / sectors;
-  // Rays at azimuth i * turn. Convex: all at one angle from the axis. Saddle: alternately above and below the
+  const double step = 2.0 * pi / sectors;
+  // Rays at azimuth i * step. Convex: all at one angle from the axis. Saddle: alternately above and below the
   // plane.
   double rise = 0.0;
   double reach = 1.0;
   const bool saddle = total_angle > 2.0 * pi;
   if (saddle) {
-    reach = std::sqrt((1.0 + std::cos(sector_angle)) / (1.0 + std::cos(turn)));
+    reach = std::sqrt((1.0 + std::cos(sector_angle)) / (1.0 + std::cos(step)));
     rise = std::sqrt(1.0 - reach * reach);
   } else {
-    reach = std::sqrt((1.0 - std::cos(sector_angle)) / (1.0 - std::cos(turn)));
+    reach = std::sqrt((1.0 - std::cos(sector_angle)) / (1.0 - std::cos(step)));
     rise = -std::sqrt(std::max(0.0, 1.0 - reach * reach));
   }
   Soup soup;
@@ -94,7 +94,7 @@ Shape cone(int sectors, int rings, double total_angle, double radius) {
     for (int i = 0; i < sectors; ++i) {
       const double side = saddle && i % 2 == 1 ? -1.0 : 1.0;
       soup.positions.push_back(
-          {r * reach * std::cos(i * turn), r * reach * std::sin(i * turn), r * rise * side});
+          {r * reach * std::cos(i * step), r * reach * std::sin(i * step), r * rise * side});
     }
   }
   // Each face is laid out in its own sector, whose first ray is the x axis.

@@ -29,8 +29,8 @@ cannot() {
 unshare --mount --pid --fork --kill-child true 2>/dev/null || cannot "this system gives no namespaces of their own (unshare)"
 
 mkdir -p build/window
-exec {turn}>"build/window/.making-$version.lock"  # who comes second finds the root made
-flock "$turn"
+exec {lock}>"build/window/.making-$version.lock"  # who comes second finds the root made
+flock "$lock"
 if [ "$(cat "$root/etc/vorogeo-window" 2>/dev/null)" = "$input" ]; then
   echo "$root"
   exit 0

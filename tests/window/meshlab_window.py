@@ -9,7 +9,7 @@ from screen import Atspi, Screen, wait_for
 
 FIELDS = (Atspi.Role.TEXT, Atspi.Role.COMBO_BOX, Atspi.Role.CHECK_BOX, Atspi.Role.SPIN_BUTTON)
 WINDOWS = (Atspi.Role.FRAME, Atspi.Role.DIALOG, Atspi.Role.ALERT)
-MOST_DOWN = 12  # a filter is among the first entries when its whole name was typed
+MAX_DOWN = 12  # a filter is among the first entries when its whole name was typed
 TRIES = 3  # of what a click or a key may miss on a busy machine
 
 
@@ -77,7 +77,7 @@ class MeshLabWindow(Screen):
     def open_filter(self, name: str) -> Atspi.Accessible | None:
         """Find a filter by its name in the search box and open its dialog; without parameters it is applied at once."""
         already = len(self.log_lines())
-        for down in [1, *range(1, MOST_DOWN)]:
+        for down in [1, *range(1, MAX_DOWN)]:
             self.search(name, down)
             try:
                 wait_for(

@@ -29,8 +29,8 @@ drive() {
 for version in "${versions[@]}"; do
   root="$(tests/window/make_root.sh "$version")"
   # One run at a time in a root: the plugin is installed there, and taken away for a while.
-  exec {turn}>"$root/etc/vorogeo-window.lock"
-  flock "$turn"
+  exec {lock}>"$root/etc/vorogeo-window.lock"
+  flock "$lock"
   say "building and installing the plugin"
   folder="build/window/$version"
   mkdir -p "$folder"
@@ -44,7 +44,7 @@ for version in "${versions[@]}"; do
     mkdir -p "$folder/million/shots"
     "$python" tests/window/make_meshes.py "$folder/million/meshes" million
     drive 7200 million "$folder/million"
-    exec {turn}>&-
+    exec {lock}>&-
     continue
   fi
   # What is refused, edited and scripted is the same code under both versions; starting, dialogs and loading are not.
@@ -63,5 +63,5 @@ for version in "${versions[@]}"; do
   done
   VOROGEO_WINDOW_RESULTS="$PWD/$folder/seen" "$python" -m pytest -q -p no:cacheprovider "${judges[@]}" \
     -o "junit_suite_name=window-$version" "$@"
-  exec {turn}>&-
+  exec {lock}>&-
 done

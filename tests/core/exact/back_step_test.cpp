@@ -16,7 +16,7 @@ TEST(BackStep, DistancesInFacesWithoutArea) {
   test::Soup soup;
   soup.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 0.0, 0.0}};
   soup.faces = {{0, 1, 3}, {1, 2, 3}, {2, 4, 3}};
-  for (int turn = 0; turn < 3; ++turn) {
+  for (int rotation = 0; rotation < 3; ++rotation) {
     const auto mesh = test::make_mesh(soup);
     ExactSolver solver(mesh);
     solver.run_from_vertices(std::array<Index, 1>{0});
@@ -24,7 +24,7 @@ TEST(BackStep, DistancesInFacesWithoutArea) {
          {std::array{0.2, 0.3, 0.5}, std::array{0.5, 0.5, 0.0}, std::array{0.0, 0.5, 0.5}}) {
       const auto point = SurfacePoint::in_face(1, weights);
       const Point p = position_of(*mesh, point);
-      EXPECT_NEAR(solver.distance(point), std::hypot(p[0], p[1]), 1e-15) << turn;
+      EXPECT_NEAR(solver.distance(point), std::hypot(p[0], p[1]), 1e-15) << rotation;
     }
     EXPECT_NEAR(solver.distance(4), 2.0, 1e-15);
     auto& face = soup.faces[1];

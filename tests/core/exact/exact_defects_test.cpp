@@ -183,7 +183,8 @@ TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
         const Point& p = mesh->position(source);
         for (Index v = 0; v < mesh->vertex_count(); ++v) {
           const Point& q = mesh->position(v);
-          // In the plane the outlier leaves a hole between 3 and 5: straight lines beside it are the way.
+          // In the plane the outlier leaves a hole between 3 and 5: straight lines beside it are the shortest
+          // paths.
           const bool beside = (p[1] <= 3.0 && q[1] <= 3.0) || (p[1] >= 5.0 && q[1] >= 5.0);
           if (!beside || v == source) continue;
           const double straight = std::hypot(p[0] - q[0], p[1] - q[1]);

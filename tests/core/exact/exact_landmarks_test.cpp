@@ -109,7 +109,7 @@ TEST(ExactLandmarks, OtherComponentsAreNotHarmed) {
 TEST(ExactLandmarks, TheirNumberIsChecked) {
   const auto index = GeodesicIndex::build(two_spheres(1), {});
   EXPECT_THROW(landmarks_of(index, 0), InvalidInput);
-  EXPECT_THROW(landmarks_of(index, ExactLandmarks::most + 1), InvalidInput);
+  EXPECT_THROW(landmarks_of(index, ExactLandmarks::max_count + 1), InvalidInput);
   EXPECT_THROW(ExactLandmarks(std::span<const std::vector<double>>{}), InvalidInput);
 }
 

@@ -43,7 +43,7 @@ TEST(Side, WindowsArriveWhereStraightLinesDo) {
       Window arrived = side.arriving(window, begin, begin + 0.5, true, second, 1.0);
       EXPECT_EQ(arrived.offset, 3.0);
       EXPECT_EQ(arrived.source, 7);
-      for (int way = 0; way < 2; ++way) {
+      for (int direction = 0; direction < 2; ++direction) {
         EXPECT_NEAR(arrived.begin, 0.0, 1e-15);
         EXPECT_NEAR(arrived.end, std::sqrt(1.25), 1e-15);
         const double at_apex = reversed ? arrived.begin : arrived.end;

@@ -27,10 +27,10 @@ TEST(BorderField, CloseToExactFromOneNode) {
     FieldSweep sweep;
     ExactSolver solver(data.geometry);
     test::ErrorCollector errors;
-    for (Index start : test::random_vertices(data.second.node_count(), 12, 7)) {
-      field.reset(std::array{BorderField::Seed{start, 0.0, 0}});
+    for (Index seed : test::random_vertices(data.second.node_count(), 12, 7)) {
+      field.reset(std::array{BorderField::Seed{seed, 0.0, 0}});
       fill_all(data, field, sweep);
-      solver.run_from_vertices(std::array{data.second.node_vertex[start]});
+      solver.run_from_vertices(std::array{data.second.node_vertex[seed]});
       const BorderDistances border = field.border();
       for (Index node = 0; node < data.second.node_count(); ++node) {
         errors.add(border.distance[node], solver.distance(data.second.node_vertex[node]));
@@ -72,7 +72,7 @@ TEST(BorderField, SourcesInEveryPatchAreSearched) {
   field.reset(seeds);
   fill_all(data, field, sweep);
   std::vector<Index> sources;
-  for (const auto& start : seeds) sources.push_back(data.second.node_vertex[start.node]);
+  for (const auto& seed : seeds) sources.push_back(data.second.node_vertex[seed.node]);
   ExactSolver solver(data.geometry);
   solver.run_from_vertices(sources);
   test::ErrorCollector errors;

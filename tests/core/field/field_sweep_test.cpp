@@ -51,7 +51,7 @@ TEST(FieldSweep, AtMostTheLeastSumAndNotBelowIt) {
       against_sums.add(found[column], least);
     }
   }
-  EXPECT_GT(against_sums.statistics().least, -0.05) << "unfolding shortens a way, not more";
+  EXPECT_GT(against_sums.statistics().least, -0.05) << "unfolding shortens a path, not more";
 }
 
 TEST(FieldSweep, FromExactBorderDistancesNearlyExact) {

@@ -80,7 +80,7 @@ TEST(NearField, HoldsWhereItIsCertainAndWhereItIsShorter) {
   EXPECT_GT(certain, 0U);
   EXPECT_TRUE(on.near.holds(0.0, 0.0, false)) << "the source itself";
   EXPECT_FALSE(on.near.holds(unreachable, 1.0, true));
-  EXPECT_FALSE(on.near.holds(1e6, 0.9e6, true)) << "a way outside is much shorter";
+  EXPECT_FALSE(on.near.holds(1e6, 0.9e6, true)) << "a path outside is much shorter";
   EXPECT_TRUE(on.near.holds(1e6, 0.999e6, true)) << "by no more than repaired crossings err";
   EXPECT_FALSE(on.near.holds(1e6, 0.999e6, false));
 }

@@ -38,7 +38,7 @@ TEST(PairDistance, StraightOnAPlaneInBothForms) {
         }
       }
     }
-    // Patches of some twenty vertices, a few borders on the way: errors are far above those of a mesh.
+    // Patches of some twenty vertices, a few borders between the ends: errors are far above those of a mesh.
     EXPECT_LE(errors.statistics().mean, 5e-4);
     EXPECT_LE(errors.statistics().greatest, 1e-2);
   }

@@ -14,13 +14,13 @@ namespace vorogeo {
 namespace {
 
 /// Least sums of table entries, without unfolding.
-std::vector<double> plain_sums(const PatchLayer& layer, Index start,
+std::vector<double> plain_sums(const PatchLayer& layer, Index seed,
                                const std::vector<std::uint8_t>& allowed = {}) {
   std::vector<double> distance(layer.node_count(), unreachable);
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distance[start] = 0.0;
-  queue.emplace(0.0, start);
+  distance[seed] = 0.0;
+  queue.emplace(0.0, seed);
   while (!queue.empty()) {
     const auto [key, node] = queue.top();
     queue.pop();
@@ -57,11 +57,11 @@ Comparison compare(const GeodesicIndex& index, double slack) {
   ExactSolver solver(index.data().geometry);
   test::ErrorCollector unfolded;
   test::ErrorCollector sums;
-  for (Index start : test::random_vertices(layer.node_count(), 8, 7)) {
-    const auto plain = plain_sums(layer, start);
-    solver.run_from_vertices(std::array{layer.node_vertex[start]});
+  for (Index seed : test::random_vertices(layer.node_count(), 8, 7)) {
+    const auto plain = plain_sums(layer, seed);
+    solver.run_from_vertices(std::array{layer.node_vertex[seed]});
     search.reset();
-    search.add(start, 0.0);
+    search.add(seed, 0.0);
     search.run();
     for (Index node = 0; node < layer.node_count(); ++node) {
       EXPECT_LE(search.distance(node), plain[node] * (1.0 + slack)) << "node " << node;
@@ -124,21 +124,21 @@ TEST(BoundaryDijkstra, TheNearestOfSeveralStartsCounts) {
   BoundaryDijkstra search(layer);
   const std::array<Index, 3> seeds{1, layer.node_count() / 2, layer.node_count() - 2};
   std::vector<double> least(layer.node_count(), unreachable);
-  for (Index start : seeds) {
+  for (Index seed : seeds) {
     search.reset();
-    search.add(start, 0.0);
+    search.add(seed, 0.0);
     search.run();
     for (Index node = 0; node < layer.node_count(); ++node) {
       least[node] = std::min(least[node], search.distance(node));
     }
   }
   search.reset();
-  for (Index start : seeds) search.add(start, 0.0);
+  for (Index seed : seeds) search.add(seed, 0.0);
   search.run();
   for (Index node = 0; node < layer.node_count(); ++node) {
     EXPECT_NEAR(search.distance(node), least[node], 2e-3 * least[node] + 1e-9) << "node " << node;
   }
-  for (Index start : seeds) EXPECT_EQ(search.distance(start), 0.0);
+  for (Index seed : seeds) EXPECT_EQ(search.distance(seed), 0.0);
 }
 
 TEST(BoundaryDijkstra, StaysInTheAllowedPatches) {
@@ -146,12 +146,12 @@ TEST(BoundaryDijkstra, StaysInTheAllowedPatches) {
   const PatchLayer& layer = index->data().second;
   std::vector<std::uint8_t> allowed(layer.patch_count, 0);
   for (Index p = 0; p < layer.patch_count / 2; ++p) allowed[p] = 1;
-  const Index start = layer.nodes(0)[0];
+  const Index seed = layer.nodes(0)[0];
   BoundaryDijkstra search(layer);
   search.reset();
-  search.add(start, 0.0);
+  search.add(seed, 0.0);
   search.run(allowed);
-  const auto plain = plain_sums(layer, start, allowed);
+  const auto plain = plain_sums(layer, seed, allowed);
   for (Index node = 0; node < layer.node_count(); ++node) {
     EXPECT_EQ(search.distance(node) == unreachable, plain[node] == unreachable) << "node " << node;
     EXPECT_LE(search.distance(node), plain[node] * (1.0 + rounding));

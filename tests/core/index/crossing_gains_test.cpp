@@ -83,7 +83,7 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
 
 TEST(CrossingGains, NothingWhereThePathWouldPassOnBothSides) {
   // The wave runs along the border, from the neighbour before to the vertex; the one at the neighbour behind
-  // came by another way.
+  // came by another path.
   Crossings crossings{};
   for (Index k = 0; k < Crossings::capacity; ++k) {
     crossings.source[k] = 0.5F;

@@ -21,8 +21,8 @@ std::vector<Index> labels_by_sector(const Mesh& mesh, int count) {
   std::vector<Index> label(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Point p = position_of(mesh, SurfacePoint::in_face(f, {1.0 / 3, 1.0 / 3, 1.0 / 3}));
-    const double turn = std::atan2(p[1] - 0.47, p[0] - 0.53) / 6.2831853072 + 0.5;
-    label[f] = std::min(count - 1, static_cast<int>(turn * count));
+    const double part_of_circle = std::atan2(p[1] - 0.47, p[0] - 0.53) / 6.2831853072 + 0.5;
+    label[f] = std::min(count - 1, static_cast<int>(part_of_circle * count));
   }
   return label;
 }

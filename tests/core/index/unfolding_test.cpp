@@ -154,8 +154,8 @@ TEST(Unfolding, ACrossingInThePlaneIsAStraightLine) {
 }
 
 TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
-  // A wave along the border reaches the vertex; behind it another wave came earlier. The way on is along the
-  // border, so the sum is right.
+  // A wave along the border reaches the vertex; behind it another wave came earlier. The path goes on along
+  // the border, so the sum is right.
   const BorderSample before{7.0, 0.45, 0.2};
   const BorderSample after{6.7, 0.77, 1.0};
   EXPECT_LT(unfolded_distance(after.length, 7.2, after.source, 0.25, after.target), 7.2);

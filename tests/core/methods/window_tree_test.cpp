@@ -77,7 +77,7 @@ TEST(WindowTree, EndsAtTheNearestVertices) {
   WindowTree tree = tree_on(shape.soup);
   TreeRules rules;
   rules.bends = false;
-  rules.most_vertices = 30;
+  rules.max_vertices = 30;
   const Index source = 220;
   tree.run({&source, 1}, rules);
   ASSERT_EQ(tree.settled().size(), 31u);

@@ -36,20 +36,20 @@ std::vector<double> over_edges(const Mesh& mesh, Index start) {
 void expect_shortest_paths(const Mesh& mesh, Index start) {
   const std::vector<double> expected = over_edges(mesh, start);
   for (Index goal = 0; goal < mesh.vertex_count(); ++goal) {
-    std::vector<EdgeStep> way{{7, 7}};
-    ASSERT_EQ(path_along_edges(mesh, start, goal, way), expected[goal] < unreachable) << goal;
-    EXPECT_EQ(way.front().from, 7) << "what was there stays";
+    std::vector<EdgeStep> steps{{7, 7}};
+    ASSERT_EQ(path_along_edges(mesh, start, goal, steps), expected[goal] < unreachable) << goal;
+    EXPECT_EQ(steps.front().from, 7) << "what was there stays";
     if (!(expected[goal] < unreachable)) continue;
     double length = 0.0;
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      const Index next = i + 1 < way.size() ? way[i + 1].from : goal;
-      const auto& face = mesh.face_vertices(way[i].face);
-      EXPECT_TRUE(std::ranges::count(face, way[i].from) == 1 && std::ranges::count(face, next) == 1);
-      const Point& a = mesh.position(way[i].from);
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const Index next = i + 1 < steps.size() ? steps[i + 1].from : goal;
+      const auto& face = mesh.face_vertices(steps[i].face);
+      EXPECT_TRUE(std::ranges::count(face, steps[i].from) == 1 && std::ranges::count(face, next) == 1);
+      const Point& a = mesh.position(steps[i].from);
       const Point& b = mesh.position(next);
       length += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     }
-    EXPECT_EQ(way.size() > 1 ? way[1].from : start, start);
+    EXPECT_EQ(steps.size() > 1 ? steps[1].from : start, start);
     EXPECT_NEAR(length, expected[goal], 1e-12);
   }
 }

@@ -17,12 +17,12 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 /// Least sum over all seeds, read entry by entry.
 float plain_distance(const IndexData& data, const RouteEnd& end, Index parent, Index row) {
   float least = infinite;
-  for (const auto& start : end.seeds) {
+  for (const auto& seed : end.seeds) {
     const auto members = data.first.members(parent);
-    const auto at = std::ranges::find(members, data.second.node_vertex[start.node]);
+    const auto at = std::ranges::find(members, data.second.node_vertex[seed.node]);
     if (at == members.end()) continue;
     const auto column = static_cast<Index>(at - members.begin());
-    least = std::min(least, static_cast<float>(start.distance) + data.first.distance(parent, row, column));
+    least = std::min(least, static_cast<float>(seed.distance) + data.first.distance(parent, row, column));
   }
   return least;
 }
@@ -98,7 +98,7 @@ TEST(AccessDistances, TheLeastSumsUpToTheLimit) {
   for (const test::Soup& soup : {test::icosphere(3), test::hills(28, 0.2), two}) {
     const auto index = test::make_index(soup, 6, 3);
     const IndexData& data = index->data();
-    AccessDistances approach(data);
+    AccessDistances access(data);
     for (Index v : test::random_vertices(data.work.mesh->vertex_count(), 40, 1)) {
       const RouteEnd end = test::route_end(data, v);
       for (Index parent : end.parents) {
@@ -109,28 +109,28 @@ TEST(AccessDistances, TheLeastSumsUpToTheLimit) {
           if (expected.back() < infinite) greatest = std::max(greatest, expected.back());
         }
         for (float limit : {infinite, 0.6f * greatest}) {
-          approach.reset(end, parent);
-          for (std::size_t g = 0; g < approach.groups().size(); ++g) {
-            const GroupRows& at = approach.groups()[g];
+          access.reset(end, parent);
+          for (std::size_t g = 0; g < access.groups().size(); ++g) {
+            const GroupRows& at = access.groups()[g];
             const Index size = data.transit_table.size(at.group);
             const auto first = expected.begin() + at.row;
             const float least = *std::min_element(first, first + size);
-            EXPECT_LE(approach.least()[g], least * 1.00001f);
-            const auto in_units = static_cast<float>(approach.bounds_to_border()[g]);
-            EXPECT_LE(in_units * data.access_bounds.unit_between, approach.least()[g] * 1.000001f);
-            approach.refine(g, limit);
+            EXPECT_LE(access.least()[g], least * 1.00001f);
+            const auto in_units = static_cast<float>(access.bounds_to_border()[g]);
+            EXPECT_LE(in_units * data.access_bounds.unit_between, access.least()[g] * 1.000001f);
+            access.refine(g, limit);
             if (least < limit) {
-              EXPECT_NEAR(approach.least()[g], least, 1e-5f * least);
+              EXPECT_NEAR(access.least()[g], least, 1e-5f * least);
             }
-            EXPECT_LE(approach.least()[g], least * 1.00001f);
+            EXPECT_LE(access.least()[g], least * 1.00001f);
             for (Index i = 0; i < size; ++i) {
-              const float found = approach.distances(g)[i];
+              const float found = access.distances(g)[i];
               EXPECT_GE(found, first[i] * 0.99999f);
               if (!(first[i] < limit)) continue;
               ASSERT_NEAR(found, first[i], 1e-5f * first[i]) << v << ", " << parent << ", " << at.row + i;
-              const auto& start = end.seeds[approach.seed_of(g, at.row + i)];
+              const auto& seed = end.seeds[access.seed_of(g, at.row + i)];
               RouteEnd one;
-              one.seeds.push_back(start);
+              one.seeds.push_back(seed);
               EXPECT_NEAR(plain_distance(data, one, parent, at.row + i), first[i], 1e-5f * first[i]);
             }
           }
@@ -142,12 +142,12 @@ TEST(AccessDistances, TheLeastSumsUpToTheLimit) {
 
 TEST(AccessDistances, AnEndWithoutStartsIsInfinitelyFar) {
   const auto index = test::make_index(test::icosphere(2), 4, 2);
-  AccessDistances approach(index->data());
-  approach.reset({}, 0);
-  for (std::size_t g = 0; g < approach.groups().size(); ++g) {
-    EXPECT_EQ(approach.least()[g], infinite);
-    approach.refine(g, infinite);
-    EXPECT_EQ(approach.distances(g)[0], infinite);
+  AccessDistances access(index->data());
+  access.reset({}, 0);
+  for (std::size_t g = 0; g < access.groups().size(); ++g) {
+    EXPECT_EQ(access.least()[g], infinite);
+    access.refine(g, infinite);
+    EXPECT_EQ(access.distances(g)[0], infinite);
   }
 }
 

@@ -24,8 +24,8 @@ void expect_sound(const IndexData& data, const GraphRoute& route, const RouteEnd
   ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
   auto start_distance = [](const RouteEnd& end, Index node) {
     double least = unreachable;
-    for (const auto& start : end.seeds) {
-      if (start.node == node) least = std::min(least, start.distance);
+    for (const auto& seed : end.seeds) {
+      if (seed.node == node) least = std::min(least, seed.distance);
     }
     return least;
   };
@@ -156,14 +156,14 @@ TEST(GraphRouter, WaysForFirstLayerArcsConnectAndAreHardlyLonger) {
             ASSERT_LT(step, unreachable) << "no second-layer arc";
             walked += step;
           }
-          auto start = [](const RouteEnd& end, Index node) {
+          auto seed = [](const RouteEnd& end, Index node) {
             double least = unreachable;
             for (const auto& at : end.seeds) {
               if (at.node == node) least = std::min(least, at.distance);
             }
             return least;
           };
-          walked += start(from, route.nodes.front()) + start(to, route.nodes.back());
+          walked += seed(from, route.nodes.front()) + seed(to, route.nodes.back());
           stated += route.length;
         }
       }

@@ -16,7 +16,7 @@ namespace {
 double least_length(const IndexData& data, const RouteEnd& source, const RouteEnd& target) {
   const PatchLayer& second = data.second;
   std::vector<double> distance(second.node_count(), unreachable);
-  for (const auto& start : source.seeds) distance[start.node] = start.distance;
+  for (const auto& seed : source.seeds) distance[seed.node] = seed.distance;
   for (bool changed = true; changed;) {
     changed = false;
     for (Index p = 0; p < second.patch_count; ++p) {
@@ -36,11 +36,11 @@ double least_length(const IndexData& data, const RouteEnd& source, const RouteEn
     }
   }
   double least = unreachable;
-  for (const auto& start : target.seeds) least = std::min(least, distance[start.node] + start.distance);
+  for (const auto& seed : target.seeds) least = std::min(least, distance[seed.node] + seed.distance);
   return least;
 }
 
-/// How far the length of a route may be from the least one: the rounding of some turns.
+/// How far the length of a route may be from the least one: the rounding of some steps.
 double rounding(const IndexData& data) {
   return 8.0 * *std::max_element(data.second.unit.begin(), data.second.unit.end());
 }
@@ -97,7 +97,7 @@ TEST(PatchRouter, TheStraightLineSavesTurns) {
   const auto index = test::make_index(test::hills(40, 0.1), 1, 36);
   const IndexData& data = index->data();
   PatchRouter router(data);
-  std::size_t turns = 0;
+  std::size_t scans = 0;
   std::size_t plain = 0;
   for (Index source : test::random_vertices(1681, 8, 1)) {
     for (Index target : test::random_vertices(1681, 8, 2)) {
@@ -105,13 +105,13 @@ TEST(PatchRouter, TheStraightLineSavesTurns) {
       RouteEnd to = test::route_end(data, target);
       GraphRoute route;
       router.route(from, to, route);
-      turns += router.turns();
+      scans += router.scans();
       to.vertex = no_index;
       router.route(from, to, route);
-      plain += router.turns();
+      plain += router.scans();
     }
   }
-  EXPECT_LT(2 * turns, plain);
+  EXPECT_LT(2 * scans, plain);
 }
 
 TEST(Router, InTablesTheShorterOfBothWays) {

@@ -21,21 +21,21 @@ double through_patch(const IndexData& data, Index parent, Index row, Index node)
 
 /// All sums: seed, first-layer border, first-layer border, seed.
 double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to) {
-  auto approach = [&](const RouteEnd& end, Index parent) {
+  auto access_distances = [&](const RouteEnd& end, Index parent) {
     std::vector<double> least(data.first.border_size(parent), unreachable);
-    for (const auto& start : end.seeds) {
+    for (const auto& seed : end.seeds) {
       for (std::size_t row = 0; row < least.size(); ++row) {
         least[row] = std::min(
-            least[row], start.distance + through_patch(data, parent, static_cast<Index>(row), start.node));
+            least[row], seed.distance + through_patch(data, parent, static_cast<Index>(row), seed.node));
       }
     }
     return least;
   };
   double least = unreachable;
   for (Index p : from.parents) {
-    const auto here = approach(from, p);
+    const auto here = access_distances(from, p);
     for (Index q : to.parents) {
-      const auto there = approach(to, q);
+      const auto there = access_distances(to, q);
       for (std::size_t a = 0; a < here.size(); ++a) {
         const Index row = data.first.nodes(p)[a];
         for (std::size_t b = 0; b < there.size(); ++b) {
@@ -105,8 +105,8 @@ TEST(TableRouter, RoutesAreAsLongAsTheirParts) {
       ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
       auto at_end = [](const RouteEnd& end, Index node) {
         double least = unreachable;
-        for (const auto& start : end.seeds) {
-          if (start.node == node) least = std::min(least, start.distance);
+        for (const auto& seed : end.seeds) {
+          if (seed.node == node) least = std::min(least, seed.distance);
         }
         return least;
       };

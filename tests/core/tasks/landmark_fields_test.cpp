@@ -72,7 +72,7 @@ TEST(LandmarkFields, ThereAreNoMoreThanVertices) {
 TEST(LandmarkFields, BadCountsAreRefusedAndProgressMayCancel) {
   const auto index = test::make_index(plane.soup, 2, 3);
   EXPECT_THROW(landmarks_of(index, 0), InvalidInput);
-  EXPECT_THROW(landmarks_of(index, ExactLandmarks::most + 1), InvalidInput);
+  EXPECT_THROW(landmarks_of(index, ExactLandmarks::max_count + 1), InvalidInput);
   const Progress refusing([](double, const std::string&) { return false; });
   EXPECT_THROW(landmarks_of(index, 2, 1, refusing), Cancelled);
 }
