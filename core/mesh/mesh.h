@@ -96,7 +96,7 @@ class Mesh {
   /// Sum of the corner angles at a vertex, in radians.
   double total_angle(Index vertex) const { return total_angle_[vertex]; }
   /// How far the angles at a vertex are from 2 pi, in radians: the mean over the vertices with a cycle
-  /// of faces. Scans have 0.005 to 0.035, a mesh that is coarse for its shape has more. 0 without any.
+  /// of faces. Scans have 0.006 to 0.035, a mesh that is coarse for its shape has more. 0 without any.
   double mean_angle_defect() const;
   bool is_border(Index vertex) const { return border_[vertex] != 0; }
   bool is_border_edge(Index edge) const {

@@ -35,7 +35,7 @@ constexpr double ordinary_patches_per_parent = 24.0;
 /// and the first-layer tables grow alike, by the cube root per vertex.
 constexpr double ordinary_vertices =
     ordinary_patches * ordinary_patches_per_parent * usual_sizes.second_layer_vertices;
-/// Mean angle defect, in radians, from which on a mesh is coarse. Scans have 0.005 to 0.035, simplified ones
+/// Mean angle defect, in radians, from which on a mesh is coarse. Scans have 0.006 to 0.035, simplified ones
 /// 0.04 to 0.09, CAD parts and buildings up to 0.4.
 constexpr double coarse_defect = 0.04;
 

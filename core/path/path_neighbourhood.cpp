@@ -8,12 +8,12 @@
 namespace vorogeo {
 
 double roughness(const Mesh& mesh, const PathLine& line) {
-  constexpr double most = 0.2;  // creases of a shape say nothing about the roughness of its faces
+  constexpr double crease_angle = 0.2;  // creases of a shape say nothing about the roughness of its faces
   double sum = 0.0;
   for (const UnfoldedCrossing& crossing : line.crossings()) {
     for (const Index vertex : {crossing.left, crossing.right}) {
       if (mesh.fan(vertex) != Mesh::Fan::closed) continue;
-      sum += std::min(most, std::abs(2.0 * std::numbers::pi - mesh.total_angle(vertex)));
+      sum += std::min(crease_angle, std::abs(2.0 * std::numbers::pi - mesh.total_angle(vertex)));
     }
   }
   return line.crossings().empty() ? 0.0 : 0.5 * sum / static_cast<double>(line.crossings().size());

@@ -19,9 +19,9 @@ import tables
 RESULTS = meshes.WORK / "growth"
 SIZES = ("1/16", "1/4", "1", "loop1", "loop2")
 PEERS = ("pygeodesic", "pp3d_heat", "pp3d_marching", "igl_heat", "cgal_heat", "meshlab_point")
-HEADING = (
-    "vertices | build (s) | µs per vertex | peak of the build (MiB) | bytes per vertex | file | field (ms) "
-    "| ns per vertex | two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%) | exact field (s)"
+BUILDS = "vertices | build (s) | µs per vertex | peak of the build (MiB) | bytes per vertex | file | exact field (s)"
+QUERIES = (
+    "vertices | field (ms) | ns per vertex | two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%)"
 )
 
 
@@ -51,7 +51,8 @@ def main() -> None:
         kept.write_text(json.dumps(result, indent=1))
     results = [json.loads(kept.read_text()) for kept in RESULTS.glob(f"{file.stem}_*.json")]
     results.sort(key=lambda result: result["vertices"])
-    text = tables.table(HEADING, [row(result) for result in results])
+    builds = tables.table(BUILDS, [build_row(result) for result in results])
+    text = f"{builds}\n{tables.table(QUERIES, [query_row(result) for result in results])}"
     print(text)
     if arguments.write:
         import plots
@@ -62,13 +63,10 @@ def main() -> None:
         pages.replace(pages.BENCHMARKS, "growth", text + about)
 
 
-def row(result: dict[str, Any]) -> list[str]:
-    """One size."""
-    core, own, n = result["core"], result["methods"]["vorogeo_index"], result["vertices"]
-    threads = max(core["build"])
-    build, field = core["build"][threads]["cpu"]["median"], core["field"]["1"]["cpu"]["median"]
-    far, near = ((core[name] or {}).get("cpu") for name in ("far_pair", "near_pair"))
-    error = own.get("field_error")
+def build_row(result: dict[str, Any]) -> list[str]:
+    """What the index of one size costs, and an exact field."""
+    core, n = result["core"], result["vertices"]
+    build = core["build"][max(core["build"])]["cpu"]["median"]
     return [
         f"{n:,}",
         tables.number(build),
@@ -76,13 +74,24 @@ def row(result: dict[str, Any]) -> list[str]:
         tables.number(core["build_peak"] / 2**20),
         tables.number(core["index_bytes"] / n),
         tables.number(core["file_bytes"] / n),
+        tables.number(core["exact"]["cpu"]["median"]),
+    ]
+
+
+def query_row(result: dict[str, Any]) -> list[str]:
+    """What queries of one size take, and the errors of fields."""
+    core, n = result["core"], result["vertices"]
+    field = core["field"]["1"]["cpu"]["median"]
+    far, near = ((core[name] or {}).get("cpu") for name in ("far_pair", "near_pair"))
+    error = result["methods"]["vorogeo_index"].get("field_error")
+    return [
+        f"{n:,}",
         tables.number(1e3 * field),
         tables.number(1e9 * field / n),
         *(tables.number(1e6 * far[key]) if far else tables.DASH for key in ("median", "p99")),
         tables.number(1e6 * near["median"]) if near else tables.DASH,
         tables.percent(error, "mean"),
         tables.percent(error, "p99"),
-        tables.number(core["exact"]["cpu"]["median"]),
     ]
 
 

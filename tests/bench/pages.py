@@ -15,8 +15,8 @@ BENCHMARKS = meshes.ROOT / "docs" / "benchmarks.md"
 FIGURES = meshes.ROOT / "docs" / "figures.md"
 PICTURES = meshes.ROOT / "docs" / "figures"
 COSTS_HEADING = (
-    "mesh | vertices | build (s) | bytes per vertex | in the file | field (ms) | two far points (µs) | p99 (µs) "
-    "| near (µs) | exact field (s)"
+    "mesh | vertices | build (s) | bytes per vertex | file | field (ms) | far pair (µs) | p99 (µs) | near pair (µs) "
+    "| exact field (s)"
 )
 ERRORS_HEADING = "mesh | mean error (%) | p99 (%) | too long (%) | too short (%) | far points, mean error (%)"
 

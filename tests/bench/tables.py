@@ -107,20 +107,21 @@ def figures(result: Summary) -> str:
 
 
 def fields(result: Summary) -> str:
-    """All methods for fields."""
+    """All methods for fields: a table of times, and one of errors."""
     all_methods = result["methods"]
     index = all_methods.get("vorogeo_index", {}).get("field")
     exact = all_methods.get("vorogeo_exact", {}).get("field")
     heading = (
         "one source to all vertices | set-up | a field: processor time | wall clock | sources | times our index "
-        "| times our exact | mean error (%) | p99 (%) | too long (%) | too short (%) | peak memory (MiB)"
+        "| times our exact | peak (MiB)"
     )
-    rows = []
+    times, errors = [], []
     for name, method in all_methods.items():
         if name == "pp3d_flips":
             continue
         error = method.get("field_error")
-        rows.append(
+        errors.append([method["title"], *(percent(error, key) for key in ("mean", "p99", "over", "under"))])
+        times.append(
             [
                 method["title"],
                 duration(method["prepared"]),
@@ -129,11 +130,11 @@ def fields(result: Summary) -> str:
                 str(method["field_sources"]),
                 ratio(method["field"], index),
                 ratio(method["field"], exact),
-                *(percent(error, key) for key in ("mean", "p99", "over", "under")),
                 number(method["peak_bytes"] / 2**20) if method["peak_bytes"] else DASH,
             ]
         )
-    return table(heading, rows) + remarks(all_methods)
+    of_errors = table("errors of these fields | mean (%) | p99 (%) | too long (%) | too short (%)", errors)
+    return f"{table(heading, times)}\n{of_errors}{remarks(all_methods)}"
 
 
 def pairs(result: Summary) -> str:

@@ -13,6 +13,7 @@ import tree
 
 MAX_LINES = 300
 MAX_LINES_OF_A_README = 30
+MAX_LINE_OF_A_PAGE = 140
 
 
 def none(found: dict[str, str]) -> None:
@@ -24,15 +25,22 @@ def none(found: dict[str, str]) -> None:
 def test_arrows_between_rooms_point_down(part: str) -> None:
     order = tree.ORDER[part]
     found = {}
-    for file in tree.sources(".cpp", ".h"):
-        if file.parts[0] != part or len(file.parts) != 3:
-            continue
-        assert file.parts[1] in order, f"{file.parent} has no place in tree.ORDER"
-        for other in tree.included(file):
-            same_part = other.parts[0] == part and len(other.parts) == 3
-            if same_part and order.index(other.parts[1]) > order.index(file.parts[1]):
-                found[str(file)] = f"includes {other}, which stands above it"
+    for file in (file for files in tree.rooms().values() for file in files if file.parts[0] == part):
+        assert tree.room_of(file) in order, f"{file.parent} has no place in tree.ORDER"
+        for other in tree.imported(file) if file.suffix == ".py" else tree.included(file):
+            same_part = other.parts[0] == part and tree.room_of(other) in order
+            if same_part and order.index(tree.room_of(other)) > order.index(tree.room_of(file)):
+                found[str(file)] = f"uses {other}, which stands above it"
     none(found)
+
+
+def test_imports_are_found_in_every_form() -> None:
+    package = tree.PACKAGE
+    assert package / "errors.py" in tree.imported(package / "cli" / "job.py")  # from ..errors
+    assert package / "_arguments.py" in tree.imported(package / "compat" / "gdist.py")  # from .. import _arguments
+    assert package / "cli" / "worker.py" in tree.imported(package / "cli" / "main.py")  # from .worker
+    assert package / "__init__.py" in tree.imported(Path("tests/python/test_brain.py"))  # import vorogeo
+    assert Path("tests/bench/meshes.py") in tree.imported(Path("tests/bench/pages.py"))  # beside a script
 
 
 def test_the_core_includes_nothing_of_the_hosts() -> None:
@@ -95,12 +103,34 @@ def test_every_source_says_first_what_it_is() -> None:
 
 def test_every_room_has_a_first_page() -> None:
     found = {}
-    for room in tree.rooms():
+    for room in (*tree.rooms(), Path("plugin")):
         page = tree.PROJECT / room / "README.md"
         if not page.is_file():
             found[str(room)] = "has no README.md"
         elif len(page.read_text().splitlines()) > MAX_LINES_OF_A_README:
             found[str(room)] = f"its README.md has more than {MAX_LINES_OF_A_README} lines"
+    none(found)
+
+
+def test_every_first_page_names_all_sources_of_its_room() -> None:
+    found = {}
+    for room, files in tree.rooms().items():
+        spans = re.findall(r"`([^`]+)`", (tree.PROJECT / room / "README.md").read_text())
+        named = {word for span in spans for word in re.split(r"\W+", span)}
+        for file in files:
+            if file.stem not in named and file.stem != "__init__":
+                found[str(file)] = f"{room}/README.md does not name it between backticks"
+    none(found)
+
+
+def test_lines_of_pages_are_not_wider_than_a_page() -> None:
+    found = {}
+    for page in tree.pages():
+        code = False
+        for number, line in enumerate((tree.PROJECT / page).read_text().splitlines(), 1):
+            code ^= line.lstrip().startswith("```")
+            if len(line) > MAX_LINE_OF_A_PAGE and not code and not line.lstrip().startswith("!["):
+                found[f"{page}:{number}"] = f"{len(line)} characters; at most {MAX_LINE_OF_A_PAGE}"
     none(found)
 
 

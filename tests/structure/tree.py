@@ -10,11 +10,13 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 TOP = ("core", "plugin", "pyfilter", "samples", "tests")
 SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".sh", ".cmake")
+PACKAGE = Path("pyfilter", "vorogeo")
 
-# The rooms of each part from the bottom to the top: a file includes its own room and those before it.
+# The rooms of each part from the bottom to the top: a file includes or imports of its own room and those before it.
 ORDER = {
     "core": ("support", "mesh", "exact", "partition", "index", "route", "field", "path", "tasks", "methods"),
     "plugin": ("host", "layers", "filters"),
+    "pyfilter": ("src", "vorogeo", "vorogeo/compat", "vorogeo/cli"),
 }
 
 
@@ -35,15 +37,34 @@ def known() -> frozenset[Path]:
     return frozenset(sources())
 
 
+def pages() -> list[Path]:
+    """The documents: those at the top, in docs/ and in the rooms."""
+    places = [PROJECT, *(PROJECT / top for top in (*TOP, "docs"))]
+    found = {page for place in places for page in place.glob("*.md" if place == PROJECT else "**/*.md")}
+    pages = sorted(page.relative_to(PROJECT) for page in found)
+    return [page for page in pages if not any(part.startswith(".") for part in page.parts)]
+
+
 @cache
 def text(file: Path) -> str:
     """The contents of a file of the project."""
     return (PROJECT / file).read_text()
 
 
-def rooms() -> list[Path]:
-    """Folders of the core and of the plugin."""
-    return sorted({file.parent for file in sources(".cpp", ".h") if file.parts[0] in ORDER and len(file.parts) == 3})
+def room_of(file: Path) -> str:
+    """The room of a file of one of the parts in ORDER, as named there; empty for what lies beside the rooms."""
+    if file.name == "__main__.py":  # the entry of the program, which has to lie in the package itself
+        return "vorogeo/cli"
+    return Path(*file.parts[1:-1]).as_posix() if file.parts[0] in ORDER and len(file.parts) > 2 else ""
+
+
+def rooms() -> dict[Path, list[Path]]:
+    """The folders of the parts in ORDER that hold sources, and these sources."""
+    found: dict[Path, list[Path]] = {}
+    for file in sources(".cpp", ".h", ".py"):
+        if room_of(file):
+            found.setdefault(file.parent, []).append(file)
+    return found
 
 
 def quoted_includes(file: Path) -> list[str]:
@@ -64,16 +85,22 @@ def included(file: Path) -> list[Path]:
 
 @cache
 def imported(file: Path) -> list[Path]:
-    """Files of the project that a Python file imports: of its own folder or of its package, at any place in it."""
-    names = []
+    """Files of the project that a Python file imports, at any place in it.
+
+    Relative names are looked up in its package, others in the package vorogeo and, for scripts, beside the file.
+    """
+    scripts = [] if file.parent / "__init__.py" in known() else [file.parent]
+    modules: list[Path] = []
     for node in ast.walk(ast.parse(text(file))):
         if isinstance(node, ast.Import):
-            names += [alias.name for alias in node.names]
+            names = [alias.name.replace(".", "/") for alias in node.names]
+            modules += [base / name for base in (*scripts, PACKAGE.parent) for name in names]
         elif isinstance(node, ast.ImportFrom):
-            base = node.module or ""
-            names += [base, *(f"{base}.{alias.name}".lstrip(".") for alias in node.names)]
-    modules = [Path(*name.removeprefix(f"{file.parent.name}.").split(".")) for name in names if name]
-    candidates = [file.parent / module.with_suffix(".py") for module in modules]
+            bases = [file.parents[node.level - 1]] if node.level else [*scripts, PACKAGE.parent]
+            for base in bases:
+                module = base / (node.module or "").replace(".", "/")
+                modules += [*([module] if node.module else []), *(module / alias.name for alias in node.names)]
+    candidates = [place for module in modules for place in (module.with_suffix(".py"), module / "__init__.py")]
     return [place for place in dict.fromkeys(candidates) if place != file and place in known()]
 
 

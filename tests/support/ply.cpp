@@ -97,7 +97,7 @@ Soup read_ply(const std::filesystem::path& file) {
 }
 
 std::optional<std::filesystem::path> test_mesh_file(const std::string& name) {
-  const char* folder = std::getenv("VOROGEO_TEST_MESHES");
+  const char* folder = std::getenv("VOROGEO_MESHES");
   const std::filesystem::path file =
       (folder ? std::filesystem::path(folder)
               : std::filesystem::path(VOROGEO_SOURCE_DIR) / "../shared/meshes") /

@@ -13,7 +13,7 @@ namespace vorogeo::test {
 /// \throw std::runtime_error that names the file if it is missing, of another kind or cut short.
 Soup read_ply(const std::filesystem::path& file);
 
-/// The test mesh of a name such as "bunny": in the folder that the environment variable VOROGEO_TEST_MESHES
+/// The test mesh of a name such as "bunny": in the folder that the environment variable VOROGEO_MESHES
 /// names, else in ../shared/meshes next to the source folder. Nothing if it does not exist.
 std::optional<std::filesystem::path> test_mesh_file(const std::string& name);
 
