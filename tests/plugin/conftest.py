@@ -12,7 +12,7 @@ import pymeshlab
 import pytest
 from support import PROJECT, host_version
 
-MESHES = PROJECT.parent / "shared" / "meshes"
+MESHES = Path(os.environ.get("VOROGEO_MESHES", PROJECT.parent / "shared" / "meshes"))
 
 
 def _load(file: Path, first_filter: str) -> None:

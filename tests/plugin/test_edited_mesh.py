@@ -36,7 +36,7 @@ def apply_and_compare(ms, source: int = 0, reused: bool = False) -> None:
     assert result["index_reused"] == reused
     vertices, faces = arrays(ms)
     faces = np.unique(faces, axis=0)  # the independent solver takes no repeated face
-    assert_close_to_exact(field(ms), exact_distances(vertices, faces, [source]), mean=0.0005, largest=0.05)
+    assert_close_to_exact(field(ms), exact_distances(vertices, faces, [source]), mean=0.0001, largest=0.005)
 
 
 def test_unchanged_mesh_reuses_the_index():

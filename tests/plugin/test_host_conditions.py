@@ -83,7 +83,7 @@ def test_deleted_elements_are_skipped(name):
     assert ms.current_mesh().vertex_number() == 165
     assert result["start_vertex"] == start
     exact = exact_distances(*arrays(ms), [start - len(deleted)])
-    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+    assert_close_to_exact(field(ms), exact, mean=0.0001, largest=0.005)
 
 
 @pytest.mark.parametrize("name", [FROM_SELECTION, EXACT_FROM_SELECTION])

@@ -25,17 +25,27 @@ from support import (
 )
 
 
-@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "fandisk", "rocker_arm", "homer"])
-def test_field_of_real_meshes_is_close_to_exact(real_mesh, name):
+# Twice the errors in percent of docs/accuracy.md: mean, 99th percentile, largest.
+@pytest.mark.parametrize(
+    ("name", "documented"),
+    [
+        ("bunny10k_textured.obj", (0.0151, 0.118, 1.08)),
+        ("fandisk", (0.0097, 0.096, 1.25)),
+        ("rocker_arm", (0.0118, 0.093, 0.55)),
+        ("homer", (0.0081, 0.064, 0.68)),
+    ],
+)
+def test_field_of_real_meshes_is_close_to_exact(real_mesh, name, documented):
     ms = mesh_set(np.zeros((1, 3)))
     load(ms, real_mesh(name))
     vertices, faces = arrays(ms)
     for source in (17, len(vertices) // 2):
         ms.apply_filter(FROM_POINT, vertex_index=source)
         exact = exact_distances(vertices, faces, [source])
-        assert_close_to_exact(field(ms), exact, mean=0.0003, largest=0.03)
+        mean, p99, largest = (2 * percent / 100 for percent in documented)
+        assert_close_to_exact(field(ms), exact, mean=mean, largest=largest)
         others = exact > 0
-        assert np.quantile(np.abs(field(ms)[others] / exact[others] - 1), 0.99) <= 0.005
+        assert np.quantile(np.abs(field(ms)[others] / exact[others] - 1), 0.99) <= p99
 
 
 def test_field_agrees_with_the_exact_filter_on_a_sphere():
@@ -43,7 +53,7 @@ def test_field_agrees_with_the_exact_filter_on_a_sphere():
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
     exact = field(ms).copy()
     ms.apply_filter(FROM_POINT, vertex_index=5)
-    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+    assert_close_to_exact(field(ms), exact, mean=0.0004, largest=0.01)
 
 
 def test_field_keeps_double_precision():
@@ -59,7 +69,7 @@ def test_selection_gives_distance_from_the_nearest_selected_vertex():
     exact = field(ms).copy()
     result = ms.apply_filter(FROM_SELECTION)
     assert result["source_vertices"] == 3
-    assert_close_to_exact(field(ms), exact, mean=0.0005, largest=0.05)
+    assert_close_to_exact(field(ms), exact, mean=0.0001, largest=0.005)
 
 
 def test_border_of_a_rectangle():
@@ -68,7 +78,7 @@ def test_border_of_a_rectangle():
     result = ms.apply_filter(FROM_BORDER)
     x, y = vertices[:, 0], vertices[:, 1]
     expected = np.minimum(np.minimum(x, 30 - x), np.minimum(y, 12 - y))
-    assert_close_to_exact(field(ms), expected, mean=0.0005, largest=0.05)
+    assert_close_to_exact(field(ms), expected, mean=0.0001, largest=0.005)
     assert result["source_vertices"] == 2 * (30 + 12)
     assert result["max_distance"] == pytest.approx(6, rel=0.001)
 
@@ -141,16 +151,20 @@ def test_index_file_is_written(tmp_path):
     assert result["vertices"] == 642
 
 
-@pytest.mark.parametrize("name", ["cow.obj", "greek_helmet", "office_chair"])
-def test_meshes_with_components_borders_and_non_manifold_edges(real_mesh, name):
+# Twice the errors in percent of docs/accuracy.md: mean and largest.
+@pytest.mark.parametrize(
+    ("name", "source", "mean", "largest"),
+    [("cow.obj", 100, 0.0079, 0.52), ("greek_helmet", 2500, 0.0058, 0.21), ("office_chair", 100, 0.0001, 0.001)],
+)
+def test_meshes_with_components_borders_and_non_manifold_edges(real_mesh, name, source, mean, largest):
     ms = mesh_set(np.zeros((1, 3)))
     load(ms, real_mesh(name))
-    exact_result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=100)
+    exact_result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)
     exact = field(ms).copy()
-    result = ms.apply_filter(FROM_POINT, vertex_index=100)
+    result = ms.apply_filter(FROM_POINT, vertex_index=source)
     np.testing.assert_array_equal(field(ms) == -1, exact == -1)
     assert result["unreachable_vertices"] == exact_result["unreachable_vertices"] == np.count_nonzero(exact == -1)
     reached = exact > 0
     errors = np.abs(field(ms)[reached] / exact[reached] - 1)
-    assert errors.mean() <= 0.002
-    assert errors.max() <= 0.1
+    assert errors.mean() <= 2 * mean / 100
+    assert errors.max() <= 2 * largest / 100

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
 
-SHARED = Path(__file__).resolve().parents[3] / "shared" / "meshes"
+SHARED = Path(os.environ.get("VOROGEO_MESHES", Path(__file__).resolve().parents[3] / "shared" / "meshes"))
 
 
 def plane_grid(columns: int, rows: int, width: float = 1.0, height: float = 1.0) -> Mesh:
