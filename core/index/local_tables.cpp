@@ -137,7 +137,7 @@ double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, 
   return runs == 0 ? 0.0 : seconds * layer.node_count() / runs;
 }
 
-/// Seconds that an exact field from a vertex takes, or nothing if they are more than `most`.
+/// Seconds that an exact field from a vertex takes, or nothing if they are more than `limit`.
 std::optional<double> field_seconds(const TableSurface& surface, double limit, const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   auto elapsed = [&] {

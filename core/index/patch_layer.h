@@ -160,8 +160,8 @@ void PatchLayer::for_each_run(const Stretch& stretch, Index from, Visit&& visit)
 PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate, TableOrder order = TableOrder::lines);
 
-/// Groups of consecutive nodes between the same patches, at most `most` in each: their first nodes, then the
-/// number of nodes.
+/// Groups of consecutive nodes between the same patches, at most `max_nodes` in each: their first nodes, then
+/// the number of nodes.
 std::vector<Index> group_by_patches(const PatchLayer& layer, Index max_nodes);
 
 /// Entries that the table of a patch takes.

@@ -31,7 +31,7 @@ class VertexTree {
   }
 
   /// Calls visit(vertex) for the vertices within a radius of a point: `reach` at first, then what visit last
-  /// returned. Stops after `most` calls.
+  /// returned. Stops after `max_visited` calls.
   template <class Visit>
   void visit_near(const Point& point, double reach, int max_visited, Visit&& visit) const {
     std::vector<Index> open{0};

@@ -16,8 +16,10 @@ struct MeshPart {
   std::span<const std::uint8_t> face_allowed;  ///< empty: all faces
 };
 
-/// Places samples. Keeps its memory, of the size of the mesh, between calls, whose cost depends only on the
-/// part; one object belongs to one thread. The mesh must outlive it.
+/// Places samples. Other farthest-point samplings (landmarks of the graph, tasks/spread_points.h) take a few
+/// points by whole fields of distances; this one takes many by counts of edges, and a new sample visits only
+/// what it is nearest to. Keeps its memory, of the size of the mesh, between calls, whose cost depends only
+/// on the part; one object belongs to one thread. The mesh must outlive it.
 class Sampler {
  public:
   explicit Sampler(const Mesh& mesh);

@@ -29,7 +29,7 @@ class ExactSearch {
  public:
   explicit ExactSearch(const IndexData& data);
 
-  /// Paths shorter than `most`, over the faces allowed (ExactLimits::face_allowed; empty: all).
+  /// Paths shorter than `max_distance`, over the faces allowed (ExactLimits::face_allowed; empty: all).
   FoundPath within(const PathEnd& from, const PathEnd& to, double max_distance,
                    std::span<const std::uint8_t> face_allowed = {});
   /// The same with the bounds of the landmarks, if there are any.

@@ -111,14 +111,14 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
   std::vector<std::vector<double>> fields;
   std::size_t next = 0;
   while (next < order.size()) {
-    // Darts that are a radius apart in space lie outside each other's disks, so they are thrown together.
+    // Darts that are a radius apart in space nearly always lie outside each other's disks, so they are thrown
+    // together. Those that do not are left out below, so that the samples do not depend on the threads.
     batch.clear();
     while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * team.threads())) {
       const Index dart = order[next];
       if (distance[dart] >= radius) {
-        const bool may_hit = std::any_of(batch.begin(), batch.end(), [&](Index other) {
-          return straight(mesh, dart, other) < radius * 1.05;
-        });
+        const bool may_hit = std::any_of(batch.begin(), batch.end(),
+                                         [&](Index other) { return straight(mesh, dart, other) < radius; });
         if (may_hit) break;
         batch.push_back(dart);
       }
@@ -128,6 +128,7 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
     parallel_for(batch.size(), team.threads(), {}, "",
                  [&](std::size_t i, int worker) { fields[i] = team.field(batch[i], radius, worker); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
+      if (distance[batch[i]] < radius) continue;
       take_minimum(distance, fields[i]);
       samples.push_back(batch[i]);
     }

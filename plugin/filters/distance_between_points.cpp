@@ -30,7 +30,8 @@ std::string name_of(const LayerMesh& layer_mesh, const Mesh& mesh, const Surface
 Results distance_between_points(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const auto mesh = read_mesh(call, layer_mesh);
-  const auto [source, target] = end_points(call, layer_mesh, mesh);
+  const EndPoints ends = end_points(call, layer_mesh, mesh);
+  const auto& [source, target] = ends;
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   double distance = 0.0;
   double seconds = 0.0;
@@ -55,10 +56,8 @@ Results distance_between_points(FilterCall& call) {
     text << "no path, they lie in different components";
   }
   call.log(text.str());
-  Results results = {{"distance", distance},
-                     {"source_snap_distance", source.distance},
-                     {"target_snap_distance", target.distance},
-                     {"seconds", seconds}};
+  Results results = {{"distance", distance}, {"seconds", seconds}};
+  results.merge(about_end_points(ends));
   results.merge(about_index(found));
   return results;
 }

@@ -32,7 +32,8 @@ RichParameterList path_parameters(const MeshDocument& document) {
 Results draw_path(FilterCall& call) {
   const LayerMesh layer_mesh(call.layer.cm);
   const auto mesh = read_mesh(call, layer_mesh);
-  const auto [source, target] = end_points(call, layer_mesh, mesh);
+  const EndPoints ends = end_points(call, layer_mesh, mesh);
+  const auto& [source, target] = ends;
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   PathQuery query(found.index);
   const auto start = std::chrono::steady_clock::now();
@@ -70,9 +71,8 @@ Results draw_path(FilterCall& call) {
   Results results = {{"length", result.path.length},
                      {"certified", result.certified},
                      {"points", static_cast<int>(lines.points.size())},
-                     {"source_snap_distance", source.distance},
-                     {"target_snap_distance", target.distance},
                      {"seconds", seconds}};
+  results.merge(about_end_points(ends));
   results.merge(about_index(found));
   return results;
 }

@@ -17,11 +17,12 @@ SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
   const int number = call.parameters.getInt(vertex);
   if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer_mesh, vertex)), 0.0};
   const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, point));
-  const double most = length_of(call, "max_snap_distance", true);
-  if (most > 0.0 && found.distance > most) {
+  const double max_distance = length_of(call, "max_snap_distance", true);
+  if (max_distance > 0.0 && found.distance > max_distance) {
     std::ostringstream text;
     text << named(call, point) << " is " << found.distance << " away from the surface, more than "
-         << named(call, "max_snap_distance") << ", " << most << ". Move the point or raise the limit.";
+         << named(call, "max_snap_distance") << ", " << max_distance
+         << ". Move the point or raise the limit.";
     throw InvalidInput(text.str());
   }
   return found;
@@ -56,6 +57,10 @@ EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
   }
   return {end_of(call, layer_mesh, mesh, "source", "source_point"),
           end_of(call, layer_mesh, mesh, "target", "target_point")};
+}
+
+Results about_end_points(const EndPoints& ends) {
+  return {{"source_snap_distance", ends.source.distance}, {"target_snap_distance", ends.target.distance}};
 }
 
 QString help_on_end_points() {

@@ -24,6 +24,9 @@ void add_end_point_parameters(RichParameterList& list, const MeshDocument& docum
 EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
                      const std::shared_ptr<const Mesh>& mesh);
 
+/// How far the points were moved to the surface, as returned values.
+Results about_end_points(const EndPoints& ends);
+
 /// Explains source and target, for the help.
 QString help_on_end_points();
 

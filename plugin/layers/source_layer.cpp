@@ -46,15 +46,15 @@ PointSnapper::PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> m
     : locator_(std::move(mesh)),
       call_(call),
       parameter_(parameter),
-      most_(length_of(call, "max_snap_distance", true)) {}
+      max_distance_(length_of(call, "max_snap_distance", true)) {}
 
 SurfacePoint PointSnapper::snap(const Point& at, std::size_t number) {
   const SnappedPoint found = locator_.nearest(at);
-  if (most_ > 0.0 && found.distance > most_) {
+  if (max_distance_ > 0.0 && found.distance > max_distance_) {
     std::ostringstream text;
     text << "Vertex " << number << " of layer " << call_.parameters.getMeshId(parameter_) << " is "
          << found.distance << " away from the surface, more than " << named(call_, "max_snap_distance")
-         << ", " << most_ << ". Move it or raise the limit.";
+         << ", " << max_distance_ << ". Move it or raise the limit.";
     throw InvalidInput(text.str());
   }
   farthest_ = std::max(farthest_, found.distance);

@@ -31,7 +31,7 @@ class PointSnapper {
   SurfaceLocator locator_;
   const FilterCall& call_;
   const char* parameter_;
-  double most_;
+  double max_distance_;
   double farthest_ = 0.0;
 };
 

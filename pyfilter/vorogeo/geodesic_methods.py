@@ -226,12 +226,8 @@ def distance_field(
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout.
-    faces : array_like of int, shape (m, 3)
-        Vertex ids of the triangles, 0 to n - 1.
-    sources : int or array_like of int, shape (k,), k >= 1
-        Vertex ids.
+    vertices, faces, sources
+        As for `exact_distance_field`.
     method : str
         One of `methods`; "mmp" is exact.
     **options : float

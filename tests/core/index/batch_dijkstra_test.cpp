@@ -33,26 +33,26 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
     const IndexData& data = index->data();
     ExactSolver solver(data.geometry);
     for (const PatchLayer* layer : {&data.first, &data.second}) {
-      BatchDijkstra corridor(*layer);
+      BatchDijkstra batch(*layer);
       BoundaryDijkstra full(*layer);
-      test::ErrorCollector along_corridor, in_full;
+      test::ErrorCollector in_batch, in_full;
       double difference = 0.0;
       std::size_t compared = 0, apart = 0;
       const auto groups = group_by_patches(*layer, 16);
       for (std::size_t g = 0; g + 1 < groups.size(); g += 7) {
         const auto sources = consecutive(groups[g], groups[g + 1]);
         std::size_t calls = 0;
-        corridor.search_from_each(sources, {}, [&](std::size_t i) {
+        batch.search_from_each(sources, {}, [&](std::size_t i) {
           ++calls;
           full.reset();
           full.add(sources[i], 0.0);
           full.run();
           for (Index node = 0; node < layer->node_count(); ++node) {
             if (node == sources[i]) {
-              EXPECT_EQ(corridor.search().distance(node), 0.0);
+              EXPECT_EQ(batch.search().distance(node), 0.0);
               continue;
             }
-            const double relative = std::abs(corridor.search().distance(node) / full.distance(node) - 1.0);
+            const double relative = std::abs(batch.search().distance(node) / full.distance(node) - 1.0);
             difference += relative;
             ++compared;
             apart += relative > 0.01 ? 1 : 0;
@@ -61,15 +61,15 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
           solver.run_from_vertices(std::array{layer->node_vertex[sources[i]]});
           for (Index node = 0; node < layer->node_count(); ++node) {
             const double exact = solver.distance(layer->node_vertex[node]);
-            along_corridor.add(corridor.search().distance(node), exact);
+            in_batch.add(batch.search().distance(node), exact);
             in_full.add(full.distance(node), exact);
           }
         });
         EXPECT_EQ(calls, sources.size());
       }
-      EXPECT_EQ(along_corridor.contradictions, 0U);
-      EXPECT_LT(along_corridor.statistics().mean, 1.05 * in_full.statistics().mean + 2e-5);
-      EXPECT_LT(along_corridor.statistics().p99, 1.02 * in_full.statistics().p99 + 1e-4);
+      EXPECT_EQ(in_batch.contradictions, 0U);
+      EXPECT_LT(in_batch.statistics().mean, 1.05 * in_full.statistics().mean + 2e-5);
+      EXPECT_LT(in_batch.statistics().p99, 1.02 * in_full.statistics().p99 + 1e-4);
       EXPECT_LT(difference / static_cast<double>(compared), 2e-5);
       EXPECT_LT(static_cast<double>(apart), 1e-3 * static_cast<double>(compared));
     }
@@ -81,17 +81,17 @@ TEST(BatchDijkstra, StaysInTheAllowedPatches) {
   const PatchLayer& layer = index->data().second;
   std::vector<std::uint8_t> allowed(layer.patch_count, 0);
   for (Index p = 0; p < layer.patch_count; p += 2) allowed[p] = 1;
-  BatchDijkstra corridor(layer);
+  BatchDijkstra batch(layer);
   BoundaryDijkstra full(layer);
   const auto groups = group_by_patches(layer, 8);
   for (std::size_t g = 0; g + 1 < groups.size(); g += 3) {
     const auto sources = consecutive(groups[g], groups[g + 1]);
-    corridor.search_from_each(sources, allowed, [&](std::size_t i) {
+    batch.search_from_each(sources, allowed, [&](std::size_t i) {
       full.reset();
       full.add(sources[i], 0.0);
       full.run(allowed);
       for (Index node = 0; node < layer.node_count(); ++node) {
-        EXPECT_EQ(corridor.search().distance(node) < unreachable, full.distance(node) < unreachable);
+        EXPECT_EQ(batch.search().distance(node) < unreachable, full.distance(node) < unreachable);
       }
     });
   }
@@ -102,17 +102,17 @@ TEST(BatchDijkstra, SourcesThatTheLeaderCannotReach) {
   const PatchLayer& layer = index->data().first;
   // Far from each other and on both components: nothing is saved, but everything is found.
   const auto sources = test::random_vertices(layer.node_count(), 10, 3);
-  BatchDijkstra corridor(layer);
+  BatchDijkstra batch(layer);
   BoundaryDijkstra full(layer);
-  corridor.search_from_each(sources, {}, [&](std::size_t i) {
+  batch.search_from_each(sources, {}, [&](std::size_t i) {
     full.reset();
     full.add(sources[i], 0.0);
     full.run();
     for (Index node = 0; node < layer.node_count(); ++node) {
       if (full.distance(node) == unreachable || node == sources[i]) {
-        EXPECT_EQ(corridor.search().distance(node), full.distance(node));
+        EXPECT_EQ(batch.search().distance(node), full.distance(node));
       } else {
-        EXPECT_NEAR(corridor.search().distance(node) / full.distance(node), 1.0, 0.01);
+        EXPECT_NEAR(batch.search().distance(node) / full.distance(node), 1.0, 0.01);
       }
     }
   });

@@ -42,6 +42,27 @@ std::string reading(const std::filesystem::path& file) {
   return "read";
 }
 
+/// A sample in a folder of its own, to be changed byte by byte.
+class ChangedSample {
+ public:
+  ChangedSample() : file_(folder_ / "a.index") {
+    write_sample(file_);
+    good = read_bytes(file_);
+  }
+  /// The message that reading these bytes gives.
+  std::string reading_of(const std::string& bytes) const {
+    write_bytes(file_, bytes);
+    return reading(file_);
+  }
+  std::string named(const std::string& message) const { return "The index file " + file_.string() + message; }
+  std::string name() const { return file_.string(); }
+  std::string good;
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path file_;
+};
+
 TEST(IndexFile, BlocksComeBackAsWritten) {
   const TemporaryFolder folder;
   write_sample(folder / "a.index");
@@ -134,61 +155,42 @@ TEST(IndexFile, AFolderThatAppearsWhileWriting) {
 }
 
 TEST(IndexFile, FilesOfAnotherKindOrVersion) {
-  const TemporaryFolder folder;
-  const auto file = folder / "a.index";
-  write_sample(file);
-  const std::string good = read_bytes(file);
-  write_bytes(file, "ply\nformat binary_little_endian 1.0\n");
-  EXPECT_EQ(reading(file), file.string() + " is not an index file of VoroGeo.");
-  std::string newer = good;
+  const ChangedSample sample;
+  EXPECT_EQ(sample.reading_of("ply\nformat binary_little_endian 1.0\n"),
+            sample.name() + " is not an index file of VoroGeo.");
+  std::string newer = sample.good;
   newer[8] = 99;
-  write_bytes(file, newer);
-  EXPECT_EQ(reading(file),
-            "The index file " + file.string() +
-                " has format version 99, this program reads version 6; build the index again.");
-  std::string swapped = good;
+  EXPECT_EQ(sample.reading_of(newer),
+            sample.named(" has format version 99, this program reads version 6; build the index again."));
+  const std::string other_order =
+      sample.named(" was written on a machine of the other byte order; build the index again on this one.");
+  std::string swapped = sample.good;
   std::swap(swapped[12], swapped[15]);
   std::swap(swapped[13], swapped[14]);
-  write_bytes(file, swapped);
-  EXPECT_EQ(reading(file),
-            "The index file " + file.string() +
-                " was written on a machine of the other byte order; build the index again on this one.")
-      << "the mark alone";
+  EXPECT_EQ(sample.reading_of(swapped), other_order) << "the mark alone";
   std::swap(swapped[8], swapped[11]);
-  write_bytes(file, swapped);
-  EXPECT_EQ(reading(file),
-            "The index file " + file.string() +
-                " was written on a machine of the other byte order; build the index again on this one.")
-      << "the version as well, as such a machine writes it";
-  std::string marked = good;
+  EXPECT_EQ(sample.reading_of(swapped), other_order) << "the version as well, as such a machine writes it";
+  std::string marked = sample.good;
   marked[13] = 99;
-  write_bytes(file, marked);
-  EXPECT_EQ(reading(file), "The index file " + file.string() +
-                               " is damaged (its byte order is none); build the index again.");
+  EXPECT_EQ(sample.reading_of(marked),
+            sample.named(" is damaged (its byte order is none); build the index again."));
 }
 
 TEST(IndexFile, TruncatedAnywhere) {
-  const TemporaryFolder folder;
-  const auto file = folder / "a.index";
-  write_sample(file);
-  const std::string good = read_bytes(file);
-  for (std::size_t length = 0; length < good.size(); ++length) {
-    write_bytes(file, good.substr(0, length));
-    const std::string message = reading(file);
-    EXPECT_EQ(message, "The index file " + file.string() + " is truncated; build the index again.") << length;
+  const ChangedSample sample;
+  for (std::size_t length = 0; length < sample.good.size(); ++length) {
+    EXPECT_EQ(sample.reading_of(sample.good.substr(0, length)),
+              sample.named(" is truncated; build the index again."))
+        << length;
   }
 }
 
 TEST(IndexFile, EveryChangedBitIsNoticed) {
-  const TemporaryFolder folder;
-  const auto file = folder / "a.index";
-  write_sample(file);
-  const std::string good = read_bytes(file);
-  for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
-    std::string changed = good;
+  const ChangedSample sample;
+  for (std::size_t bit = 0; bit < 8 * sample.good.size(); ++bit) {
+    std::string changed = sample.good;
     changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));
-    write_bytes(file, changed);
-    EXPECT_NE(reading(file), "read") << "bit " << bit;
+    EXPECT_NE(sample.reading_of(changed), "read") << "bit " << bit;
   }
 }
 
