@@ -134,6 +134,22 @@ def test_lines_of_pages_are_not_wider_than_a_page() -> None:
     none(found)
 
 
+def test_the_table_of_constants_names_what_the_sources_have() -> None:
+    table = (tree.PROJECT / "docs" / "method.md").read_text().split("\n## Constants\n")[1].split("\n## ")[0]
+    rows = [[cell.strip() for cell in line.split("|")[1:3]] for line in table.splitlines() if line.startswith("| `")]
+    assert len(rows) > 50
+    found = {}
+    for names, places in rows:
+        files: list[Path] = []
+        for place in places.split(", "):  # a second file may lie in the room of the first
+            candidates = [Path(place), Path("core", place), *(file.parent / place for file in files[:1])]
+            files += [file for file in candidates if (tree.PROJECT / file).is_file()][:1]
+        for name in re.findall(r"`([^`]+)`", names):
+            if not any(re.search(rf"\b{name}\b", tree.text(file)) for file in files):
+                found[name] = f"is not in {places}"
+    none(found)
+
+
 def decides(header: Path) -> bool:
     """Whether a header without a source of its own holds code with branches or loops, not only declarations."""
     code = re.sub(r"//.*", "", tree.text(header))
