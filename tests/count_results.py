@@ -75,9 +75,25 @@ def all_results(folder: Path) -> list[Result]:
     return results
 
 
+def print_times(file: Path) -> None:
+    """Print the time of each step: a line has seconds by the clock, of the user, of the system, and the name."""
+    lines = file.read_text().splitlines() if file.exists() else []
+    steps = []
+    for line in lines:
+        clock, user, system, name = line.split(" ", 3)
+        steps.append((name, float(clock), float(user) + float(system)))
+    print("\nSeconds of the processor, by the clock (steps overlap):")
+    for name, clock, processor in sorted(steps, key=lambda step: -step[2]):
+        if processor >= 1:
+            print(f"  {processor:6.0f} {clock:6.0f}  {name}")
+    print(f"  {sum(step[2] for step in steps):6.0f}         in all")
+
+
 def main() -> int:
     """Print the summary of the folder named on the command line."""
-    results = all_results(Path(sys.argv[1]))
+    folder = Path(sys.argv[1])
+    results = all_results(folder)
+    print_times(folder / "times.txt")
     for outcome in ("skipped", "failed"):
         chosen = [result for result in results if result.outcome == outcome]
         if chosen:

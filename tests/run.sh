@@ -32,6 +32,14 @@ checks="$results/checks.txt"  # one line per check that is no test framework's: 
 : >"$checks"
 say() { printf '[%4ds] %s\n' "$SECONDS" "$*"; }
 
+# Runs a command and notes its seconds, those of the clock and of the processor, for the table at the end.
+# Usage: timed NAME COMMAND...
+timed() {
+  local name="$1" TIMEFORMAT="%R %U %S $1"
+  shift
+  { time "$@" 2>&3; } 3>&2 2>>"$results/times.txt"
+}
+
 # Runs a command as one check with a log; the end of the log is shown if it fails.
 # Usage: check NAME COMMAND...
 check() {
@@ -39,7 +47,7 @@ check() {
   log="$results/$(tr -c 'a-z0-9\n' '_' <<<"${1,,}").log"
   shift
   say "$name"
-  if "$@" >"$log" 2>&1; then
+  if timed "$name" "$@" >"$log" 2>&1; then
     echo "pass $name" >>"$checks"
   else
     echo "fail $name (log: $log)" >>"$checks"
@@ -54,7 +62,7 @@ suite() {
   local name="$1"
   shift
   say "$name"
-  "$@" >"$results/$name.log" 2>&1
+  timed "$name" "$@" >"$results/$name.log" 2>&1
   local status=$?
   if [ ! -s "$results/$name.xml" ]; then
     echo "fail $name wrote no results (exit $status, log: $results/$name.log)" >>"$checks"
@@ -101,7 +109,7 @@ finish() {
 
 setup=--tests
 [ "$quick" = no ] || setup=--daily
-if ! bash samples/setup.sh "$setup"; then
+if ! timed "set-up" bash samples/setup.sh "$setup"; then
   echo "fail set-up (samples/setup.sh $setup)" >>"$checks"
   finish
 fi
@@ -111,7 +119,7 @@ fi
 window_suite() {
   local name="window-$1" status=0 log="$results/window-$1.log"
   say "$name"
-  VOROGEO_JOBS="$2" tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
+  VOROGEO_JOBS="$2" timed "$name" tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
   if [ "$status" = 77 ]; then
     echo "skip MeshLab's window $1: $(tail -n 1 "$log")" >>"$checks"
   elif [ ! -s "$results/$name.xml" ]; then

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "exact/exact_solver.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -18,8 +19,9 @@ void fill_all(const IndexData& data, BorderField& field, FieldSweep& sweep) {
 }
 
 TEST(BorderField, CloseToExactFromOneNode) {
-  for (const test::Soup& soup : {test::plane_grid(50, 50, 1.0, 1.0, 0.2).soup, test::icosphere(4),
-                                 test::hills(45, 0.12), test::torus(70, 34, 2.0, 0.8)}) {
+  for (const test::Soup& soup : test::one_under_sanitizers<test::Soup>(
+           {test::plane_grid(50, 50, 1.0, 1.0, 0.2).soup, test::icosphere(4), test::hills(45, 0.12),
+            test::torus(70, 34, 2.0, 0.8)})) {
     const auto index = test::make_index(soup, 6, 4);
     const IndexData& data = index->data();
     ASSERT_GT(data.transit_table.count, 0);

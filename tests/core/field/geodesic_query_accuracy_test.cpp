@@ -30,6 +30,7 @@ struct Documented {
 
 /// Fields and pairs with default settings, against twice what is documented.
 void expect_accurate(const Soup& soup, const Documented& documented, int sources) {
+  VOROGEO_HEAVY_TEST();
   const auto index = test::make_index(soup);
   GeodesicQuery query(index);
   ExactSolver solver(index->mesh());
@@ -55,14 +56,12 @@ void expect_accurate(const Soup& soup, const Documented& documented, int sources
 }
 
 void expect_accurate(const char* name, const Documented& documented) {
-  VOROGEO_HEAVY_TEST();
   VOROGEO_READ_OR_SKIP(soup, name);
   expect_accurate(soup, documented, 10);
 }
 
 /// One of the shapes that the generator of hostile meshes starts from, without its defects.
 void expect_accurate(HostileBase base, const Documented& documented) {
-  VOROGEO_HEAVY_TEST();
   test::HostileRandom random(5);
   const test::HostileMesh mesh = test::hostile_base(base, 3000, random);
   SCOPED_TRACE(mesh.sentence());

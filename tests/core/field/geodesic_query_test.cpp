@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "support/error.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -71,7 +72,7 @@ TEST(GeodesicQuery, PositiveAndAtLeastTheStraightLineInSpaceUpToItsError) {
 }
 
 TEST(GeodesicQuery, TriangleInequalityUpToItsError) {
-  for (const Soup& soup : surfaces()) {
+  for (const Soup& soup : test::one_under_sanitizers(surfaces())) {
     GeodesicQuery query(test::make_index(soup, 3, 4));
     const auto v = test::random_vertices(static_cast<Index>(soup.positions.size()), 16, 9);
     for (Index a : v) {

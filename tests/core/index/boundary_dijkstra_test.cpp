@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "exact/exact_solver.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -84,8 +85,9 @@ TEST(BoundaryDijkstra, InThePlaneUnfoldingGivesStraightLines) {
 }
 
 TEST(BoundaryDijkstra, OnCurvedSurfacesUnfoldingIsBetterThanSums) {
-  for (const test::Soup& soup : {test::icosphere(4), test::random_sphere(2000, 3), test::hills(45, 0.12),
-                                 test::torus(70, 34, 2.0, 0.8)}) {
+  for (const test::Soup& soup :
+       test::one_under_sanitizers<test::Soup>({test::icosphere(4), test::random_sphere(2000, 3),
+                                               test::hills(45, 0.12), test::torus(70, 34, 2.0, 0.8)})) {
     const Comparison found = compare(*test::make_index(soup, 4, 4), 0.02);
     EXPECT_GT(found.without.least, -rounding);
     EXPECT_LT(found.with_unfolding.mean, 0.7 * found.without.mean);

@@ -9,6 +9,7 @@
 #include "exact/exact_solver.h"
 #include "field/geodesic_query.h"
 #include "support/error.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -80,9 +81,9 @@ TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
 }
 
 TEST(MemoryBudget, BothFormsAnswerAlike) {
-  for (const test::Soup& soup :
-       {test::hills(30, 0.12), test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7)),
-        test::book_of_three_pages(14, 2.0, 1.0).soup}) {
+  for (const test::Soup& soup : test::one_under_sanitizers<test::Soup>(
+           {test::hills(30, 0.12), test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7)),
+            test::book_of_three_pages(14, 2.0, 1.0).soup})) {
     const auto mesh = test::make_mesh(soup);
     GeodesicQuery tables(test::make_index(soup, 5, 4));
     GeodesicQuery graph(test::make_graph_index(soup, 5, 4));

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "exact/exact_solver.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -28,8 +29,9 @@ test::ErrorCollector table_errors(const IndexData& data) {
 }
 
 TEST(Overlay, ComposedDistancesAreCloseToExact) {
-  for (const test::Soup& soup : {test::plane_grid(50, 50, 1.0, 1.0, 0.2).soup, test::icosphere(4),
-                                 test::hills(45, 0.12), test::torus(70, 34, 2.0, 0.8)}) {
+  for (const test::Soup& soup : test::one_under_sanitizers<test::Soup>(
+           {test::plane_grid(50, 50, 1.0, 1.0, 0.2).soup, test::icosphere(4), test::hills(45, 0.12),
+            test::torus(70, 34, 2.0, 0.8)})) {
     const auto errors = table_errors(test::make_index(soup, 4, 5)->data());
     EXPECT_EQ(errors.contradictions, 0U);
     const auto found = errors.statistics();

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "index/table_draft.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -105,7 +106,7 @@ TEST(SearchGraph, WithDeltaZeroNoDistanceChangesUnderTheRuleForArcsEither) {
 }
 
 TEST(SearchGraph, TheErrorStaysBelowDeltaAndArcsGetFewer) {
-  for (const auto& index : small_indexes()) {
+  for (const auto& index : test::one_under_sanitizers(small_indexes())) {
     const Matrix complete = distances(complete_graph(index->data()));
     const SearchGraph lossless = graph_of(index->data(), 0.0);
     std::size_t arcs_before = lossless.arc.size();

@@ -9,6 +9,7 @@
 
 #include "exact/exact_solver.h"
 #include "support/error.h"
+#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -31,7 +32,8 @@ TEST(TransitTable, SymmetricWithZeroDiagonal) {
 
 TEST(TransitTable, CloseToExact) {
   for (const test::Soup& soup :
-       {test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, test::icosphere(4), test::torus(50, 24, 2.0, 0.8)}) {
+       test::one_under_sanitizers<test::Soup>({test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup,
+                                               test::icosphere(4), test::torus(50, 24, 2.0, 0.8)})) {
     const auto index = test::make_index(soup, 5, 4);
     const IndexData& data = index->data();
     ExactSolver solver(data.geometry);

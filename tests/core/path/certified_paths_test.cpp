@@ -14,6 +14,7 @@
 
 #include "exact/exact_solver.h"
 #include "path/path_query.h"
+#include "support/heavy.h"
 #include "support/hurt_edges.h"
 #include "support/indexes.h"
 #include "support/path_check.h"
@@ -112,7 +113,7 @@ TEST(CertifiedPaths, AreShortestPaths) {
   unsigned seed = 1;
   for (const auto& [name, soup] : meshes) {
     for (const Defect& defect : defects()) {
-      for (const double part : {0.01, 0.05}) {
+      for (const double part : test::one_under_sanitizers<double>({0.05, 0.01})) {
         SCOPED_TRACE(name + ", " + std::to_string(part) + " of the edges " + defect.name);
         ++seed;
         check(defect.make(soup, part, seed), 4, targets, seed, all);

@@ -223,6 +223,7 @@ TEST(PathQuery, ACertifiedPathIsTheSame) {
 }
 
 TEST(PathQuery, RealMeshes) {
+  VOROGEO_HEAVY_TEST();
   // Smooth and CAD ones, and one with many components and borders.
   const std::pair<const char*, double> meshes[] = {
       {"spot", 1e-5}, {"fandisk", 1e-5}, {"casting", 1e-4}, {"office_chair", 1e-3}};
