@@ -5,9 +5,10 @@
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
 #   packages of samples/requirements.txt, the core in build/core, around it the plugin for PyMeshLab 2025.7 in
 #   build/plugin-2025.07-double, and the Python package vorogeo in .venv.
-#   --tests: also what only the tests need: GoogleTest, debootstrap, and PyMeshLab 2022.2 in build/venv-2022 with its
-#   plugin and vorogeo. The core is then that of the C++ tests, in build/release.
-#   --daily: as --tests, without PyMeshLab 2022.2.
+#   --tests: also what only the tests need: GoogleTest, debootstrap, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
+#   and build/venv-2023 with their plugins and vorogeo. The core is then that of the C++ tests, in build/release. 2023.12 is
+#   left out where the headers of MeshLab 2023.12 cannot be had; build/logs/headers-2023.12.log has the reason.
+#   --daily: as --tests, without the older PyMeshLab versions.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
 #   the packages it is compared with, and the programs in build/bench. What cannot be obtained is named and left out.
 #
@@ -188,9 +189,17 @@ if [ "$with_tests" = yes ]; then
   probe 2025.07
 fi
 if [ "$with_older" = yes ]; then
-  venv venv-2022 build/venv-2022 samples/requirements-2022.txt
-  plugin 2022.02
-  probe 2022.02
-  vorogeo build/venv-2022 2022.02
+  for version in 2022.02 2023.12; do
+    year="${version%.*}"
+    # No package of Debian has the headers of 2023.12, so a machine may have no way to them.
+    if [ "$version" = 2023.12 ] && ! plugin/host/obtain_headers.sh "$version" >/dev/null 2>"$logs/headers-$version.log"; then
+      say "PyMeshLab 2023.12 is left out: there are no headers of MeshLab 2023.12 (log: $logs/headers-$version.log)"
+      continue
+    fi
+    venv "venv-$year" "build/venv-$year" "samples/requirements-$year.txt"
+    plugin "$version"
+    probe "$version"
+    vorogeo "build/venv-$year" "$version"
+  done
 fi
 say "ready"

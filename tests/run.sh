@@ -2,7 +2,7 @@
 # Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
 # Usage: tests/run.sh [--quick] [--no-window]
-#   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, the older PyMeshLab and the window.
+#   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, older PyMeshLab versions and the window.
 #   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
 #     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
 # The core is compiled twice, as it is used and under sanitizers; the C++ tests are compiled once and run with both.
@@ -168,7 +168,7 @@ else
 fi
 
 # The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be
-# unloaded: each folder has a process of its own. The older PyMeshLab is asked only for what differs between the two:
+# unloaded: each folder has a process of its own. Older PyMeshLab versions are asked only for what differs between them:
 # loading, registration, parameters and files, the host's own methods, and how the package finds its plugin.
 older=()
 for name in loading registration index_files index_filters path_filters method_comparison filter_scripts \
@@ -178,16 +178,26 @@ done
 python_newer() {
   local python=.venv/bin/python
   suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
-  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python
+  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/wheels
 }
+# Usage: python_older PYMESHLAB
 python_older() {
-  local python=build/venv-2022/bin/python
-  suite plugin-2022.2 run_pytest plugin-2022.2 "$python" "${older[@]}"
-  suite python-2022.2 run_pytest python-2022.2 "$python" tests/python/test_python_{plugin,package}.py
+  local python="build/venv-${1%.*}/bin/python"
+  suite "plugin-$1" run_pytest "plugin-$1" "$python" "${older[@]}"
+  suite "python-$1" run_pytest "python-$1" "$python" tests/python/test_python_{plugin,package}.py
+}
+all_older() {
+  local log=build/logs/headers-2023.12.log
+  python_older 2022.2
+  if plugin/host/obtain_headers.sh 2023.12 >/dev/null 2>"$log"; then
+    python_older 2023.12
+  else
+    echo "skip PyMeshLab 2023.12: the headers of MeshLab 2023.12 cannot be had: $(grep -o 'git clone: .*' "$log")" >>"$checks"
+  fi
 }
 python_newer &
 newer=$!
-[ "$quick" = yes ] || python_older
+[ "$quick" = yes ] || all_older
 wait "$newer"
 
 # One process per core, each with its part of the tests: a start under sanitizers takes as long as many a test.
@@ -211,7 +221,7 @@ if [ "$quick" = no ]; then
     wait "$fuzzer"
   fi
 else
-  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes" "hostile meshes with sanitizers" "PyMeshLab 2022.2"; do
+  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes" "hostile meshes with sanitizers" "PyMeshLab 2022.2 and 2023.12"; do
     echo "skip $left_out: --quick" >>"$checks"
   done
 fi

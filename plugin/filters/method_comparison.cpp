@@ -69,7 +69,7 @@ Compared method_of(const FilterCall& call, const char* parameter) {
   }
   const auto method = static_cast<Compared>(number);
   if (method == Compared::heat && !host_has_heat_method()) {
-    throw InvalidInput("MeshLab 2022.02 has no heat method; MeshLab 2025.07 has. Choose another method.");
+    throw InvalidInput("MeshLab 2022.02 has no heat method; later versions have. Choose another method.");
   }
   return method;
 }

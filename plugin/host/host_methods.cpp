@@ -139,7 +139,7 @@ MethodField heat_field(const Mesh& mesh, Index source) {
 bool host_has_heat_method() { return false; }
 
 MethodField heat_field(const Mesh&, Index) {
-  throw InvalidInput("MeshLab 2022.02 has no heat method; MeshLab 2025.07 has. Choose another method.");
+  throw InvalidInput("MeshLab 2022.02 has no heat method; later versions have. Choose another method.");
 }
 
 #endif

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Finds the source tree of one MeshLab version, whose headers the plugin is compiled with.
 #
-# Usage: obtain_headers.sh 2022.02|2025.07 [FOLDER]
+# Usage: obtain_headers.sh 2022.02|2023.12|2025.07 [FOLDER]
 # Tried in this order; the first that fits is taken:
-#   1. a folder the user names: FOLDER, or VOROGEO_MESHLAB_SOURCE_2022_02 / VOROGEO_MESHLAB_SOURCE_2025_07;
+#   1. a folder the user names: FOLDER, or the variable VOROGEO_MESHLAB_SOURCE_2025_07 (with each version's own number);
 #   2. the cache: VOROGEO_HOST_CACHE/VERSION, by default build/host/VERSION in the project;
-#   3. Debian's source package of that version (checked against a sha256), from the machine's own Debian mirror;
+#   3. Debian's source package of that version (checked against a sha256), from the machine's own Debian mirror; Debian has
+#      none of 2023.12;
 #   4. a git clone of the tag MeshLab-VERSION with its submodule vcglib.
 # The choice is reported on the standard error; the last line of the standard output is the folder: it holds ML_VERSION,
 # src/common and src/vcglib. Nothing outside the cache is written, and no Debian package is installed.
@@ -22,7 +23,8 @@ named_folder="${2:-}"
 case "$version" in
   2022.02) orig_sha256=11da26ec46c3fbbbc806d410a3221542ec21ec13fdcc55d624304600029435fd ;;
   2025.07) orig_sha256=d22c98d362f2a284e481af8dbfc272b2222f5b9c67b3cf8bec57d1c3161886f4 ;;
-  *) die "name the version of MeshLab, 2022.02 or 2025.07 (got '$version')" ;;
+  2023.12) orig_sha256=none ;;
+  *) die "name the version of MeshLab, 2022.02, 2023.12 or 2025.07 (got '$version')" ;;
 esac
 variable="VOROGEO_MESHLAB_SOURCE_${version/./_}"
 project="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
@@ -85,6 +87,10 @@ keep() {
 # on the machine; its mirror is the one that the machine's own apt uses.
 from_debian() {
   local mirror suite keyring=/usr/share/keyrings/debian-archive-keyring.gpg source_version archive sum
+  if [ "$orig_sha256" = none ]; then
+    reasons+=("Debian source package: Debian never had MeshLab $version")
+    return 1
+  fi
   if ! command -v apt-get >/dev/null; then
     reasons+=("Debian source package: apt-get is not installed here")
     return 1

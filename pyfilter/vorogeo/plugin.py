@@ -19,7 +19,7 @@ from .errors import PluginError
 FOLDER = Path(__file__).parent / "plugins"
 FILE_NAME = "libfilter_vorogeo.so"
 #: PyMeshLab releases whose filters this package supports, by the MeshLab version inside.
-SUPPORTED = {"2022.02": "2022.2.post4", "2025.07": "2025.7.post1"}
+SUPPORTED = {"2022.02": "2022.2.post4", "2023.12": "2023.12.post3", "2025.07": "2025.7.post1"}
 
 #: The names of our filters, and of no others, contain one of these.
 _NAME_PARTS = ("vorogeo", "exact_geodesic_distance", "geodesic_method_comparison", "geodesic_method_table")
@@ -76,10 +76,11 @@ def plugin_file(pymeshlab_version: str) -> Path:
     """
     host = meshlab_version(pymeshlab_version)
     if host not in SUPPORTED:
+        *others, latest = SUPPORTED
         names = " or ".join(f"'pip install pymeshlab=={release}'" for release in reversed(SUPPORTED.values()))
         raise PluginError(
             f"PyMeshLab {pymeshlab_version} is installed, but the VoroGeo filters exist for MeshLab "
-            f"{' and '.join(SUPPORTED)} only: run {names}. {_NUMPY_PART}"
+            f"{', '.join(others)} and {latest} only: run {names}. {_NUMPY_PART}"
         )
     file = FOLDER / host / FILE_NAME
     if not file.is_file():

@@ -23,7 +23,7 @@ def test_needs_only_qt_the_host_and_the_runtime():
     dynamic = output_of("readelf", "-d", PLUGIN)
     needed = set(re.findall(r"NEEDED.*\[([\w+-]+)\.so", dynamic))
     assert needed <= ALLOWED
-    assert "PATH" not in dynamic
+    assert re.findall(r"(RPATH|RUNPATH).*\[(.+)\]", dynamic) == [("RUNPATH", "$ORIGIN/../../../pymeshlab/lib")]
 
 
 def test_shows_only_the_entry_points_of_qt():
