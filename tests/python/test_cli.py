@@ -120,8 +120,29 @@ def test_voronoi_sample_index_compare_and_info(mesh, capsys):
     np.save("twice.npy", 1.01 * APART[0])
     assert main(["compare", mesh, "--from", "0", "--with", "twice.npy"]) == 0
     assert "mean error 1 %" in capsys.readouterr().out
+    assert main(["compare", mesh, "--from", "0", "--methods", "dijkstra", "--out", "d.npy", "--quiet"]) == 0
+    small, large = np.sort(np.abs(VERTICES[:, :2] - VERTICES[0, :2]), axis=1).T
+    assert np.load("d.npy").min() >= -1e-9
+    assert np.load("d.npy").max() <= (large + small - np.hypot(large, small)).max() + 1e-9
     assert main(["info", mesh]) == 0
     assert "143 vertices" in capsys.readouterr().out
+
+
+def test_compare_shows_all_methods_in_one_table(mesh, capsys):
+    assert main(["compare", mesh, "--from", "0", "--methods", "all", "--patches", "3", "2", "--out", "c.npz"]) == 0
+    found = np.load("c.npz")
+    assert found["method"].tolist() == ["index", *list(vorogeo.methods)[1:]]
+    np.testing.assert_allclose(found["exact"], APART[0], atol=1e-12)
+    for name, error in zip(found["method"].tolist(), found["error"], strict=True):
+        assert np.abs(error).max() <= (1e-9 if name in ("mmp", "ch", "ich") else 0.5), name
+    capsys.readouterr()
+    assert main(["compare", mesh, "--from", "0", "142", "--methods", "mmp", "gsp"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()[1:]
+    assert head.split()[0] == "method"
+    assert [row.split()[0] for row in rows] == ["mmp", "gsp"]
+    assert float(rows[0].split()[3]) <= 1e-9
+    assert main(["compare", mesh, "--from", "0.1,0.2,0", "--methods", "heat"]) == 1
+    assert "--from: heat begins at vertices" in capsys.readouterr().err
 
 
 def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):

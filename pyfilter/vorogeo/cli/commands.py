@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from ..errors import InvalidInput
 from ..exact import exact_distance_field
 from ..mesh_check import check_mesh
 from ..paths import GeodesicPath
+from .comparison import compare
 from .job import Command, MeshTask, surface_area
 from .outputs import Result, format_of
 
@@ -156,36 +156,6 @@ def index(task: MeshTask) -> Result:
     s = task.index.statistics
     text = f"{s.form}, {s.bytes / 2**20:.1f} MiB, built in {s.seconds:.1f} s"
     return Result("", {}, task.shown_mesh, text=text)
-
-
-def compare(task: MeshTask) -> Result:
-    """Errors and times of the index, or of a field made elsewhere, against the exact field."""
-    sources = task.points("from")
-    began = time.perf_counter()
-    if isinstance(sources, np.ndarray):
-        exact = exact_distance_field(task.vertices, task.faces, sources, mask=task.mask)
-    else:
-        exact = task.index.distance_field(sources, exact=True)
-    between = time.perf_counter()
-    values = task.index.distance_field(sources)
-    ended = time.perf_counter()
-    what, took = "index", f" in {ended - between:.4f} s"
-    if task.options.get("with"):
-        what, took = task.options["with"], ""
-        values = np.load(what).astype(float)
-        if values.shape != exact.shape:
-            raise InvalidInput(
-                f"{what}: has shape {values.shape}; give one distance for each of {len(exact)} vertices."
-            )
-    used = np.isfinite(exact) & (exact > 0)
-    error = np.abs(values[used] / exact[used] - 1) * 100
-    arrays: dict[str, NDArray[Any]] = {"distance": values, "exact": exact, "error": values - exact}
-    missed = int((np.isfinite(exact) != np.isfinite(values)).sum())
-    text = (
-        f"exact field in {between - began:.3f} s; {what}{took}: mean error {error.mean():.4g} %, 99 % of errors below "
-        f"{np.percentile(error, 99):.4g} %, largest {error.max():.4g} %; reached by one of the two only: {missed}"
-    )
-    return Result("error", arrays, task.shown_mesh, per_vertex="error", text=text)
 
 
 def info(task: MeshTask) -> Result:

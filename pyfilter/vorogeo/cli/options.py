@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .._arguments import MAX_THREADS
+from ..geodesic_methods import methods
 
 _PAGE = """\
 Geodesic distances on triangle meshes: lengths of shortest paths over the surface.
@@ -123,10 +124,20 @@ def parser() -> argparse.ArgumentParser:
     _command(commands, "index", "Build the index and write it to a file (.vgi), for --index of other commands.")
 
     compare = _command(
-        commands, "compare", "Errors and times of the index, or of a field made elsewhere, against the exact field."
+        commands,
+        "compare",
+        "Errors and times of the index, of other methods, or of a field made elsewhere, against the exact field.",
     )
     _points(compare, "--from", True, "the sources")
-    compare.add_argument("--with", metavar="FILE", help="a .npy file with a field made elsewhere, instead of the index")
+    what = compare.add_mutually_exclusive_group()
+    what.add_argument(
+        "--methods",
+        nargs="+",
+        choices=("all", *methods),
+        metavar="NAME",
+        help=f"compared one below the other, instead of the index (vorogeo): all, {', '.join(methods)}",
+    )
+    what.add_argument("--with", metavar="FILE", help="a .npy file with a field made elsewhere, instead of the index")
 
     _command(commands, "info", "What a mesh contains, and what a user should know before trusting distances on it.")
     return whole

@@ -1,0 +1,111 @@
+"""The command compare: errors and times of methods, or of a field made elsewhere, against the exact field."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import InvalidInput
+from ..exact import exact_distance_field
+from ..geodesic_methods import GeodesicMethod, MethodWarning, methods
+from ..masks import face_mask, without_masked
+from .job import MeshTask
+from .outputs import Result
+
+
+@dataclass
+class _Compared:
+    """A field and what it took; no times are known of one that was made elsewhere."""
+
+    name: str
+    values: NDArray[np.float64]
+    prepared: float | None = None
+    took: float | None = None
+
+
+def compare(task: MeshTask) -> Result:
+    """Errors and times of the index, of chosen methods or of a field made elsewhere, against the exact field."""
+    sources = task.points("from")
+    began = time.perf_counter()
+    if isinstance(sources, np.ndarray):
+        exact = exact_distance_field(task.vertices, task.faces, sources, mask=task.mask)
+    else:
+        exact = task.index.distance_field(sources, exact=True)
+    exact_took = time.perf_counter() - began
+    if task.options.get("with"):
+        fields = [_from_file(task.options["with"], exact.shape)]
+    else:
+        names = task.options.get("methods") or ["vorogeo"]
+        names = list(methods) if "all" in names else list(dict.fromkeys(names))
+        fields = [_field(task, name, sources) for name in names]
+    lines = [f"exact field in {exact_took:.3f} s"]
+    if len(fields) == 1:
+        lines[0] += f"; {_sentence(fields[0], exact)}"
+    else:
+        lines += _table(fields, exact)
+    values = np.stack([one.values for one in fields]) if len(fields) > 1 else fields[0].values
+    arrays: dict[str, NDArray[Any]] = {"distance": values, "exact": exact, "error": values - exact}
+    if len(fields) > 1:
+        arrays["method"] = np.array([one.name for one in fields])
+    per_vertex = "error" if len(fields) == 1 else ""
+    return Result("error", arrays, task.shown_mesh, per_vertex=per_vertex, text="\n".join(lines))
+
+
+def _from_file(file: str, shape: tuple[int, ...]) -> _Compared:
+    values = np.load(file).astype(float)
+    if values.shape != shape:
+        raise InvalidInput(f"{file}: has shape {values.shape}; give one distance for each of {shape[0]} vertices.")
+    return _Compared(file, values)
+
+
+def _field(task: MeshTask, name: str, sources: Any) -> _Compared:
+    began = time.perf_counter()
+    answer: Callable[[Any], NDArray[np.float64]]
+    if name == "vorogeo":
+        answer = task.index.distance_field  # the index of the options, not one with default settings
+    elif not isinstance(sources, np.ndarray):
+        raise InvalidInput(f"--from: {name} begins at vertices; give ids, or leave out --methods.")
+    else:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", MethodWarning)  # the table shows what they warn of
+            surface = without_masked(task.faces, face_mask(task.mask, task.faces, len(task.vertices)))
+            answer = GeodesicMethod(task.vertices, surface, name).distance_field
+    between = time.perf_counter()
+    values = answer(sources)
+    ended = time.perf_counter()
+    return _Compared("index" if name == "vorogeo" else name, values, between - began, ended - between)
+
+
+def _errors(one: _Compared, exact: NDArray[np.float64]) -> tuple[float, float, float, int]:
+    """Mean, 99th percentile and largest relative error in percent, and vertices that one of both did not reach."""
+    used = np.isfinite(exact) & (exact > 0) & np.isfinite(one.values)
+    error = np.abs(one.values[used] / exact[used] - 1) * 100 if used.any() else np.zeros(1)
+    missed = int((np.isfinite(exact) != np.isfinite(one.values)).sum())
+    return float(error.mean()), float(np.percentile(error, 99)), float(error.max()), missed
+
+
+def _sentence(one: _Compared, exact: NDArray[np.float64]) -> str:
+    mean, most, largest, missed = _errors(one, exact)
+    took = "" if one.took is None else f" in {one.took:.4f} s"
+    return (
+        f"{one.name}{took}: mean error {mean:.4g} %, 99 % of errors below {most:.4g} %, largest {largest:.4g} %; "
+        f"reached by one of the two only: {missed}"
+    )
+
+
+def _table(fields: list[_Compared], exact: NDArray[np.float64]) -> list[str]:
+    lines = [
+        f"{'method':<14}{'prepared s':>11}{'field s':>9}{'mean %':>10}{'99 % %':>10}{'largest %':>11}{'missed':>8}"
+    ]
+    for one in fields:
+        mean, most, largest, missed = _errors(one, exact)
+        lines.append(
+            f"{one.name:<14}{one.prepared:>11.3f}{one.took:>9.4f}{mean:>10.3g}{most:>10.3g}{largest:>11.3g}{missed:>8}"
+        )
+    return lines
