@@ -3,6 +3,7 @@
 #include "mesh/fingerprint.h"
 
 #include <bit>
+#include <cstring>
 
 #include "support/checkpoint.h"
 
@@ -47,7 +48,10 @@ class WordHash {
 };
 
 std::uint64_t bits_of(double coordinate) {
-  return std::bit_cast<std::uint64_t>(coordinate == 0.0 ? 0.0 : coordinate);  // -0.0 is hashed as 0.0
+  const double hashed = coordinate == 0.0 ? 0.0 : coordinate;  // -0.0 is hashed as 0.0
+  std::uint64_t bits;
+  std::memcpy(&bits, &hashed, sizeof(bits));
+  return bits;
 }
 
 }  // namespace

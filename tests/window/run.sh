@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Tests the plugin in the real MeshLab window, on a virtual display: MeshLab of the right Debian in its own root.
 #
-# Usage: tests/window/run.sh [--million] [2022.02|2025.07]... [-- PYTEST OPTIONS]
+# Usage: tests/window/run.sh [--million] [--zip FILE] [2022.02|2025.07]... [-- PYTEST OPTIONS]
 #   --million: instead of the tests, work on a mesh of a million vertices, some ten minutes on two idle cores; prints the
 #     time of each filter and the longest time in which the window did not answer (tests/window/million.py).
+#   --zip: test the plugin in this archive (plugin/build_zip.sh) instead of one that is built here.
 #   Without a version: both, 2022.02 only through what differs between the two. The first time it downloads some 700 MB and takes several minutes; later it takes about
 #   one per version. Pictures: build/window/VERSION/seen/shots. Needs what samples/setup.sh sets up, and the rights of root.
 # Exit status 77 where no root can be made; the reason stands on the standard error.
@@ -12,8 +13,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 versions=()
 million=no
+zip=
 while [ $# -gt 0 ] && [ "$1" != -- ]; do
-  if [ "$1" = --million ]; then million=yes; else versions+=("$1"); fi
+  case "$1" in
+    --million) million=yes ;;
+    --zip) zip="$2"; shift ;;
+    *) versions+=("$1") ;;
+  esac
   shift
 done
 [ $# -eq 0 ] || shift
@@ -23,7 +29,7 @@ say() { printf 'window %s: %s\n' "$version" "$*"; }
 
 # Usage: drive SECONDS SCRIPT FOLDER
 drive() {
-  timeout "$1" tests/window/in_root.sh "$root" dbus-run-session -- python3 "/project/tests/window/$2.py" "/project/$3"
+  timeout "$1" tests/roots/in_root.sh "$root" dbus-run-session -- python3 "/project/tests/window/$2.py" "/project/$3"
 }
 
 for version in "${versions[@]}"; do
@@ -31,10 +37,15 @@ for version in "${versions[@]}"; do
   # One run at a time in a root: the plugin is installed there, and taken away for a while.
   exec {lock}>"$root/etc/vorogeo-window.lock"
   flock "$lock"
-  say "building and installing the plugin"
   folder="build/window/$version"
+  install=(tests/window/build_plugin.sh "$version" "$root")
+  if [ -n "$zip" ]; then
+    folder="build/window/$version-zip"
+    install=(tests/window/install_zip.sh "$version" "$root" "$zip" "$folder/plugin")
+  fi
+  say "installing the plugin"
   mkdir -p "$folder"
-  if ! tests/window/build_plugin.sh "$version" "$root" >"$folder/build.log" 2>&1; then
+  if ! "${install[@]}" >"$folder/build.log" 2>&1; then
     tail -n 30 "$folder/build.log"
     exit 1
   fi
@@ -50,7 +61,10 @@ for version in "${versions[@]}"; do
   # What is refused, edited and scripted is the same code under both versions; starting, dialogs and loading are not.
   scripts=(scenario loading extra_folder)
   judges=(tests/window/test_{window,loading}.py)
-  if [ "$version" = 2025.07 ]; then
+  if [ -n "$zip" ]; then
+    scripts=(scenario loading)
+    judges+=(-k "not one_user")
+  elif [ "$version" = 2025.07 ]; then
     scripts=(scenario refusals filter_script edits loading extra_folder)
     judges=(tests/window)
   fi

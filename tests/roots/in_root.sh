@@ -2,7 +2,8 @@
 # Runs a command inside a Debian root made by make_root.sh.
 #
 # Usage: in_root.sh ROOT [--bind FOLDER PLACE]... COMMAND...
-#   The project lies at /project in the root; --bind puts another folder at PLACE, for reading.
+#   The project lies at /project in the root; --bind puts another folder at PLACE, for reading. pip in the root trusts the
+#   certificates that this machine trusts, and takes its packages from where this machine's pip does.
 # Mounts and processes have namespaces of their own: whatever happens, nothing stays mounted and nothing keeps running.
 set -euo pipefail
 project="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
@@ -12,6 +13,15 @@ binds=()
 while [ "${1:-}" = --bind ]; do
   binds+=("$2" "$3")
   shift 3
+done
+
+settings=(LANG=C.UTF-8 LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive PIP_DISABLE_PIP_VERSION_CHECK=1)
+if [ -f /etc/ssl/certs/ca-certificates.crt ]; then
+  binds+=(/etc/ssl/certs /machine/certificates)
+  settings+=(PIP_CERT=/machine/certificates/ca-certificates.crt)
+fi
+for name in PIP_INDEX_URL PIP_EXTRA_INDEX_URL PIP_TRUSTED_HOST PIP_DEFAULT_TIMEOUT; do
+  [ -z "${!name:-}" ] || settings+=("$name=${!name}")
 done
 
 # The rest runs where its mounts are seen by nobody else. Its arguments: root, project, number of binds, binds, command.
@@ -29,6 +39,5 @@ exec unshare --mount --pid --fork --kill-child -- bash -euo pipefail -c '
     shift 2
     binds=$((binds - 2))
   done
-  exec chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive "$@"
-' in_root "$root" "$project" "${#binds[@]}" ${binds[@]+"${binds[@]}"} "$@"
+  exec chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+' in_root "$root" "$project" "${#binds[@]}" ${binds[@]+"${binds[@]}"} "${settings[@]}" "$@"

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# Builds what is uploaded to PyPI: the source archive, a wheel for Python 3.11 and one for Python 3.12 and later, both with
+# the plugins inside. docs/releasing.md says what to do with them.
+#
+# Usage: pyfilter/build_wheels.sh
+#   They are left in build/wheels/dist. Compilers and Pythons are those of Debian roots (build/roots, made once, some 2 GB),
+#   the C and C++ libraries those of Debian 11, so that the wheels run on every system with glibc 2.31 or later. A PyMeshLab
+#   version whose headers cannot be had is named and left out. VOROGEO_JOBS: compilers at a time (default: one per core).
+# Exit status 77 with a sentence on the standard error where no root can be made.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+jobs="${VOROGEO_JOBS:-$(nproc)}"
+version="$(cat VERSION)"
+out=build/wheels
+mkdir -p "$out/dist"
+rm -f "$out"/dist/*
+say() { echo "wheels: $*"; }
+
+# The tree of the source archive: what compiles, with the settings of pyfilter/pyproject.toml at the top. By itself it builds
+# the numpy part, which needs no more than a compiler and the headers of Eigen.
+stage() {
+  rm -rf "$out/source"
+  mkdir -p "$out/source"
+  git ls-files -z --cached --others --exclude-standard core plugin pyfilter cmake CMakeLists.txt VERSION LICENSE |
+    tar -c --null --dereference --files-from=- | tar -x -C "$out/source"
+  cp pyfilter/README.md pyfilter/NOTICES.txt "$out/source/"
+  rm "$out/source/pyfilter/pyproject.toml"
+  sed -e 's#^wheel.packages = .*#wheel.packages = ["pyfilter/vorogeo"]\ncmake.source-dir = "pyfilter"\ncmake.define.VOROGEO_HOSTS = ""#' \
+    -e 's#^input = "../VERSION"#input = "VERSION"#' -e 's#^build-dir = .*#build-dir = "build/{wheel_tag}"#' \
+    pyfilter/pyproject.toml >"$out/source/pyproject.toml"
+}
+
+# Headers are obtained by this system and handed into the roots.
+hosts=()
+inside=(--bind build/roots/sysroot /sysroot)
+variables=(VOROGEO_SYSROOT=/sysroot "CMAKE_BUILD_PARALLEL_LEVEL=$jobs")
+for host in 2025.07 2023.12 2022.02; do
+  if headers="$(plugin/host/obtain_headers.sh "$host" 2>"$out/headers-$host.log" | tail -n 1)" && [ -n "$headers" ]; then
+    hosts+=("$host")
+    inside+=(--bind "$headers" "/headers/$host")
+    variables+=("VOROGEO_MESHLAB_SOURCE_${host/./_}=/headers/$host")
+  else
+    say "left out: PyMeshLab with MeshLab $host, its headers cannot be had (log: $out/headers-$host.log)"
+  fi
+done
+
+# Usage: build SUITE TAG
+build() {
+  local log="$out/$2.log"
+  tests/roots/make_root.sh "build/roots/builder-$1" "$1" --no-install-recommends g++-12 cmake ninja-build ca-certificates \
+    python3 python3-dev python3-venv
+  say "$2 in Debian's $1 (log: $log)"
+  if ! tests/roots/in_root.sh "build/roots/builder-$1" "${inside[@]}" env "${variables[@]}" \
+      bash /project/pyfilter/wheels/build_in_root.sh "$2" "$version" "$(IFS=';'; echo "${hosts[*]}")" >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    exit 1
+  fi
+}
+
+tests/roots/make_root.sh build/roots/sysroot bullseye --no-install-recommends libc6-dev libstdc++-10-dev libeigen3-dev \
+  qtbase5-dev libqt5opengl5-dev libglew-dev
+stage
+build bookworm cp311
+build trixie abi3
+ls -l "$out/dist"
