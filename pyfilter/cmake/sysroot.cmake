@@ -8,9 +8,9 @@ if(NOT gcc_library)
 endif()
 get_filename_component(gcc_version "${gcc_library}" NAME)
 
-# The compiler is newer than that Debian's and would take the C++ library of its own version.
+# The compiler is newer than that Debian's and would take the C++ headers of its own version, and link the libraries beside it.
 set(CMAKE_CXX_FLAGS_INIT "-nostdinc++ -isystem ${CMAKE_SYSROOT}/usr/include/c++/${gcc_version} \
 -isystem ${CMAKE_SYSROOT}/usr/include/x86_64-linux-gnu/c++/${gcc_version}")
 foreach(kind EXE MODULE SHARED)
-  set(CMAKE_${kind}_LINKER_FLAGS_INIT "-L${gcc_library}")
+  set(CMAKE_${kind}_LINKER_FLAGS_INIT "-L${gcc_library} -L${CMAKE_SYSROOT}/usr/lib/x86_64-linux-gnu")
 endforeach()
