@@ -12,6 +12,20 @@ import picture
 import vorogeo
 from vorogeo import brain
 
+
+def border_lines(vertices: np.ndarray, faces: np.ndarray, labels: np.ndarray) -> vorogeo.Polylines:
+    """Lines between labels: from the middle of an edge straight through a face, three meeting in its centre."""
+    begin, end = [], []
+    for k in range(3):
+        a, b, c = np.roll(faces, k, axis=1).T
+        alone = (labels[a] != labels[b]) & (labels[a] != labels[c]) & (labels[b] == labels[c])
+        three = (labels[a] != labels[b]) & (labels[a] != labels[c]) & (labels[b] != labels[c])
+        begin += [(vertices[a] + vertices[b])[alone] / 2, (vertices[a] + vertices[b])[three] / 2]
+        end += [(vertices[a] + vertices[c])[alone] / 2, (vertices[a] + vertices[b] + vertices[c])[three] / 3]
+    points = np.concatenate(begin + end)
+    return vorogeo.Polylines(points, np.arange(len(points)).reshape(2, -1).T)
+
+
 folder = Path(nilearn.__file__).parent / "datasets" / "data" / "fsaverage5"
 white, faces = vorogeo.read_mesh(folder / "white_left.gii.gz")
 pial, _ = vorogeo.read_mesh(folder / "pial_left.gii.gz")
@@ -40,6 +54,6 @@ near = index.pairs_within(np.flatnonzero(cortex), 10.0, dtype="float32")
 print(f"within 10 mm a vertex has {near.nnz / near.shape[0]:.0f} neighbours; the sparse matrix has {near.nnz} entries")
 
 out = Path(__file__).parent / "out" / "cortex.png"
-shown = np.where(np.isfinite(distance), distance, 0.0)
-border = brain.label_borders(index, parcels).positions(inflated, faces)
-picture.draw(out, inflated, faces, values=shown, points=border[::5])
+shown = np.where(cortex, distance, np.nan)  # the medial wall stays grey
+borders = border_lines(inflated, faces[cortex[faces].all(axis=1)], parcels)
+picture.draw(out, inflated, faces, values=shown, lines=borders)
