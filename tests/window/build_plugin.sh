@@ -10,9 +10,19 @@ headers="$(plugin/host/obtain_headers.sh "$version")"
 jobs="${VOROGEO_JOBS:-$(nproc)}"
 build="build/window/$version/plugin"  # not build/plugin-VERSION-float: that one is compiled against this system's Qt
 mkdir -p "$build"
+# The core knows nothing of the host, and an older compiler's library serves a newer system: what set-up has made of these
+# sources is used, and compiled anew only where there is none.
+core=""
+for made in build/release build/core; do
+  library="$made/core/libvorogeo_core.a"
+  if [ -f "$library" ] && [ -z "$(find core -name '*.md' -prune -o -type f -newer "$library" -print -quit)" ]; then
+    core="/project/$library"
+    break
+  fi
+done
 tests/roots/in_root.sh "$root" --bind "$headers" /meshlab-source sh -euc "
   cd /project
-  cmake --preset plugin-$version-float -B $build -DVOROGEO_HOST_SOURCE=/meshlab-source
+  cmake --preset plugin-$version-float -B $build -DVOROGEO_HOST_SOURCE=/meshlab-source '-DVOROGEO_CORE_LIBRARY=$core'
   cmake --build $build --target filter_vorogeo --parallel $jobs
   cmake --install $build"
 library="$build/plugin/libfilter_vorogeo.so"
