@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "filters/rows.h"
+#include "layers/layer_metric.h"
 #include "support/error.h"
 
 using vorogeo::plugin::FilterCall;
@@ -71,7 +72,10 @@ QString FilterVorogeo::filterName(ActionIDType filter) const { return row(filter
 
 QString FilterVorogeo::pythonFilterName(ActionIDType filter) const { return row(filter).python_name; }
 
-QString FilterVorogeo::filterInfo(ActionIDType filter) const { return row(filter).help; }
+QString FilterVorogeo::filterInfo(ActionIDType filter) const {
+  const FilterRow& described = row(filter);
+  return described.has_metric ? described.help + vorogeo::plugin::help_on_metric() : described.help;
+}
 
 FilterPlugin::FilterClass FilterVorogeo::getClass(const QAction* action) const {
   return row(action).filter_class;
@@ -82,7 +86,10 @@ int FilterVorogeo::postCondition(const QAction* action) const { return row(actio
 FilterPlugin::FilterArity FilterVorogeo::filterArity(const QAction*) const { return SINGLE_MESH; }
 
 RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshDocument& document) {
-  return document.mm() == nullptr ? RichParameterList() : row(action).parameters(document);
+  if (document.mm() == nullptr) return {};
+  RichParameterList list = row(action).parameters(document);
+  if (row(action).has_metric) vorogeo::plugin::add_metric_parameters(list);
+  return list;
 }
 
 std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action,
@@ -100,7 +107,11 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
     };
     FilterCall call{document, *document.mm(), parameters, indexes_, progress_to(callback, warning), to_log};
     free_indexes_with(document);
-    return row(action).apply(call);
+    const FilterRow& applied = row(action);
+    const vorogeo::plugin::KeptCost kept(call, applied);
+    auto results = applied.apply(call);
+    kept.write(call);
+    return results;
   } catch (const MLException&) {
     throw;
   } catch (const std::bad_alloc&) {

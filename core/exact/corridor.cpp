@@ -10,7 +10,9 @@ void ExactSolver::State::look_at_target() {
   const auto [a, b] = geometry->ends(open);
   const Point& p = mesh.position(a);
   const Point& q = mesh.position(b);
-  const double scale = open_length > 0.0 ? 1.0 / open_length : 0.0;
+  const double in_space = mesh.has_metric() ? distance_between(p, q) : open_length;
+  edge_in_space = open_length > 0.0 ? in_space / open_length : 0.0;
+  const double scale = in_space > 0.0 ? 1.0 / in_space : 0.0;
   target_x = 0.0;
   for (int i = 0; i < 3; ++i) target_x += (corridor_at[i] - p[i]) * (q[i] - p[i]) * scale;
   double square = 0.0;
@@ -24,7 +26,16 @@ void ExactSolver::State::look_at_target() {
   proven_at_second = landmarks->least_distance(b, target_seen);
 }
 
-double ExactSolver::State::length_through(const Window& window) const {
+double ExactSolver::State::straight_through(const Window& window) const {
+  if (mesh.has_metric()) {
+    // In space and on the surface, lengths differ, so nothing can be unfolded: the nearest points to source
+    // and target need not be the same.
+    const double scale = mesh.straight_scale();
+    if (!(scale > 0.0)) return window.least_distance();
+    const double aside =
+        std::max({0.0, window.begin * edge_in_space - target_x, target_x - window.end * edge_in_space});
+    return window.least_distance() + scale * std::sqrt(aside * aside + target_depth * target_depth);
+  }
   // The target rotated about the edge into the plane, opposite the source: the straight line between the two
   // crosses the edge where the sum of both distances is least.
   const double height = window.source_y + target_depth;
@@ -33,7 +44,11 @@ double ExactSolver::State::length_through(const Window& window) const {
                             : window.source_x;
   const double at = std::clamp(across, window.begin, window.end);
   const double dx = at - target_x;
-  const double straight = window.distance(at) + std::sqrt(dx * dx + target_depth * target_depth);
+  return window.distance(at) + std::sqrt(dx * dx + target_depth * target_depth);
+}
+
+double ExactSolver::State::length_through(const Window& window) const {
+  const double straight = straight_through(window);
   const double length = open_length;
   if (landmarks != nullptr) {
     // The bound at each end of the edge, less the distance to that end, is a bound here. The larger of the

@@ -29,12 +29,14 @@ FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
   frame.second_side_reversed = geometry.ends(second_edge)[0] == frame.apex;
   const double length = mesh.edge_length(edge);
   if (!(length > 0.0)) return frame;
-  // Computed from positions: the lengths of a needle or of a nearly flat face, each rounded, tell next to
-  // nothing about its angles. Measured from the nearer end of the edge, as the difference of two large
-  // numbers loses digits.
-  const Point& p = mesh.position(geometry.ends(edge)[0]);
-  const Point& q = mesh.position(geometry.ends(edge)[1]);
-  const Point& r = mesh.position(frame.apex);
+  // Computed from positions where edges have their lengths in space: the lengths of a needle or of a nearly
+  // flat face, each rounded, tell next to nothing about its angles. Measured from the nearer end of the edge,
+  // as the difference of two large numbers loses digits.
+  const auto corners = mesh.face_corners(Mesh::face_of(halfedge));
+  const int tail = halfedge % 3;
+  const Point& p = corners[frame.along ? tail : (tail + 1) % 3];
+  const Point& q = corners[frame.along ? (tail + 1) % 3 : tail];
+  const Point& r = corners[(tail + 2) % 3];
   const bool nearer_first = mesh.edge_length(first_edge) <= mesh.edge_length(second_edge);
   const Point& from = nearer_first ? p : q;
   Point along{};

@@ -37,11 +37,11 @@ ExactLandmarks::Seen ExactLandmarks::seen_from(const Mesh& mesh, const SurfacePo
     std::ranges::copy(row(point.vertex), seen.greatest.begin());
     return seen;
   }
-  const Point at = position_of(mesh, point);
+  const auto to_corners = distances_in_face(mesh, point);
   seen.greatest.fill(INFINITY);
-  for (const Index corner : mesh.face_vertices(point.face)) {
-    const Point& p = mesh.position(corner);
-    const auto to_corner = static_cast<float>(std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]));
+  for (int k = 0; k < 3; ++k) {
+    const Index corner = mesh.face_vertices(point.face)[k];
+    const auto to_corner = static_cast<float>(to_corners[k]);
     for (int i = 0; i < count_; ++i) {
       seen.least[i] = std::max(seen.least[i], row(corner)[i] - to_corner);
       seen.greatest[i] = std::min(seen.greatest[i], row(corner)[i] + to_corner);

@@ -72,8 +72,7 @@ struct ExactSolver::State {
   /// Lower bound of the length of a path to the corridor's target that has come within `radius` of a point
   /// after `length`.
   double length_to_target(double length, const Point& point, double radius) const {
-    const double straight =
-        std::hypot(point[0] - corridor_at[0], point[1] - corridor_at[1], point[2] - corridor_at[2]) - radius;
+    const double straight = mesh.straight_bound(point, corridor_at) - radius;
     return length + std::max(0.0, straight);
   }
   /// The same for a path that has come to a vertex, or to an edge; without a target, the length itself.
@@ -95,6 +94,8 @@ struct ExactSolver::State {
   }
   /// Finds where the corridor's target lies relative to the open edge (corridor.cpp).
   void look_at_target();
+  /// Lower bound of the straight rest of a path from a window of that edge, with the window's distance.
+  double straight_through(const Window& window) const;
   /// Lower bound of the length of a path through a window of that edge to the target: the least over the
   /// window's points.
   double length_through(const Window& window) const;
@@ -142,7 +143,8 @@ struct ExactSolver::State {
   double least_open_width = 0.0;
   double from_first = 0.0;
   double from_second = 0.0;
-  double target_x = 0.0;         ///< of the corridor's target, along the edge
+  double edge_in_space = 1.0;    ///< length of the open edge in space, relative to its length
+  double target_x = 0.0;         ///< of the corridor's target in space, along the edge
   double target_depth = 0.0;     ///< and away from its line
   double proven_at_first = 0.0;  ///< lower bound of the rest of a path at its ends, by the landmarks
   double proven_at_second = 0.0;

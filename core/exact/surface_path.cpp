@@ -49,12 +49,12 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
       if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;
       return {};
     }
-    const auto& corners = mesh.face_vertices(face);
+    const auto corners = mesh.face_corners(face);
     Point step{};
     double longest = 0.0;
     for (int k : {1, 2}) {
       for (int axis = 0; axis < 3; ++axis) {
-        step[axis] += (to[k] - from[k]) * (mesh.position(corners[k])[axis] - mesh.position(corners[0])[axis]);
+        step[axis] += (to[k] - from[k]) * (corners[k][axis] - corners[0][axis]);
       }
       longest = std::max(longest, mesh.edge_length(mesh.edge_of(3 * face + (k == 1 ? 0 : 2))));
     }

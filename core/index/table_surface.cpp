@@ -29,6 +29,7 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
   std::vector<Index> renamed(mesh.vertex_count(), no_index);
   std::vector<Point> positions;
   std::vector<std::array<Index, 3>> faces;
+  SideLengths sides;
   std::vector<Index> face_of_user(mesh.face_count(), no_index);
   for (std::size_t f = 0; f < work.user_face.size(); ++f) {
     if (f % per_checkpoint == 0) checkpoint();
@@ -45,9 +46,11 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
       v = renamed[v];
     }
     faces.push_back(corners);
+    if (mesh.has_metric()) sides.push_back(mesh.side_lengths(user));
     surface.second_layer.push_back(work.second_layer[f]);
   }
-  const auto whole = std::make_shared<const Mesh>(std::move(positions), faces);
+  const auto whole = mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), faces, sides)
+                                       : std::make_shared<const Mesh>(std::move(positions), faces);
   surface.edge_point.reserve(work.edge_points.size());
   for (const WorkMesh::EdgePoint& point : work.edge_points) {
     const Index user = mesh.edge_halfedge(point.user_edge);

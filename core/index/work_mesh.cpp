@@ -75,6 +75,55 @@ class FaceSplitter {
   std::vector<std::array<Index, 3>> triangles_;
 };
 
+/// Lengths of the lines between points on the sides of one face, in the metric of the mesh.
+class FaceLines {
+ public:
+  FaceLines(const Mesh& mesh, Index face, const std::vector<WorkMesh::EdgePoint>& edge_points)
+      : mesh_(mesh), face_(face), edge_points_(edge_points), corners_(mesh.face_corners(face)) {}
+
+  double length(Index u, Index v) const {
+    for (int i = 0; i < 3; ++i) {
+      const Index edge = mesh_.edge_of(3 * face_ + i);
+      const double from = along(edge, u);
+      const double to = along(edge, v);
+      // On a side, both of its faces must get the same number.
+      if (from >= 0.0 && to >= 0.0) return std::abs(to - from) * mesh_.edge_length(edge);
+    }
+    return distance_between(place(u), place(v));
+  }
+
+ private:
+  /// Where a point lies on an edge, from its first vertex (0) to its second (1); -1 if it does not.
+  double along(Index edge, Index vertex) const {
+    if (vertex >= mesh_.vertex_count()) {
+      const auto& point = edge_points_[vertex - mesh_.vertex_count()];
+      return point.user_edge == edge ? point.position : -1.0;
+    }
+    if (vertex == mesh_.edge_vertices(edge)[0]) return 0.0;
+    return vertex == mesh_.edge_vertices(edge)[1] ? 1.0 : -1.0;
+  }
+
+  Point place(Index vertex) const {
+    const auto& at = mesh_.face_vertices(face_);
+    for (int i = 0; i < 3; ++i) {
+      if (at[i] == vertex) return corners_[i];
+      const Index edge = mesh_.edge_of(3 * face_ + i);
+      const double t = along(edge, vertex);
+      if (t < 0.0) continue;
+      const bool forward = mesh_.edge_vertices(edge)[0] == at[i];
+      const Point& a = corners_[forward ? i : (i + 1) % 3];
+      const Point& b = corners_[forward ? (i + 1) % 3 : i];
+      if (vertex >= mesh_.vertex_count()) return {std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), 0.0};
+    }
+    return corners_[0];
+  }
+
+  const Mesh& mesh_;
+  Index face_;
+  const std::vector<WorkMesh::EdgePoint>& edge_points_;
+  std::array<Point, 3> corners_;
+};
+
 }  // namespace
 
 WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
@@ -101,6 +150,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   std::vector<Index> order(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) order[slot[partition.second_layer[f]]++] = f;
   std::vector<std::array<Index, 3>> faces;
+  SideLengths sides;
   WorkMesh work;
   faces.reserve(order.size());
   std::vector<Index> points;
@@ -117,6 +167,11 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
     }
     for (const auto& triangle : splitter.triangles()) {
       faces.push_back(triangle);
+      if (mesh.has_metric()) {
+        const FaceLines lines(mesh, f, edge_points);
+        const auto& [a, b, c] = triangle;
+        sides.push_back({lines.length(b, c), lines.length(c, a), lines.length(a, b)});
+      }
       work.second_layer.push_back(partition.second_layer[f]);
       work.user_face.push_back(f);
     }
@@ -148,7 +203,8 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   work.second_layer.shrink_to_fit();
   work.user_face.shrink_to_fit();
   work.work_vertex = std::move(renamed);
-  work.mesh = std::make_shared<const Mesh>(std::move(sorted), faces);
+  work.mesh = mesh.has_metric() ? std::make_shared<const Mesh>(std::move(sorted), faces, sides)
+                                : std::make_shared<const Mesh>(std::move(sorted), faces);
   return work;
 }
 

@@ -62,6 +62,7 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
   constexpr Index per_checkpoint = 1 << 16;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (v % per_checkpoint == 0) checkpoint();
+    if (!mesh.has_positions()) break;
     const Point& p = mesh.position(v);
     hash.add(bits_of(p[0]), bits_of(p[1]));
     hash.add(bits_of(p[2]), 0);
@@ -72,6 +73,11 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
     const auto low = static_cast<std::uint32_t>(face[0]);
     const auto high = static_cast<std::uint32_t>(face[1]);
     hash.add(low | static_cast<std::uint64_t>(high) << 32, static_cast<std::uint32_t>(face[2]));
+  }
+  // A metric with the lengths in space is a metric, too: distances differ by rounding.
+  for (Index e = 0; mesh.has_metric() && e < mesh.edge_count(); ++e) {
+    if (e % per_checkpoint == 0) checkpoint();
+    hash.add(bits_of(mesh.edge_length(e)), static_cast<std::uint64_t>(e));
   }
   return {hash.finished()};
 }

@@ -1,4 +1,5 @@
-// Fingerprint of a mesh: equal for equal geometry and connectivity, different after any edit.
+// Fingerprint of a mesh: equal for equal geometry and connectivity, different after any edit and in any other
+// metric.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace vorogeo {
 
-/// 128 bits over all positions and all faces, in their order.
+/// 128 bits over all positions, all faces and, with a metric, all edge lengths, in their order.
 struct Fingerprint {
   std::array<std::uint64_t, 2> words{};
   friend bool operator==(const Fingerprint&, const Fingerprint&) = default;

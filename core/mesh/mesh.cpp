@@ -88,18 +88,30 @@ std::vector<Index> usable_faces(const std::vector<std::array<Index, 3>>& faces, 
 }  // namespace
 
 Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces)
-    : positions_(std::move(positions)) {
+    : Mesh(std::move(positions), faces, nullptr) {}
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+           const SideLengths& sides)
+    : Mesh(std::move(positions), faces, &sides) {}
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+           const SideLengths* sides)
+    : positions_(std::move(positions)), has_metric_(sides != nullptr) {
   constexpr auto most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
   if (positions_.size() > most || faces.size() > most / 3) {
     throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
   }
-  require_finite(positions_);
+  has_positions_ = !has_metric_ || positions_.empty() || !std::isnan(positions_[0][0]);
+  if (has_positions_) require_finite(positions_);
   input_face_ = usable_faces(faces, vertex_count());
   face_vertices_.reserve(input_face_.size());
   for (Index f : input_face_) face_vertices_.push_back(faces[f]);
   if (input_face_.size() == faces.size()) input_face_ = {};
   link_edges();
+  if (sides != nullptr) take_sides(*sides);
+  measure_edges();
   sort_fans();
+  if (sides != nullptr) bound_straight_lines();
   find_components();
 }
 
@@ -149,7 +161,6 @@ void Mesh::link_edges() {
     }
     i = j;
   }
-  measure_edges();
 }
 
 void Mesh::measure_edges() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,8 +22,17 @@ inline double distance_between(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+/// Lengths of the sides of faces: each opposite the corner of the same number.
+using SideLengths = std::vector<std::array<double, 3>>;
+
+/// The position of vertices of a surface that is nowhere in space.
+inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
+                                   std::numeric_limits<double>::quiet_NaN(),
+                                   std::numeric_limits<double>::quiet_NaN()};
+
 /// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
-/// three rounded lengths do not determine those of a needle or of a nearly flat face.
+/// three rounded lengths do not determine those of a needle or of a nearly flat face; with a metric, which
+/// gives other lengths to the edges, they follow from the lengths (`face_corners`).
 ///
 /// Half-edge `3 f + i` lies in face `f` and runs from corner `i` to corner `i + 1 (mod 3)`; the third
 /// corner is its *apex*. The half-edges of one undirected edge form a ring (`next_around_edge`): one on
@@ -40,6 +50,13 @@ class Mesh {
   ///        or infinite (names the vertex), or more than 2^31 / 3 faces; Cancelled at a checkpoint.
   /// Complexity: O(n + m log m) for n vertices and m faces.
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces);
+  /// The same with a metric: the sides of the faces have the given lengths. `positions` may all be
+  /// `no_position`; what only needs lengths then works, and positions in results are NaN.
+  /// \throw InvalidInput also for lengths that are negative or not finite, that two faces of an edge disagree
+  ///        on, or that break the triangle inequality, beyond rounding (names the face and its three
+  ///        lengths).
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+       const SideLengths& sides);
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
@@ -54,6 +71,21 @@ class Mesh {
   /// The face of the constructor's list that became `face` (faces left out have no counterpart here).
   Index input_face(Index face) const { return input_face_.empty() ? face : input_face_[face]; }
   double face_area(Index face) const;
+
+  /// Whether edges have lengths other than those in space.
+  bool has_metric() const { return has_metric_; }
+  bool has_positions() const { return has_positions_; }
+  /// The corners of a face: in space, or with a metric laid into the plane z = 0 by the lengths of its sides.
+  std::array<Point, 3> face_corners(Index face) const;
+  std::array<double, 3> side_lengths(Index face) const;
+  /// A lower bound of the length of every path between two points in space: their distance, with a metric
+  /// multiplied by `straight_scale()`.
+  double straight_bound(const Point& a, const Point& b) const {
+    return straight_scale_ > 0.0 ? straight_scale_ * distance_between(a, b) : 0.0;
+  }
+  /// Least ratio of the length of a line in a face to its length in space; 1 without a metric, 0 without
+  /// positions or where a face has no width.
+  double straight_scale() const { return straight_scale_; }
 
   static Index face_of(Index halfedge) { return halfedge / 3; }
   static Index next_in_face(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
@@ -112,7 +144,11 @@ class Mesh {
   std::size_t memory_bytes() const;
 
  private:
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+       const SideLengths* sides);
   void link_edges();
+  void take_sides(const SideLengths& sides);
+  void bound_straight_lines();
   void measure_edges();
   void sort_fans();
   void find_components();
@@ -135,6 +171,9 @@ class Mesh {
   double mean_edge_length_ = 0.0;
   double typical_edge_length_ = 0.0;
   double longest_edge_length_ = 0.0;
+  double straight_scale_ = 1.0;
+  bool has_metric_ = false;
+  bool has_positions_ = true;
 };
 
 /// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the

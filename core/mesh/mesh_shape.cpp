@@ -19,9 +19,10 @@ double cross_length(const Point& a, const Point& b) {
 }  // namespace
 
 double Mesh::corner_angle(Index halfedge) const {
-  const Point& corner = positions_[tail(halfedge)];
-  const Point to_next = from_to(corner, positions_[head(halfedge)]);
-  const Point to_previous = from_to(corner, positions_[apex(halfedge)]);
+  const auto corners = face_corners(face_of(halfedge));
+  const Point& corner = corners[halfedge % 3];
+  const Point to_next = from_to(corner, corners[next_in_face(halfedge) % 3]);
+  const Point to_previous = from_to(corner, corners[previous_in_face(halfedge) % 3]);
   return std::atan2(cross_length(to_next, to_previous), scalar_product(to_next, to_previous));
 }
 
@@ -34,9 +35,10 @@ double Mesh::face_area(Index face) const {
       longest = i;
   }
   const Index opposite = 3 * face + longest;
-  const Point& corner = positions_[apex(opposite)];
-  return 0.5 * cross_length(from_to(corner, positions_[tail(opposite)]),
-                            from_to(corner, positions_[head(opposite)]));
+  const auto corners = face_corners(face);
+  const Point& corner = corners[previous_in_face(opposite) % 3];
+  return 0.5 * cross_length(from_to(corner, corners[opposite % 3]),
+                            from_to(corner, corners[next_in_face(opposite) % 3]));
 }
 
 double Mesh::mean_angle_defect() const {

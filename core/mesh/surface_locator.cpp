@@ -97,6 +97,11 @@ std::string in_words(const Point& point) {
 
 SurfaceLocator::SurfaceLocator(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
   if (mesh_->face_count() == 0) throw InvalidInput("The mesh has no face to which a point could be moved.");
+  if (!mesh_->has_positions()) {
+    throw InvalidInput(
+        "Points in space cannot be moved to a surface that has edge lengths and no positions; name faces and "
+        "barycentric weights, or give positions as well.");
+  }
   require_lengths(*mesh_, "moving points to the surface takes", exact_lengths.least_mean,
                   exact_lengths.greatest);
   order_.resize(mesh_->face_count());

@@ -70,6 +70,17 @@ SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
   return first;
 }
 
+std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& point) {
+  const auto corners = mesh.face_corners(point.face);
+  Point at{};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) at[k] += point.barycentric[i] * corners[i][k];
+  }
+  std::array<double, 3> distances{};
+  for (int i = 0; i < 3; ++i) distances[i] = distance_between(at, corners[i]);
+  return distances;
+}
+
 Point position_of(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return mesh.position(point.vertex);
   Point result{};

@@ -35,7 +35,10 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 /// numbers are.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
-/// Position in space.
+/// Distances of a point from the corners of its face, straight through the face. \pre It is not a vertex.
+std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& point);
+
+/// Position in space; NaN on a surface without positions.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 
 /// Barycentric weights of a point in a face that holds it. \return false if the face does not hold it.

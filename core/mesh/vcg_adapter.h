@@ -23,6 +23,7 @@ struct VcgMeshArrays {
   std::vector<Index> vertex_of_input;  ///< one entry per entry of mesh.vert; no_index for a deleted vertex
   std::vector<Index> input_of_vertex;  ///< index in mesh.vert
   std::vector<Index> input_of_face;    ///< index in mesh.face
+  SideLengths sides;                   ///< of the faces in the metric chosen; empty: lengths in space
 };
 
 /// Copies positions (as doubles) and connectivity. The mesh may hold deleted elements; it is not changed.

@@ -1,4 +1,4 @@
-// A* search with the straight line as lower bound.
+// A* search with the straight line, shortened by what a metric may save, as lower bound.
 #include "path/path_edges.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
   auto straight = [&](Index v) {
     const Point& p = mesh.position(v);
     const double x = p[0] - end[0], y = p[1] - end[1], z = p[2] - end[2];
-    return std::sqrt(x * x + y * y + z * z);
+    return mesh.straight_scale() > 0.0 ? mesh.straight_scale() * std::sqrt(x * x + y * y + z * z) : 0.0;
   };
   std::unordered_map<Index, Reached> reached{{start, {0.0, {no_index, no_index}}}};
   std::priority_queue<Entry> queue;

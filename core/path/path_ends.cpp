@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "index/local_tables.h"
 #include "index/work_points.h"
@@ -19,16 +18,10 @@ PathEnd path_end(const IndexData& data, const SurfacePoint& user) {
   if (end.point.is_vertex()) {
     end.vertex = end.point.vertex;
   } else {
-    const Point at = position_of(mesh, end.point);
-    end.to_vertex = unreachable;
-    for (Index v : mesh.face_vertices(end.point.face)) {
-      const Point& p = mesh.position(v);
-      const double distance = std::hypot(at[0] - p[0], at[1] - p[1], at[2] - p[2]);
-      if (distance < end.to_vertex) {
-        end.to_vertex = distance;
-        end.vertex = v;
-      }
-    }
+    const auto distances = distances_in_face(mesh, end.point);
+    const auto nearest = std::ranges::min_element(distances);
+    end.to_vertex = *nearest;
+    end.vertex = mesh.face_vertices(end.point.face)[nearest - distances.begin()];
   }
   for_each_face_at(mesh, end.point, [&](Index face, const std::array<double, 3>&) {
     const Index patch = data.work.second_layer[face];

@@ -55,13 +55,14 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.stamp = stamp_;
   state.distance = state.to_target = unreachable_float;
   state.lower_bound = 0.0f;
-  if (target_vertex_ != no_index) {
+  const double scale = data_.work.mesh->straight_scale();
+  if (target_vertex_ != no_index && scale > 0.0) {
     const Point& a = data_.node_position[node];
     const Point& b = data_.work.mesh->position(target_vertex_);
     const double x = a[0] - b[0];
     const double y = a[1] - b[1];
     const double z = a[2] - b[2];
-    state.lower_bound = static_cast<float>(line_slack * std::sqrt(x * x + y * y + z * z));
+    state.lower_bound = static_cast<float>(line_slack * scale * std::sqrt(x * x + y * y + z * z));
   }
   return state;
 }

@@ -93,6 +93,11 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
   const Mesh& mesh = team.mesh();
   if (given.empty()) throw InvalidInput("There is no point to relax; name at least one.");
   const PointList points = points_on(mesh, given, "Point");
+  if (!mesh.has_positions()) {
+    throw InvalidInput(
+        "Points are relaxed towards the centres of their regions in space, but this surface has edge lengths "
+        "and no positions; give positions as well.");
+  }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
   const auto area = vertex_areas(mesh);
   RelaxedPoints result;

@@ -27,12 +27,6 @@ void take_minimum(std::vector<double>& distance, const std::vector<double>& fiel
   for (std::size_t v = 0; v < field.size(); ++v) distance[v] = std::min(distance[v], field[v]);
 }
 
-double straight(const Mesh& mesh, Index a, Index b) {
-  const Point& p = mesh.position(a);
-  const Point& q = mesh.position(b);
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
-
 /// A random number below `count`, the same with every standard library.
 std::size_t below(std::mt19937_64& random, std::size_t count) {
   return static_cast<std::size_t>(random() % count);
@@ -111,14 +105,16 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
   std::vector<std::vector<double>> fields;
   std::size_t next = 0;
   while (next < order.size()) {
-    // Darts that are a radius apart in space nearly always lie outside each other's disks, so they are thrown
-    // together. Those that do not are left out below, so that the samples do not depend on the threads.
+    // Darts that are a radius apart by a straight line nearly always lie outside each other's disks, so they
+    // are thrown together. Those that do not are left out below, so that the samples do not depend on the
+    // threads.
     batch.clear();
     while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * team.threads())) {
       const Index dart = order[next];
       if (distance[dart] >= radius) {
-        const bool may_hit = std::any_of(batch.begin(), batch.end(),
-                                         [&](Index other) { return straight(mesh, dart, other) < radius; });
+        const bool may_hit = std::any_of(batch.begin(), batch.end(), [&](Index other) {
+          return mesh.straight_bound(mesh.position(dart), mesh.position(other)) < radius;
+        });
         if (may_hit) break;
         batch.push_back(dart);
       }

@@ -75,7 +75,7 @@ Results build_index_of_layer(FilterCall& call) {
   const IndexOptions options = options_of(call);
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   if (!file.empty()) check_index_file_can_be_written(file);
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto index = build_index(call, layer_mesh, options, call.progress);
   if (!file.empty()) {
     run_ticking(call.progress.part(1.0, 1.0), "Writing the geodesic index",

@@ -28,7 +28,7 @@ std::string name_of(const LayerMesh& layer_mesh, const Mesh& mesh, const Surface
 }
 
 Results distance_between_points(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const EndPoints ends = end_points(call, layer_mesh, mesh);
   const auto& [source, target] = ends;

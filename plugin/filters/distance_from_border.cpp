@@ -24,7 +24,7 @@ std::vector<Index> border_vertices(const Mesh& mesh) {
 }
 
 Results distances_from_border(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   return write_distance_field(call, layer_mesh, border_vertices(*read_mesh(call, layer_mesh)), Method::index);
 }
 

@@ -18,7 +18,7 @@ RichParameterList from_point_parameters(const MeshDocument& document) {
 }
 
 Results distances_from_point(FilterCall& call, Method method) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const StartPoint start = start_point(call, layer_mesh, mesh);
   Results results;

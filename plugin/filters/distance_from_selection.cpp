@@ -9,7 +9,7 @@ namespace vorogeo::plugin {
 namespace {
 
 Results distances_from_selection(FilterCall& call, Method method) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   return write_distance_field(
       call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh, "where distances shall start"), method);
 }

@@ -55,7 +55,7 @@ Method method_of(const FilterCall& call) {
 }
 
 Results distances_from_layer(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
   PointSnapper snapper(call, mesh, "source_layer");
@@ -93,7 +93,7 @@ Results distances_from_layer(FilterCall& call) {
 }
 
 Results distances_from_edges(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const bool from_border = call.parameters.getBool("from_border");
   std::vector<Index> edges;

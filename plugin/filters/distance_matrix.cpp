@@ -29,7 +29,7 @@ RichParameterList matrix_parameters(const MeshDocument& document) {
 }
 
 Results distance_matrix_of_selection(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const TaskPoints points = task_points(call, layer_mesh, "whose distances are wanted");
   const std::size_t k = points.size();
   // Once here, and once in the array that the host passes on.
@@ -66,7 +66,7 @@ RichParameterList pairs_parameters(const MeshDocument& document) {
 }
 
 Results pairs_of_selection(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const double radius = length_of(call, "radius", true);
   const TaskPoints points = task_points(call, layer_mesh, "among which pairs are wanted");
   const auto file = output_file(call);

@@ -27,7 +27,7 @@ RichParameterList disk_parameters(const MeshDocument& document) {
 }
 
 Results select_disk(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const double radius = length_of(call, "radius", true);
   const int number = call.parameters.getInt("vertex_index");
   TaskPoints sources;
@@ -68,7 +68,7 @@ RichParameterList extent_parameters(const MeshDocument&) {
 Results measure_extent(FilterCall& call) {
   const int fields = call.parameters.getInt("fields");
   if (fields < 2) refuse(call, "fields", fields, ". Give 2 or more.");
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const int number = call.parameters.getInt("vertex_index");
   Index start = number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
   TeamOfLayer found = team_of_layer(call, layer_mesh);

@@ -1,6 +1,6 @@
 // Filter: the shortest path between two points as a polyline layer.
 #include <chrono>
-#include <cmath>
+#include <span>
 #include <sstream>
 
 #include "filters/help.h"
@@ -30,7 +30,7 @@ RichParameterList path_parameters(const MeshDocument& document) {
 }
 
 Results draw_path(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const EndPoints ends = end_points(call, layer_mesh, mesh);
   const auto& [source, target] = ends;
@@ -53,9 +53,7 @@ Results draw_path(FilterCall& call) {
     double step = 0.0;
     if (count > 1) {
       lines.segments.push_back({count - 2, count - 1});
-      const Point& a = lines.points[count - 2];
-      const Point& b = lines.points[count - 1];
-      step = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+      step = measured_length(*mesh, std::span(&point - 1, 2)).length;
     }
     along.push_back(along.empty() ? 0.0 : along.back() + step);
   }

@@ -35,7 +35,7 @@ RichParameterList file_to_read(const MeshDocument&) {
 }
 
 Results describe_index(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   call.progress.report(0.0, "Looking for the geodesic index");
   const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
   if (!index) {
@@ -54,7 +54,7 @@ Results describe_index(FilterCall& call) {
 Results save_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   check_index_file_can_be_written(file);
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
   if (!index) {
     throw InvalidInput(
@@ -74,7 +74,7 @@ Results save_index(FilterCall& call) {
 Results load_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getOpenFileName("index_file"));
   if (file.empty()) throw IndexFileError("No index file is named. Name one that ends in .vgi.");
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto index = run_ticking(call.progress, "Reading the geodesic index", [&](const Progress&) {
     return GeodesicIndex::load(file, layer_mesh.make_mesh());
   });

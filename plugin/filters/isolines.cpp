@@ -50,7 +50,7 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
 }
 
 Results draw_isolines(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput("The vertices have no quality. Compute a distance first.");
   }

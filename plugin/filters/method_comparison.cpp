@@ -243,7 +243,8 @@ FilterRow method_comparison_row() {
       FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
       comparison_parameters,
-      compare_methods};
+      compare_methods,
+      false};
 }
 
 }  // namespace vorogeo::plugin

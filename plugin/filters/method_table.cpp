@@ -94,7 +94,8 @@ FilterRow method_table_row() {
       FilterPlugin::Measure,
       MeshModel::MM_NONE,
       table_parameters,
-      measure_methods};
+      measure_methods,
+      false};
 }
 
 }  // namespace vorogeo::plugin

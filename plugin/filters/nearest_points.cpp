@@ -31,7 +31,7 @@ RichParameterList nearest_parameters(const MeshDocument& document) {
 }
 
 Results nearest_points(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const int neighbours = call.parameters.getInt("neighbour_number");
   if (neighbours < 1) {
     refuse(call, "neighbour_number", neighbours, ". Give 1 or more.");

@@ -26,7 +26,7 @@ Results color_patches(FilterCall& call) {
   if (layer != 1 && layer != 2) {
     refuse(call, "layer", layer, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
   }
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const IndexOfLayer found = index_of_layer(call, layer_mesh);
   const Mesh& mesh = *found.index->mesh();
   const auto patches = found.index->face_patches(layer);

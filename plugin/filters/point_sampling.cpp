@@ -32,7 +32,7 @@ RichParameterList farthest_parameters(const MeshDocument& document) {
 }
 
 Results farthest_sampling(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const FarthestStop stop{call.parameters.getInt("sample_number"), length_of(call, "radius", true)};
   if (stop.count < 0 || (stop.count == 0 && stop.radius == 0.0)) {
     refuse(call, "sample_number", stop.count,
@@ -66,7 +66,7 @@ RichParameterList poisson_parameters(const MeshDocument& document) {
 }
 
 Results poisson_disk_sampling(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const double radius = length_of(call, "radius", false);
   const std::uint64_t seed = seed_of(call);
   TeamOfLayer found = team_of_layer(call, layer_mesh);
@@ -90,7 +90,7 @@ RichParameterList lloyd_parameters(const MeshDocument& document) {
 Results lloyd_relaxation(FilterCall& call) {
   const int rounds = call.parameters.getInt("rounds");
   if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const TaskPoints points = task_points(call, layer_mesh, "that shall be relaxed");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const RelaxedPoints relaxed = relax_points(found.team, points.points, rounds, found.progress);

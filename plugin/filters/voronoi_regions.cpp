@@ -36,7 +36,7 @@ PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::
 }
 
 Results color_voronoi_regions(FilterCall& call) {
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const TaskPoints points = task_points(call, layer_mesh, "whose regions are wanted");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
   const Mesh& mesh = found.team.mesh();

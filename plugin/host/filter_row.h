@@ -44,6 +44,8 @@ struct FilterRow {
   /// The parameters of the dialog; the document has a current layer.
   RichParameterList (*parameters)(const MeshDocument& document);
   Results (*apply)(FilterCall& call);
+  /// Whether it measures in a metric of the user's choice, by the parameters of layers/layer_metric.h.
+  bool has_metric = true;
 };
 
 }  // namespace vorogeo::plugin

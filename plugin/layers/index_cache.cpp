@@ -7,7 +7,7 @@
 namespace vorogeo::plugin {
 
 bool IndexCache::Entry::fits(const VcgMeshArrays& arrays) const {
-  return faces == arrays.faces && index->mesh()->positions() == arrays.positions;
+  return faces == arrays.faces && sides == arrays.sides && index->mesh()->positions() == arrays.positions;
 }
 
 std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays, const void* document) {
@@ -23,7 +23,7 @@ std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& array
 void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
                      const void* document) {
   const std::lock_guard lock(mutex_);
-  Entry entry{arrays.faces, std::move(index), {}};
+  Entry entry{arrays.faces, arrays.sides, std::move(index), {}};
   if (document != nullptr) entry.documents.insert(document);
   for (const Entry& e : entries_) {  // other documents that used the replaced index now use this one
     if (e.fits(arrays)) entry.documents.insert(e.documents.begin(), e.documents.end());

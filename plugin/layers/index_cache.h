@@ -16,8 +16,8 @@ namespace vorogeo::plugin {
 
 /// The few indexes used last, each with the mesh it was built for.
 ///
-/// An index is found by comparing the whole mesh, all positions and all faces, not a name or a hash of it:
-/// after any edit there is no index until one is built again, and when the edit is undone the old one is
+/// An index is found by comparing the whole mesh, all positions, faces and lengths, not a name or a hash of
+/// it: after any edit there is no index until one is built again, and when the edit is undone the old one is
 /// found again. An index belongs to the documents that used it and is freed with the last of them. May be
 /// used by several threads.
 class IndexCache {
@@ -40,6 +40,7 @@ class IndexCache {
     /// All faces given, including those that a Mesh leaves out: an edit may turn one of them into a proper
     /// face.
     std::vector<std::array<Index, 3>> faces;
+    SideLengths sides;
     std::shared_ptr<const GeodesicIndex> index;
     std::set<const void*> documents;
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "layers/layer_metric.h"
 #include "mesh/mesh_check.h"
 #include "support/error.h"
 
@@ -19,6 +20,10 @@ LayerMesh::LayerMesh(const CMeshO& layer) {
         "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
   }
   arrays_ = arrays_from_vcg(layer);
+}
+
+LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm) {
+  arrays_.sides = side_lengths_of(call, arrays_);
 }
 
 Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) const {

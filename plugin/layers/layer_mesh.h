@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "host/host_api.h"
+#include "host/filter_row.h"
 #include "mesh/mesh.h"
 #include "mesh/vcg_adapter.h"
 
@@ -17,6 +17,9 @@ class LayerMesh {
   /// Copies the layer. \throw InvalidInput for a layer without vertices or faces and for a coordinate that is
   /// NaN or infinite (names the vertex).
   explicit LayerMesh(const CMeshO& layer);
+  /// The current layer in the metric that the parameters choose. \throw InvalidInput also as
+  /// side_lengths_of().
+  explicit LayerMesh(const FilterCall& call);
 
   const VcgMeshArrays& arrays() const { return arrays_; }
 
@@ -28,7 +31,8 @@ class LayerMesh {
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
 
   std::shared_ptr<const Mesh> make_mesh() const {
-    return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces);
+    if (arrays_.sides.empty()) return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces);
+    return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces, arrays_.sides);
   }
   /// What a user should know about the mesh before trusting distances on it, one sentence each.
   std::vector<std::string> warnings() const;

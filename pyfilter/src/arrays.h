@@ -3,10 +3,12 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,8 +44,13 @@ inline std::vector<std::array<Index, 3>> triangles_of(const FaceArray& faces) {
   return triangles;
 }
 
-inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces) {
-  return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces));
+/// Lengths of the sides of the faces, each opposite its corner; nothing for those in space.
+using SideArray = std::optional<VertexArray>;
+
+inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces,
+                                           const SideArray& sides) {
+  if (!sides) return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces));
+  return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces), points_of(*sides));
 }
 
 inline std::span<const Index> ids_of(const IdArray& ids) { return {ids.data(), ids.shape(0)}; }

@@ -5,6 +5,7 @@
 #include "index_binding.h"
 #include "mesh_binding.h"
 #include "methods_binding.h"
+#include "metric_binding.h"
 #include "output_binding.h"
 #include "paths_binding.h"
 #include "point_arrays.h"
@@ -16,6 +17,7 @@ NB_MODULE(_core, module) {
   vorogeo::python::translate_errors();
   vorogeo::python::bind_mesh_functions(module);
   vorogeo::python::bind_methods(module);
+  vorogeo::python::bind_metrics(module);
   vorogeo::python::bind_output(module);
   vorogeo::python::bind_index(module);
   vorogeo::python::bind_points(module);

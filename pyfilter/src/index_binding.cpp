@@ -108,9 +108,9 @@ class IndexHandle {
 };
 
 /// The Python object owns what build and load return.
-IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index first_layer_patches,
-                   Index second_layer_patches, double delta, int threads, std::uint64_t seed,
-                   std::int64_t memory_budget, nb::object progress) {
+IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
+                   Index first_layer_patches, Index second_layer_patches, double delta, int threads,
+                   std::uint64_t seed, std::int64_t memory_budget, nb::object progress) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
@@ -123,7 +123,7 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index fi
     std::shared_ptr<const Mesh> mesh;
     {
       const Watch watch(report, "Reading the mesh");
-      mesh = mesh_of(vertices, faces);
+      mesh = mesh_of(vertices, faces, sides);
     }
     return GeodesicIndex::build(std::move(mesh), options, report);
   });
@@ -131,9 +131,9 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, Index fi
 }
 
 IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices, const FaceArray& faces,
-                  int threads) {
+                  const SideArray& sides, int threads) {
   nb::gil_scoped_release release;
-  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces));
+  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides));
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
 
@@ -143,10 +143,11 @@ HeldIndex held_index(nb::handle object) { return nb::cast<const IndexHandle&>(ob
 
 void bind_index(nb::module_& module) {
   nb::class_<IndexHandle>(module, "Index")
-      .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("first_layer_patches"),
-                  nb::arg("second_layer_patches"), nb::arg("delta"), nb::arg("threads"), nb::arg("seed"),
-                  nb::arg("memory_budget"), nb::arg("progress").none())
-      .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"), nb::arg("threads"))
+      .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
+                  nb::arg("first_layer_patches"), nb::arg("second_layer_patches"), nb::arg("delta"),
+                  nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"), nb::arg("progress").none())
+      .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"),
+                  nb::arg("sides").none(), nb::arg("threads"))
       .def("distance", &IndexHandle::distance, nb::arg("source"), nb::arg("target"))
       .def("distances", &IndexHandle::distances, nb::arg("sources"), nb::arg("targets"))
       .def("distance_field", &IndexHandle::distance_field, nb::arg("sources"), nb::arg("max_distance"))

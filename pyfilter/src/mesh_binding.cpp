@@ -12,11 +12,11 @@ namespace vorogeo::python {
 
 namespace {
 
-DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const IdArray& sources,
-                                 double max_distance) {
+DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
+                                 const IdArray& sources, double max_distance) {
   ProgressBridge bridge{nb::none()};
   auto values = bridge.run([&](const Progress& progress) {
-    const auto mesh = mesh_of(vertices, faces);
+    const auto mesh = mesh_of(vertices, faces, sides);
     ExactSolver solver(mesh);
     ExactLimits limits;
     limits.max_distance = max_distance;
@@ -87,13 +87,14 @@ void bind_mesh_functions(nb::module_& module) {
   nb::class_<HeldMesh>(module, "Surface")
       .def(
           "__init__",
-          [](HeldMesh* self, const VertexArray& vertices, const FaceArray& faces, int threads) {
+          [](HeldMesh* self, const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
+             int threads) {
             nb::gil_scoped_release release;
-            new (self) HeldMesh{mesh_of(vertices, faces), threads};
+            new (self) HeldMesh{mesh_of(vertices, faces, sides), threads};
           },
-          nb::arg("vertices"), nb::arg("faces"), nb::arg("threads"));
+          nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(), nb::arg("threads"));
   module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
-             nb::arg("sources"), nb::arg("max_distance"));
+             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"));
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"));
 }
 

@@ -21,11 +21,11 @@ struct BoundMethod {
 };
 
 BoundMethod* prepare(const std::string& name, const VertexArray& vertices, const FaceArray& faces,
-                     const MethodOptions& options, nb::handle progress) {
+                     const SideArray& sides, const MethodOptions& options, nb::handle progress) {
   ProgressBridge bridge{progress};
   return bridge
       .run([&](const Progress& inner) {
-        auto mesh = mesh_of(vertices, faces);
+        auto mesh = mesh_of(vertices, faces, sides);
         auto method = prepare_method(name, mesh, options, inner);
         return std::make_unique<BoundMethod>(std::move(mesh), std::move(method));
       })
@@ -43,9 +43,10 @@ double pair(BoundMethod& self, Index source, Index target) {
   return self.method->pair(source, target);
 }
 
-std::string warning(const std::string& name, const VertexArray& vertices, const FaceArray& faces) {
+std::string warning(const std::string& name, const VertexArray& vertices, const FaceArray& faces,
+                    const SideArray& sides) {
   const MethodEntry& entry = method_named(name);
-  return entry.warning ? entry.warning(*mesh_of(vertices, faces)) : std::string();
+  return entry.warning ? entry.warning(*mesh_of(vertices, faces, sides)) : std::string();
 }
 
 nb::list describe() {
@@ -77,12 +78,13 @@ nb::list describe() {
 void bind_methods(nb::module_& module) {
   nb::class_<BoundMethod>(module, "Method")
       .def_static("prepare", &prepare, nb::arg("name"), nb::arg("vertices"), nb::arg("faces"),
-                  nb::arg("options"), nb::arg("progress").none())
+                  nb::arg("sides").none(), nb::arg("options"), nb::arg("progress").none())
       .def("field", &field, nb::arg("sources"))
       .def("pair", &pair, nb::arg("source"), nb::arg("target"))
       .def("bytes", [](const BoundMethod& self) { return self.method->bytes(); });
   module.def("describe_methods", &describe);
-  module.def("method_warning", &warning, nb::arg("name"), nb::arg("vertices"), nb::arg("faces"));
+  module.def("method_warning", &warning, nb::arg("name"), nb::arg("vertices"), nb::arg("faces"),
+             nb::arg("sides").none());
 }
 
 }  // namespace vorogeo::python

@@ -23,6 +23,7 @@ from .geodesic_methods import (
 from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .mesh_files import read_mesh
+from .metrics import EdgeLengths, MetricLengths, VertexCost, VertexTensor, curvature_tensor, slope_cost
 from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
@@ -44,6 +45,7 @@ __all__ = [
     "Cancelled",
     "Disk",
     "EdgeCurve",
+    "EdgeLengths",
     "Error",
     "Extent",
     "FarthestSamples",
@@ -61,20 +63,25 @@ __all__ = [
     "MethodInfo",
     "MethodOption",
     "MethodWarning",
+    "MetricLengths",
     "NotEnoughMemory",
     "PluginError",
     "Polylines",
     "RelaxedPoints",
     "SparseDistances",
     "SurfacePoints",
+    "VertexCost",
+    "VertexTensor",
     "VoronoiRegions",
     "check_mesh",
+    "curvature_tensor",
     "distance_field",
     "exact_distance_field",
     "load_plugin",
     "matrix_bytes",
     "methods",
     "read_mesh",
+    "slope_cost",
 ]
 
 _load_on_import()

@@ -12,6 +12,7 @@ class Index:
     def build(
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
+        sides: NDArray[np.float64] | None,
         first_layer_patches: int,
         second_layer_patches: int,
         delta: float,
@@ -22,7 +23,11 @@ class Index:
     ) -> Index: ...
     @staticmethod
     def load(
-        file: str | os.PathLike[str], vertices: NDArray[np.float64], faces: NDArray[np.int32], threads: int
+        file: str | os.PathLike[str],
+        vertices: NDArray[np.float64],
+        faces: NDArray[np.int32],
+        sides: NDArray[np.float64] | None,
+        threads: int,
     ) -> Index: ...
     def distance(self, source: int, target: int) -> float: ...
     def distances(self, sources: NDArray[np.int32], targets: NDArray[np.int32]) -> NDArray[np.float64]: ...
@@ -32,7 +37,23 @@ class Index:
     def statistics(self) -> dict[str, Any]: ...
 
 def exact_distance_field(
-    vertices: NDArray[np.float64], faces: NDArray[np.int32], sources: NDArray[np.int32], max_distance: float
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    sides: NDArray[np.float64] | None,
+    sources: NDArray[np.int32],
+    max_distance: float,
+) -> NDArray[np.float64]: ...
+def lengths_by_cost(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], cost: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], int]: ...
+def lengths_by_tensor(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], tensors: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], int]: ...
+def slope_cost(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], x: float, y: float, z: float, penalty: float
+) -> NDArray[np.float64]: ...
+def curvature_tensors(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], weight: float
 ) -> NDArray[np.float64]: ...
 def check_mesh(vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> dict[str, Any]: ...
 def available_memory_bytes() -> int: ...
@@ -51,6 +72,7 @@ class Method:
         name: str,
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
+        sides: NDArray[np.float64] | None,
         options: dict[str, float],
         progress: Callable[[float, str], object] | None,
     ) -> Method: ...
@@ -59,7 +81,9 @@ class Method:
     def bytes(self) -> int: ...
 
 def describe_methods() -> list[dict[str, Any]]: ...
-def method_warning(name: str, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> str: ...
+def method_warning(
+    name: str, vertices: NDArray[np.float64], faces: NDArray[np.int32], sides: NDArray[np.float64] | None
+) -> str: ...
 
 _Progress = Callable[[float, str], object] | None
 _Ids = NDArray[np.int32]
@@ -67,7 +91,7 @@ _Floats = NDArray[np.float64]
 _Reals = NDArray[np.float64] | NDArray[np.float32]
 
 class Surface:
-    def __init__(self, vertices: _Floats, faces: _Ids, threads: int) -> None: ...
+    def __init__(self, vertices: _Floats, faces: _Ids, sides: _Floats | None, threads: int) -> None: ...
 
 class Points:
     def __init__(self, vertex: _Ids, face: _Ids, weights: _Floats) -> None: ...

@@ -26,7 +26,11 @@ def saved(handle: _core.Index) -> NDArray[np.uint8]:
 
 
 def loaded(
-    contents: NDArray[np.uint8], vertices: NDArray[np.float64], faces: NDArray[np.int32], threads: int
+    contents: NDArray[np.uint8],
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    sides: NDArray[np.float64] | None,
+    threads: int,
 ) -> _core.Index:
     """The index of this mesh from the contents of its file.
 
@@ -38,4 +42,4 @@ def loaded(
     with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
         file = Path(folder) / "index.vgi"
         contents.tofile(file)
-        return _core.Index.load(file, vertices, faces, threads)
+        return _core.Index.load(file, vertices, faces, sides, threads)

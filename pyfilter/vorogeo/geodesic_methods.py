@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import _core
+from . import _core, metrics
 from .errors import InvalidInput
+from .metrics import Metric
 from .progress import ProgressFunction, reporter
 
 
@@ -143,6 +144,8 @@ class GeodesicMethod:
         Vertex ids of the triangles, 0 to n - 1.
     method : str
         One of `methods`.
+    metric : EdgeLengths, VertexCost or VertexTensor, optional
+        What paths cost; None is their length in space.
     progress : callable, bool or None
         Told (fraction, text) during preparation; a result of False cancels. True: a tqdm bar.
     **options : float
@@ -167,27 +170,29 @@ class GeodesicMethod:
 
     def __init__(
         self,
-        vertices: ArrayLike,
+        vertices: ArrayLike | None,
         faces: ArrayLike,
         method: str = "vorogeo",
         *,
+        metric: Metric | None = None,
         progress: ProgressFunction | bool | None = None,
         **options: float,
     ) -> None:
         if not isinstance(method, str) or method not in methods:
             raise InvalidInput(f"method: {method!r} is not known; give one of {', '.join(map(repr, methods))}.")
         self.info = methods[method]
-        points = check.vertices(vertices)
+        points = metrics.positions(vertices, faces, metric)
         triangles = check.faces(faces, len(points))
+        sides = metrics.sides(metric, points, triangles)
         self._vertex_count = len(points)
         wanted = "a number (methods[method].options says which)"
         values = {name: check.real(name, value, wanted) for name, value in options.items()}
-        warning = _core.method_warning(method, points, triangles)
+        warning = _core.method_warning(method, points, triangles, sides)
         if warning:
             warnings.warn(warning, MethodWarning, stacklevel=2)
         start = time.perf_counter()
         with reporter(progress) as report:
-            self._method = _core.Method.prepare(method, points, triangles, values, report)
+            self._method = _core.Method.prepare(method, points, triangles, sides, values, report)
         self.seconds = time.perf_counter() - start
 
     def distance_field(self, sources: ArrayLike) -> NDArray[np.float64]:
@@ -220,7 +225,13 @@ class GeodesicMethod:
 
 
 def distance_field(
-    vertices: ArrayLike, faces: ArrayLike, sources: ArrayLike, method: str = "mmp", **options: float
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    sources: ArrayLike,
+    method: str = "mmp",
+    *,
+    metric: Metric | None = None,
+    **options: float,
 ) -> NDArray[np.float64]:
     """Distance of every vertex from its nearest source, by a method of choice.
 
@@ -230,6 +241,8 @@ def distance_field(
         As for `exact_distance_field`.
     method : str
         One of `methods`; "mmp" is exact.
+    metric : EdgeLengths, VertexCost or VertexTensor, optional
+        What paths cost; None is their length in space.
     **options : float
         Options of the method, such as ``eps=1e-3`` for "ammp".
 
@@ -247,4 +260,4 @@ def distance_field(
     -----
     Prepares the method each time; `GeodesicMethod` keeps what it has prepared.
     """
-    return GeodesicMethod(vertices, faces, method, progress=None, **options).distance_field(sources)
+    return GeodesicMethod(vertices, faces, method, metric=metric, progress=None, **options).distance_field(sources)

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import _core
+from . import _core, metrics
 from ._serial import loaded, saved
 from .masks import face_mask, without_masked
+from .metrics import Metric, MetricLengths
 from .progress import ProgressFunction, reporter
 from .queries import Queries
 from .results import IndexStatistics
@@ -27,7 +28,7 @@ class GeodesicIndex(Queries):
     Parameters
     ----------
     vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout.
+        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`.
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
     patches : (int, int), optional
@@ -45,6 +46,8 @@ class GeodesicIndex(Queries):
     memory_budget : int, optional
         MiB that the index may take; None is 4096. It consists of tables if they fit, otherwise of a pruned graph, which
         is smaller and slower; `statistics.form` says which.
+    metric : EdgeLengths, VertexCost or VertexTensor, optional
+        What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     mask : array_like of bool, shape (m,) or (n,), optional
         Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
         many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
@@ -72,18 +75,29 @@ class GeodesicIndex(Queries):
     >>> index.distance_field([0, 17])
     """
 
-    __slots__ = ("__weakref__", "_faces", "_handle", "_mask", "_paths", "_statistics", "_threads", "_vertices")
+    __slots__ = (
+        "__weakref__",
+        "_faces",
+        "_handle",
+        "_mask",
+        "_metric",
+        "_paths",
+        "_statistics",
+        "_threads",
+        "_vertices",
+    )
 
     _handle: _core.Index
     _statistics: IndexStatistics
     _vertices: NDArray[np.float64]
     _faces: NDArray[np.int32]
     _mask: NDArray[np.bool_] | None
+    _metric: Metric | None
     _threads: int
 
     def __init__(
         self,
-        vertices: ArrayLike,
+        vertices: ArrayLike | None,
         faces: ArrayLike,
         patches: tuple[int, int] | None = None,
         delta: float = 0.0,
@@ -92,8 +106,9 @@ class GeodesicIndex(Queries):
         progress: ProgressFunction | bool | None = None,
         memory_budget: int | None = None,
         mask: ArrayLike | None = None,
+        metric: Metric | None = None,
     ) -> None:
-        points = check.kept(check.vertices(vertices), vertices)
+        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
         kept = face_mask(mask, triangles, len(points))
         n1, n2 = check.patches(patches)
@@ -102,18 +117,21 @@ class GeodesicIndex(Queries):
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         budget = 0 if memory_budget is None else check.integer("memory_budget", memory_budget, 1, 2**31 - 1)
         surface = without_masked(triangles, kept)
+        lengths = metrics.lengths(metric, points, surface)
+        sides = None if lengths is None else lengths.lengths
         with reporter(progress) as report:
-            handle = _core.Index.build(points, surface, n1, n2, delta, workers, seed, budget, report)
-        self._adopt(handle, points, triangles, kept, workers)
+            handle = _core.Index.build(points, surface, sides, n1, n2, delta, workers, seed, budget, report)
+        self._adopt(handle, points, triangles, kept, metric, lengths, workers)
 
     @classmethod
     def load(
         cls,
         file: str | os.PathLike[str],
-        vertices: ArrayLike,
+        vertices: ArrayLike | None,
         faces: ArrayLike,
         threads: int | None = None,
         mask: ArrayLike | None = None,
+        metric: Metric | None = None,
     ) -> GeodesicIndex:
         """Read an index that was saved for exactly this mesh.
 
@@ -129,6 +147,8 @@ class GeodesicIndex(Queries):
             Threads of each field; None is one per core.
         mask : array_like of bool, optional
             The one that the index was built with.
+        metric : EdgeLengths, VertexCost or VertexTensor, optional
+            The one that the index was built with: an index of another metric is refused.
 
         Raises
         ------
@@ -138,12 +158,15 @@ class GeodesicIndex(Queries):
             (a ValueError) If an argument has a wrong shape, type or range.
         """
         path = check.file_path(file)
-        points = check.kept(check.vertices(vertices), vertices)
+        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
         workers = check.threads(threads)
         kept = face_mask(mask, triangles, len(points))
-        handle = _core.Index.load(path, points, without_masked(triangles, kept), workers)
-        return cls._of(handle, points, triangles, kept, workers)
+        surface = without_masked(triangles, kept)
+        lengths = metrics.lengths(metric, points, surface)
+        sides = None if lengths is None else lengths.lengths
+        handle = _core.Index.load(path, points, surface, sides, workers)
+        return cls._of(handle, points, triangles, kept, metric, lengths, workers)
 
     @classmethod
     def _of(
@@ -152,10 +175,12 @@ class GeodesicIndex(Queries):
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
         mask: NDArray[np.bool_] | None,
+        metric: Metric | None,
+        lengths: MetricLengths | None,
         threads: int,
     ) -> GeodesicIndex:
         index = cls.__new__(cls)
-        index._adopt(handle, vertices, faces, mask, threads)
+        index._adopt(handle, vertices, faces, mask, metric, lengths, threads)
         return index
 
     def _adopt(
@@ -164,12 +189,16 @@ class GeodesicIndex(Queries):
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
         mask: NDArray[np.bool_] | None,
+        metric: Metric | None,
+        lengths: MetricLengths | None,
         threads: int,
     ) -> None:
         self._handle = handle
         self._paths = _core.Paths(handle)
-        self._statistics = IndexStatistics(**handle.statistics())
+        shortened = 0 if lengths is None else lengths.shortened_edges
+        self._statistics = IndexStatistics(**handle.statistics(), shortened_edges=shortened)
         self._vertices, self._faces, self._mask, self._threads = vertices, faces, mask, threads
+        self._metric = metric
 
     def __copy__(self) -> GeodesicIndex:
         return self  # immutable
@@ -178,12 +207,12 @@ class GeodesicIndex(Queries):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        mesh = self._vertices, self._faces, self._mask
+        mesh = self._vertices, self._faces, self._mask, self._metric
         return _restored, (type(self), saved(self._handle), *mesh, self._threads)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """Positions of the mesh, of shape (n, 3); read-only."""
+        """Positions of the mesh, of shape (n, 3), read-only; NaN if it was given none."""
         return self._vertices
 
     @property
@@ -195,6 +224,11 @@ class GeodesicIndex(Queries):
     def mask(self) -> NDArray[np.bool_] | None:
         """Which faces belong to the surface, of shape (m,), read-only; None if all do."""
         return self._mask
+
+    @property
+    def metric(self) -> Metric | None:
+        """What paths cost; None is their length in space."""
+        return self._metric
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
@@ -247,8 +281,11 @@ def _restored(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
     mask: NDArray[np.bool_] | None,
+    metric: Metric | None,
     threads: int,
 ) -> GeodesicIndex:
     """The index that pickle took apart."""
-    handle = loaded(contents, vertices, without_masked(faces, mask), threads)
-    return cls._of(handle, vertices, faces, mask, threads)
+    surface = without_masked(faces, mask)
+    lengths = metrics.lengths(metric, vertices, surface)
+    handle = loaded(contents, vertices, surface, None if lengths is None else lengths.lengths, threads)
+    return cls._of(handle, vertices, faces, mask, metric, lengths, threads)

@@ -202,6 +202,8 @@ class IndexStatistics:
         Average relative error that pruning was allowed to add.
     seed : int
         Seed of the random numbers that placed the patches.
+    shortened_edges : int
+        With a metric, edges that got the length of the way by the third corner of a face, which is shorter; 0 without.
     """
 
     vertices: int
@@ -219,6 +221,7 @@ class IndexStatistics:
     expected_fields: float
     delta: float
     seed: int
+    shortened_edges: int = 0
 
 
 class SparseDistances(NamedTuple):

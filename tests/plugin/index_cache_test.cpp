@@ -41,6 +41,20 @@ std::vector<bool> kept(IndexCache& cache, const std::vector<Cached>& all) {
   return found;
 }
 
+TEST(IndexCache, KnowsTheMetric) {
+  const auto all = indexes(1);
+  VcgMeshArrays dear = all[0].arrays;
+  dear.sides.assign(dear.faces.size(), {1.0, 1.0, 1.0});
+  IndexCache cache;
+  cache.put(all[0].arrays, all[0].index);
+  EXPECT_EQ(cache.find(dear), nullptr);
+  cache.put(dear, all[0].index);
+  EXPECT_EQ(cache.find(dear), all[0].index);
+  EXPECT_EQ(cache.find(all[0].arrays), all[0].index);
+  dear.sides.back()[2] = 1.5;
+  EXPECT_EQ(cache.find(dear), nullptr);
+}
+
 TEST(IndexCache, KeepsTheFourUsedLast) {
   const auto all = indexes(6);
   IndexCache cache;

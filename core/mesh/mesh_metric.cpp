@@ -1,0 +1,145 @@
+// A mesh whose edges have other lengths than in space: taking them over, and what replaces positions.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "mesh/mesh.h"
+#include "support/checkpoint.h"
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Lengths of one edge in two faces, and the sums in the triangle inequality, may differ by rounding.
+constexpr double length_rounding = 1e-9;
+
+/// The bound of straight lines must hold after rounding.
+constexpr double straight_slack = 1.0 - 1e-6;
+
+std::string listed(const std::array<double, 3>& sides) {
+  std::ostringstream text;
+  text.precision(9);
+  text << sides[0] << ", " << sides[1] << ", " << sides[2];
+  return text.str();
+}
+
+/// Squares and product of two sides of a face, from its first corner.
+struct Gram {
+  explicit Gram(const std::array<Point, 3>& corner) {
+    for (int k = 0; k < 3; ++k) {
+      const double a = corner[1][k] - corner[0][k];
+      const double b = corner[2][k] - corner[0][k];
+      aa += a * a;
+      ab += a * b;
+      bb += b * b;
+    }
+  }
+  double determinant() const { return std::max(0.0, aa * bb - ab * ab); }
+  double aa = 0.0;
+  double ab = 0.0;
+  double bb = 0.0;
+};
+
+}  // namespace
+
+void Mesh::take_sides(const SideLengths& sides) {
+  const auto rows = sides.size();
+  for (Index f = 0; f < face_count(); ++f) {
+    const Index row = input_face(f);
+    const std::string number = std::to_string(row);
+    if (static_cast<std::size_t>(row) >= rows) {
+      throw InvalidInput("Face " + number + " has no side lengths: there are " + std::to_string(rows) +
+                         " rows of lengths; give one row of three for each face.");
+    }
+    const auto& side = sides[row];
+    for (double length : side) {
+      if (length >= 0.0 && std::isfinite(length)) continue;
+      throw InvalidInput("Face " + number + " has the side lengths " + listed(side) +
+                         "; lengths must be finite and not negative.");
+    }
+    const double longest = *std::ranges::max_element(side);
+    const double others = side[0] + side[1] + side[2] - longest;
+    if (longest > others + length_rounding * longest) {
+      throw InvalidInput("Face " + number + " has the side lengths " + listed(side) +
+                         ", which break the triangle inequality: no side may be longer than the other two "
+                         "together.");
+    }
+  }
+  for (Index e = 0; e < edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
+    // Side k is opposite corner k, so half-edge 3 f + i is side i + 2.
+    auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
+    const Index first = edge_halfedge_[e];
+    edge_length_[e] = length_at(first);
+    for (Index h = next_around_edge_[first]; h != first; h = next_around_edge_[h]) {
+      if (std::abs(length_at(h) - edge_length_[e]) <= length_rounding * edge_length_[e]) continue;
+      const Index one = input_face(face_of(first));
+      const Index other = input_face(face_of(h));
+      throw InvalidInput("Faces " + std::to_string(one) + " and " + std::to_string(other) +
+                         " disagree on the length of their edge from vertex " +
+                         std::to_string(edge_vertices_[e][0]) + " to " +
+                         std::to_string(edge_vertices_[e][1]) + ": their side lengths are " +
+                         listed(sides[one]) + " and " + listed(sides[other]) +
+                         "; give the same length in both (each side stands opposite its corner).");
+    }
+  }
+}
+
+std::array<double, 3> Mesh::side_lengths(Index face) const {
+  std::array<double, 3> side{};
+  for (int i = 0; i < 3; ++i) side[(i + 2) % 3] = edge_length_[halfedge_edge_[3 * face + i]];
+  return side;
+}
+
+std::array<Point, 3> Mesh::face_corners(Index face) const {
+  if (!has_metric_) {
+    const auto& v = face_vertices_[face];
+    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
+  }
+  // The longest side lies on the x axis and begins where the shorter of the other two ends, so differences
+  // are taken of numbers that have all their digits. Area: Kahan (2014), Miscalculating area and angles of a
+  // needle-like triangle.
+  const auto side = side_lengths(face);
+  const auto apex = static_cast<int>(std::ranges::max_element(side) - side.begin());
+  int origin = (apex + 1) % 3;
+  int end = (apex + 2) % 3;
+  if (side[origin] < side[end]) std::swap(origin, end);
+  const double longest = side[apex];
+  const double to_origin = side[end];
+  const double to_end = side[origin];
+  std::array<Point, 3> corner{};
+  if (!(longest > 0.0)) return corner;
+  corner[end][0] = longest;
+  const double more = longest - to_end;
+  corner[apex][0] = (to_origin * to_origin + more * (longest + to_end)) / (2.0 * longest);
+  const double square = (longest + (to_end + to_origin)) * (to_origin - more) * (to_origin + more) *
+                        (longest + (to_end - to_origin));
+  corner[apex][1] = std::sqrt(std::max(0.0, square)) / (2.0 * longest);
+  return corner;
+}
+
+/// The least singular value of the maps from the faces in space to the faces in the metric.
+void Mesh::bound_straight_lines() {
+  straight_scale_ = 0.0;
+  if (!has_positions_) return;
+  double least = unreachable;
+  for (Index f = 0; f < face_count(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    const auto& v = face_vertices_[f];
+    const Gram space({positions_[v[0]], positions_[v[1]], positions_[v[2]]});
+    const Gram metric(face_corners(f));
+    const double area = space.determinant();
+    if (!(area > 0.0)) return;
+    const double sum = (space.bb * metric.aa - 2.0 * space.ab * metric.ab + space.aa * metric.bb) / area;
+    const double product = metric.determinant() / area;
+    const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
+    if (!(sum + root > 0.0)) return;
+    least = std::min(least, 2.0 * product / (sum + root));
+  }
+  if (least < unreachable) straight_scale_ = straight_slack * std::sqrt(least);
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,199 @@
+// Integrals along edges, checks of costs and tensors, and the repair of triangles.
+#include "mesh/metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+#include "support/checkpoint.h"
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Relative to its largest entry: rounding of a symmetric product.
+constexpr double tensor_rounding = 1e-9;
+
+/// A triangle inequality that is broken by less is rounding.
+constexpr double triangle_rounding = 1e-14;
+
+void require_one_for_each(std::size_t values, const char* what, std::size_t elements, const char* names) {
+  if (values == elements) return;
+  throw InvalidInput("There are " + std::to_string(values) + " " + what + ", but the mesh has " +
+                     std::to_string(elements) + " " + names + "; give one for each.");
+}
+
+/// `element`: "Vertex" or "Face".
+void require_cost(double cost, const char* element, std::size_t number) {
+  if (cost > 0.0 && std::isfinite(cost)) return;
+  std::ostringstream text;
+  text << element << " " << number << " has the cost " << cost
+       << "; a cost is the length of a path for each unit of its length in space, above 0 and finite.";
+  throw InvalidInput(text.str());
+}
+
+/// `element`: "vertex" or "face".
+void require_symmetric(const Tensor& g, const char* element, std::size_t number) {
+  double most = 0.0;
+  double skew = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    most = std::max(most, std::abs(g[i]));
+    skew = std::max(skew, std::abs(g[i] - g[3 * (i % 3) + i / 3]));
+  }
+  const bool finite = std::ranges::all_of(g, [](double entry) { return std::isfinite(entry); });
+  if (finite && skew <= tensor_rounding * most) return;
+  throw InvalidInput(
+      "The tensor of " + std::string(element) + " " + std::to_string(number) + " is " +
+      (finite ? "not symmetric; give G with G[i][k] = G[k][i]." : "not finite; give nine finite numbers."));
+}
+
+bool is_usable(const std::array<Index, 3>& face) {
+  return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+}
+
+/// Where lengths differ much between directions, most digits of the sum cancel in the cheap ones, and they
+/// make the angles of needles: it needs more than a double has.
+using Step = std::array<long double, 3>;
+
+Step edge_vector(std::span<const Point> positions, Index a, Index b) {
+  Step v{};
+  for (int k = 0; k < 3; ++k) v[k] = static_cast<long double>(positions[b][k]) - positions[a][k];
+  return v;
+}
+
+long double form(const Tensor& g, const Step& u, const Step& v) {
+  long double sum = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) sum += u[i] * g[3 * i + k] * v[k];
+  }
+  return sum;
+}
+
+/// Calls `side(a, b)` for the sides of all faces that name three vertices. The smaller vertex comes first, so
+/// that both faces of an edge compute the same.
+template <class Side>
+MetricLengths lengths_of_sides(std::span<const std::array<Index, 3>> faces, Side&& side) {
+  MetricLengths result;
+  result.sides.assign(faces.size(), {});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    if (!is_usable(faces[f])) continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
+      result.sides[f][i] = side(a, b);
+    }
+  }
+  result.shortened_edges = repair_triangles(faces, result.sides);
+  return result;
+}
+
+/// Refuses a tensor under which some direction in the plane of a face has no positive length.
+void require_positive(std::span<const Point> positions, const std::array<Index, 3>& face, std::size_t number,
+                      const char* element, std::size_t owner, const Tensor& g) {
+  const Step u = edge_vector(positions, face[0], face[1]);
+  const Step v = edge_vector(positions, face[0], face[2]);
+  const Tensor unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const long double area = form(unit, u, u) * form(unit, v, v) - std::pow(form(unit, u, v), 2);
+  const long double uu = form(g, u, u);
+  const long double vv = form(g, v, v);
+  const long double uv = form(g, u, v);
+  const long double side =
+      form(g, edge_vector(positions, face[1], face[2]), edge_vector(positions, face[1], face[2]));
+  const bool has_width = area > 1e-20 * form(unit, u, u) * form(unit, v, v);
+  if (uu >= 0.0 && vv >= 0.0 && side >= 0.0 && (!has_width || (uu > 0.0 && uu * vv > uv * uv))) return;
+  std::ostringstream text;
+  text << "The tensor of " << element << " " << owner << " is not positive on the plane of face " << number
+       << ": the squared lengths of its sides would be " << uu << ", " << side << ", " << vv
+       << "; squared lengths v' G v must be above 0 in all directions of the face.";
+  throw InvalidInput(text.str());
+}
+
+}  // namespace
+
+MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                              std::span<const double> cost) {
+  require_one_for_each(cost.size(), "costs", positions.size(), "vertices");
+  for (std::size_t v = 0; v < cost.size(); ++v) require_cost(cost[v], "Vertex", v);
+  return lengths_of_sides(faces, [&](Index a, Index b) {
+    return distance_between(positions[a], positions[b]) * (0.5 * cost[a] + 0.5 * cost[b]);
+  });
+}
+
+MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                                std::span<const Tensor> tensors) {
+  require_one_for_each(tensors.size(), "tensors", positions.size(), "vertices");
+  for (std::size_t v = 0; v < tensors.size(); ++v) require_symmetric(tensors[v], "vertex", v);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    if (!is_usable(faces[f])) continue;
+    for (Index v : faces[f]) {
+      require_positive(positions, faces[f], f, "vertex", static_cast<std::size_t>(v), tensors[v]);
+    }
+  }
+  return lengths_of_sides(faces, [&](Index a, Index b) {
+    const Step edge = edge_vector(positions, a, b);
+    const long double first = std::max(0.0L, form(tensors[a], edge, edge));
+    const long double second = std::max(0.0L, form(tensors[b], edge, edge));
+    const long double at_first = std::sqrt(first);
+    const long double at_second = std::sqrt(second);
+    if (!(at_first + at_second > 0.0L)) return 0.0;
+    // The integral of the root of a linear function.
+    return static_cast<double>(2.0L / 3.0L * (first + at_first * at_second + second) /
+                               (at_first + at_second));
+  });
+}
+
+Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides) {
+  auto longest_of = [&](std::size_t f) {
+    return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());
+  };
+  auto is_broken = [&](std::size_t f) {
+    const int k = longest_of(f);
+    return is_usable(faces[f]) &&
+           sides[f][k] > (sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3]) * (1.0 + triangle_rounding);
+  };
+  std::vector<std::size_t> open;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (is_broken(f)) open.push_back(f);
+  }
+  if (open.empty()) return 0;
+  struct SideOf {
+    Index a, b;
+    std::size_t face;
+    int corner;
+    bool changed;
+  };
+  auto before = [](const SideOf& x, const SideOf& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
+  std::vector<SideOf> sorted;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (int i = 0; i < 3 && is_usable(faces[f]); ++i) {
+      const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
+      sorted.push_back({a, b, f, i, false});
+    }
+  }
+  std::ranges::sort(sorted, before);
+  // This loop ends: a length only falls, and is always the length of a path along edges of the beginning.
+  Index count = 0;
+  while (!open.empty()) {
+    const std::size_t f = open.back();
+    open.pop_back();
+    if (!is_broken(f)) continue;
+    const int k = longest_of(f);
+    const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
+    const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
+    const auto [begin, end] =
+        std::equal_range(sorted.begin(), sorted.end(), SideOf{a, b, 0, 0, false}, before);
+    count += !begin->changed;
+    for (auto at = begin; at != end; ++at) {
+      at->changed = true;
+      sides[at->face][at->corner] = length;
+      open.push_back(at->face);
+    }
+  }
+  return count;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,175 @@
+// Reads costs and tensors of a layer and integrates them along its edges.
+#include "layers/layer_metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "layers/parameters.h"
+#include "mesh/metric.h"
+#include "mesh/shape_metrics.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+constexpr const char* cost_attribute = "metric_cost";
+constexpr const char* result_attribute = "metric_result";
+
+using Attribute = CMeshO::PerVertexAttributeHandle<Scalarm>;
+
+Attribute attribute(CMeshO& layer, const char* name) {
+  return vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Scalarm>(layer, name);
+}
+
+/// Whether the quality is what the last filter wrote over its cost. NaN, which is no cost, counts as equal.
+bool is_result(CMeshO& layer, Attribute cost, Attribute result) {
+  using Allocator = vcg::tri::Allocator<CMeshO>;
+  if (!Allocator::IsValidHandle(layer, cost) || !Allocator::IsValidHandle(layer, result)) return false;
+  return std::ranges::all_of(layer.vert, [&](const CVertexO& vertex) {
+    return vertex.IsD() || vertex.cQ() == result[vertex] || std::isnan(vertex.cQ());
+  });
+}
+
+/// The cost of each vertex of the host: its quality, or what it was before a filter wrote its result there.
+std::vector<Scalarm> cost_of(const FilterCall& call, bool& is_kept) {
+  CMeshO& layer = call.layer.cm;
+  Attribute cost = attribute(layer, cost_attribute);
+  is_kept = is_result(layer, cost, attribute(layer, result_attribute));
+  std::vector<Scalarm> values;
+  values.reserve(layer.vert.size());
+  for (const CVertexO& vertex : layer.vert) values.push_back(is_kept ? cost[vertex] : vertex.cQ());
+  return values;
+}
+
+SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays, Index& shortened) {
+  if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
+    throw InvalidInput(
+        "The vertices have no quality that could be the cost of paths. Paint or compute one above 0, or "
+        "choose "
+        "another metric.");
+  }
+  bool is_kept = false;
+  const std::vector<Scalarm> values = cost_of(call, is_kept);
+  if (is_kept) {
+    call.log(
+        std::string("Metric: the quality is the result of the last filter, so its cost is taken, which was "
+                    "kept as the vertex attribute ") +
+        cost_attribute);
+  }
+  std::vector<double> cost;
+  for (const Index input : arrays.input_of_vertex) {
+    const auto value = static_cast<double>(values[static_cast<std::size_t>(input)]);
+    if (!(value > 0.0 && std::isfinite(value))) {
+      refuse(call, "metric", "the quality",
+             ", but vertex " + std::to_string(input) + " has quality " + std::to_string(value) +
+                 ". A cost is a number above 0: 2 makes paths count twice there. Give all vertices such a "
+                 "quality, for example with 'Per Vertex Scalar Function'.");
+    }
+    cost.push_back(value);
+  }
+  MetricLengths found = lengths_by_cost(arrays.positions, arrays.faces, cost);
+  shortened = found.shortened_edges;
+  return std::move(found.sides);
+}
+
+}  // namespace
+
+void add_metric_parameters(RichParameterList& list) {
+  list.addParam(
+      RichEnum("metric", static_cast<int>(LayerMetric::length),
+               {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature"}, "Metric",
+               "What paths cost: their length, the integral of the vertex quality, more on slopes, or "
+               "more across ridges and limbs than along them."));
+  list.addParam(
+      RichFloat("slope_penalty", 1, "Slope penalty",
+                "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z "
+                "points upwards."));
+  list.addParam(RichFloat("curvature_weight", 3, "Curvature weight",
+                          "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, "
+                          "they run around them."));
+}
+
+QString help_on_metric() {
+  return "<p><b>Metric</b>: distances, radii and areas are lengths, unless another cost of paths is chosen: "
+         "the "
+         "<i>vertex quality</i>, a cost above 0 for each unit of length, <b>not a speed</b> (where it is 2, "
+         "paths "
+         "count twice); a <b>Slope penalty</b> for terrain; or the principal directions, by <b>Curvature "
+         "weight</b>. An index belongs to its metric: quality that is painted anew is a new one. A filter "
+         "that "
+         "overwrites the quality keeps the cost as the vertex attribute <i>metric_cost</i>, so that it can "
+         "be "
+         "applied again.</p>";
+}
+
+LayerMetric metric_of(const FilterCall& call) {
+  if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
+  const int number = call.parameters.getEnum("metric");
+  if (number < 0 || number > static_cast<int>(LayerMetric::curvature)) {
+    refuse(
+        call, "metric", number,
+        ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty or 3 for along curvature.");
+  }
+  return static_cast<LayerMetric>(number);
+}
+
+SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays) {
+  Index shortened = 0;
+  SideLengths sides;
+  switch (metric_of(call)) {
+    case LayerMetric::length:
+      return sides;
+    case LayerMetric::vertex_quality:
+      sides = sides_by_quality(call, arrays, shortened);
+      break;
+    case LayerMetric::slope: {
+      const double penalty = call.parameters.getFloat("slope_penalty");
+      if (!(penalty >= 0.0 && std::isfinite(penalty))) {
+        refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
+      }
+      auto found = lengths_by_cost(arrays.positions, arrays.faces,
+                                   slope_cost(arrays.positions, arrays.faces, {0, 0, 1}, penalty));
+      shortened = found.shortened_edges;
+      sides = std::move(found.sides);
+      break;
+    }
+    case LayerMetric::curvature: {
+      const double weight = call.parameters.getFloat("curvature_weight");
+      if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
+      auto found = lengths_by_tensor(arrays.positions, arrays.faces,
+                                     curvature_tensors(arrays.positions, arrays.faces, weight));
+      shortened = found.shortened_edges;
+      sides = std::move(found.sides);
+      break;
+    }
+  }
+  if (shortened > 0) {
+    call.log(
+        "Metric: " + std::to_string(shortened) +
+        " edges cost more than the way by the third corner of a face and got its length; the mesh is coarse "
+        "for this metric");
+  }
+  return sides;
+}
+
+KeptCost::KeptCost(const FilterCall& call, const FilterRow& row) {
+  const bool writes_quality = (row.changes & MeshModel::MM_VERTQUALITY) != 0;
+  if (!row.has_metric || !writes_quality || metric_of(call) != LayerMetric::vertex_quality) return;
+  bool is_kept = false;
+  if (call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) cost_ = cost_of(call, is_kept);
+}
+
+void KeptCost::write(FilterCall& call) const {
+  CMeshO& layer = call.layer.cm;
+  if (cost_.empty() || cost_.size() != layer.vert.size()) return;
+  using Allocator = vcg::tri::Allocator<CMeshO>;
+  auto cost = Allocator::GetPerVertexAttribute<Scalarm>(layer, cost_attribute);
+  auto result = Allocator::GetPerVertexAttribute<Scalarm>(layer, result_attribute);
+  for (std::size_t v = 0; v < cost_.size(); ++v) {
+    cost[v] = cost_[v];
+    result[v] = layer.vert[v].cQ();
+  }
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,248 @@
+"""Metrics: what a path costs where it runs over a surface, instead of its length in space."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from . import _core
+from .errors import InvalidInput
+
+
+class MetricLengths(NamedTuple):
+    """The lengths that a metric gives to the sides of faces.
+
+    Attributes
+    ----------
+    lengths : ndarray of float64, shape (m, 3)
+        Of the side opposite each corner; 0 in a face that names a vertex twice.
+    shortened_edges : int
+        Edges that would have been longer than the way by the third corner of one of their faces. No shortest path
+        follows them, and they have the length of that way.
+    """
+
+    lengths: NDArray[np.float64]
+    shortened_edges: int
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeLengths:
+    """Edge lengths that were measured or computed elsewhere; solved exactly.
+
+    Parameters
+    ----------
+    lengths : array_like, shape (m, 3)
+        Length of the side opposite each corner of each face: column 0 is the side from corner 1 to corner 2. Both faces
+        of an edge must agree, and no side may be longer than the other two together.
+
+    Notes
+    -----
+    With it, ``vertices`` may be None: positions are only needed for points in space (`GeodesicIndex.snap`, lines).
+    Points of paths are then NaN, but have their faces and weights.
+
+    Examples
+    --------
+    >>> sides = np.linalg.norm(vertices[faces[:, [2, 0, 1]]] - vertices[faces[:, [1, 2, 0]]], axis=2)
+    >>> vorogeo.GeodesicIndex(None, faces, metric=vorogeo.EdgeLengths(sides))
+    """
+
+    lengths: ArrayLike
+
+    def __post_init__(self) -> None:
+        wanted = "the length of the side opposite each corner, real numbers of shape (m, 3)"
+        object.__setattr__(self, "lengths", _own("EdgeLengths", self.lengths, 2, (3,), wanted))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The lengths that were given."""
+        count, given = len(np.asarray(faces)), np.asarray(self.lengths)
+        if len(given) != count:
+            raise InvalidInput(f"EdgeLengths: has {len(given)} rows, but there are {count} faces; give one for each.")
+        return MetricLengths(given, 0)
+
+
+@dataclass(frozen=True, eq=False)
+class VertexCost:
+    """A cost for each vertex, linear over each face: the length of a path is the integral of the cost along it.
+
+    Parameters
+    ----------
+    cost : array_like, shape (n,)
+        Above 0: COST per unit of length, not speed. Where it is 2, paths count twice; on a map of speeds, give
+        ``1 / speed``.
+
+    Examples
+    --------
+    >>> vorogeo.exact_distance_field(vertices, faces, 0, metric=vorogeo.VertexCost(1 / speed))
+    """
+
+    cost: ArrayLike
+
+    def __post_init__(self) -> None:
+        wanted = "a number above 0 for each vertex, of shape (n,)"
+        object.__setattr__(self, "cost", _own("VertexCost", self.cost, 1, (), wanted))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The integrals of the cost along the edges.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a cost is not above 0 and finite, or their number is not that of the vertices.
+        """
+        points, triangles = _arrays(self, vertices, faces)
+        sides, shortened = _core.lengths_by_cost(points, triangles, np.asarray(self.cost))
+        return MetricLengths(sides.reshape(-1, 3), shortened)
+
+
+@dataclass(frozen=True, eq=False)
+class VertexTensor:
+    """A tensor G for each vertex, linear over each face: the squared length of a step v is v' G v.
+
+    Parameters
+    ----------
+    tensors : array_like, shape (n, 3, 3)
+        Symmetric, and positive on the planes of the faces: SQUARED LENGTH, not its inverse. The identity is the length
+        in space; with ``I + 3 d d'`` steps along the unit vector d count twice. For speeds c along d and 1 across it,
+        give ``I + (1 / c**2 - 1) d d'``, the inverse of the tensor of squared speeds.
+
+    Examples
+    --------
+    >>> along = direction[:, :, None] * direction[:, None, :]  # unit vectors
+    >>> vorogeo.GeodesicIndex(vertices, faces, metric=vorogeo.VertexTensor(np.eye(3) + 3 * along))
+    """
+
+    tensors: ArrayLike
+
+    def __post_init__(self) -> None:
+        wanted = "a symmetric 3 x 3 matrix for each vertex, of shape (n, 3, 3)"
+        object.__setattr__(self, "tensors", _own("VertexTensor", self.tensors, 3, (3, 3), wanted))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The integrals of the root of v' G v along the edges.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a tensor is not finite, symmetric and positive on the faces of its vertex.
+        """
+        points, triangles = _arrays(self, vertices, faces)
+        sides, shortened = _core.lengths_by_tensor(points, triangles, np.asarray(self.tensors).ravel())
+        return MetricLengths(sides.reshape(-1, 3), shortened)
+
+
+Metric = EdgeLengths | VertexCost | VertexTensor
+"""What `metric` may be; None is the length in space."""
+
+
+def slope_cost(
+    vertices: ArrayLike, faces: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), penalty: float = 1.0
+) -> VertexCost:
+    """A cost for terrain that grows with the slope: 1 on level ground, 1 + penalty on a wall.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+        Positions.
+    faces : array_like of int, shape (m, 3)
+        Triangles.
+    up : array_like, shape (3,)
+        The direction upwards, of any length.
+    penalty : float, default 1
+        At least 0; the cost is 1 + penalty sin(slope), with the slope between the normal and `up`.
+
+    Returns
+    -------
+    VertexCost
+        The same uphill, downhill and along the slope: metrics are symmetric.
+    """
+    points, triangles = _mesh(vertices, faces)
+    towards = check.positions("up", up)
+    if towards.shape != (1, 3):
+        raise InvalidInput(f"up: has shape {np.shape(up)}; give one vector of three numbers.")
+    x, y, z = towards[0].tolist()
+    height = check.real("penalty", penalty, "a number of at least 0")
+    return VertexCost(_core.slope_cost(points, triangles, x, y, z, height))
+
+
+def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0) -> VertexTensor:
+    """A tensor that makes one of the principal directions of a surface dearer.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 3)
+        Positions.
+    faces : array_like of int, shape (m, 3)
+        Triangles.
+    weight : float, default 3
+        Above 0, paths follow ridges, valleys and limbs: where the surface is curved in one direction only, a step in
+        that direction counts ``sqrt(1 + weight)``. Below 0 it is the other direction that becomes dearer.
+
+    Returns
+    -------
+    VertexTensor
+        I + abs(weight) a d d', with a = (|k1| - |k2|) / (|k1| + |k2|) of the principal curvatures: lengths in space on
+        planes and spheres.
+
+    Notes
+    -----
+    Curvatures from the bends of edges (Cohen-Steiner, Morvan 2003), over a vertex and its neighbours.
+    """
+    points, triangles = _mesh(vertices, faces)
+    found = _core.curvature_tensors(points, triangles, check.real("weight", weight, "a number"))
+    return VertexTensor(found.reshape(-1, 3, 3))
+
+
+def positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDArray[np.float64]:
+    """Checked positions; NaN without any, which is possible with edge lengths only."""
+    if vertices is not None:
+        return check.vertices(vertices)
+    if not isinstance(metric, EdgeLengths):
+        raise InvalidInput("vertices: is None; give positions of shape (n, 3), or the metric EdgeLengths.")
+    given = np.asarray(faces)
+    count = int(given.max()) + 1 if given.dtype.kind in "iu" and given.size else 0
+    return np.full((count, 3), np.nan)
+
+
+def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> MetricLengths | None:
+    """What a metric makes of a mesh; None for lengths in space."""
+    if metric is None:
+        return None
+    if not isinstance(metric, (EdgeLengths, VertexCost, VertexTensor)):
+        raise InvalidInput(
+            f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, or None for lengths in "
+            "space."
+        )
+    return metric.edge_lengths(vertices, faces)
+
+
+def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64] | None:
+    """The lengths alone."""
+    found = lengths(metric, vertices, faces)
+    return None if found is None else found.lengths
+
+
+def _own(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
+    """A read-only copy of an array of real numbers."""
+    try:
+        array = np.array(value, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"{name}: cannot be read as numbers ({error}); give {wanted}.") from None
+    if array.ndim != ndim or array.shape[1:] != tail:
+        raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
+    array.flags.writeable = False
+    return array
+
+
+def _mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    points = check.vertices(vertices)
+    return points, check.faces(faces, len(points))
+
+
+def _arrays(metric: Any, vertices: Any, faces: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    if vertices is None:
+        raise InvalidInput(f"vertices: is None; {type(metric).__name__} needs positions of shape (n, 3).")
+    return _mesh(vertices, faces)

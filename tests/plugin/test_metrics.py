@@ -1,0 +1,112 @@
+"""The metric of the filters: against numpy and formulas, the cache and the kept cost, refusals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import vorogeo
+from support import (
+    DESCRIBE_INDEX,
+    EXACT_FROM_POINT,
+    FROM_POINT,
+    LOAD_INDEX,
+    PATH,
+    SAVE_INDEX,
+    TWO_POINTS,
+    VORONOI,
+    exact_distances,
+    fails_and_changes_nothing,
+    field,
+    grid,
+    mesh_set,
+    sphere,
+)
+
+COST = "1 + 0.5 * x"
+
+
+def painted(columns=16, rows=12):
+    """A grid whose quality is a cost."""
+    vertices, faces = grid(columns, rows)
+    ms = mesh_set(vertices, faces)
+    ms.compute_scalar_by_function_per_vertex(q=COST)
+    return ms, vertices, faces, vorogeo.VertexCost(1 + 0.5 * vertices[:, 0])
+
+
+def test_quality_is_the_cost_and_is_kept():
+    ms, vertices, faces, cost = painted()
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5, metric="Vertex quality as cost")
+    np.testing.assert_allclose(field(ms), vorogeo.exact_distance_field(vertices, faces, 5, metric=cost), rtol=1e-12)
+    kept = ms.current_mesh().vertex_custom_scalar_attribute_array("metric_cost")
+    np.testing.assert_array_equal(kept, cost.cost)
+    # Applied again, from another point: the quality is the result, so the kept cost is the metric.
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=100, metric="Vertex quality as cost")
+    np.testing.assert_allclose(field(ms), vorogeo.exact_distance_field(vertices, faces, 100, metric=cost), rtol=1e-12)
+    # Painted anew: a new metric.
+    ms.compute_scalar_by_function_per_vertex(q="3")
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5, metric="Vertex quality as cost")
+    np.testing.assert_allclose(field(ms), 3 * exact_distances(vertices, faces, [5]), rtol=1e-9)
+
+
+def test_an_index_belongs_to_its_metric(tmp_path):
+    ms, vertices, _, _ = painted()
+    chosen = {"metric": "Vertex quality as cost"}
+    first = ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)
+    assert first["index_reused"] == 0
+    assert ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)["index_reused"] == 1
+    plain = ms.apply_filter(TWO_POINTS, source=0, target=150)
+    assert plain["index_reused"] == 0
+    assert plain["distance"] == pytest.approx(np.linalg.norm(vertices[150] - vertices[0]), rel=1e-3)
+    assert ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
+    file = tmp_path / "cost.vgi"
+    ms.apply_filter(SAVE_INDEX, index_file=str(file), **chosen)
+    ms.compute_scalar_by_function_per_vertex(q="2 * q")
+    assert not ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
+    with fails_and_changes_nothing(ms, "built for another mesh"):
+        ms.apply_filter(LOAD_INDEX, index_file=str(file), **chosen)
+    dear = ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)
+    assert dear["index_reused"] == 0
+    assert dear["distance"] == pytest.approx(2 * first["distance"], rel=1e-3)
+    ms.compute_scalar_by_function_per_vertex(q="0.5 * q")
+    assert ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)["index_reused"] == 1
+
+
+def test_slope_penalty_and_curvature():
+    vertices, faces = grid(10, 10)
+    vertices[:, 2] = 0.75 * vertices[:, 0]
+    ms = mesh_set(vertices, faces)
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric="Slope penalty", slope_penalty=5)
+    np.testing.assert_allclose(field(ms), 4 * exact_distances(vertices, faces, [0]), rtol=1e-6)
+    angle = vertices[:, 0] * np.pi / 10
+    tube = np.column_stack([3 * np.cos(angle), 3 * np.sin(angle), vertices[:, 1]])  # half a cylinder
+    ms = mesh_set(tube, faces)
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=55, metric="Along curvature", curvature_weight=3)
+    along = field(ms)
+    assert along[55 + 22] == pytest.approx(2, rel=0.02)  # two rows up
+    assert along[55 + 2] == pytest.approx(2 * 2 * 6 * np.sin(np.pi / 20), rel=0.05)  # two columns round: twice
+    ms = mesh_set(*sphere(2))
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric="Along curvature", curvature_weight=3)
+    assert field(ms).max() == pytest.approx(np.pi, rel=0.2)
+
+
+def test_path_and_regions_in_the_metric():
+    ms, vertices, faces, cost = painted()
+    index = vorogeo.GeodesicIndex(vertices, faces, metric=cost)
+    chosen = {"metric": "Vertex quality as cost"}
+    found = ms.apply_filter(PATH, source=0, target=220, exact=True, **chosen)
+    assert found["length"] == pytest.approx(index.exact_path(0, 220).length, rel=1e-9)
+    assert field(ms).max() == pytest.approx(found["length"], rel=1e-9)  # along the path
+    ms.set_current_mesh(0)
+    regions = ms.apply_filter(VORONOI, surface_points="0; 220", borders=False, exact=True, **chosen)
+    np.testing.assert_allclose(regions["areas"], index.voronoi([0, 220], exact=True).area, rtol=1e-9)
+    kept = ms.current_mesh().vertex_custom_scalar_attribute_array("metric_cost")
+    np.testing.assert_array_equal(kept, cost.cost)
+
+
+def test_what_is_no_cost_is_refused():
+    ms, *_ = painted()
+    ms.compute_scalar_by_function_per_vertex(q="x - 3")
+    with fails_and_changes_nothing(ms, '"Metric" (metric) is the quality, but vertex 0 has quality -3'):
+        ms.apply_filter(FROM_POINT, metric="Vertex quality as cost")
+    with fails_and_changes_nothing(ms, "Give a number of at least 0."):
+        ms.apply_filter(FROM_POINT, metric="Slope penalty", slope_penalty=-1)
