@@ -45,6 +45,15 @@ void PatchRouter::reset(const RouteEnd& source, const RouteEnd& target) {
     for (Index parent : end->parents) parent_open_[parent] = stamp_;
   }
   target_vertex_ = target.vertex;
+  if (data_.work.mesh->has_metric()) {
+    target_landmark_.fill(unreachable);
+    for (const auto& seed : target.seeds) {
+      const double* landmark = data_.graph.landmarks(seed.node);
+      for (std::size_t l = 0; l < target_landmark_.size(); ++l) {
+        target_landmark_[l] = std::min(target_landmark_[l], landmark[l] + seed.distance);
+      }
+    }
+  }
   meeting_ = no_index;
   scans_ = 0;
 }
@@ -55,14 +64,20 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.stamp = stamp_;
   state.distance = state.to_target = unreachable_float;
   state.lower_bound = 0.0f;
-  const double scale = data_.work.mesh->straight_scale();
-  if (target_vertex_ != no_index && scale > 0.0) {
+  if (data_.work.mesh->has_metric()) {
+    const double* landmark = data_.graph.landmarks(node);
+    double most = 0.0;
+    for (std::size_t l = 0; l < target_landmark_.size(); ++l) {
+      most = std::max(most, std::abs(landmark[l] - target_landmark_[l]));
+    }
+    state.lower_bound = static_cast<float>(line_slack * most);
+  } else if (target_vertex_ != no_index) {
     const Point& a = data_.node_position[node];
     const Point& b = data_.work.mesh->position(target_vertex_);
     const double x = a[0] - b[0];
     const double y = a[1] - b[1];
     const double z = a[2] - b[2];
-    state.lower_bound = static_cast<float>(line_slack * scale * std::sqrt(x * x + y * y + z * z));
+    state.lower_bound = static_cast<float>(line_slack * std::sqrt(x * x + y * y + z * z));
   }
   return state;
 }

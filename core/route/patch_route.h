@@ -1,6 +1,7 @@
 // Routes inside first-layer patches, from second-layer patch to second-layer patch.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -52,6 +53,8 @@ class PatchRouter {
   std::vector<Index> waiting_;           ///< patches
   std::uint32_t stamp_ = 0;
   Index target_vertex_ = no_index;
+  /// Distances of the target from the landmarks: with a metric, straight lines in space are poor bounds.
+  std::array<double, SearchGraph::landmark_count> target_landmark_{};
   float best_ = 0.0f;
   Index meeting_ = no_index;
   std::size_t scans_ = 0;
