@@ -21,14 +21,13 @@ wheel="$(ls "$dist"/*"$tag"*.whl)"
 "$venv/bin/python" -c "import vorogeo; print(vorogeo.__version__, vorogeo.__file__)"  # with nothing but numpy
 "$venv/bin/vorogeo" --version
 numpy_bound=numpy
-[ "$pymeshlab" != 2022.2.post4 ] && [ "$pymeshlab" != 2023.12.post3 ] || numpy_bound='numpy<2'
-"$venv/bin/pip" install --only-binary :all: "$wheel[files,progress]" "$numpy_bound" pytest hypothesis joblib
+[ "$pymeshlab" != 2022.2.post4 ] || numpy_bound='numpy<2'
+"$venv/bin/pip" install --only-binary :all: "$wheel[test]" "$numpy_bound"
 if [ "$part" = numpy ]; then
-  "$venv/bin/pip" install --only-binary :all: pygeodesic || true # tests that compare with it are skipped without
   "$venv/bin/python" -m pytest -q -rs -p no:cacheprovider /project/tests/python
   exit
 fi
-"$venv/bin/pip" install --only-binary :all: pygeodesic "pymeshlab==$pymeshlab"
+"$venv/bin/pip" install --only-binary :all: "pymeshlab==$pymeshlab"
 # The filters of the wheel under the tests of the plugin; the plugin that only these tests load was built before.
 host="$("$venv/bin/python" -c "from vorogeo.plugin import meshlab_version; print(meshlab_version('$pymeshlab'))")"
 installed="$("$venv/bin/python" -c "from vorogeo import plugin; print(plugin.plugin_file('$pymeshlab'))")"
