@@ -20,6 +20,10 @@ constexpr double least_width = 1e-11;
 /// through points of it that rounding cannot tell apart.
 constexpr double near_edge = 1e-6;
 
+/// Pseudo-sources of neighbouring windows this close together, relative to their distance and the edge's
+/// length, are one up to the rounding of the crossings that led there.
+constexpr double same_source = 1e-13;
+
 /// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
 /// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
 /// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
@@ -220,6 +224,17 @@ void ExactSolver::State::pass_through(const Window& window) {
   passes_through = false;
 }
 
+inline bool ExactSolver::State::is_continued(const Window& window, const Window& next, double length) const {
+  if (window.offset != next.offset || window.source != next.source || window.came_from != next.came_from)
+    return false;
+  const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + length);
+  if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
+      window.source_y < near_edge * length)
+    return false;
+  const double scale = geometry->scale_at(next.begin, next.distance(next.begin), length);
+  return next.begin - window.end <= least_width * scale;
+}
+
 void ExactSolver::State::close_edges_at(Index vertex) {
   // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
   // and the edge's length.
@@ -243,13 +258,19 @@ void ExactSolver::State::close_edges_behind_front() {
 
 void ExactSolver::State::take_edge(Index edge) {
   const Index first = mesh.edge_halfedge(edge);
+  const double length = mesh.edge_length(edge);
   Index h = first;
   do {
     crossing.clear();
     for (const Window& window : envelope.windows(edge)) {
-      if (!window.is_propagated() && window.came_from != h) crossing.push_back({window, 0.0});
+      if (window.is_propagated() || window.came_from == h) continue;
+      if (!crossing.empty() && is_continued(crossing.back().window, window, length)) {
+        crossing.back().window.end = window.end;
+      } else {
+        crossing.push_back({window, 0.0});
+      }
     }
-    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(mesh.edge_length(edge));
+    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(length);
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);

@@ -132,6 +132,9 @@ struct ExactSolver::State {
     double to_apex;
   };
   std::vector<Crossing> crossing;
+  /// Whether the next window of an edge goes on where this one ends: rays of one pseudo-source that passed a
+  /// flat vertex on its two sides. Left apart, a fan of needles in a plane would double them at each edge.
+  bool is_continued(const Window& window, const Window& next, double length) const;
   bool passes_through = false;
   std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).

@@ -1,6 +1,7 @@
 // The distance of two vertices: exact if they are near, otherwise unfolded along the shortest route.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "field/near_field.h"
@@ -12,7 +13,8 @@ namespace vorogeo {
 /// Pairs of work vertices of one index. One object belongs to one thread.
 class PairDistance {
  public:
-  /// `near` lends its solver; both must outlive the object.
+  /// `near` lends its solver where the work mesh is the surface of exact runs (IndexData::unsplit); both must
+  /// outlive the object.
   PairDistance(const IndexData& data, NearField& near);
 
   /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
@@ -26,6 +28,8 @@ class PairDistance {
 
   const IndexData& data_;
   NearField& near_;
+  std::optional<ExactSolver> solver_;  ///< on the unsplit surface, when first needed
+  std::optional<Halo> halo_;
   Router router_;
   RouteUnfolder unfolder_;
   RouteEnd from_;

@@ -5,6 +5,13 @@
 
 namespace vorogeo {
 
+const UnsplitSurface* IndexData::unsplit() const {
+  if (!UnsplitSurface::is_worthwhile(work)) return nullptr;
+  std::call_once(unsplit_made_,
+                 [&] { unsplit_ = std::make_unique<const UnsplitSurface>(mesh, work, partition); });
+  return unsplit_.get();
+}
+
 void IndexData::link_layers() {
   parent_column.assign(second.border_node.size(), no_index);
   std::vector<Index> column(work.mesh->vertex_count(), no_index);

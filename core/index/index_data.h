@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <ranges>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "index/patch_layer.h"
 #include "index/search_graph.h"
 #include "index/transit_table.h"
+#include "index/unsplit_surface.h"
 #include "index/work_mesh.h"
 #include "mesh/fingerprint.h"
 #include "partition/partition.h"
@@ -74,11 +76,18 @@ struct IndexData {
   void lay_out(int threads, const Progress& progress);
   /// The last step of lay_out(): fills in parent_column and what follows from the layout.
   void link_layers();
+  /// The surface of exact runs between two points where the work mesh adds many points; null where its own
+  /// serves. Made when first asked for, by any thread: some 200 bytes a vertex, not part of bytes().
+  const UnsplitSurface* unsplit() const;
   IndexForm form() const { return graph.has_arcs() ? IndexForm::graph : IndexForm::tables; }
   /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;
   /// Fills in the statistics that are counted from the parts.
   void count();
+
+ private:
+  mutable std::once_flag unsplit_made_;
+  mutable std::unique_ptr<const UnsplitSurface> unsplit_;
 };
 
 }  // namespace vorogeo

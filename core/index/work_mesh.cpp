@@ -2,7 +2,9 @@
 #include "index/work_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "mesh/outliers.h"
@@ -18,6 +20,27 @@ constexpr double longest_border_edge = 0.1;
 /// On coarse meshes.
 constexpr double coarse_border_edge = 0.065;
 constexpr Index max_pieces = 32;
+/// Most points that are added: this many for each vertex of the mesh, and some more on tiny meshes. Meshes as
+/// people have them take up to 0.1; patches of a few needles each would take any number, and tables and runs
+/// grow with its square.
+constexpr double added_per_vertex = 2.0;
+constexpr double added_anyway = 128.0;
+
+/// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
+void limit_pieces(std::vector<Index>& pieces, Index vertices) {
+  std::array<std::int64_t, max_pieces + 1> edges_with{};
+  for (Index count : pieces) ++edges_with[count];
+  const double most = added_per_vertex * vertices + added_anyway;
+  Index limit = 1;
+  std::int64_t added = 0;
+  std::int64_t longer = std::accumulate(edges_with.begin() + 2, edges_with.end(), std::int64_t{0});
+  // With one piece more, each edge that wants it has one more point.
+  for (; limit < max_pieces && static_cast<double>(added + longer) <= most; ++limit) {
+    added += longer;
+    longer -= edges_with[limit + 1];
+  }
+  for (Index& count : pieces) count = std::min(count, limit);
+}
 
 /// Number of pieces of each edge: 1 unless it is a long border edge.
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
@@ -45,6 +68,7 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
     const double wanted = std::ceil(mesh.edge_length(e) / (longest * std::sqrt(least)));
     pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(max_pieces)));
   }
+  limit_pieces(pieces, mesh.vertex_count());
   return pieces;
 }
 

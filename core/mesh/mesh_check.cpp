@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "mesh/outliers.h"
+#include "mesh/t_junctions.h"
 
 namespace vorogeo {
 
@@ -166,7 +167,11 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
   report.outliers = {outliers.count, outliers.first};
   report.outlier_ratio = outliers.least_ratio;
   report.border_loops = find_border_loops(mesh);
-  if (report.fits(exact_lengths)) report.near_borders = find_near_borders(mesh);
+  if (!report.fits(exact_lengths)) return report;
+  report.near_borders = find_near_borders(mesh);
+  const TJunctions t_junctions = find_t_junctions(mesh);
+  report.t_junctions = {t_junctions.count, t_junctions.first};
+  report.first_t_junction_edge = t_junctions.first_edge;
   return report;
 }
 

@@ -39,13 +39,15 @@ struct MeshReport {
   MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
   MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no effect
   MeshFinding outliers;                    ///< far from the rest of their component (mesh/outliers.h)
+  MeshFinding t_junctions;                 ///< inside a border edge of another face (mesh/t_junctions.h)
   double outlier_ratio = 0.0;              ///< shortest edge from an outlier to the rest, in typical edges
   std::array<Index, 2> first_non_manifold_edge{no_index, no_index};
+  std::array<Index, 2> first_t_junction_edge{no_index, no_index};
   Index border_edges = 0;
   Index components = 0;                        ///< of vertices with a face
   std::vector<MeshComponent> component_sizes;  ///< most vertices first
-  // The members below keep these values if a vertex is not finite; near_borders also if the edge lengths are
-  // not within exact_lengths.
+  // The members below keep these values if a vertex is not finite; near_borders and t_junctions also if the
+  // edge lengths are not within exact_lengths.
   double mean_edge_length = 0.0;
   double longest_edge_length = 0.0;
   BorderLoops border_loops;

@@ -96,6 +96,11 @@ std::vector<std::string> MeshReport::sentences() const {
   say(inconsistent_edges,
       "edge lies between faces of opposite orientation|edges lie between faces of opposite orientation",
       "at face " + std::to_string(inconsistent_edges.first), "this does not change distances.");
+  say(t_junctions,
+      "vertex lies inside a border edge of another face|vertices lie inside a border edge of another face",
+      vertex(t_junctions) + ", on the edge between vertices " + std::to_string(first_t_junction_edge[0]) +
+          " and " + std::to_string(first_t_junction_edge[1]),
+      "no path crosses such a T-junction: split the edge at the vertex if the surface should be joined.");
   // 17234 typical edges are given as 10,000: the order of magnitude is enough.
   const std::string ratio =
       outliers.count == 0 ? "" : grouped(std::pow(10.0, std::floor(std::log10(outlier_ratio) + 1e-9)));

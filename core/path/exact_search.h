@@ -17,22 +17,24 @@ struct FoundPath {
   SurfacePath path{{}, unreachable};
   /// The distance by exact propagation, if only proven bounds limited it; otherwise unreachable.
   double distance = unreachable;
+  bool on_user_mesh = false;  ///< whether the path runs over that, rather than over the work mesh
 
   /// Keeps the shorter of both paths, and the distance that either of them knows.
   void join(FoundPath other);
 };
 
-/// Paths over the work mesh of an index, each by one or two runs of the exact solver. Each run ends: the
-/// solver passes a window on only where it shortens a distance by more than rounding. Holds scratch memory:
-/// one object belongs to one thread.
+/// Paths over the work mesh of an index, or over the user's mesh where exact runs take that
+/// (IndexData::unsplit), each by one or two runs of the exact solver. Each run ends: the solver passes a
+/// window on only where it shortens a distance by more than rounding. Holds scratch memory: one object
+/// belongs to one thread.
 class ExactSearch {
  public:
   explicit ExactSearch(const IndexData& data);
 
-  /// Paths shorter than `max_distance`, over the faces allowed (ExactLimits::face_allowed; empty: all).
+  /// Paths shorter than `max_distance`, over the faces of the work mesh that are allowed (not 0).
   FoundPath within(const PathEnd& from, const PathEnd& to, double max_distance,
-                   std::span<const std::uint8_t> face_allowed = {});
-  /// The same with the bounds of the landmarks, if there are any.
+                   std::span<const std::uint8_t> face_allowed);
+  /// Over all faces, with the bounds of the landmarks, if there are any.
   FoundPath between_landmarks(const PathEnd& from, const PathEnd& to, double max_distance);
   /// The same with the bounds that the index gives, which are not proven.
   FoundPath by_index(const PathEnd& from, const PathEnd& to, double max_distance);
@@ -46,11 +48,17 @@ class ExactSearch {
 
  private:
   FoundPath run(const PathEnd& from, const PathEnd& to, ExactLimits limits);
+  /// `mask`: faces allowed of the mesh that runs take; empty: all.
+  FoundPath within_mask(const PathEnd& from, const PathEnd& to, double max_distance,
+                        std::span<const std::uint8_t> mask);
 
   const IndexData& data_;
+  const UnsplitSurface* unsplit_;
   ExactSolver solver_;
   Halo halo_;
   RemainingBounds bounds_;
+  std::vector<std::uint8_t> user_mask_;
+  std::vector<double> user_bound_;
   std::shared_ptr<const ExactLandmarks> landmarks_;
 };
 

@@ -15,6 +15,7 @@ PathEnd path_end(const IndexData& data, const SurfacePoint& user) {
   const Mesh& mesh = *data.work.mesh;
   PathEnd end;
   end.point = work_point(data, user);
+  end.user = user;
   if (end.point.is_vertex()) {
     end.vertex = end.point.vertex;
   } else {

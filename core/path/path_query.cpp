@@ -62,7 +62,7 @@ struct PathQuery::State {
   double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   void improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
   FoundPath path(const PathEnd& from, const PathEnd& to, bool thorough);
-  SurfacePath as_asked(const SurfacePath& path, const SurfacePoint& source, const SurfacePoint& target) const;
+  SurfacePath as_asked(const FoundPath& found, const SurfacePoint& source, const SurfacePoint& target) const;
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -166,9 +166,9 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
 
 /// The same path over the user's mesh, between exactly the points that were asked for, with the length
 /// measured along its points.
-SurfacePath PathQuery::State::as_asked(const SurfacePath& path, const SurfacePoint& source,
+SurfacePath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoint& source,
                                        const SurfacePoint& target) const {
-  SurfacePath result = user_path(data, path);
+  SurfacePath result = found.on_user_mesh ? found.path : user_path(data, found.path);
   if (result.points.empty()) return result;
   if (is_same_point(*data.mesh, result.points.front(), source)) result.points.front() = source;
   if (result.points.size() == 1) result.points.push_back(target);
@@ -189,9 +189,9 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   if (is_same_point(*state.data.mesh, s, t)) return {{s, t}, 0.0};
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  SurfacePath path = state.as_asked(state.path(from, to, true).path, s, t);
+  SurfacePath path = state.as_asked(state.path(from, to, true), s, t);
   if (is_path(*state.data.mesh, path, s, t, path.length)) return path;
-  return state.as_asked(state.exact.everywhere(from, to).path, s, t);
+  return state.as_asked(state.exact.everywhere(from, to), s, t);
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
@@ -212,7 +212,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
     found.join(with_proof ? state.exact.between_landmarks(from, to, found.path.length)
                           : state.exact.by_index(from, to, found.path.length));
   }
-  result.path = state.as_asked(found.path, s, t);
+  result.path = state.as_asked(found, s, t);
   result.certified = is_path(mesh, result.path, s, t, found.distance);
   const bool meant_to_be_proven = certify || state.data.has_branches || found.distance < unreachable;
   if (result.certified || (!meant_to_be_proven && is_path(mesh, result.path, s, t, result.path.length)))
@@ -220,7 +220,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   // The bounds were wrong by more than rounding explains, or the path back was not found: search without
   // bounds.
   found = state.exact.everywhere(from, to);
-  SurfacePath path = state.as_asked(found.path, s, t);
+  SurfacePath path = state.as_asked(found, s, t);
   const bool is_whole = is_path(mesh, path, s, t, path.length);
   result.certified = is_whole && is_path(mesh, path, s, t, found.distance);
   if (result.certified || (is_whole && path.length < result.path.length)) result.path = std::move(path);

@@ -44,7 +44,7 @@ class PathQuery {
   /// answers are too long.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
 
-  /// From this call on, landmarks on the work mesh of the index (landmark_fields.h) narrow certified
+  /// From this call on, landmarks (landmark_fields.h) narrow certified
   /// corridors.
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
 

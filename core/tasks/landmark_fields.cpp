@@ -38,10 +38,12 @@ std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const G
   const auto vertices = spread(index, count, threads);
   std::vector<std::vector<double>> fields(vertices.size());
   parallel_for(vertices.size(), threads, progress, "Exact distances from landmarks", [&](std::size_t i, int) {
-    ExactSolver solver(data.geometry);
-    solver.run_from_vertices(std::array{data.work.work_vertex[vertices[i]]}, {.distances_only = true});
-    fields[i].resize(data.work.mesh->vertex_count());
-    for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) fields[i][v] = solver.distance(v);
+    const UnsplitSurface* unsplit = data.unsplit();
+    ExactSolver solver(unsplit != nullptr ? unsplit->geometry : data.geometry);
+    const Index vertex = unsplit != nullptr ? vertices[i] : data.work.work_vertex[vertices[i]];
+    solver.run_from_vertices(std::array{vertex}, {.distances_only = true});
+    fields[i].resize(solver.mesh().vertex_count());
+    for (Index v = 0; v < solver.mesh().vertex_count(); ++v) fields[i][v] = solver.distance(v);
   });
   return std::make_shared<const ExactLandmarks>(fields);
 }

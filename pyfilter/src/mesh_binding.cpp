@@ -59,6 +59,9 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
   findings["non_manifold_vertices"] = finding(report.non_manifold_vertices);
   findings["inconsistent_edges"] = finding(report.inconsistent_edges);
   findings["outliers"] = finding(report.outliers);
+  findings["t_junctions"] = finding(report.t_junctions);
+  d["first_t_junction_edge"] =
+      nb::make_tuple(report.first_t_junction_edge[0], report.first_t_junction_edge[1]);
   d["outlier_ratio"] = report.outlier_ratio;
   d["first_non_manifold_edge"] =
       nb::make_tuple(report.first_non_manifold_edge[0], report.first_non_manifold_edge[1]);

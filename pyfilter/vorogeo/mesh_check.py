@@ -47,6 +47,10 @@ class MeshReport:
         The shortest of these edges, in typical lengths; 0 without outliers.
     first_non_manifold_edge : (int, int)
         Its vertices, or (-1, -1).
+    t_junctions : MeshFinding
+        Vertices inside a border edge of a face to which they do not belong: cracks that no path crosses.
+    first_t_junction_edge : (int, int)
+        The ends of the edge in which the first of them lies, or (-1, -1).
     border_edges, border_loops : int
         Edges with one face, and the closed loops that they form.
     longest_border_loop : float
@@ -90,6 +94,8 @@ class MeshReport:
     outliers: MeshFinding
     outlier_ratio: float
     first_non_manifold_edge: tuple[int, int]
+    t_junctions: MeshFinding
+    first_t_junction_edge: tuple[int, int]
     border_edges: int
     border_loops: int
     longest_border_loop: float

@@ -81,6 +81,16 @@ def test_gap_between_borders():
     assert check().near_borders == vorogeo.MeshFinding(0, -1)
 
 
+def test_t_junctions():
+    vertices, faces = side_by_side(plane_grid(2, 2), plane_grid(2, 3), gap=1.0)
+    report = check(vertices, faces)
+    assert report.t_junctions == vorogeo.MeshFinding(1, 6)
+    assert report.first_t_junction_edge == (1, 3)
+    assert any("T-junction" in sentence for sentence in report.sentences)
+    assert check().t_junctions == vorogeo.MeshFinding(0, -1)
+    assert check().first_t_junction_edge == (-1, -1)
+
+
 @pytest.mark.parametrize(
     ("scale", "usable", "by_index"), [(1e30, True, False), (1e-300, False, False), (1, True, True)]
 )

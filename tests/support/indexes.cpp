@@ -34,6 +34,17 @@ std::string loading(const std::filesystem::path& file, const std::shared_ptr<con
   return "loaded";
 }
 
+Soup needle_disc(int needles) {
+  Soup soup;
+  soup.positions.push_back({0.0, 0.0, 0.0});
+  for (Index i = 0; i < needles; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / needles;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 0.0});
+    soup.faces.push_back({0, 1 + i, 1 + (i + 1) % needles});
+  }
+  return soup;
+}
+
 Soup hills(int cells, double height) {
   Soup soup = plane_grid(cells, cells, 1.0, 1.0, 0.2, 5).soup;
   for (Point& p : soup.positions) p[2] = height * std::sin(9.0 * p[0]) * std::cos(7.0 * p[1] + p[0]);

@@ -32,6 +32,9 @@ std::string loading(const std::filesystem::path& file, const std::shared_ptr<con
 /// A terrain over plane_grid: smooth hills, so that shortest paths bend and distances have no formula.
 Soup hills(int cells, double height);
 
+/// The unit disc as a fan of needles round vertex 0; vertex 1 + i lies at the angle 2 pi i / needles.
+Soup needle_disc(int needles);
+
 /// Relative errors of distances, over all pairs with a finite exact distance above 0.
 struct ErrorStatistics {
   double mean = 0.0;      ///< of the absolute values

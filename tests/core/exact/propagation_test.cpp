@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
+#include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -78,6 +79,21 @@ TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
   // From (0, 0) by (1, 3) and (3, 3) to (4, 0).
   EXPECT_NEAR(solver.distance(4), 2.0 * std::hypot(1.0, 3.0) + 2.0, 1e-12);
   EXPECT_LE(solver.barrier_distance(), solver.distance(4));
+}
+
+TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
+  // In a flat fan of needles, some edges are split into many pieces: behind such an edge a wave comes in as
+  // many windows, all of them with one source.
+  const auto index = test::make_index(test::needle_disc(2000));
+  ASSERT_GT(index->data().work.edge_points.size(), 50U);
+  ExactSolver whole(index->mesh());
+  ExactSolver split(index->data().geometry);
+  whole.run_from_vertices(std::array<Index, 1>{1});
+  split.run_from_vertices(std::array{index->data().work.work_vertex[1]});
+  for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
+    EXPECT_NEAR(split.distance(index->data().work.work_vertex[v]), whole.distance(v), 1e-13);
+  }
+  EXPECT_LT(split.window_count(), 3 * whole.window_count());
 }
 
 }  // namespace

@@ -108,14 +108,8 @@ TEST(OutlierTables, AFanOfNeedlesCostsItsFaces) {
   // A flat disc: two points of the rim see each other along the chord, which the polygon cuts by less than
   // 1e-6.
   constexpr int needles = 4000;
-  test::Soup soup;
-  soup.positions.push_back({0.0, 0.0, 0.0});
   auto angle = [](Index v) { return 2.0 * std::acos(-1.0) * (v - 1) / needles; };
-  for (Index v = 1; v <= needles; ++v) {
-    soup.positions.push_back({std::cos(angle(v)), std::sin(angle(v)), 0.0});
-    soup.faces.push_back({0, v, v % needles + 1});
-  }
-  const auto index = test::make_index(soup);
+  const auto index = test::make_index(test::needle_disc(needles));
   GeodesicQuery query(index, 1);
   for (Index v : {2, 50, 700, 1999, 2500}) {
     const double chord = 2.0 * std::sin(0.5 * (angle(v) - angle(1)));

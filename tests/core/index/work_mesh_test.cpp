@@ -124,5 +124,13 @@ TEST(WorkMesh, RealMeshes) {
   }
 }
 
+TEST(WorkMesh, PatchesOfAFewNeedlesAddABoundedNumberOfPoints) {
+  Soup needles = test::plane_grid(17, 2, 1e-3, 1.0).soup;
+  const Made made = make(needles, 2, 2);
+  EXPECT_GT(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count());
+  EXPECT_LE(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count() + 128.0);
+  expect_sound(made);
+}
+
 }  // namespace
 }  // namespace vorogeo

@@ -86,5 +86,18 @@ TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
 }
 
+TEST(Halo, TakesTheFacesOfPatchesInAnyOrder) {
+  const auto index = test::make_index(test::icosphere(3), 3, 4);
+  const IndexData& data = index->data();
+  const UnsplitSurface surface(data.mesh, data.work, data.partition);
+  Halo by_order(*data.mesh, surface.first_face, surface.faces);
+  for (Index p = 0; p < data.second.patch_count; ++p) {
+    by_order.surround(std::array{p}, 0.0);
+    for (Index f = 0; f < data.mesh->face_count(); ++f) {
+      EXPECT_EQ(by_order.mask()[f] != 0, data.partition.second_layer[f] == p);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vorogeo
