@@ -39,7 +39,7 @@ FoundPath ExactSearch::run(const PathEnd& from, const PathEnd& to, ExactLimits l
 
 FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double max_distance,
                               std::span<const std::uint8_t> face_allowed) {
-  if (unsplit_ == nullptr) return within_mask(from, to, max_distance, face_allowed);
+  if (unsplit_ == nullptr || face_allowed.empty()) return within_mask(from, to, max_distance, face_allowed);
   user_mask_.assign(data_.mesh->face_count(), 0);
   for (std::size_t f = 0; f < face_allowed.size(); ++f) {
     if (face_allowed[f] != 0) user_mask_[data_.work.user_face[f]] = 1;

@@ -31,9 +31,9 @@ class ExactSearch {
  public:
   explicit ExactSearch(const IndexData& data);
 
-  /// Paths shorter than `max_distance`, over the faces of the work mesh that are allowed (not 0).
+  /// Paths shorter than `max_distance`, over the faces of the work mesh that are allowed (not 0; empty: all).
   FoundPath within(const PathEnd& from, const PathEnd& to, double max_distance,
-                   std::span<const std::uint8_t> face_allowed);
+                   std::span<const std::uint8_t> face_allowed = {});
   /// Over all faces, with the bounds of the landmarks, if there are any.
   FoundPath between_landmarks(const PathEnd& from, const PathEnd& to, double max_distance);
   /// The same with the bounds that the index gives, which are not proven.

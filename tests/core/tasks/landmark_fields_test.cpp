@@ -21,15 +21,18 @@ constexpr Index last = (columns + 1) * (columns + 1) - 1;
 class Bounding {
  public:
   Bounding(const std::shared_ptr<const GeodesicIndex>& index, int count)
-      : work_(index->data().work), landmarks_(landmarks_of(index, count, 2)) {}
+      : data_(index->data()), landmarks_(landmarks_of(index, count, 2)) {}
   double operator()(Index a, Index b) const {
-    const auto seen = landmarks_->seen_from(*work_.mesh, SurfacePoint::at_vertex(work_.work_vertex[b]));
-    return landmarks_->least_distance(work_.work_vertex[a], seen);
+    const bool unsplit = data_.unsplit() != nullptr;
+    const Mesh& mesh = unsplit ? *data_.mesh : *data_.work.mesh;
+    auto on_mesh = [&](Index v) { return unsplit ? v : data_.work.work_vertex[v]; };
+    return landmarks_->least_distance(on_mesh(a),
+                                      landmarks_->seen_from(mesh, SurfacePoint::at_vertex(on_mesh(b))));
   }
   int count() const { return landmarks_->count(); }
 
  private:
-  const WorkMesh& work_;
+  const IndexData& data_;
   std::shared_ptr<const ExactLandmarks> landmarks_;
 };
 
