@@ -64,12 +64,15 @@ double PairDistance::bound_by_tables(Index source, Index target) {
 /// Exact distance by propagation around patches_. If a path could have left the allowed faces, a second run
 /// over all faces decides, which the result of the first one keeps in a thin corridor.
 double PairDistance::distance_nearby(Index source, Index target, double bound) {
-  const UnsplitSurface* unsplit = data_.unsplit();
+  // Added points are no vertices of the user's.
+  const auto& user = data_.work.user_vertex;
+  const bool are_users = user[source] != no_index && user[target] != no_index;
+  const UnsplitSurface* unsplit = are_users ? data_.unsplit() : nullptr;
   if (unsplit != nullptr) {
     if (!solver_) solver_.emplace(unsplit->geometry);
     if (!halo_) halo_.emplace(*data_.mesh, unsplit->first_face, unsplit->faces);
-    source = data_.work.user_vertex[source];
-    target = data_.work.user_vertex[target];
+    source = user[source];
+    target = user[target];
   }
   Halo& halo = unsplit != nullptr ? *halo_ : near_.halo();
   ExactSolver& solver = unsplit != nullptr ? *solver_ : near_.solver();
