@@ -12,7 +12,7 @@ namespace vorogeo {
 /// An end point in the work mesh.
 struct PathEnd {
   SurfacePoint point;
-  SurfacePoint user;  ///< the same in the user's mesh
+  SurfacePoint user;        ///< the same in the user's mesh
   Index vertex = no_index;  ///< the point itself or the nearest corner of its face
   double to_vertex = 0.0;   ///< distance of the point from that vertex
   std::vector<Index> patches;
