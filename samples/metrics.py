@@ -1,4 +1,4 @@
-"""Distances in other metrics: a slope penalty, a painted cost, limbs as fibres, edge lengths; writes four pictures.
+"""Distances in other metrics: a slope penalty, a painted cost, limbs, edge lengths, a lake, layers; writes pictures.
 
 Usage: python samples/metrics.py      (needs samples/setup.sh once; writes samples/out/metric_*.png and metrics.png)
 """
@@ -93,12 +93,30 @@ fan = joined(index.path([24 * 81 + 40] * 7, [80 * 81 + 13 * k for k in range(7)]
 lines = both(fan, index.isolines(field, LINES))
 picture.draw("samples/out/metric_lengths.png", plane, faces, field, lines=lines)
 
-figure, axes = pyplot.subplots(2, 2, figsize=(9, 8))
+# Costs that jump at edges: a lake that is five times as dear, and layers that are cheap in different directions.
+flat, faces = square(61)
+middle = flat[faces].mean(axis=1)
+lake = np.hypot(middle[:, 0] - 0.5, middle[:, 1] - 0.5) < 0.25
+metric = vorogeo.FaceCost(np.where(lake, 5.0, 1.0))
+fan = joined(
+    vorogeo.exact_path(flat, faces, [30 * 61 + 3] * 9, [57 + 61 * (6 + 6 * k) for k in range(9)], metric=metric)
+)
+picture.draw("samples/out/metric_faces.png", flat, faces, regions=lake.astype(int), lines=fan)
+
+layer = (middle[:, 1] * 4).astype(int)
+cheap = np.array([[1, 1, 0], [1, -1, 0]])[layer % 2] / np.sqrt(2)
+metric = vorogeo.FaceTensor(9 * np.eye(3) - 8 * cheap[:, :, None] * cheap[:, None, :])
+fan = joined(vorogeo.exact_path(flat, faces, [30] * 9, [60 * 61 + 6 + 6 * k for k in range(9)], metric=metric))
+picture.draw("samples/out/metric_layers.png", flat, faces, regions=layer, lines=fan)
+
+figure, axes = pyplot.subplots(2, 3, figsize=(11, 6.6))
 titles = {
     "terrain": "slope penalty: shortest and cheapest paths",
     "cost": "vertex cost, ten times as dear on the right",
     "fibres": "tensor: limbs cheaper along than around",
     "lengths": "edge lengths of the hyperbolic plane",
+    "faces": "face cost: round a lake five times as dear",
+    "layers": "face tensor: cheap along one diagonal or the other",
 }
 for axis, (name, title) in zip(axes.flat, titles.items(), strict=True):
     axis.imshow(pyplot.imread(f"samples/out/metric_{name}.png"))

@@ -146,6 +146,38 @@ MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<cons
   });
 }
 
+SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                               std::span<const double> cost) {
+  require_one_for_each(cost.size(), "costs", faces.size(), "faces");
+  SideLengths sides(faces.size(), {0.0, 0.0, 0.0});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!is_usable(faces[f])) continue;
+    require_cost(cost[f], "Face", f);
+    for (int i = 0; i < 3; ++i) {
+      sides[f][i] =
+          cost[f] * distance_between(positions[faces[f][(i + 1) % 3]], positions[faces[f][(i + 2) % 3]]);
+    }
+  }
+  return sides;
+}
+
+SideLengths sides_by_face_tensor(std::span<const Point> positions,
+                                 std::span<const std::array<Index, 3>> faces,
+                                 std::span<const Tensor> tensors) {
+  require_one_for_each(tensors.size(), "tensors", faces.size(), "faces");
+  SideLengths sides(faces.size(), {0.0, 0.0, 0.0});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!is_usable(faces[f])) continue;
+    require_symmetric(tensors[f], "face", f);
+    require_positive(positions, faces[f], f, "face", f, tensors[f]);
+    for (int i = 0; i < 3; ++i) {
+      const Step side = edge_vector(positions, faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
+      sides[f][i] = static_cast<double>(std::sqrt(std::max(0.0L, form(tensors[f], side, side))));
+    }
+  }
+  return sides;
+}
+
 Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides) {
   auto longest_of = [&](std::size_t f) {
     return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());

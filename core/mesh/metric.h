@@ -37,6 +37,16 @@ MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const 
 MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                 std::span<const Tensor> tensors);
 
+/// The sides of each face in a norm of its own, which jumps at edges: two faces of an edge need not agree.
+///
+/// A cost for each face: sides times cost. A tensor for each: roots of v' G v. \throw InvalidInput as above,
+/// by faces instead of vertices.
+SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                               std::span<const double> cost);
+SideLengths sides_by_face_tensor(std::span<const Point> positions,
+                                 std::span<const std::array<Index, 3>> faces,
+                                 std::span<const Tensor> tensors);
+
 /// Shortens every side that is longer than the two others together to their sum, in all faces of its edge,
 /// until the triangle inequality holds everywhere. \return the number of edges concerned.
 Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides);

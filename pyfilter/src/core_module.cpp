@@ -10,6 +10,7 @@
 #include "paths_binding.h"
 #include "point_arrays.h"
 #include "tasks_binding.h"
+#include "weighted_binding.h"
 
 NB_MODULE(_core, module) {
   module.doc() =
@@ -24,4 +25,5 @@ NB_MODULE(_core, module) {
   vorogeo::python::bind_paths(module);
   vorogeo::python::bind_tasks(module);
   vorogeo::python::bind_surface_tasks(module);
+  vorogeo::python::bind_weighted(module);
 }

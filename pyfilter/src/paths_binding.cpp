@@ -9,6 +9,7 @@
 #include "index_binding.h"
 #include "mesh/surface_locator.h"
 #include "path/path_query.h"
+#include "path_arrays.h"
 #include "point_arrays.h"
 #include "progress_bridge.h"
 #include "support/parallel.h"
@@ -186,24 +187,9 @@ class Paths {
   }
 
   nb::tuple as_arrays(const std::vector<ExactPath>& found) const {
-    std::vector<double> lengths;
-    std::vector<Index> certified;
-    std::vector<std::int64_t> begin{0};
-    std::vector<double> positions;
-    PointRows rows;
-    for (const ExactPath& one : found) {
-      lengths.push_back(one.path.length);
-      certified.push_back(one.certified ? 1 : 0);
-      for (const SurfacePoint& point : one.path.points) {
-        for (double coordinate : position_of(mesh(), point)) positions.push_back(coordinate);
-        rows.add(mesh(), point);
-      }
-      begin.push_back(static_cast<std::int64_t>(rows.vertex.size()));
-    }
-    return nb::make_tuple(to_numpy(std::move(lengths)), to_numpy(std::move(certified)),
-                          to_numpy(std::move(begin)), to_numpy(std::move(positions)),
-                          to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),
-                          to_numpy(std::move(rows.weights)));
+    PathArrays arrays(mesh());
+    for (const ExactPath& one : found) arrays.add(one.path, one.certified);
+    return arrays.take();
   }
 
   HeldIndex held_;

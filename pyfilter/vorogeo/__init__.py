@@ -10,7 +10,8 @@ from importlib.metadata import version as _version
 
 from ._output import matrix_bytes
 from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
-from .exact import exact_distance_field
+from .exact import exact_distance_field, exact_path
+from .face_metrics import FaceCost, FaceTensor
 from .geodesic_methods import (
     GeodesicMethod,
     MethodClaims,
@@ -23,7 +24,14 @@ from .geodesic_methods import (
 from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .mesh_files import read_mesh
-from .metrics import EdgeLengths, MetricLengths, VertexCost, VertexTensor, curvature_tensor, slope_cost
+from .metrics import (
+    EdgeLengths,
+    MetricLengths,
+    VertexCost,
+    VertexTensor,
+    curvature_tensor,
+    slope_cost,
+)
 from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
@@ -48,6 +56,8 @@ __all__ = [
     "EdgeLengths",
     "Error",
     "Extent",
+    "FaceCost",
+    "FaceTensor",
     "FarthestSamples",
     "FileError",
     "GeodesicIndex",
@@ -77,6 +87,7 @@ __all__ = [
     "curvature_tensor",
     "distance_field",
     "exact_distance_field",
+    "exact_path",
     "load_plugin",
     "matrix_bytes",
     "methods",

@@ -49,6 +49,20 @@ def lengths_by_cost(
 def lengths_by_tensor(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], tensors: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], int]: ...
+def sides_by_face_cost(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], cost: NDArray[np.float64]
+) -> NDArray[np.float64]: ...
+def sides_by_face_tensor(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], tensors: NDArray[np.float64]
+) -> NDArray[np.float64]: ...
+def weighted_field(
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    sides: NDArray[np.float64],
+    points: int,
+    sources: NDArray[np.int32],
+    max_distance: float,
+) -> NDArray[np.float64]: ...
 def slope_cost(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], x: float, y: float, z: float, penalty: float
 ) -> NDArray[np.float64]: ...
@@ -96,6 +110,15 @@ class Surface:
 class Points:
     def __init__(self, vertex: _Ids, face: _Ids, weights: _Floats) -> None: ...
 
+def paths_without_index(
+    vertices: _Floats,
+    faces: _Ids,
+    sides: _Floats | None,
+    points: int,
+    sources: Points,
+    targets: Points,
+    progress: _Progress,
+) -> tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats]: ...
 def fill_matrix(
     index: Index, rows: Points, columns: Points, method: int, exact: bool, out: _Reals, progress: _Progress
 ) -> None: ...

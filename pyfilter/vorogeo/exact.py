@@ -1,4 +1,4 @@
-"""Exact geodesic distances on numpy arrays, without an index."""
+"""Exact geodesic distances and paths on numpy arrays, without an index."""
 
 from __future__ import annotations
 
@@ -9,8 +9,14 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from . import _core, metrics
+from . import points as point_lists
+from .errors import InvalidInput
+from .face_metrics import FaceCost, FaceMetric, FaceTensor
 from .masks import face_mask, without_masked
 from .metrics import Metric
+from .paths import GeodesicPath, from_core
+from .points import Points
+from .progress import ProgressFunction, reporter
 
 
 def exact_distance_field(
@@ -20,7 +26,7 @@ def exact_distance_field(
     max_distance: float | None = None,
     dtype: DTypeLike = np.float64,
     mask: ArrayLike | None = None,
-    metric: Metric | None = None,
+    metric: Metric | FaceMetric | None = None,
 ) -> NDArray[Any]:
     """Exact distance of every vertex from its nearest source, on one thread.
 
@@ -38,8 +44,8 @@ def exact_distance_field(
         Of the result.
     mask : array_like of bool, shape (m,) or (n,), optional
         Which faces or vertices belong to the surface, as for `GeodesicIndex`.
-    metric : EdgeLengths, VertexCost or VertexTensor, optional
-        What paths cost; None is their length in space.
+    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
+        What paths cost; None is their length in space. With values of faces, distances are not exact but close.
 
     Returns
     -------
@@ -61,5 +67,63 @@ def exact_distance_field(
     surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
     ids = check.source_ids(sources, len(points))
     entry, limit = check.real_type(dtype), check.max_distance(max_distance)
+    if isinstance(metric, (FaceCost, FaceTensor)):
+        own = metric.face_sides(points, surface)
+        return _core.weighted_field(points, surface, own, metric.points, ids, limit).astype(entry, copy=False)
     sides = metrics.sides(metric, points, surface)
     return _core.exact_distance_field(points, surface, sides, ids, limit).astype(entry, copy=False)
+
+
+def exact_path(
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    source: Points,
+    target: Points,
+    metric: Metric | FaceMetric | None = None,
+    mask: ArrayLike | None = None,
+    progress: ProgressFunction | bool | None = None,
+) -> GeodesicPath | list[GeodesicPath]:
+    """Exact shortest path between two points, or of each of k pairs, without an index.
+
+    Takes as long as an exact field for each different source.
+
+    Parameters
+    ----------
+    vertices, faces, mask
+        As for `exact_distance_field`.
+    source, target : a point, or k points
+        Vertex ids, `SurfacePoints` or lists of both; both of the same length.
+    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
+        What paths cost; None is their length in space. With values of faces, the edges that a path crosses are found by
+        points on edges, and its crossings are then moved to where it is shortest.
+    progress : callable or bool, optional
+        As for `GeodesicIndex`.
+
+    Returns
+    -------
+    GeodesicPath, or list of k GeodesicPath
+        `certified` says whether it is exact: not with values of faces.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+    """
+    points = metrics.positions(vertices, faces, metric)
+    triangles = check.faces(faces, len(points))
+    surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
+    ends = [point_lists.rows(name, value, len(points)) for name, value in (("source", source), ("target", target))]
+    if len(ends[0][0]) != len(ends[1][0]):
+        raise InvalidInput(
+            f"source has {len(ends[0][0])} points, target {len(ends[1][0])}; give as many of one as of the other."
+        )
+    sides: NDArray[np.float64] | None
+    if isinstance(metric, (FaceCost, FaceTensor)):
+        sides, per_edge = metric.face_sides(points, surface), metric.points
+    else:
+        sides, per_edge = metrics.sides(metric, points, surface), 0
+    with reporter(progress) as report:
+        begins, arrives = (_core.Points(*end) for end in ends)
+        found = _core.paths_without_index(points, surface, sides, per_edge, begins, arrives, report)
+    paths = from_core(found)
+    return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths

@@ -54,7 +54,7 @@ class EdgeLengths:
 
     def __post_init__(self) -> None:
         wanted = "the length of the side opposite each corner, real numbers of shape (m, 3)"
-        object.__setattr__(self, "lengths", _own("EdgeLengths", self.lengths, 2, (3,), wanted))
+        object.__setattr__(self, "lengths", own_array("EdgeLengths", self.lengths, 2, (3,), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The lengths that were given."""
@@ -83,7 +83,7 @@ class VertexCost:
 
     def __post_init__(self) -> None:
         wanted = "a number above 0 for each vertex, of shape (n,)"
-        object.__setattr__(self, "cost", _own("VertexCost", self.cost, 1, (), wanted))
+        object.__setattr__(self, "cost", own_array("VertexCost", self.cost, 1, (), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The integrals of the cost along the edges.
@@ -119,7 +119,7 @@ class VertexTensor:
 
     def __post_init__(self) -> None:
         wanted = "a symmetric 3 x 3 matrix for each vertex, of shape (n, 3, 3)"
-        object.__setattr__(self, "tensors", _own("VertexTensor", self.tensors, 3, (3, 3), wanted))
+        object.__setattr__(self, "tensors", own_array("VertexTensor", self.tensors, 3, (3, 3), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The integrals of the root of v' G v along the edges.
@@ -135,7 +135,7 @@ class VertexTensor:
 
 
 Metric = EdgeLengths | VertexCost | VertexTensor
-"""What `metric` may be; None is the length in space."""
+"""Metrics of an index; None is the length in space."""
 
 
 def slope_cost(
@@ -211,6 +211,11 @@ def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
     """What a metric makes of a mesh; None for lengths in space."""
     if metric is None:
         return None
+    if hasattr(metric, "face_sides"):
+        raise InvalidInput(
+            f"metric: a {type(metric).__name__} jumps at edges, and this needs edge lengths; take exact_distance_field "
+            "or exact_path, or values at vertices (VertexCost, VertexTensor)."
+        )
     if not isinstance(metric, (EdgeLengths, VertexCost, VertexTensor)):
         raise InvalidInput(
             f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, or None for lengths in "
@@ -225,7 +230,7 @@ def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) 
     return None if found is None else found.lengths
 
 
-def _own(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
+def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
     """A read-only copy of an array of real numbers."""
     try:
         array = np.array(value, dtype=np.float64, order="C")

@@ -62,6 +62,18 @@ class GeodesicPath:
         return pyvista.PolyData(self.points, lines=np.r_[len(self.points), np.arange(len(self.points))])
 
 
+def from_core(found: Any) -> list[GeodesicPath]:
+    """The paths that the core returns as arrays."""
+    lengths, certified, begin, positions, vertices, faces, weights = found
+    positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
+    return [
+        GeodesicPath(
+            positions[a:b], float(length), vertices[a:b], SurfacePoints(faces[a:b], weights[a:b]), bool(proven)
+        )
+        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
+    ]
+
+
 class Paths:
     """The methods of `GeodesicIndex` for paths and for points that need not be vertices."""
 
@@ -212,14 +224,7 @@ class Paths:
             )
         with reporter(progress) as report:
             found = self._paths.paths(_core.Points(*sources), _core.Points(*targets), exact, certify, report)
-        lengths, certified, begin, positions, vertices, faces, weights = found
-        positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
-        paths = [
-            GeodesicPath(
-                positions[a:b], float(length), vertices[a:b], SurfacePoints(faces[a:b], weights[a:b]), bool(proven)
-            )
-            for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
-        ]
+        paths = from_core(found)
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
 
     def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:

@@ -14,7 +14,10 @@ PACKAGE = Path("pyfilter", "vorogeo")
 
 # The rooms of each part from the bottom to the top: a file includes or imports of its own room and those before it.
 ORDER = {
-    "core": ("support", "mesh", "exact", "partition", "index", "route", "field", "path", "tasks", "methods"),
+    "core": (
+        *("support", "mesh", "exact", "weighted", "partition", "index", "route", "field", "path", "tasks"),
+        "methods",
+    ),
     "plugin": ("host", "layers", "filters"),
     "pyfilter": ("src", "vorogeo", "vorogeo/compat", "vorogeo/cli"),
 }

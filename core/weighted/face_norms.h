@@ -1,0 +1,73 @@
+// Faces with a norm each: laid into the plane by their own sides, and points along their edges.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// A surface whose metric jumps at edges. In each face it is that of a flat triangle with sides of its own,
+/// on which the two faces of an edge may disagree; along an edge, the cheaper face counts.
+///
+/// Each edge holds the same number of points, evenly spaced between its ends. Points are numbered: first the
+/// vertices, then those of the edges, from the edge's first vertex on.
+class FaceNorms {
+ public:
+  using Place = std::array<double, 2>;
+
+  /// `sides`: by row of the faces given to the mesh, each opposite its corner. \throw InvalidInput for sides
+  /// that are negative, not finite or break the triangle inequality, fewer rows than faces, or a number of
+  /// points per edge outside 1 to 1000.
+  FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides, Index points_per_edge);
+
+  const Mesh& mesh() const { return *mesh_; }
+  const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
+  Index points_per_edge() const { return per_edge_; }
+  Index point_count() const { return mesh_->vertex_count() + per_edge_ * mesh_->edge_count(); }
+
+  /// Corner 0 at the origin, corner 1 on the x axis, corner 2 above it.
+  std::array<Place, 3> corners(Index face) const {
+    const auto& [along, x, y] = layout_[face];
+    return {Place{0.0, 0.0}, Place{along, 0.0}, Place{x, y}};
+  }
+  /// A point in a face.
+  Place place(Index face, const std::array<double, 3>& weights) const {
+    const auto corner = corners(face);
+    return {weights[1] * corner[1][0] + weights[2] * corner[2][0], weights[2] * corner[2][1]};
+  }
+  /// Length of an edge in the cheapest of its faces.
+  double edge_cost(Index edge) const { return edge_cost_[edge]; }
+
+  /// Point i of an edge: 0 and points_per_edge + 1 are its first and second vertex.
+  Index point(Index edge, Index i) const {
+    if (i == 0) return mesh_->edge_vertices(edge)[0];
+    if (i > per_edge_) return mesh_->edge_vertices(edge)[1];
+    return mesh_->vertex_count() + edge * per_edge_ + i - 1;
+  }
+  bool is_vertex(Index point) const { return point < mesh_->vertex_count(); }
+  Index edge_of(Index point) const { return (point - mesh_->vertex_count()) / per_edge_; }
+  /// Its number along its edge, from 1.
+  Index along_edge(Index point) const { return (point - mesh_->vertex_count()) % per_edge_ + 1; }
+  double fraction(Index i) const { return static_cast<double>(i) / (per_edge_ + 1); }
+  /// The place in a face of the point at a fraction of the edge of one of its half-edges, from the edge's
+  /// first vertex.
+  Place on_edge(const std::array<Place, 3>& corner, Index halfedge, double fraction) const {
+    const bool along = mesh_->tail(halfedge) == mesh_->edge_vertices(mesh_->edge_of(halfedge))[0];
+    const Place& a = corner[halfedge % 3];
+    const Place& b = corner[Mesh::next_in_face(halfedge) % 3];
+    const double t = along ? fraction : 1.0 - fraction;
+    return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+  }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+  Index per_edge_;
+  std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2
+  std::vector<double> edge_cost_;
+};
+
+}  // namespace vorogeo
