@@ -57,7 +57,7 @@ FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
   require_lengths(*mesh, "exact distances take", exact_lengths.least_mean, exact_lengths.greatest);
-  turn_long_edges();
+  find_long_edges();
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
   constexpr Index per_checkpoint = 1 << 13;
@@ -102,17 +102,23 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   }
 }
 
-void ExactGeometry::turn_long_edges() {
-  long_length = long_edge * mesh->typical_edge_length();
-  if (!(mesh->longest_edge_length() > long_length)) return;
+void ExactGeometry::find_long_edges() {
   std::vector<double> shortest(mesh->vertex_count(), unreachable);
   for (Index e = 0; e < mesh->edge_count(); ++e) {
-    for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], mesh->edge_length(e));
+    const double length = mesh->edge_length(e);
+    if (!(length > 0.0)) continue;
+    for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
-  turned.assign(mesh->edge_count(), 0);
+  const double typical = mesh->typical_edge_length();
   for (Index e = 0; e < mesh->edge_count(); ++e) {
     const auto [a, b] = mesh->edge_vertices(e);
-    turned[e] = mesh->edge_length(e) > long_length && shortest[b] < shortest[a];
+    const double length = mesh->edge_length(e);
+    const double small = std::min(shortest[a], shortest[b]);
+    if (!(length > long_edge * typical || length > long_beside_small * small)) continue;
+    turned.resize(mesh->edge_count(), 0);
+    fineness.resize(mesh->edge_count(), 0.0);
+    turned[e] = shortest[b] < shortest[a];
+    fineness[e] = std::min(small, typical);
   }
 }
 

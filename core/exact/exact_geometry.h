@@ -37,25 +37,28 @@ struct ExactGeometry {
 
   std::shared_ptr<const Mesh> mesh;
   std::vector<FaceFrame> frame;  ///< by half-edge
-  /// Edges on which positions count from the mesh's second vertex, as the first one is an outlier: near it,
-  /// no digits would be left. Empty if there are none.
+  /// Edges on which positions count from the mesh's second vertex, as the first one is far away from small
+  /// edges: near it, no digits would be left for those. Empty if no edge is long.
   std::vector<std::uint8_t> turned;
+  /// The length of small edges at the beginning of a long edge, 0 for other edges. Empty if no edge is long.
+  std::vector<double> fineness;
   /// The two vertices of an edge; positions along it count from the first, in all of the solver.
   std::array<Index, 2> ends(Index edge) const {
     const auto& [a, b] = mesh->edge_vertices(edge);
     return is_turned(edge) ? std::array{b, a} : std::array{a, b};
   }
   bool is_turned(Index edge) const { return !turned.empty() && turned[edge] != 0; }
-  /// Edges this many typical ones long have positions of very different precision.
+  /// Edges this many typical ones long, or longer than an edge at their ends by the larger factor, have
+  /// positions of very different precision.
   static constexpr double long_edge = 1e3;
+  static constexpr double long_beside_small = 1e6;
   /// What the rounding of a position `x` on an edge is relative to, for distances of about `distance` there:
   /// its length, or less near the beginning of a long edge.
-  double scale_at(double x, double distance, double length) const {
-    if (!is_long(length)) return length;
-    return std::min(length, mesh->typical_edge_length() + std::abs(x) + distance);
+  double scale_at(Index edge, double x, double distance, double length) const {
+    if (!is_long(edge)) return length;
+    return std::min(length, fineness[edge] + std::abs(x) + distance);
   }
-  bool is_long(double length) const { return length > long_length; }
-  double long_length = unreachable;  ///< of `long_edge` typical edges
+  bool is_long(Index edge) const { return !fineness.empty() && fineness[edge] > 0.0; }
   /// A length that is smaller than another one of its face by this factor is within the rounding of positions
   /// there.
   static constexpr double next_to_nothing = 1e-8;
@@ -86,13 +89,13 @@ struct ExactGeometry {
 
   std::size_t memory_bytes() const {
     return frame.size() * sizeof(FaceFrame) + corner_begin.size() * sizeof(double) + can_bend.size() +
-           begins_at_own_edge.size() + turned.size();
+           begins_at_own_edge.size() + turned.size() + fineness.size() * sizeof(double);
   }
 
  private:
   /// Sides shorter than this fraction of the edge lose more than three digits.
   static constexpr double short_side = 1e-3;
-  void turn_long_edges();
+  void find_long_edges();
 };
 
 }  // namespace vorogeo

@@ -100,7 +100,11 @@ class Tracer {
     } else {
       there = crossing(best);
     }
-    const SurfacePoint point = validated(mesh_, SurfacePoint::in_face(best_face, there));
+    SurfacePoint point = SurfacePoint::in_face(best_face, there);
+    for (int i = 0; i < 3; ++i) {
+      if (there[(i + 1) % 3] == 0.0 && there[(i + 2) % 3] == 0.0)
+        point = SurfacePoint::at_vertex(mesh_.face_vertices(best_face)[i]);
+    }
     if (best.halfedge != no_index) passed_.insert(mesh_.vertex_count() + mesh_.edge_of(best.halfedge));
     // The crossing was moved to an end of its edge that had been passed before: the next round avoids this
     // edge.
@@ -117,13 +121,14 @@ class Tracer {
     const Index h = step.halfedge;
     const double length = mesh_.edge_length(mesh_.edge_of(h));
     const double at_end = std::min(snap * length, snap_of_path * distance_);
-    double t = length > 0.0 ? step.x / length : 0.0;
-    if (step.x <= at_end) t = 0.0;
-    if (length - step.x <= at_end) t = 1.0;
-    if (mesh_.tail(h) != state_.geometry->ends(mesh_.edge_of(h))[0]) t = 1.0 - t;
+    // The weight of the far end of a long edge may be tiny: it would be lost in a difference.
+    double second = length > 0.0 ? step.x / length : 0.0;
+    if (step.x <= at_end) second = 0.0;
+    if (length - step.x <= at_end) second = 1.0;
+    const bool along = mesh_.tail(h) == state_.geometry->ends(mesh_.edge_of(h))[0];
     std::array<double, 3> there{};
-    there[h % 3] = 1.0 - t;
-    there[Mesh::next_in_face(h) % 3] = t;
+    there[h % 3] = along ? 1.0 - second : second;
+    there[Mesh::next_in_face(h) % 3] = along ? second : 1.0 - second;
     return there;
   }
 

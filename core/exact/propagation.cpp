@@ -28,10 +28,11 @@ constexpr double same_source = 1e-13;
 /// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
 /// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
 /// lost.
-void open_at_source(const ExactGeometry& geometry, Window& window, double length) {
+void open_at_source(const ExactGeometry& geometry, Index edge, Window& window, double length) {
   if (!(window.source_y < near_edge * length)) return;
   const double distance = window.offset + window.source_y;
-  const double tolerance = 4e-16 * geometry.scale_at(window.source_x, distance, length) + 1e-12 * distance;
+  const double tolerance =
+      4e-16 * geometry.scale_at(edge, window.source_x, distance, length) + 1e-12 * distance;
   if (window.source_x <= window.begin - tolerance || window.source_x >= window.end + tolerance) return;
   if (window.source_x < window.begin + tolerance) window.begin -= 2.0 * tolerance;
   if (window.source_x > window.end - tolerance) window.end += 2.0 * tolerance;
@@ -57,7 +58,7 @@ bool ExactSolver::State::open_edge(Index edge) {
   from_first = vertices[a].distance;
   from_second = vertices[b].distance;
   if (has_corridor) look_at_target();
-  const double at_begin = least_width * geometry->scale_at(0.0, 0.0, open_length);
+  const double at_begin = least_width * geometry->scale_at(edge, 0.0, 0.0, open_length);
   envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0});
   return true;
 }
@@ -93,7 +94,7 @@ void ExactSolver::State::insert_cut(Window window, double at_begin, double at_en
 }
 
 bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
-  const double scale = geometry->scale_at(window.begin, window.distance(window.begin), open_length);
+  const double scale = geometry->scale_at(open, window.begin, window.distance(window.begin), open_length);
   return !(window.end - window.begin > least_width * scale);
 }
 
@@ -151,18 +152,18 @@ void ExactSolver::State::cross_face(Index halfedge) {
   }
   const FaceFrame& frame = geometry->frame[halfedge];
   const double length = mesh.edge_length(edge);
-  const bool is_long = geometry->is_long(length);
+  const bool is_long = geometry->is_long(edge);
   double tolerance = vertex_tolerance * length;
   // The apex first: its distance cuts the windows on both sides.
   for (Crossing& item : crossing) {
-    open_at_source(*geometry, item.window, length);
+    open_at_source(*geometry, edge, item.window, length);
     const Window& window = item.window;
     const double height = window.source_y + frame.apex_depth;
     const double dx = frame.apex_x - window.source_x;
     item.to_apex = height > 0.0 ? window.source_x + dx * (window.source_y / height) : frame.apex_x;
     if (is_long) {
       tolerance =
-          vertex_tolerance * geometry->scale_at(item.to_apex, window.offset + window.source_y, length);
+          vertex_tolerance * geometry->scale_at(edge, item.to_apex, window.offset + window.source_y, length);
     }
     if (item.to_apex >= window.begin - tolerance && item.to_apex <= window.end + tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
@@ -170,16 +171,17 @@ void ExactSolver::State::cross_face(Index halfedge) {
     }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
-          false, length, frame.apex_x);
+          false, edge, frame.apex_x);
   hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed,
                geometry->apex_from_second(halfedge), frame.apex_depth),
-          true, length, frame.apex_x);
+          true, edge, frame.apex_x);
 }
 
-void ExactSolver::State::hand_on(const Side& side, bool second, double crossed_length, double apex_along) {
+void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_edge, double apex_along) {
+  const double crossed_length = mesh.edge_length(crossed_edge);
   if (!(side.length > 0.0)) return;
   bool is_open = false;
-  const bool is_long = geometry->is_long(crossed_length) || geometry->is_long(side.length);
+  const bool is_long = geometry->is_long(crossed_edge) || geometry->is_long(side.edge);
   auto hand_on_one = [&](const Crossing& item) {
     const double begin = second ? std::max(item.window.begin, item.to_apex) : item.window.begin;
     const double end = second ? item.window.end : std::min(item.window.end, item.to_apex);
@@ -224,14 +226,15 @@ void ExactSolver::State::pass_through(const Window& window) {
   passes_through = false;
 }
 
-inline bool ExactSolver::State::is_continued(const Window& window, const Window& next, double length) const {
+inline bool ExactSolver::State::is_continued(Index edge, const Window& window, const Window& next) const {
+  const double length = mesh.edge_length(edge);
   if (window.offset != next.offset || window.source != next.source || window.came_from != next.came_from)
     return false;
   const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + length);
   if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
       window.source_y < near_edge * length)
     return false;
-  const double scale = geometry->scale_at(next.begin, next.distance(next.begin), length);
+  const double scale = geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
   return next.begin - window.end <= least_width * scale;
 }
 
@@ -264,7 +267,7 @@ void ExactSolver::State::take_edge(Index edge) {
     crossing.clear();
     for (const Window& window : envelope.windows(edge)) {
       if (window.is_propagated() || window.came_from == h) continue;
-      if (!crossing.empty() && is_continued(crossing.back().window, window, length)) {
+      if (!crossing.empty() && is_continued(edge, crossing.back().window, window)) {
         crossing.back().window.end = window.end;
       } else {
         crossing.push_back({window, 0.0});

@@ -41,7 +41,7 @@ struct ExactSolver::State {
   void close_edges_at(Index vertex);
   void close_edges_behind_front();
   void cross_face(Index halfedge);
-  void hand_on(const Side& side, bool second, double crossed_length, double apex_along);
+  void hand_on(const Side& side, bool second, Index crossed_edge, double apex_along);
   /// Whether the pseudo-source lies on the edge up to a negligible distance.
   static bool lies_on_edge(const Window& window, double length) {
     return window.source_y <= ExactGeometry::next_to_nothing * length && window.source_x >= window.begin &&
@@ -134,7 +134,7 @@ struct ExactSolver::State {
   std::vector<Crossing> crossing;
   /// Whether the next window of an edge goes on where this one ends: rays of one pseudo-source that passed a
   /// flat vertex on its two sides. Left apart, a fan of needles in a plane would double them at each edge.
-  bool is_continued(const Window& window, const Window& next, double length) const;
+  bool is_continued(Index edge, const Window& window, const Window& next) const;
   bool passes_through = false;
   std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).

@@ -9,7 +9,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Rounding of a step in a face, relative to its longest side: six weights and as many products are rounded.
+/// Rounding of a step in a face, relative to the lengths that its weights stand for: six weights and as many
+/// products are rounded.
 constexpr double step_rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// Weights that differ by less are equal up to rounding.
@@ -49,17 +50,24 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
       if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;
       return {};
     }
+    // Measured from the nearest corner: the small weights of those far away have all their digits. With a
+    // metric, the corners themselves are rounded.
     const auto corners = mesh.face_corners(face);
-    Point step{};
-    double longest = 0.0;
+    int nearest = 0;
     for (int k : {1, 2}) {
+      if (from[k] + to[k] > from[nearest] + to[nearest]) nearest = k;
+    }
+    Point step{};
+    double weighed = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      if (k == nearest) continue;
       for (int axis = 0; axis < 3; ++axis) {
-        step[axis] += (to[k] - from[k]) * (corners[k][axis] - corners[0][axis]);
+        step[axis] += (to[k] - from[k]) * (corners[k][axis] - corners[nearest][axis]);
       }
-      longest = std::max(longest, mesh.edge_length(mesh.edge_of(3 * face + (k == 1 ? 0 : 2))));
+      weighed += (mesh.has_metric() ? 1.0 : from[k] + to[k]) * distance_between(corners[k], corners[nearest]);
     }
     sum.length += std::hypot(step[0], step[1], step[2]);
-    sum.rounding += step_rounding * longest;
+    sum.rounding += step_rounding * weighed;
   }
   return sum;
 }

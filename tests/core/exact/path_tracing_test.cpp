@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -137,6 +138,27 @@ TEST(PathTracing, RealMeshes) {
     ExactSolver solver(mesh);
     SCOPED_TRACE(name);
     expect_paths(solver, {spread_points(soup)[1]}, many_targets(*mesh, 37), 1e-9);
+  }
+}
+
+TEST(PathTracing, AlongARimABillionthAsLongAsItsSpokes) {
+  // A flat sector of needles; every other vertex of the rim lies nearer to the hub, so that shortest paths
+  // touch only those and cross the spokes to the others next to their ends.
+  constexpr Index rim = 40;
+  constexpr double width = 4e-10;
+  constexpr double height = 2e-10;
+  test::Soup soup;
+  soup.positions.push_back({0.0, 100.0, 0.0});
+  for (Index i = 0; i <= rim; ++i) soup.positions.push_back({width * i, i % 2 == 0 ? height : 0.0, 0.0});
+  for (Index i = 1; i <= rim; ++i) soup.faces.push_back({0, i, i + 1});
+  soup = test::two_components(soup, test::plane_grid(4, 4, 400.0, 400.0).soup);
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{1});
+  for (Index v = 2; v <= rim + 1; ++v) {
+    const double length = v % 2 == 1 ? width * (v - 1) : width * (v - 2) + std::hypot(width, height);
+    EXPECT_NEAR(solver.distance(v), length, 1e-9 * length) << v;
+    EXPECT_NEAR(solver.path_to_source(SurfacePoint::at_vertex(v)).length, length, 1e-9 * length) << v;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,6 +71,25 @@ TEST(SurfacePath, IsOneOnlyOfTheLengthItSays) {
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0 + 1e-8));
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0 + 1e-8}, a, b, 3.0));
   EXPECT_FALSE(is_path(*mesh, {{}, 0.0}, a, b, 0.0));
+}
+
+TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {
+  // Whatever the corner at which a face begins, a step at its short side is measured from there.
+  for (int turn = 0; turn < 3; ++turn) {
+    test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e12, 0}}, {{0, 1, 2}}};
+    std::rotate(soup.faces[0].begin(), soup.faces[0].begin() + turn, soup.faces[0].end());
+    const auto mesh = test::make_mesh(soup);
+    auto at = [&](double first, double second, double far) {
+      std::array<double, 3> weights{first, second, far};
+      std::rotate(weights.begin(), weights.begin() + turn, weights.end());
+      return SurfacePoint::in_face(0, weights);
+    };
+    const double height = 1e-13;
+    const std::array points{at(1.0 - height, 0.0, height), at(0.0, 1.0 - height, height)};
+    const MeasuredLength measured = measured_length(*mesh, points);
+    EXPECT_NEAR(measured.length, 1.0, 1e-12);
+    EXPECT_LT(measured.rounding, 1e-13);
+  }
 }
 
 }  // namespace
