@@ -30,10 +30,10 @@ for wheel in "$dist"/*.whl; do
     .venv/bin/python -m pytest -q -p no:cacheprovider tests/wheels
 done
 
-# What PyMeshLab asks for beside Python: libraries of OpenGL, and no compiler.
+# What PyMeshLab asks for beside Python: libraries of OpenGL and Kerberos, and no compiler.
 install_in() {
   tests/roots/make_root.sh "build/roots/user-$1" "$1" --no-install-recommends python3 python3-venv ca-certificates \
-    libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1 libglib2.0-0
+    libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1 libglib2.0-0 libcom-err2
 }
 # Usage: in_user SUITE COMMAND...
 in_user() { tests/roots/in_root.sh "build/roots/user-$1" bash /project/tests/wheels/install_in_root.sh "${@:2}"; }
