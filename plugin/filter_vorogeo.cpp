@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "edit/ruler_tool.h"
 #include "filters/rows.h"
 #include "layers/layer_metric.h"
 #include "support/error.h"
@@ -134,6 +135,11 @@ void FilterVorogeo::free_indexes_with(MeshDocument& document) {
         documents_.erase(gone);
       },
       Qt::DirectConnection);
+}
+
+EditTool* FilterVorogeo::make_ruler() {
+  return new vorogeo::plugin::RulerTool(indexes_,
+                                        [this](MeshDocument& document) { free_indexes_with(document); });
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterVorogeo)

@@ -5,16 +5,17 @@
 #include <set>
 #include <vector>
 
+#include "edit/ruler_factory.h"
 #include "host/filter_row.h"
 #include "host/host_api.h"
 #include "layers/index_cache.h"
 
 /// All filters of VoroGeo. Nothing happens before a filter is applied: the host loads and unloads the library
 /// several times just to inspect it.
-class FilterVorogeo : public QObject, public FilterPlugin {
+class FilterVorogeo : public QObject, public FilterPlugin, public vorogeo::plugin::RulerFactory {
   Q_OBJECT
   MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
-  Q_INTERFACES(FilterPlugin)
+  Q_INTERFACES(FilterPlugin vorogeo::plugin::RulerFactory)
 
  public:
   FilterVorogeo();
@@ -34,6 +35,8 @@ class FilterVorogeo : public QObject, public FilterPlugin {
   std::map<std::string, QVariant> applyFilter(const QAction* action, const RichParameterList& parameters,
                                               MeshDocument& document, unsigned int& changes,
                                               vcg::CallBackPos* callback) override;
+
+  EditTool* make_ruler() override;
 
  private:
   const vorogeo::plugin::FilterRow& row(ActionIDType filter) const;

@@ -1,6 +1,5 @@
 // Filter: the shortest path between two points as a polyline layer.
 #include <chrono>
-#include <span>
 #include <sstream>
 
 #include "filters/help.h"
@@ -11,6 +10,7 @@
 #include "layers/index_of_layer.h"
 #include "layers/new_layer.h"
 #include "layers/parameters.h"
+#include "layers/path_lines.h"
 #include "path/path_query.h"
 
 namespace vorogeo::plugin {
@@ -45,30 +45,19 @@ Results draw_path(FilterCall& call) {
   });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   call.progress.report(1.0, "Shortest path");
-  SurfaceLines lines;
-  std::vector<double> along;
-  for (const SurfacePoint& point : result.path.points) {
-    lines.points.push_back(position_of(*mesh, point));
-    const auto count = static_cast<Index>(lines.points.size());
-    double step = 0.0;
-    if (count > 1) {
-      lines.segments.push_back({count - 2, count - 1});
-      step = measured_length(*mesh, std::span(&point - 1, 2)).length;
-    }
-    along.push_back(along.empty() ? 0.0 : along.back() + step);
-  }
+  const PathLines polyline = lines_of(*mesh, result.path);
   std::ostringstream text;
-  if (lines.points.empty()) {
+  if (polyline.lines.points.empty()) {
     text << "No path: the points lie in different components";
   } else {
-    add_polyline_layer(call, "Geodesic path", lines, along, true);
-    text << "Path of length " << logged_length(result.path.length) << " over " << lines.points.size()
+    add_polyline_layer(call.document, call.layer, "Geodesic path", polyline.lines, polyline.along, true);
+    text << "Path of length " << logged_length(result.path.length) << " over " << polyline.lines.points.size()
          << " points";
   }
   call.log(text.str());
   Results results = {{"length", result.path.length},
                      {"certified", result.certified},
-                     {"points", static_cast<int>(lines.points.size())},
+                     {"points", static_cast<int>(polyline.lines.points.size())},
                      {"seconds", seconds}};
   results.merge(about_end_points(ends));
   results.merge(about_index(found));

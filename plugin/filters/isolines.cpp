@@ -76,7 +76,7 @@ Results draw_isolines(FilterCall& call) {
   std::vector<double> quality;
   for (Index level : found.level_of_point) quality.push_back(values[level]);
   call.progress.report(1.0, "Isolines");
-  add_polyline_layer(call, "Isolines", found.lines, quality, true);
+  add_polyline_layer(call.document, call.layer, "Isolines", found.lines, quality, true);
   call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
            logged_length(found.lines.length()) + " long in all");
   return {{"segments", static_cast<int>(found.lines.segments.size())},

@@ -43,7 +43,7 @@ Results color_voronoi_regions(FilterCall& call) {
   const VoronoiRegions regions = voronoi_regions(found.team, points.points, found.progress);
   const PatchColoring coloring = coloring_of(mesh, regions, points.size());
   if (call.parameters.getBool("borders")) {
-    add_polyline_layer(call, "Voronoi borders", regions.borders, {}, false);
+    add_polyline_layer(call.document, call.layer, "Voronoi borders", regions.borders, {}, false);
   }
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR);
   int unreached = 0;

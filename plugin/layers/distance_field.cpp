@@ -21,9 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Light grey, which is not a colour of the ramp.
-vcg::Color4b color_without_distance() { return {160, 160, 160, 255}; }
-
 constexpr const char* distances_activity = "Geodesic distances";
 
 struct Field {
@@ -85,6 +82,23 @@ Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const
 
 }  // namespace
 
+vcg::Color4b color_of_distance(double distance, double largest) {
+  if (!std::isfinite(distance)) return {160, 160, 160, 255};
+  vcg::Color4b color;
+  color.SetColorRamp(0.0F, static_cast<float>(largest), static_cast<float>(distance));
+  return color;
+}
+
+void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
+                     std::span<const double> distances, double largest) {
+  layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    CVertexO& vertex = layer.cm.vert[static_cast<std::size_t>(host_vertices[v])];
+    vertex.Q() = static_cast<Scalarm>(std::isfinite(distances[v]) ? distances[v] : quality_without_distance);
+    vertex.C() = color_of_distance(distances[v], largest);
+  }
+}
+
 RichLength max_distance_parameter(const MeshDocument& document) {
   return length_parameter(
       document, "max_distance", 0.0, "Max distance",
@@ -118,18 +132,7 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
   }
   call.progress.report(1.0, "Writing quality and colours");
 
-  call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    CVertexO& vertex = call.layer.cm.vert[layer_mesh.host_vertex(v)];
-    const double distance = field.distances[v];
-    if (std::isfinite(distance)) {
-      vertex.Q() = static_cast<Scalarm>(distance);
-      vertex.C().SetColorRamp(0.0F, static_cast<float>(largest), static_cast<float>(distance));
-    } else {
-      vertex.Q() = static_cast<Scalarm>(quality_without_distance);
-      vertex.C() = color_without_distance();
-    }
-  }
+  write_distances(call.layer, layer_mesh.arrays().input_of_vertex, field.distances, largest);
 
   const bool one = source_count == 1;
   const char* sources = at_vertices ? (one ? " source vertex" : " source vertices")

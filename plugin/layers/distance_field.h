@@ -1,6 +1,7 @@
 // From source vertices to the quality and the colours of the layer: what all distance filters share.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/exact_solver.h"
@@ -19,6 +20,13 @@ enum class Method {
 /// below every distance and finite, so that it can be told from a source and does not spoil ramps and
 /// histograms.
 inline constexpr double quality_without_distance = -1.0;
+
+/// Along the host's ramp from red to blue; light grey, which is not on it, without a distance.
+vcg::Color4b color_of_distance(double distance, double largest);
+
+/// Distances, one for each core vertex, as quality and colours. `host_vertices`: their numbers in the layer.
+void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
+                     std::span<const double> distances, double largest);
 
 /// The parameter max_distance, as all distance filters have it.
 RichLength max_distance_parameter(const MeshDocument& document);

@@ -7,10 +7,10 @@ namespace vorogeo::plugin {
 
 namespace {
 
-MeshModel& new_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
-                     std::span<const double> quality, bool make_current) {
-  MeshModel& layer = *call.document.addNewMesh("", name, make_current);
-  layer.cm.Tr = call.layer.cm.Tr;
+MeshModel& new_layer(MeshDocument& document, const MeshModel& on, const QString& name,
+                     const std::vector<Point>& points, std::span<const double> quality, bool make_current) {
+  MeshModel& layer = *document.addNewMesh("", name, make_current);
+  layer.cm.Tr = on.cm.Tr;
   if (!points.empty()) vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, points.size());
   if (!quality.empty()) layer.updateDataMask(MeshModel::MM_VERTQUALITY);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -27,12 +27,12 @@ MeshModel& new_layer(FilterCall& call, const QString& name, const std::vector<Po
 
 void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
                      std::span<const double> quality, bool make_current) {
-  new_layer(call, name, points, quality, make_current);
+  new_layer(call.document, call.layer, name, points, quality, make_current);
 }
 
-void add_polyline_layer(FilterCall& call, const QString& name, const SurfaceLines& lines,
-                        std::span<const double> quality, bool make_current) {
-  MeshModel& layer = new_layer(call, name, lines.points, quality, make_current);
+void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
+                        const SurfaceLines& lines, std::span<const double> quality, bool make_current) {
+  MeshModel& layer = new_layer(document, on, name, lines.points, quality, make_current);
   if (lines.segments.empty()) return;
   vcg::tri::Allocator<CMeshO>::AddEdges(layer.cm, lines.segments.size());
   for (std::size_t i = 0; i < lines.segments.size(); ++i) {

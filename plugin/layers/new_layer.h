@@ -16,9 +16,9 @@ namespace vorogeo::plugin {
 void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
                      std::span<const double> quality, bool make_current);
 
-/// Adds a layer with vertices and edges.
-void add_polyline_layer(FilterCall& call, const QString& name, const SurfaceLines& lines,
-                        std::span<const double> quality, bool make_current);
+/// Adds a layer with vertices and edges, with the transform of the layer `on` which they lie.
+void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
+                        const SurfaceLines& lines, std::span<const double> quality, bool make_current);
 
 /// Points of the surface as a layer, which becomes current. \return the numbers of their vertices in the
 /// host, -1 for a point that is not a vertex, as Eigen::VectorXd.

@@ -18,7 +18,7 @@ ORDER = {
         *("support", "mesh", "exact", "weighted", "partition", "index", "route", "field", "path", "tasks"),
         "methods",
     ),
-    "plugin": ("host", "layers", "filters"),
+    "plugin": ("host", "layers", "filters", "edit"),
     "pyfilter": ("src", "vorogeo", "vorogeo/compat", "vorogeo/cli"),
 }
 

@@ -23,7 +23,7 @@ done
 tests/roots/in_root.sh "$root" --bind "$headers" /meshlab-source sh -euc "
   cd /project
   cmake --preset plugin-$version-float -B $build -DVOROGEO_HOST_SOURCE=/meshlab-source '-DVOROGEO_CORE_LIBRARY=$core'
-  cmake --build $build --target filter_vorogeo --parallel $jobs
+  cmake --build $build --target filter_vorogeo edit_vorogeo --parallel $jobs
   cmake --install $build"
 library="$build/plugin/libfilter_vorogeo.so"
 cmp "$library" "$root/usr/lib/x86_64-linux-gnu/meshlab/plugins/libfilter_vorogeo.so"

@@ -6,10 +6,13 @@ Usage: python make_meshes.py FOLDER [million]
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
 import numpy as np
+
+SCAN = Path(__file__).resolve().parents[3] / "shared" / "meshes" / "igea.ply"  # 134,345 vertices, if it is there
 
 
 def terrain(columns: int, rows: int) -> tuple[np.ndarray, np.ndarray]:
@@ -43,6 +46,43 @@ def parts() -> tuple[np.ndarray, np.ndarray]:
     return both, np.concatenate([faces, faces + len(vertices)])
 
 
+def sphere(subdivisions: int) -> tuple[np.ndarray, np.ndarray]:
+    """A unit sphere: an octahedron whose faces are divided and moved outwards."""
+    vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
+    around = np.array([[0, 2], [2, 1], [1, 3], [3, 0]])
+    faces = np.concatenate(
+        [np.column_stack([around, np.full(4, 4)]), np.column_stack([around[:, ::-1], np.full(4, 5)])]
+    )
+    for _ in range(subdivisions):
+        edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+        unique, number = np.unique(edges, axis=0, return_inverse=True)
+        a, b, c = number.reshape(3, -1) + len(vertices)
+        vertices = np.concatenate([vertices, vertices[unique].mean(axis=1)])
+        v0, v1, v2 = faces.T
+        faces = np.concatenate([np.column_stack(t) for t in ((v0, a, c), (v1, b, a), (v2, c, b), (a, b, c))])
+        vertices /= np.linalg.norm(vertices, axis=1, keepdims=True)
+    return vertices, faces
+
+
+HOLE = 0.4  # radius
+PLATE_AT = np.array([2.6, 0.0, 0.0])
+
+
+def plate_with_hole(around: int = 256, across: int = 24) -> tuple[np.ndarray, np.ndarray]:
+    """A square of side 2 beside the sphere, with a round hole in its middle, and below it a small square apart."""
+    angle = 2 * np.pi * np.arange(around) / around
+    circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+    square = circle / np.abs(circle).max(axis=1, keepdims=True)
+    part = np.linspace(0, 1, across)[:, None, None]
+    vertices = ((1 - part) * HOLE * circle + part * square).reshape(-1, 3)
+    ring, step = (a.ravel() for a in np.mgrid[0 : across - 1, 0:around])
+    corner = [(ring + i) * around + (step + j) % around for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    faces = np.concatenate([np.column_stack([corner[i] for i in t]) for t in ((0, 1, 2), (0, 2, 3))])
+    small = np.array([[-0.2, -1.6, 0], [0.2, -1.6, 0], [0.2, -1.2, 0], [-0.2, -1.2, 0]])
+    both = np.concatenate([vertices, small]) + PLATE_AT
+    return both, np.concatenate([faces, np.array([[0, 1, 2], [0, 2, 3]]) + len(vertices)])
+
+
 def write_ply(file: Path, vertices: np.ndarray, faces: np.ndarray) -> None:
     """A binary PLY file with float coordinates."""
     header = (
@@ -67,6 +107,12 @@ def main() -> None:
     write_ply(folder / "points.ply", vertices[[200, 3000]] + [0.01, 0.01, 0.02], faces[:0])
     write_ply(folder / "torus.ply", *torus(120, 90))
     write_ply(folder / "parts.ply", *parts())
+    write_ply(folder / "sphere.ply", *sphere(5))
+    write_ply(folder / "plate.ply", *plate_with_hole())
+    if SCAN.is_file():
+        shutil.copy(SCAN, folder / "large.ply")
+    else:
+        write_ply(folder / "large.ply", *terrain(420, 320))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,71 @@
+// Grows the reach geometrically, so that all propagations together cost little more than the last.
+#include "exact/paths_from_point.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace vorogeo {
+
+namespace {
+
+/// The reach grows at least by this factor.
+constexpr double growth = 1.5;
+/// The reach around a target is larger than its straight distance by this factor: targets move on.
+constexpr double beyond = 1.25;
+
+Index component_of(const Mesh& mesh, const SurfacePoint& point) {
+  return mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0]);
+}
+
+}  // namespace
+
+PathsFromPoint::PathsFromPoint(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), solver_(mesh_) {}
+
+void PathsFromPoint::reset(const SurfacePoint& source) {
+  source_ = validated(*mesh_, source);
+  reach_ = 0.0;
+}
+
+SurfacePath PathsFromPoint::path_to(const SurfacePoint& target, const Progress& progress) {
+  const SurfacePoint end = validated(*mesh_, target);
+  SurfacePath path;
+  path.length = unreachable;
+  if (component_of(*mesh_, source_) != component_of(*mesh_, end)) return path;
+  const double straight = distance_between(position_of(*mesh_, source_), position_of(*mesh_, end));
+  double distance = reach_ > 0.0 ? solver_.distance(end) : unreachable;
+  while (!(distance <= reach_)) {
+    // A distance beyond the reach is an upper bound, so that this much suffices.
+    const double enough = distance < unreachable ? distance : straight;
+    if (!extend(std::max(growth * reach_, beyond * enough), progress)) break;
+    distance = solver_.distance(end);
+  }
+  path = solver_.path_to_source(end);
+  std::reverse(path.points.begin(), path.points.end());
+  if (path.points.empty()) path.length = unreachable;
+  if (path.points.size() == 1) path.points.push_back(end);
+  return path;
+}
+
+/// \return false if the reach was without bounds already.
+bool PathsFromPoint::extend(double reach, const Progress& progress) {
+  if (reach_ == unreachable) return false;
+  // A point within a face has no distance of its own to begin with.
+  reach = std::max(reach, mesh_->typical_edge_length());
+  const std::array source{ExactSource{source_}};
+  ExactLimits limits;
+  limits.max_distance = reach;
+  limits.progress = &progress;
+  reach_ = 0.0;  // in case it is cancelled
+  solver_.run(source, limits);
+  double farthest = 0.0;
+  for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+    if (mesh_->component(v) == component_of(*mesh_, source_))
+      farthest = std::max(farthest, solver_.distance(v));
+  }
+  // A point of a face may be farther away than all vertices.
+  reach_ = farthest + mesh_->longest_edge_length() <= reach ? unreachable : reach;
+  return true;
+}
+
+}  // namespace vorogeo

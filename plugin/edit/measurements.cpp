@@ -1,0 +1,97 @@
+// Text for the dock, the clipboard and files.
+#include "edit/measurements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace vorogeo::plugin {
+
+namespace {
+
+std::string number_with(int digits, double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
+constexpr int digits_shown = 7;
+constexpr int digits_of_ratio = 5;
+constexpr int all_digits = std::numeric_limits<double>::max_digits10;
+
+/// Infinite where a path is longer than no distance at all.
+double ratio_of(const Measurement& measurement) {
+  const double straight = measurement.straight();
+  return measurement.length == straight ? 1.0 : measurement.length / straight;
+}
+
+}  // namespace
+
+int Measurements::add(Measurement measurement) {
+  measurement.number = ++last_;
+  all_.push_back(std::move(measurement));
+  return last_;
+}
+
+bool Measurements::remove(int number) {
+  return std::erase_if(all_, [&](const Measurement& m) { return m.number == number; }) > 0;
+}
+
+void Measurements::mesh_has_changed(int layer) {
+  for (Measurement& measurement : all_) {
+    if (measurement.layer == layer) measurement.is_of_another_mesh = true;
+  }
+}
+
+std::vector<std::string> Measurements::columns() { return {"No.", "Length", "Straight", "Ratio", "Method"}; }
+
+std::vector<std::string> Measurements::row(const Measurement& m) {
+  const bool has_path = std::isfinite(m.length);
+  return {std::to_string(m.number), has_path ? number_with(digits_shown, m.length) : "no path",
+          number_with(digits_shown, m.straight()), has_path ? number_with(digits_of_ratio, ratio_of(m)) : "",
+          m.method + (m.is_of_another_mesh ? ", before an edit" : "")};
+}
+
+std::string Measurements::table() const {
+  std::string text;
+  auto add_line = [&text](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : "\t") + cells[i];
+    text += '\n';
+  };
+  add_line(columns());
+  for (const Measurement& measurement : all_) add_line(row(measurement));
+  return text;
+}
+
+std::string Measurements::csv() const {
+  std::string text = "number,layer,length,straight,ratio,method,edited_since,x0,y0,z0,x1,y1,z1\n";
+  for (const Measurement& m : all_) {
+    text += std::to_string(m.number) + ',' + std::to_string(m.layer);
+    for (double value : {m.length, m.straight(), ratio_of(m)}) text += ',' + number_with(all_digits, value);
+    text += ',' + m.method + ',' + (m.is_of_another_mesh ? '1' : '0');
+    for (const Point& end : {m.from, m.to}) {
+      for (double coordinate : end) text += ',' + number_with(all_digits, coordinate);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+bool Measurements::has_path_on(int layer) const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [&](const Measurement& m) { return m.layer == layer && !m.path.lines.points.empty(); });
+}
+
+PathLines Measurements::lines_on(int layer) const {
+  PathLines result;
+  for (const Measurement& m : all_) {
+    if (m.layer == layer) append(result, m.path);
+  }
+  return result;
+}
+
+}  // namespace vorogeo::plugin

@@ -1,0 +1,145 @@
+// The calls of OpenGL, of a version that every host has.
+#include "edit/overlay.h"
+
+#include <QFontMetrics>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLFunctions_1_1>
+
+namespace vorogeo::plugin {
+
+namespace {
+
+/// Lines are drawn this much nearer than the surface that they lie on.
+constexpr double nearer = 2e-4;
+/// And a coloured surface by half as much.
+constexpr double nearer_surface = 1e-4;
+constexpr float rim = 2.5F;
+constexpr float opacity_hidden = 0.6F;
+constexpr GLushort dots = 0x3333;
+
+QOpenGLFunctions_1_1& gl() {
+  auto* functions = QOpenGLContext::currentContext()->versionFunctions<QOpenGLFunctions_1_1>();
+  functions->initializeOpenGLFunctions();
+  return *functions;
+}
+
+}  // namespace
+
+Overlay::Overlay(const Transform& layer) {
+  gl().glPushAttrib(GL_ALL_ATTRIB_BITS);
+  gl().glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+  gl().glMatrixMode(GL_MODELVIEW);
+  gl().glPushMatrix();
+  gl().glMultMatrixd(layer.data());
+  QOpenGLFunctions* modern = QOpenGLContext::currentContext()->functions();
+  modern->glUseProgram(0);
+  modern->glBindBuffer(GL_ARRAY_BUFFER, 0);
+  modern->glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  gl().glDisable(GL_TEXTURE_2D);
+  gl().glDisable(GL_LIGHTING);
+  gl().glDisable(GL_CULL_FACE);
+  gl().glEnable(GL_DEPTH_TEST);
+  gl().glDepthMask(GL_FALSE);
+  gl().glEnable(GL_BLEND);
+  gl().glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl().glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+Overlay::~Overlay() {
+  gl().glMatrixMode(GL_MODELVIEW);
+  gl().glPopMatrix();
+  gl().glPopClientAttrib();
+  gl().glPopAttrib();
+}
+
+void Overlay::segments(const SurfaceLines& lines, const Color& color, float width, float opacity) {
+  gl().glLineWidth(width);
+  gl().glColor4f(color[0], color[1], color[2], opacity);
+  gl().glEnableClientState(GL_VERTEX_ARRAY);
+  gl().glVertexPointer(3, GL_DOUBLE, 0, lines.points.data());
+  gl().glDrawElements(GL_LINES, static_cast<GLsizei>(2 * lines.segments.size()), GL_UNSIGNED_INT,
+                      lines.segments.data());
+  gl().glDisableClientState(GL_VERTEX_ARRAY);
+}
+
+void Overlay::lines(const SurfaceLines& lines, const Color& color, float width) {
+  if (lines.segments.empty()) return;
+  constexpr Color dark{0.0F, 0.0F, 0.0F};
+  gl().glDepthRange(0.0, 1.0 - nearer);
+  gl().glDepthFunc(GL_GREATER);
+  gl().glEnable(GL_LINE_STIPPLE);
+  gl().glLineStipple(2, dots);
+  segments(lines, color, width, opacity_hidden);
+  gl().glDisable(GL_LINE_STIPPLE);
+  gl().glDepthFunc(GL_LEQUAL);
+  segments(lines, dark, width + rim, 1.0F);
+  segments(lines, color, width, 1.0F);
+  gl().glDepthRange(0.0, 1.0);
+}
+
+void Overlay::surface(const ColoredSurface& surface) {
+  if (surface.corners.empty()) return;
+  gl().glEnable(GL_LIGHTING);
+  gl().glEnable(GL_LIGHT0);
+  gl().glEnable(GL_NORMALIZE);
+  gl().glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+  gl().glEnable(GL_COLOR_MATERIAL);
+  gl().glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+  gl().glShadeModel(GL_SMOOTH);
+  gl().glDepthRange(0.0, 1.0 - nearer_surface);
+  gl().glDepthFunc(GL_LEQUAL);
+  gl().glEnableClientState(GL_VERTEX_ARRAY);
+  gl().glEnableClientState(GL_NORMAL_ARRAY);
+  gl().glEnableClientState(GL_COLOR_ARRAY);
+  gl().glVertexPointer(3, GL_FLOAT, 0, surface.positions.data());
+  gl().glNormalPointer(GL_FLOAT, 0, surface.normals.data());
+  gl().glColorPointer(4, GL_UNSIGNED_BYTE, 0, surface.colors.data());
+  // The nearest of several faces at a pixel wins only if their depths are kept.
+  gl().glDepthMask(GL_TRUE);
+  gl().glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(surface.corners.size()), GL_UNSIGNED_INT,
+                      surface.corners.data());
+  gl().glDepthMask(GL_FALSE);
+  gl().glDisableClientState(GL_VERTEX_ARRAY);
+  gl().glDisableClientState(GL_NORMAL_ARRAY);
+  gl().glDisableClientState(GL_COLOR_ARRAY);
+  gl().glDisable(GL_LIGHTING);
+  gl().glDepthRange(0.0, 1.0);
+}
+
+void draw_labels(QPainter& painter, const SceneView& view, const std::vector<Label>& labels) {
+  if (labels.empty()) return;
+  // The painter sets matrices of its own.
+  gl().glPushAttrib(GL_ENABLE_BIT | GL_VIEWPORT_BIT);
+  gl().glDisable(GL_DEPTH_TEST);
+  gl().glMatrixMode(GL_PROJECTION);
+  gl().glPushMatrix();
+  gl().glMatrixMode(GL_MODELVIEW);
+  gl().glPushMatrix();
+  painter.endNativePainting();
+  painter.save();
+  QFont font = painter.font();
+  font.setPixelSize(13);
+  painter.setFont(font);
+  const QFontMetrics metrics(font);
+  const double ratio = painter.device()->devicePixelRatioF();
+  for (const Label& label : labels) {
+    const QPointF at(label.pixel.x() / ratio + 12.0, (view.height() - label.pixel.y()) / ratio - 12.0);
+    QRectF ground = metrics.boundingRect(label.text);
+    ground = ground.adjusted(-4.0, -2.0, 4.0, 2.0).translated(at);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.drawRoundedRect(ground, 3.0, 3.0);
+    painter.setPen(Qt::white);
+    painter.drawText(at, label.text);
+  }
+  painter.restore();
+  painter.beginNativePainting();
+  gl().glMatrixMode(GL_PROJECTION);
+  gl().glPopMatrix();
+  gl().glMatrixMode(GL_MODELVIEW);
+  gl().glPopMatrix();
+  gl().glPopAttrib();
+}
+
+}  // namespace vorogeo::plugin

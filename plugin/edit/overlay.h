@@ -1,0 +1,55 @@
+// What the ruler draws over the scene: lines that are seen on every colour, a coloured surface, labels.
+#pragma once
+
+#include <QPainter>
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "edit/scene_view.h"
+#include "tasks/surface_lines.h"
+
+namespace vorogeo::plugin {
+
+/// A triangle mesh with a colour at each vertex, as OpenGL takes it.
+struct ColoredSurface {
+  std::vector<float> positions;        ///< three for each vertex
+  std::vector<float> normals;          ///< likewise
+  std::vector<std::uint8_t> colors;    ///< four for each vertex
+  std::vector<std::uint32_t> corners;  ///< three for each face
+};
+
+using Color = std::array<float, 3>;
+inline constexpr Color measured_color{1.0F, 0.85F, 0.1F};
+inline constexpr Color live_color{1.0F, 0.35F, 0.1F};
+inline constexpr Color no_path_color{1.0F, 0.15F, 0.15F};
+inline constexpr Color isoline_color{1.0F, 1.0F, 1.0F};
+
+/// Draws over the scene while it lives; the state of OpenGL is then as before. Only while the scene is
+/// painted. The depth of the scene decides what is hidden.
+class Overlay {
+ public:
+  explicit Overlay(const Transform& layer);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  /// With a dark rim; what the scene hides is dotted. `width` in pixels.
+  void lines(const SurfaceLines& lines, const Color& color, float width);
+  /// In place of the surface that was drawn, in the light of the scene.
+  void surface(const ColoredSurface& surface);
+
+ private:
+  void segments(const SurfaceLines& lines, const Color& color, float width, float opacity);
+};
+
+struct Label {
+  QPointF pixel;  ///< from the lower left corner
+  QString text;
+};
+
+/// Light text on dark ground, beside its place. Ends and begins again the painter's native painting.
+void draw_labels(QPainter& painter, const SceneView& view, const std::vector<Label>& labels);
+
+}  // namespace vorogeo::plugin

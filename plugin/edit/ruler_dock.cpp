@@ -1,0 +1,108 @@
+// The widgets of the dock.
+#include "edit/ruler_dock.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QShortcut>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vorogeo::plugin {
+
+RulerDock::RulerDock(QWidget* parent, Actions actions)
+    : QDockWidget("Geodesic ruler", parent), actions_(std::move(actions)) {
+  auto* body = new QWidget(this);
+  auto* rows = new QVBoxLayout(body);
+  auto* hint = new QLabel(
+      "Drag on the surface: shortest path. With Shift: distances from the point. Esc: turn the camera, and "
+      "back.",
+      body);
+  hint->setWordWrap(true);
+  rows->addWidget(hint);
+  status_ = new QLabel(body);
+  status_->setWordWrap(true);
+  rows->addWidget(status_);
+
+  const std::vector<std::string> columns = Measurements::columns();
+  table_ = new QTableWidget(0, static_cast<int>(columns.size()), body);
+  QStringList names;
+  for (const std::string& column : columns) names << QString::fromStdString(column);
+  table_->setHorizontalHeaderLabels(names);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  rows->addWidget(table_);
+
+  auto* buttons = new QHBoxLayout;
+  prepare_ = new QPushButton("Prepare", body);
+  prepare_->setToolTip(
+      "Builds the index, which the filters use as well: then paths are found in about a millisecond on "
+      "large meshes, too. The window stays usable, and you can cancel.");
+  connect(prepare_, &QPushButton::clicked, this,
+          [this] { (is_preparing_ ? actions_.cancel : actions_.prepare)(); });
+  buttons->addWidget(prepare_);
+  auto* copy = new QPushButton("Copy", body);
+  copy->setToolTip("Copies the table (Ctrl+C).");
+  connect(copy, &QPushButton::clicked, this, [this] { actions_.copy(); });
+  buttons->addWidget(copy);
+  save_ = new QPushButton("Save...", body);
+  save_->setToolTip("Adds a layer with all paths on the current layer, and writes the table to a CSV file.");
+  connect(save_, &QPushButton::clicked, this, [this] { actions_.save(); });
+  buttons->addWidget(save_);
+  auto* remove = new QPushButton("Delete", body);
+  remove->setToolTip("Removes the selected measurements, or the last one (Delete).");
+  connect(remove, &QPushButton::clicked, this, [this] { actions_.remove(chosen()); });
+  buttons->addWidget(remove);
+  rows->addLayout(buttons);
+  setWidget(body);
+
+  auto add_shortcut = [this](const QKeySequence& keys, auto action) {
+    auto* shortcut = new QShortcut(keys, this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, action);
+  };
+  add_shortcut(QKeySequence::Copy, [this] { actions_.copy(); });
+  add_shortcut(QKeySequence::Delete, [this] { actions_.remove(chosen()); });
+}
+
+void RulerDock::show_measurements(const Measurements& measurements) {
+  const auto& all = measurements.all();
+  table_->setRowCount(static_cast<int>(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::vector<std::string> cells = Measurements::row(all[i]);
+    for (std::size_t j = 0; j < cells.size(); ++j) {
+      table_->setItem(static_cast<int>(i), static_cast<int>(j),
+                      new QTableWidgetItem(QString::fromStdString(cells[j])));
+    }
+  }
+  table_->scrollToBottom();
+  save_->setEnabled(!all.empty());
+}
+
+void RulerDock::offer_preparation(double seconds) {
+  is_preparing_ = false;
+  prepare_->setVisible(seconds > 0.0);
+  prepare_->setText(QString("Prepare (%1 s)").arg(std::max(1.0, std::round(seconds)), 0, 'f', 0));
+}
+
+void RulerDock::show_preparation(double fraction) {
+  is_preparing_ = true;
+  prepare_->setVisible(true);
+  prepare_->setText(QString("Cancel (%1 %)").arg(static_cast<int>(100.0 * fraction)));
+}
+
+std::vector<int> RulerDock::chosen() const {
+  std::vector<int> numbers;
+  for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
+    numbers.push_back(table_->item(row.row(), 0)->text().toInt());
+  }
+  if (numbers.empty() && table_->rowCount() > 0) {
+    numbers.push_back(table_->item(table_->rowCount() - 1, 0)->text().toInt());
+  }
+  return numbers;
+}
+
+}  // namespace vorogeo::plugin

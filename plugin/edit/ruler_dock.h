@@ -1,0 +1,45 @@
+// The dock of the ruler: the table of measurements, what answers, and the buttons.
+#pragma once
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <functional>
+#include <vector>
+
+#include "edit/measurements.h"
+
+namespace vorogeo::plugin {
+
+/// Shows what it is told and says what was pressed.
+class RulerDock : public QDockWidget {
+ public:
+  struct Actions {
+    std::function<void()> prepare;
+    std::function<void()> cancel;
+    std::function<void()> copy;
+    std::function<void()> save;
+    std::function<void(const std::vector<int>& numbers)> remove;
+  };
+  RulerDock(QWidget* parent, Actions actions);
+
+  void show_measurements(const Measurements& measurements);
+  /// What answers now, or why nothing does.
+  void show_status(const QString& text) { status_->setText(text); }
+  /// `seconds`: that a build is expected to take; no button if 0.
+  void offer_preparation(double seconds);
+  void show_preparation(double fraction);
+  /// Numbers of the rows that are selected; of the last row if none is.
+  std::vector<int> chosen() const;
+
+ private:
+  Actions actions_;
+  QLabel* status_;
+  QTableWidget* table_;
+  QPushButton* prepare_;
+  QPushButton* save_;
+  bool is_preparing_ = false;
+};
+
+}  // namespace vorogeo::plugin

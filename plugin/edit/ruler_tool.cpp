@@ -1,0 +1,292 @@
+// Mouse and painting: from presses and moves to requests, and from answers to the picture.
+#include "edit/ruler_tool.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <chrono>
+#include <utility>
+
+#include "host/logged_length.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+namespace {
+
+constexpr float line_width = 3.0F;
+constexpr float isoline_width = 1.5F;
+constexpr std::chrono::milliseconds tick_of_preparation{200};
+constexpr int columns = 4;
+
+Transform transform_of(const MeshModel& layer) {
+  Transform matrix;
+  for (int row = 0; row < columns; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      matrix(row, column) = static_cast<double>(layer.cm.Tr.ElementAt(row, column));
+    }
+  }
+  return matrix;
+}
+
+/// A path, or the straight line between points that no path joins.
+SurfaceLines shown_lines(const SurfaceLines& path, const Point& from, const Point& to) {
+  return path.points.empty() ? SurfaceLines{{from, to}, {{0, 1}}} : path;
+}
+
+}  // namespace
+
+RulerTool::RulerTool(IndexCache& indexes, std::function<void(MeshDocument&)> keep_indexes_with)
+    : indexes_(indexes),
+      keep_indexes_with_(std::move(keep_indexes_with)),
+      worker_([](const RulerRequest& request, const Progress& progress) { return answer(request, progress); },
+              [this](RulerRequest request, RulerAnswer found) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, request = std::move(request), found = std::move(found)] { take(request, found); },
+                    Qt::QueuedConnection);
+              }) {
+  ticks_.setInterval(tick_of_preparation);
+  connect(&ticks_, &QTimer::timeout, this, [this] { show_status(); });
+  // No thread may outlive the program's main function.
+  connect(qApp, &QCoreApplication::aboutToQuit, this, [this] { stop(); });
+}
+
+RulerTool::~RulerTool() {
+  stop();
+  delete dock_;
+}
+
+bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedDataContext* context) {
+  area_ = widget_of(area);
+  if (area_ == nullptr || document.mm() == nullptr) return false;
+  setParent(area_);  // the host never deletes a tool
+  document_ = &document;
+  context_ = context;
+  setLog(&document.Log);
+  keep_indexes_with_(document);
+  if (dock_ == nullptr) {
+    dock_ = new RulerDock(area_->window(), {[this] { prepare(); },
+                                            [this] {
+                                              preparation_.cancel();
+                                              show_status();
+                                            },
+                                            [this] { copy(); }, [this] { save(); },
+                                            [this](const std::vector<int>& numbers) { remove(numbers); }});
+    dock_->setFloating(true);
+    dock_->move(area_->mapToGlobal(QPoint(10, 10)));
+  }
+  dock_->show();
+  area_->setCursor(Qt::CrossCursor);
+  read_layer();
+  dock_->show_measurements(measurements_);
+  show_status();
+  return true;
+}
+
+void RulerTool::endEdit(MeshDocument&, GLArea*, MLSceneGLSharedDataContext*) {
+  stop();
+  if (dock_ != nullptr) dock_->hide();
+  if (area_ != nullptr) area_->unsetCursor();
+}
+
+/// The old layer may have been deleted.
+void RulerTool::layerChanged(MeshDocument&, MeshModel&, GLArea*, MLSceneGLSharedDataContext*) {
+  drag_.reset();
+  read_layer();
+  show_status();
+  repaint();
+}
+
+void RulerTool::stop() {
+  drag_.reset();
+  live_.reset();
+  field_ = {};
+  ticks_.stop();
+  preparation_.cancel();
+  worker_.stop();
+}
+
+/// The current layer as it is now. If it is not the one that was read last, nothing of that is used any more.
+void RulerTool::read_layer() {
+  const MeshModel* layer = document_ == nullptr ? nullptr : document_->mm();
+  std::shared_ptr<RulerSurface> now;
+  why_not_ = "There is no layer.";
+  if (layer != nullptr) {
+    try {
+      const LayerMesh mesh(layer->cm);
+      const VcgMeshArrays& arrays = mesh.arrays();
+      auto is_same = [&](const VcgMeshArrays& other) {
+        return other.positions == arrays.positions && other.faces == arrays.faces;
+      };
+      const auto measured = measured_.find(layer->id());
+      if (measured != measured_.end() && !is_same(measured->second)) {
+        measurements_.mesh_has_changed(layer->id());
+        measured_.erase(measured);
+      }
+      if (surface_ && layer_ == layer->id() && is_same(surface_->arrays())) {
+        now = surface_;
+        if (!surface_->index()) surface_->use(indexes_.find(arrays, document_));
+      } else {
+        now = std::make_shared<RulerSurface>(arrays, indexes_.find(arrays, document_));
+      }
+    } catch (const Error& error) {
+      why_not_ = QString::fromUtf8(error.what());
+    }
+    layer_ = layer->id();
+  }
+  if (now == surface_) return;
+  preparation_.cancel();
+  worker_.clear();
+  live_.reset();
+  field_ = {};
+  surface_ = std::move(now);
+  if (dock_ != nullptr) dock_->show_measurements(measurements_);
+}
+
+void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
+  if (event->button() != Qt::LeftButton) return;
+  read_layer();
+  show_status();
+  drag_.reset();
+  live_.reset();
+  field_ = {};
+  if (!surface_) return;
+  const bool is_field = (event->modifiers() & Qt::ShiftModifier) != 0;
+  drag_ = Drag{++drags_, is_field, event->pos(), event->pos(), false, false, {}, {}, {}};
+  log_.begin();
+}
+
+void RulerTool::mouseMoveEvent(QMouseEvent* event, MeshModel&, GLArea*) {
+  if (!drag_) return;
+  drag_->cursor = event->pos();
+  drag_->has_moved = drag_->has_moved || drag_->cursor != drag_->pressed;
+  ask();
+}
+
+void RulerTool::mouseReleaseEvent(QMouseEvent* event, MeshModel&, GLArea*) {
+  if (!drag_ || event->button() != Qt::LeftButton) return;
+  drag_->cursor = event->pos();
+  drag_->is_released = true;
+  ask();
+}
+
+void RulerTool::keyPressEvent(QKeyEvent* event, MeshModel&, GLArea*) {
+  if (dock_ == nullptr) return;
+  if (event->matches(QKeySequence::Copy)) {
+    copy();
+    event->accept();
+  } else if (event->key() == Qt::Key_Delete) {
+    remove(dock_->chosen());
+    event->accept();
+  }
+}
+
+std::optional<Picked> RulerTool::pick(const QPoint& at) const {
+  const double ratio = area_->devicePixelRatioF();
+  const int x = static_cast<int>(at.x() * ratio);
+  const int y = drag_->view->height() - 1 - static_cast<int>(at.y() * ratio);
+  return drag_->view->pick(x, y);
+}
+
+/// Posts the request of the drag as it is now. Places without a surface change nothing.
+void RulerTool::ask() {
+  if (!drag_ || !drag_->view || area_ == nullptr) return;  // asked once the view is captured
+  Drag& drag = *drag_;
+  const auto under_cursor = pick(drag.cursor);
+  if (under_cursor) drag.to = under_cursor;
+  if (!drag.from) drag.from = drag.is_field ? drag.to : pick(drag.pressed);
+  const bool is_last = drag.is_released;
+  const bool is_asked = drag.is_field ? drag.to.has_value() : drag.from && drag.to && drag.has_moved;
+  if (is_asked) {
+    RulerRequest request{surface_, drag.number, drag.is_field, is_last, drag.is_field ? *drag.to : *drag.from,
+                         *drag.to};
+    if (is_last) {
+      worker_.post_kept(std::move(request));
+    } else {
+      worker_.post(std::move(request));
+    }
+  }
+  if (is_last) drag_.reset();
+}
+
+/// An answer has come. The surface may be another one by now, the drag may have ended.
+void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
+  if (request.surface != surface_ || document_ == nullptr) return;
+  if (!found.error.empty()) {
+    log(GLLogStream::WARNING, found.error);
+    if (dock_ != nullptr) dock_->show_status(QString::fromStdString(found.error));
+    return;
+  }
+  if (!found.is_on_surface()) return;
+  if (request.drag == drags_) {
+    log_.computed(found.seconds);
+    live_ = found;
+    is_new_ = true;
+    if (found.is_field) color_field(found.field);
+  }
+  if (request.is_last) {
+    if (found.is_field) {
+      keep_field(found);
+    } else {
+      keep_path(request, found);
+    }
+  }
+  repaint();
+}
+
+void RulerTool::decorate(MeshModel& layer, GLArea*, QPainter* painter) {
+  if (document_ == nullptr || document_->mm() == nullptr || area_ == nullptr || layer.id() != layer_) return;
+  const Transform transform = transform_of(layer);
+  if (drag_ && !drag_->view) {
+    drag_->view = SceneView::capture(transform, true);
+    ask();
+  }
+  draw(transform);
+  const SceneView view = SceneView::capture(transform, false);
+  draw_labels(*painter, view, labels(view));
+  if (is_new_) log_.shown(std::chrono::steady_clock::now());
+  is_new_ = false;
+}
+
+void RulerTool::draw(const Transform& transform) {
+  Overlay overlay(transform);
+  if (live_ && live_->is_field) {
+    overlay.surface(field_);
+    overlay.lines(live_->field.lines.lines, isoline_color, isoline_width);
+  }
+  for (const Measurement& measurement : measurements_.all()) {
+    if (measurement.layer == layer_)
+      overlay.lines(shown_lines(measurement.path.lines, measurement.from, measurement.to), measured_color,
+                    line_width);
+  }
+  if (live_ && !live_->is_field) {
+    const PathAnswer& path = live_->path;
+    const bool has_path = !path.path.points.empty();
+    overlay.lines(shown_lines(live_->lines.lines, path.from, path.to), has_path ? live_color : no_path_color,
+                  line_width);
+  }
+}
+
+std::vector<Label> RulerTool::labels(const SceneView& view) const {
+  std::vector<Label> found;
+  auto add = [&](const Point& at, const QString& text) {
+    if (const auto pixel = view.pixel_of(at)) found.push_back({*pixel, text});
+  };
+  for (const Measurement& measurement : measurements_.all()) {
+    if (measurement.layer != layer_) continue;
+    const auto cells = Measurements::row(measurement);
+    add(measurement.to, QString("%1: %2").arg(measurement.number).arg(QString::fromStdString(cells[1])));
+  }
+  if (live_ && !live_->is_field) {
+    const PathAnswer& path = live_->path;
+    add(path.to, path.path.points.empty() ? "no path" : QString("%1").arg(path.path.length, 0, 'g', 7));
+  }
+  return found;
+}
+
+void RulerTool::repaint() {
+  if (area_ != nullptr) area_->update();
+}
+
+}  // namespace vorogeo::plugin

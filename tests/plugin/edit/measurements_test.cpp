@@ -1,0 +1,95 @@
+// The list of measurements: numbers, table, CSV, lines.
+#include "edit/measurements.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/types.h"
+
+namespace vorogeo::plugin {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// Three units over a corner, straight one the square root of five.
+Measurement over_a_corner(int layer) {
+  Measurement m;
+  m.layer = layer;
+  m.length = 3.0;
+  m.from = {0.0, 0.0, 0.0};
+  m.to = {2.0, 1.0, 0.0};
+  m.method = "exact";
+  m.path.lines.points = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 1.0, 0.0}};
+  m.path.lines.segments = {{0, 1}, {1, 2}};
+  m.path.along = {0.0, 2.0, 3.0};
+  return m;
+}
+
+Measurement without_path(int layer) {
+  Measurement m = over_a_corner(layer);
+  m.length = unreachable;
+  m.path = {};
+  return m;
+}
+
+TEST(Measurements, NumbersAreNeverUsedAgain) {
+  Measurements list;
+  EXPECT_EQ(list.add(over_a_corner(0)), 1);
+  EXPECT_EQ(list.add(over_a_corner(0)), 2);
+  EXPECT_TRUE(list.remove(2));
+  EXPECT_FALSE(list.remove(2));
+  EXPECT_EQ(list.add(over_a_corner(0)), 3);
+  ASSERT_EQ(list.all().size(), 2U);
+  EXPECT_EQ(list.all()[1].number, 3);
+}
+
+TEST(Measurements, RowsHaveLengthStraightDistanceAndTheirRatio) {
+  Measurements list;
+  list.add(over_a_corner(0));
+  list.add(without_path(0));
+  EXPECT_EQ(Measurements::row(list.all()[0]), (Cells{"1", "3", "2.236068", "1.3416", "exact"}));
+  EXPECT_EQ(Measurements::row(list.all()[1]), (Cells{"2", "no path", "2.236068", "", "exact"}));
+  EXPECT_EQ(
+      list.table(),
+      "No.\tLength\tStraight\tRatio\tMethod\n1\t3\t2.236068\t1.3416\texact\n2\tno path\t2.236068\t\texact\n");
+}
+
+TEST(Measurements, MeasurementsOfAnEditedLayerSaySo) {
+  Measurements list;
+  list.add(over_a_corner(0));
+  list.add(over_a_corner(4));
+  list.mesh_has_changed(4);
+  list.add(over_a_corner(4));
+  EXPECT_EQ(Measurements::row(list.all()[0])[4], "exact");
+  EXPECT_EQ(Measurements::row(list.all()[1])[4], "exact, before an edit");
+  EXPECT_EQ(Measurements::row(list.all()[2])[4], "exact");
+}
+
+TEST(Measurements, CsvHasAllDigitsAndTheEnds) {
+  Measurements list;
+  list.add(over_a_corner(7));
+  list.add(without_path(7));
+  EXPECT_EQ(list.csv(),
+            "number,layer,length,straight,ratio,method,edited_since,x0,y0,z0,x1,y1,z1\n"
+            "1,7,3,2.2360679774997898,1.3416407864998738,exact,0,0,0,0,2,1,0\n"
+            "2,7,inf,2.2360679774997898,inf,exact,0,0,0,0,2,1,0\n");
+}
+
+TEST(Measurements, LinesOfALayerFollowOneAnother) {
+  Measurements list;
+  list.add(over_a_corner(1));
+  list.add(over_a_corner(2));
+  list.add(without_path(1));
+  list.add(over_a_corner(1));
+  const PathLines lines = list.lines_on(1);
+  EXPECT_EQ(lines.lines.points.size(), 6U);
+  EXPECT_EQ(lines.lines.segments, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}, {3, 4}, {4, 5}}));
+  EXPECT_EQ(lines.along, (std::vector<double>{0, 2, 3, 0, 2, 3}));
+  EXPECT_TRUE(list.has_path_on(2));
+  EXPECT_FALSE(list.has_path_on(3));
+}
+
+}  // namespace
+}  // namespace vorogeo::plugin

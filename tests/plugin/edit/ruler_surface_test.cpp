@@ -1,0 +1,148 @@
+// What answers the ruler: paths and fields with and without an index, places beside the surface, isoline
+// values.
+#include "edit/ruler_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "edit/ruler_requests.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo::plugin {
+namespace {
+
+VcgMeshArrays arrays_of(const test::Soup& soup) {
+  VcgMeshArrays arrays;
+  arrays.positions = soup.positions;
+  arrays.faces = soup.faces;
+  for (Index v = 0; v < static_cast<Index>(soup.positions.size()); ++v) arrays.input_of_vertex.push_back(v);
+  return arrays;
+}
+
+constexpr double tolerance = 1e-6;
+
+TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
+  const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
+  RulerSurface surface(arrays_of(plate), nullptr);
+  const Picked from{{0.31, 0.22, 1e-8}, tolerance};
+  const Picked to{{3.4, 2.7, 0.0}, tolerance};
+  const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
+  for (Answered how : {Answered::exactly, Answered::by_index}) {
+    const PathAnswer answer = surface.path(from, to, {});
+    EXPECT_TRUE(answer.starts_on_surface && answer.ends_on_surface);
+    EXPECT_EQ(answer.how, how);
+    EXPECT_NEAR(answer.path.length, expected, 1e-9);
+    EXPECT_NEAR(distance_between(answer.from, from.at), 0.0, 1e-7);
+    EXPECT_NEAR(distance_between(answer.to, to.at), 0.0, 1e-7);
+    surface.use(test::make_index(plate, 2, 2));
+  }
+}
+
+TEST(RulerSurface, ManyTargetsFromManySources) {
+  const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
+  RulerSurface surface(arrays_of(plate), nullptr);
+  for (double x : {0.5, 3.5, 0.5}) {
+    for (double y : {0.1, 2.9, 1.0}) {
+      const PathAnswer answer = surface.path({{x, 1.5, 0.0}, tolerance}, {{2.0, y, 0.0}, tolerance}, {});
+      EXPECT_NEAR(answer.path.length, std::hypot(x - 2.0, y - 1.5), 1e-9);
+    }
+  }
+}
+
+TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
+  RulerSurface surface(arrays_of(test::plane_grid(4, 4, 1.0, 1.0).soup), nullptr);
+  const Picked on{{0.5, 0.5, 0.0}, tolerance};
+  const Picked above{{0.5, 0.5, 0.1}, tolerance};
+  EXPECT_FALSE(surface.path(above, on, {}).starts_on_surface);
+  EXPECT_FALSE(surface.path(on, above, {}).ends_on_surface);
+  EXPECT_FALSE(surface.field(above, {}).starts_on_surface);
+  EXPECT_TRUE(surface.path(on, {above.at, 0.11}, {}).ends_on_surface);
+}
+
+TEST(RulerSurface, NoPathToAnotherComponent) {
+  test::Soup far = test::plane_grid(4, 4, 1.0, 1.0).soup;
+  for (Point& p : far.positions) p[0] += 3.0;
+  const test::Soup both = test::two_components(test::plane_grid(4, 4, 1.0, 1.0).soup, far);
+  RulerSurface surface(arrays_of(both), nullptr);
+  const Picked from{{0.5, 0.5, 0.0}, tolerance};
+  for (int i = 0; i < 2; ++i) {
+    const PathAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance}, {});
+    EXPECT_TRUE(answer.starts_on_surface && answer.ends_on_surface);
+    EXPECT_TRUE(answer.path.points.empty());
+    EXPECT_EQ(answer.path.length, unreachable);
+    const FieldAnswer field = surface.field(from, {});
+    EXPECT_NEAR(field.largest, std::sqrt(0.5), 1e-6);
+    EXPECT_EQ(field.distances.back(), unreachable);
+    surface.use(test::make_index(both, 2, 2));
+  }
+}
+
+TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
+  const test::Soup sphere = test::icosphere(3);
+  RulerSurface surface(arrays_of(sphere), nullptr);
+  const Picked pole{sphere.positions[0], tolerance};
+  for (Answered how : {Answered::exactly, Answered::by_index}) {
+    const FieldAnswer field = surface.field(pole, {});
+    EXPECT_EQ(field.how, how);
+    // An inscribed polyhedron: shorter by about a third of a percent here.
+    EXPECT_NEAR(field.largest, std::numbers::pi, 0.02);
+    EXPECT_EQ(field.distances[0], 0.0);
+    const double length = field.lines.lines.length();
+    double expected = 0.0;
+    for (double r : round_values(field.largest)) expected += 2.0 * std::numbers::pi * std::sin(r);
+    EXPECT_NEAR(length, expected, 0.02 * expected);
+    surface.use(test::make_index(sphere, 2, 4));
+  }
+}
+
+TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromTheNearestVertex) {
+  const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
+  ASSERT_GT(plate.positions.size(), static_cast<std::size_t>(max_exact_vertices));
+  RulerSurface surface(arrays_of(plate), nullptr);
+  const FieldAnswer field = surface.field({{1.002, 1.001, 0.0}, tolerance}, {});
+  EXPECT_EQ(field.how, Answered::quickly);
+  EXPECT_NEAR(field.distances[0], std::sqrt(2.0), 1e-3 * std::sqrt(2.0));
+}
+
+TEST(RulerSurface, ValuesOfIsolinesAreRound) {
+  EXPECT_EQ(round_values(1.0).size(), 9U);    // every 0.1
+  EXPECT_EQ(round_values(14.9).size(), 14U);  // every 1
+  EXPECT_EQ(round_values(16.0).size(), 7U);   // every 2
+  const auto values = round_values(3.14159);
+  EXPECT_EQ(values.size(), 6U);
+  EXPECT_DOUBLE_EQ(values.front(), 0.5);
+  EXPECT_TRUE(round_values(0.0).empty());
+  EXPECT_TRUE(round_values(unreachable).empty());
+}
+
+TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
+  VcgMeshArrays bad = arrays_of(test::plane_grid(2, 2, 1.0, 1.0).soup);
+  bad.faces[0][1] = 77;
+  RulerRequest request;
+  request.surface = std::make_shared<RulerSurface>(bad, nullptr);
+  for (bool is_field : {false, true}) {
+    request.is_field = is_field;
+    const RulerAnswer found = answer(request, {});
+    EXPECT_NE(found.error.find("77"), std::string::npos) << found.error;
+    EXPECT_FALSE(found.is_on_surface());
+  }
+}
+
+TEST(RulerRequests, APathComesAsALineOfItsLength) {
+  RulerRequest request;
+  request.surface = std::make_shared<RulerSurface>(arrays_of(test::plane_grid(5, 5, 1.0, 1.0).soup), nullptr);
+  request.from = {{0.1, 0.1, 0.0}, tolerance};
+  request.to = {{0.9, 0.7, 0.0}, tolerance};
+  const RulerAnswer found = answer(request, {});
+  EXPECT_EQ(found.error, "");
+  EXPECT_TRUE(found.is_on_surface());
+  EXPECT_NEAR(found.lines.lines.length(), 1.0, 1e-12);
+  EXPECT_NEAR(found.lines.along.back(), 1.0, 1e-12);
+  EXPECT_GT(found.seconds, 0.0);
+}
+
+}  // namespace
+}  // namespace vorogeo::plugin
