@@ -27,7 +27,7 @@ for host in 2025.07 2023.12 2022.02; do
         cmake -G Ninja -S pyfilter/host_plugin -B $out/float-$host -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=g++-12 \
           -DCMAKE_TOOLCHAIN_FILE=/project/pyfilter/cmake/sysroot.cmake -DVOROGEO_CORE_LIBRARY=/project/$(core) \
           -DVOROGEO_HOST_VERSION=$host -DVOROGEO_HOST_SCALAR=float -DVOROGEO_HOST_SOURCE=/headers
-        cmake --build $out/float-$host --target filter_vorogeo --parallel $jobs" >"$out/float-$host.log" 2>&1; then
+        cmake --build $out/float-$host --target filter_vorogeo edit_vorogeo --parallel $jobs" >"$out/float-$host.log" 2>&1; then
     tail -n 30 "$out/float-$host.log" >&2
     exit 1
   fi

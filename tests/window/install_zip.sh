@@ -11,5 +11,7 @@ mkdir -p "$folder/unpacked" "$folder/plugin"
 python3 -m zipfile -e "$zip" "$folder/unpacked"
 file="$(find "$folder/unpacked" -path "*/$version/libfilter_vorogeo.so")"
 [ -n "$file" ] || { echo "install_zip.sh: $zip has no plugin for MeshLab $version" >&2; exit 1; }
-cp "$file" "$folder/plugin/"
-cp "$file" "$plugins/"
+for library in "$file" "$(dirname "$file")/libedit_vorogeo.so"; do
+  cp "$library" "$folder/plugin/"
+  cp "$library" "$plugins/"
+done

@@ -1,0 +1,279 @@
+"""Measures with the geodesic ruler in MeshLab's window, by the mouse, and writes down what was seen.
+
+Usage (inside a root, within dbus-run-session): python3 ruler.py FOLDER
+  FOLDER holds meshes/; all that was seen goes to ruler.json, which test_ruler.py judges, with what the ruler saved: ruler.csv
+  and ruler_paths.ply.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from pathlib import Path
+
+from meshlab_window import MeshLabWindow
+from screen import Atspi, run, start_display, wait_for
+
+TOOL = "Geodesic ruler (VoroGeo)"
+SCALE = "Transform: Scale, Normalize"
+DELETE = "Delete current Mesh"
+COLUMNS = 5
+STEPS = 30  # of a drag
+# Places of the view: from its middle, in heights of the view, y upwards.
+SPHERE_LEFT, SPHERE_RIGHT = (-0.36, 0.02), (-0.26, 0.06)
+PLATE_LEFT, PLATE_RIGHT = (0.08, 0.03), (0.26, 0.05)
+SMALL_SQUARE, EMPTY = (0.17, -0.13), (0.0, 0.3)
+LARGE_LEFT, LARGE_RIGHT = (-0.15, 0.1), (0.15, -0.1)
+Place = tuple[float, float]
+
+
+class RulerWindow(MeshLabWindow):
+    """A window with the ruler."""
+
+    def __init__(self, meshes: list[Path], log: Path) -> None:
+        """Start MeshLab and find the view."""
+        super().__init__(meshes, log)
+        area = self.find(Atspi.Role.INTERNAL_FRAME)[0].get_extents(Atspi.CoordType.SCREEN)
+        self.middle = (area.x + area.width / 2, area.y + area.height / 2)
+        self.height = area.height
+
+    def toggle(self) -> None:
+        """Start or end the ruler."""
+        self.choose_in_menu("Edit", TOOL)
+        time.sleep(1.0)
+
+    def pixel(self, place: Place) -> list[str]:
+        """Where on the screen a place of the view is: from the middle, in heights of the view, y upwards."""
+        x, y = place
+        return [str(round(self.middle[0] + x * self.height)), str(round(self.middle[1] - y * self.height))]
+
+    def drag(self, *places: Place, pause: float = 0.03, release: bool = True) -> None:
+        """Press at the first place, move over the others, release at the last."""
+        command = ["mousemove", *self.pixel(places[0]), "sleep", "0.2", "mousedown", "1", "sleep", "0.3"]
+        for a, b in zip(places, places[1:], strict=False):
+            for step in range(1, STEPS + 1):
+                t = step / STEPS
+                between = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
+                command += ["mousemove", *self.pixel(between), "sleep", str(pause)]
+        run("xdotool", *command, "sleep", "0.3", *(["mouseup", "1"] if release else []))
+
+    def rows(self) -> list[list[str]]:
+        """The table of the dock."""
+        for table in self.find(Atspi.Role.TABLE):
+            names = [node.get_name() for node in self.nodes(table) if node.get_role() == Atspi.Role.TABLE_CELL]
+            if names and len(names) % COLUMNS == 0 and names[0].isdigit():
+                return [names[i : i + COLUMNS] for i in range(0, len(names), COLUMNS)]
+        return []
+
+    def ruler_lines(self) -> list[str]:
+        """What the ruler wrote into the log."""
+        return [line for line in self.log_lines() if line.startswith("Ruler: ")]
+
+    def dock(self) -> Atspi.Accessible:
+        """The ruler's dock."""
+        return wait_for("the dock", lambda: self.dialog("Geodesic ruler"))
+
+    def buttons(self, begin: str) -> list[str]:
+        """Names of buttons of the dock that begin so."""
+        names = [node.get_name() for node in self.find(Atspi.Role.PUSH_BUTTON, top=self.dock())]
+        return [name for name in names if name.startswith(begin)]
+
+    def status(self) -> str:
+        """What the dock says answers."""
+        labels = [node.get_name() for node in self.find(Atspi.Role.LABEL, top=self.dock())]
+        return next(label for label in labels if not label.startswith("Drag on"))
+
+    def wait_for_rows(self, count: int) -> None:
+        """Wait until the table has so many rows."""
+        wait_for(f"{count} measurements", lambda: len(self.rows()) == count, 60, self.is_alive)
+
+    def apply_at_once(self, name: str) -> None:
+        """Apply a filter without parameters, or with those that it begins with."""
+        dialog = self.open_filter(name)
+        if dialog is not None:
+            self.apply(dialog)
+            self.close(dialog)
+
+    def export_as(self, file: Path) -> None:
+        """Save the current layer to another file, with everything it has."""
+        already = len(self.log_lines())
+        self.keys("ctrl+shift+e")
+        self.give_file("Save file", file)
+        box = wait_for("the dialog of saving options", self.message_box)
+        self.press(box, "OK")
+        wait_for("the layer to be saved", lambda: any("Saved" in line for line in self.log_lines()[already:]))
+
+    def close_without_saving(self) -> None:
+        """Answer the question whether changes are to be saved, if it comes."""
+        time.sleep(2.0)
+        box = self.message_box()
+        if box is not None:
+            self.press(box, "Close without saving", "Discard", "Yes")
+
+    def quit(self) -> float:
+        """Leave the program by its menu. Returns the seconds until the process has ended."""
+        begin = time.monotonic()
+        self.keys("ctrl+q")
+        self.close_without_saving()
+        wait_for("the program to end", lambda: not self.is_alive(), 60)
+        return time.monotonic() - begin
+
+    def end(self) -> None:
+        """End the program whatever it does."""
+        self.process.kill()
+        self.process.wait()
+
+    def wait_for_line(self, begin: str, already: int, seconds: float = 60) -> None:
+        """Wait for one more line of the ruler."""
+        wait_for(
+            f"a line '{begin}'",
+            lambda: any(line.startswith(f"Ruler: {begin}") for line in self.ruler_lines()[already:]),
+            seconds,
+            self.is_alive,
+        )
+
+
+class Ruler:
+    """The steps, in order, in one window after the other."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.seen: dict[str, object] = {"tables": {}}
+        (folder / "shots").mkdir(parents=True, exist_ok=True)
+
+    def run(self) -> None:
+        """Everything; what was seen before a step failed is kept."""
+        try:
+            self.measure_shapes()
+            self.measure_a_large_mesh()
+        finally:
+            (self.folder / "ruler.json").write_text(json.dumps(self.seen, indent=1))
+
+    def window(self, *names: str) -> RulerWindow:
+        """A window with these meshes."""
+        meshes = [self.folder / "meshes" / f"{name}.ply" for name in names]
+        return RulerWindow(meshes, self.folder / f"ruler_{names[-1]}.log")
+
+    def note(self, window: RulerWindow, key: str) -> None:
+        """Keep the table and a picture."""
+        self.seen["tables"][key] = window.rows()
+        window.picture(self.folder / "shots" / f"ruler_{key}.png")
+
+    def measure_shapes(self) -> None:
+        """A sphere and a plate with a hole, as two layers of one project."""
+        window = self.window("sphere", "plate")
+        try:
+            self.seen["start"] = window.log_text()
+            window.toggle()
+            self.plate_and_sphere(window)
+            self.keep_and_leave(window)
+            self.hostile_steps(window)
+        finally:
+            window.picture(self.folder / "shots" / "ruler_shapes_last.png")
+            self.seen["lines"] = window.ruler_lines()
+            self.seen["log"] = window.log_lines()
+            window.end()
+
+    def plate_and_sphere(self, window: RulerWindow) -> None:
+        """Paths on the current layer; nothing beside it, on another layer, to another component."""
+        window.drag(PLATE_LEFT, PLATE_RIGHT)
+        window.wait_for_rows(1)
+        self.note(window, "plate")
+        window.drag(EMPTY, PLATE_RIGHT)
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        time.sleep(1.0)
+        self.note(window, "beside the layer")
+        window.drag(PLATE_LEFT, SMALL_SQUARE)
+        window.wait_for_rows(2)
+        self.note(window, "other component")
+        window.choose_layer("sphere.ply")
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        window.wait_for_rows(3)
+        self.note(window, "sphere")
+
+    def keep_and_leave(self, window: RulerWindow) -> None:
+        """A field, the saved files, leaving and entering again, removing a row."""
+        already = len(window.ruler_lines())
+        run("xdotool", "keydown", "shift")
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        run("xdotool", "keyup", "shift")
+        window.wait_for_line("distances", already)
+        self.note(window, "field")
+        window.press(window.dock(), "Save...")
+        window.give_file("Save measurements", self.folder / "ruler.csv")
+        window.wait_for_line("measurements written", already)
+        window.toggle()
+        self.note(window, "left")
+        window.toggle()
+        self.note(window, "entered again")
+        window.drag(EMPTY, EMPTY)  # the view has the keys
+        window.keys("Delete")
+        wait_for("a row less", lambda: len(window.rows()) == 2)
+        self.note(window, "deleted")
+        window.choose_layer("Geodesic measurements")
+        window.export_as(self.folder / "ruler_paths.ply")
+
+    def hostile_steps(self, window: RulerWindow) -> None:
+        """Another tool, a layer deleted while its paths are shown, the project closed while the tool is on."""
+        self.seen["on a layer without faces"] = window.status()
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        window.toggle()
+        window.choose_in_menu("Edit", "Measuring Tool")
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        window.choose_in_menu("Edit", "Measuring Tool")
+        window.choose_layer("plate.ply")
+        window.toggle()
+        window.apply_at_once(DELETE)
+        window.choose_layer("sphere.ply")
+        window.toggle()
+        self.note(window, "layer deleted")
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT, release=False)
+        window.choose_in_menu("File", "Close Project")
+        window.close_without_saving()
+        run("xdotool", "mouseup", "1")
+        time.sleep(2.0)
+        window.picture(self.folder / "shots" / "ruler_closed.png")
+        self.seen["alive"] = window.is_alive()
+
+    def measure_a_large_mesh(self) -> None:
+        """Frames a second without and with an index; the index built on the side; an edit; quitting while it is built."""
+        window = self.window("large")
+        try:
+            window.toggle()
+            there_and_back = (LARGE_LEFT, LARGE_RIGHT, LARGE_LEFT, LARGE_RIGHT)
+            for key in ("exact", "with index"):
+                for _ in range(2):  # the first drag also reads the mesh
+                    already = len(window.ruler_lines())
+                    window.drag(*there_and_back, pause=0.015)
+                    window.wait_for_line("path", already)
+                self.note(window, f"large {key}")
+                self.seen[f"status {key}"] = window.status()
+                if key == "exact":
+                    window.press(window.dock(), *window.buttons("Prepare"))
+                    window.drag(LARGE_LEFT, LARGE_RIGHT)
+                    window.wait_for_line("the index was built", already, 600)
+            already = len(window.ruler_lines())
+            run("xdotool", "keydown", "shift")
+            window.drag(*there_and_back, pause=0.015)
+            run("xdotool", "keyup", "shift")
+            window.wait_for_line("distances", already)
+            dialog = window.open_filter(SCALE)
+            window.fill(dialog, "X Axis", "2")
+            window.apply(dialog)
+            window.close(dialog)
+            window.toggle()
+            self.note(window, "large edited")
+            self.seen["status edited"] = window.status()
+            window.press(window.dock(), *window.buttons("Prepare"))
+            time.sleep(3.0)
+            self.seen["building"] = window.buttons("Cancel")
+            self.seen["seconds to quit"] = window.quit()
+        finally:
+            self.seen["large lines"] = window.ruler_lines()
+            window.end()
+
+
+if __name__ == "__main__":
+    start_display(Path(sys.argv[1]))
+    Ruler(Path(sys.argv[1])).run()
