@@ -11,9 +11,9 @@ namespace vorogeo::plugin {
 namespace {
 
 /// Lines are drawn this much nearer than the surface that they lie on.
-constexpr double nearer = 2e-4;
-/// And a coloured surface by half as much.
-constexpr double nearer_surface = 1e-4;
+constexpr double nearer = 5e-4;
+/// And a coloured surface by this much.
+constexpr double nearer_surface = 2e-4;
 constexpr float rim = 2.5F;
 constexpr float opacity_hidden = 0.6F;
 constexpr GLushort dots = 0x3333;

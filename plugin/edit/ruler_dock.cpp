@@ -3,7 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QShortcut>
+#include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -59,13 +59,24 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   rows->addLayout(buttons);
   setWidget(body);
 
-  auto add_shortcut = [this](const QKeySequence& keys, auto action) {
-    auto* shortcut = new QShortcut(keys, this);
-    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(shortcut, &QShortcut::activated, this, action);
-  };
-  add_shortcut(QKeySequence::Copy, [this] { actions_.copy(); });
-  add_shortcut(QKeySequence::Delete, [this] { actions_.remove(chosen()); });
+  for (QWidget* child : body->findChildren<QWidget*>()) child->installEventFilter(this);
+}
+
+/// The main window has shortcuts for some of these keys, which win unless the widget with the focus claims
+/// them.
+bool RulerDock::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    const bool is_copy = key->matches(QKeySequence::Copy);
+    const bool is_delete = key->matches(QKeySequence::Delete);
+    if (is_copy || is_delete) {
+      event->accept();
+      if (event->type() == QEvent::KeyPress && is_copy) actions_.copy();
+      if (event->type() == QEvent::KeyPress && is_delete) actions_.remove(chosen());
+      return true;
+    }
+  }
+  return QDockWidget::eventFilter(watched, event);
 }
 
 void RulerDock::show_measurements(const Measurements& measurements) {

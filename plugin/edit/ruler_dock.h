@@ -30,10 +30,13 @@ class RulerDock : public QDockWidget {
   /// `seconds`: that a build is expected to take; no button if 0.
   void offer_preparation(double seconds);
   void show_preparation(double fraction);
+  /// As a filter of events it takes the keys that copy and delete, for its own widgets and for others.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
   /// Numbers of the rows that are selected; of the last row if none is.
   std::vector<int> chosen() const;
 
- private:
   Actions actions_;
   QLabel* status_;
   QTableWidget* table_;

@@ -13,7 +13,7 @@ namespace vorogeo::plugin {
 
 struct RulerRequest {
   std::shared_ptr<RulerSurface> surface;
-  int drag = 0;  ///< a number for each press of the mouse button
+  int drag = 0;  ///< a number for each press of the mouse button; -1: of none
   bool is_field = false;
   bool is_last = false;  ///< of its drag: the answer is kept
   Picked from;

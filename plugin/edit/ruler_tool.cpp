@@ -2,8 +2,8 @@
 #include "edit/ruler_tool.h"
 
 #include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -18,6 +18,7 @@ constexpr float line_width = 3.0F;
 constexpr float isoline_width = 1.5F;
 constexpr std::chrono::milliseconds tick_of_preparation{200};
 constexpr int columns = 4;
+constexpr QSize dock_size(360, 250);
 
 Transform transform_of(const MeshModel& layer) {
   Transform matrix;
@@ -74,9 +75,11 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
                                             [this] { copy(); }, [this] { save(); },
                                             [this](const std::vector<int>& numbers) { remove(numbers); }});
     dock_->setFloating(true);
-    dock_->move(area_->mapToGlobal(QPoint(10, 10)));
+    dock_->resize(dock_size);
+    dock_->move(area_->mapToGlobal(QPoint(0, std::max(0, area_->height() - dock_->height()))));
   }
   dock_->show();
+  area_->installEventFilter(dock_);
   area_->setCursor(Qt::CrossCursor);
   read_layer();
   dock_->show_measurements(measurements_);
@@ -87,7 +90,9 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
 void RulerTool::endEdit(MeshDocument&, GLArea*, MLSceneGLSharedDataContext*) {
   stop();
   if (dock_ != nullptr) dock_->hide();
-  if (area_ != nullptr) area_->unsetCursor();
+  if (area_ == nullptr) return;
+  area_->removeEventFilter(dock_);
+  area_->unsetCursor();
 }
 
 /// The old layer may have been deleted.
@@ -141,6 +146,11 @@ void RulerTool::read_layer() {
   live_.reset();
   field_ = {};
   surface_ = std::move(now);
+  if (surface_ && !surface_->arrays().positions.empty()) {
+    // Of no drag: nobody waits for it, but then everything is made that the first path needs.
+    const Picked anywhere{surface_->arrays().positions.front(), unreachable};
+    worker_.post({surface_, -1, false, false, anywhere, anywhere});
+  }
   if (dock_ != nullptr) dock_->show_measurements(measurements_);
 }
 
@@ -169,17 +179,6 @@ void RulerTool::mouseReleaseEvent(QMouseEvent* event, MeshModel&, GLArea*) {
   drag_->cursor = event->pos();
   drag_->is_released = true;
   ask();
-}
-
-void RulerTool::keyPressEvent(QKeyEvent* event, MeshModel&, GLArea*) {
-  if (dock_ == nullptr) return;
-  if (event->matches(QKeySequence::Copy)) {
-    copy();
-    event->accept();
-  } else if (event->key() == Qt::Key_Delete) {
-    remove(dock_->chosen());
-    event->accept();
-  }
 }
 
 std::optional<Picked> RulerTool::pick(const QPoint& at) const {
@@ -218,7 +217,7 @@ void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
     if (dock_ != nullptr) dock_->show_status(QString::fromStdString(found.error));
     return;
   }
-  if (!found.is_on_surface()) return;
+  if (!found.is_on_surface() || request.drag < 0) return;
   if (request.drag == drags_) {
     log_.computed(found.seconds);
     live_ = found;
@@ -256,9 +255,10 @@ void RulerTool::draw(const Transform& transform) {
     overlay.lines(live_->field.lines.lines, isoline_color, isoline_width);
   }
   for (const Measurement& measurement : measurements_.all()) {
-    if (measurement.layer == layer_)
-      overlay.lines(shown_lines(measurement.path.lines, measurement.from, measurement.to), measured_color,
-                    line_width);
+    if (measurement.layer != layer_) continue;
+    const SurfaceLines& path = measurement.path.lines;
+    overlay.lines(shown_lines(path, measurement.from, measurement.to),
+                  path.points.empty() ? no_path_color : measured_color, line_width);
   }
   if (live_ && !live_->is_field) {
     const PathAnswer& path = live_->path;

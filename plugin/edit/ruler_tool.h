@@ -40,7 +40,6 @@ class RulerTool : public QObject, public EditTool {
   void mousePressEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
   void mouseMoveEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
   void mouseReleaseEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
-  void keyPressEvent(QKeyEvent* event, MeshModel& layer, GLArea* area) override;
 
  private:
   /// A press of the button until its release. The view is captured when it is next painted.

@@ -6,13 +6,10 @@ Usage: python make_meshes.py FOLDER [million]
 
 from __future__ import annotations
 
-import shutil
 import sys
 from pathlib import Path
 
 import numpy as np
-
-SCAN = Path(__file__).resolve().parents[3] / "shared" / "meshes" / "igea.ply"  # 134,345 vertices, if it is there
 
 
 def terrain(columns: int, rows: int) -> tuple[np.ndarray, np.ndarray]:
@@ -109,10 +106,7 @@ def main() -> None:
     write_ply(folder / "parts.ply", *parts())
     write_ply(folder / "sphere.ply", *sphere(5))
     write_ply(folder / "plate.ply", *plate_with_hole())
-    if SCAN.is_file():
-        shutil.copy(SCAN, folder / "large.ply")
-    else:
-        write_ply(folder / "large.ply", *terrain(420, 320))
+    write_ply(folder / "terrain_20k.ply", *terrain(160, 125))
 
 
 if __name__ == "__main__":

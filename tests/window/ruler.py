@@ -1,8 +1,8 @@
 """Measures with the geodesic ruler in MeshLab's window, by the mouse, and writes down what was seen.
 
-Usage (inside a root, within dbus-run-session): python3 ruler.py FOLDER
-  FOLDER holds meshes/; all that was seen goes to ruler.json, which test_ruler.py judges, with what the ruler saved: ruler.csv
-  and ruler_paths.ply.
+Usage (inside a root, within dbus-run-session): python3 ruler.py FOLDER [NAME]
+  FOLDER holds meshes/; all that was seen goes to ruler.json, which test_ruler.py judges, with what the ruler saved:
+  ruler.csv and ruler_paths.ply. NAME: only frames a second on meshes/NAME.ply, and what else a large mesh is for.
 """
 
 from __future__ import annotations
@@ -10,21 +10,23 @@ from __future__ import annotations
 import json
 import sys
 import time
+from itertools import pairwise
 from pathlib import Path
 
-from meshlab_window import MeshLabWindow
+from meshlab_window import MeshLabWindow, text_of
 from screen import Atspi, run, start_display, wait_for
 
 TOOL = "Geodesic ruler (VoroGeo)"
 SCALE = "Transform: Scale, Normalize"
-DELETE = "Delete current Mesh"
+DELETE = "Delete Current Mesh"
+DOCK = "Geodesic ruler"
 COLUMNS = 5
 STEPS = 30  # of a drag
 # Places of the view: from its middle, in heights of the view, y upwards.
-SPHERE_LEFT, SPHERE_RIGHT = (-0.36, 0.02), (-0.26, 0.06)
-PLATE_LEFT, PLATE_RIGHT = (0.08, 0.03), (0.26, 0.05)
-SMALL_SQUARE, EMPTY = (0.17, -0.13), (0.0, 0.3)
-LARGE_LEFT, LARGE_RIGHT = (-0.15, 0.1), (0.15, -0.1)
+SPHERE_LEFT, SPHERE_RIGHT = (-0.3, 0.0), (-0.12, 0.1)
+PLATE_LEFT, PLATE_RIGHT = (0.08, 0.04), (0.31, 0.06)
+SMALL_SQUARE, EMPTY = (0.197, -0.167), (0.0, 0.3)
+LARGE_LEFT, LARGE_RIGHT = (-0.1, 0.15), (0.1, -0.05)
 Place = tuple[float, float]
 
 
@@ -34,32 +36,37 @@ class RulerWindow(MeshLabWindow):
     def __init__(self, meshes: list[Path], log: Path) -> None:
         """Start MeshLab and find the view."""
         super().__init__(meshes, log)
-        area = self.find(Atspi.Role.INTERNAL_FRAME)[0].get_extents(Atspi.CoordType.SCREEN)
+        panes = [pane.get_extents(Atspi.CoordType.SCREEN) for pane in self.find(Atspi.Role.LAYERED_PANE)]
+        area = max(panes, key=lambda pane: pane.width * pane.height)
         self.middle = (area.x + area.width / 2, area.y + area.height / 2)
         self.height = area.height
 
     def toggle(self) -> None:
         """Start or end the ruler."""
+        was_on = self.dialog(DOCK) is not None
         self.choose_in_menu("Edit", TOOL)
-        time.sleep(1.0)
+        wait_for("the ruler to start or end", lambda: (self.dialog(DOCK) is not None) != was_on)
+        time.sleep(0.5)
 
     def pixel(self, place: Place) -> list[str]:
         """Where on the screen a place of the view is: from the middle, in heights of the view, y upwards."""
         x, y = place
         return [str(round(self.middle[0] + x * self.height)), str(round(self.middle[1] - y * self.height))]
 
-    def drag(self, *places: Place, pause: float = 0.03, release: bool = True) -> None:
+    def drag(self, *places: Place, pause: float = 0.03) -> None:
         """Press at the first place, move over the others, release at the last."""
         command = ["mousemove", *self.pixel(places[0]), "sleep", "0.2", "mousedown", "1", "sleep", "0.3"]
-        for a, b in zip(places, places[1:], strict=False):
+        for a, b in pairwise(places):
             for step in range(1, STEPS + 1):
                 t = step / STEPS
                 between = (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
                 command += ["mousemove", *self.pixel(between), "sleep", str(pause)]
-        run("xdotool", *command, "sleep", "0.3", *(["mouseup", "1"] if release else []))
+        run("xdotool", *command, "sleep", "0.3", "mouseup", "1")
 
     def rows(self) -> list[list[str]]:
-        """The table of the dock."""
+        """The table of the dock, empty without a dock."""
+        if self.dialog(DOCK) is None:
+            return []
         for table in self.find(Atspi.Role.TABLE):
             names = [node.get_name() for node in self.nodes(table) if node.get_role() == Atspi.Role.TABLE_CELL]
             if names and len(names) % COLUMNS == 0 and names[0].isdigit():
@@ -72,7 +79,7 @@ class RulerWindow(MeshLabWindow):
 
     def dock(self) -> Atspi.Accessible:
         """The ruler's dock."""
-        return wait_for("the dock", lambda: self.dialog("Geodesic ruler"))
+        return wait_for("the dock", lambda: self.dialog(DOCK))
 
     def buttons(self, begin: str) -> list[str]:
         """Names of buttons of the dock that begin so."""
@@ -83,6 +90,11 @@ class RulerWindow(MeshLabWindow):
         """What the dock says answers."""
         labels = [node.get_name() for node in self.find(Atspi.Role.LABEL, top=self.dock())]
         return next(label for label in labels if not label.startswith("Drag on"))
+
+    def make_current(self, name: str) -> None:
+        """Choose a layer; 2022.02 shows the names of files with their endings."""
+        names = [node.get_name() for node in self.find(Atspi.Role.TABLE_CELL)]
+        self.choose_layer(next(n for n in names if n.removesuffix(".ply").removesuffix(" *") == name))
 
     def wait_for_rows(self, count: int) -> None:
         """Wait until the table has so many rows."""
@@ -95,12 +107,22 @@ class RulerWindow(MeshLabWindow):
             self.apply(dialog)
             self.close(dialog)
 
+    def pasted(self, title: str) -> str:
+        """What the clipboard holds, seen in a dialog that asks for a file; its field shows line ends as other signs."""
+        wait_for(f"the dialog {title}", lambda: self.dialog(title))
+        self.keys("ctrl+a", "ctrl+v")
+        time.sleep(0.5)
+        text = max((text_of(node) for node in self.find(Atspi.Role.TEXT, top=self.dialog(title))), key=len)
+        self.keys("ctrl+a")
+        return text
+
     def export_as(self, file: Path) -> None:
-        """Save the current layer to another file, with everything it has."""
+        """Save the layer of measurements to a file, with everything it has."""
         already = len(self.log_lines())
         self.keys("ctrl+shift+e")
-        self.give_file("Save file", file)
+        self.give_file('Save "Geodesic measurements" Layer', file)
         box = wait_for("the dialog of saving options", self.message_box)
+        self.click(self.find(Atspi.Role.RADIO_BUTTON, "All", box)[0])
         self.press(box, "OK")
         wait_for("the layer to be saved", lambda: any("Saved" in line for line in self.log_lines()[already:]))
 
@@ -118,11 +140,6 @@ class RulerWindow(MeshLabWindow):
         self.close_without_saving()
         wait_for("the program to end", lambda: not self.is_alive(), 60)
         return time.monotonic() - begin
-
-    def end(self) -> None:
-        """End the program whatever it does."""
-        self.process.kill()
-        self.process.wait()
 
     def wait_for_line(self, begin: str, already: int, seconds: float = 60) -> None:
         """Wait for one more line of the ruler."""
@@ -142,11 +159,12 @@ class Ruler:
         self.seen: dict[str, object] = {"tables": {}}
         (folder / "shots").mkdir(parents=True, exist_ok=True)
 
-    def run(self) -> None:
-        """Everything; what was seen before a step failed is kept."""
+    def run(self, name: str | None) -> None:
+        """Everything, or one mesh; what was seen before a step failed is kept."""
         try:
-            self.measure_shapes()
-            self.measure_a_large_mesh()
+            if name is None:
+                self.measure_shapes()
+            self.measure_a_large_mesh(name or "terrain_20k")
         finally:
             (self.folder / "ruler.json").write_text(json.dumps(self.seen, indent=1))
 
@@ -173,7 +191,7 @@ class Ruler:
             window.picture(self.folder / "shots" / "ruler_shapes_last.png")
             self.seen["lines"] = window.ruler_lines()
             self.seen["log"] = window.log_lines()
-            window.end()
+            window.process.kill()
 
     def plate_and_sphere(self, window: RulerWindow) -> None:
         """Paths on the current layer; nothing beside it, on another layer, to another component."""
@@ -187,7 +205,7 @@ class Ruler:
         window.drag(PLATE_LEFT, SMALL_SQUARE)
         window.wait_for_rows(2)
         self.note(window, "other component")
-        window.choose_layer("sphere.ply")
+        window.make_current("sphere")
         window.drag(SPHERE_LEFT, SPHERE_RIGHT)
         window.wait_for_rows(3)
         self.note(window, "sphere")
@@ -200,18 +218,21 @@ class Ruler:
         run("xdotool", "keyup", "shift")
         window.wait_for_line("distances", already)
         self.note(window, "field")
+        window.drag(EMPTY, EMPTY)  # the view has the keys
+        window.keys("ctrl+c")
         window.press(window.dock(), "Save...")
+        self.seen["copied"] = window.pasted("Save measurements")
         window.give_file("Save measurements", self.folder / "ruler.csv")
         window.wait_for_line("measurements written", already)
         window.toggle()
         self.note(window, "left")
         window.toggle()
         self.note(window, "entered again")
-        window.drag(EMPTY, EMPTY)  # the view has the keys
+        window.drag(EMPTY, EMPTY)
         window.keys("Delete")
         wait_for("a row less", lambda: len(window.rows()) == 2)
         self.note(window, "deleted")
-        window.choose_layer("Geodesic measurements")
+        window.make_current("Geodesic measurements")
         window.export_as(self.folder / "ruler_paths.ply")
 
     def hostile_steps(self, window: RulerWindow) -> None:
@@ -222,23 +243,22 @@ class Ruler:
         window.choose_in_menu("Edit", "Measuring Tool")
         window.drag(SPHERE_LEFT, SPHERE_RIGHT)
         window.choose_in_menu("Edit", "Measuring Tool")
-        window.choose_layer("plate.ply")
+        window.make_current("plate")
         window.toggle()
         window.apply_at_once(DELETE)
-        window.choose_layer("sphere.ply")
+        window.make_current("sphere")
         window.toggle()
         self.note(window, "layer deleted")
-        window.drag(SPHERE_LEFT, SPHERE_RIGHT, release=False)
+        window.drag(SPHERE_LEFT, SPHERE_RIGHT)
         window.choose_in_menu("File", "Close Project")
         window.close_without_saving()
-        run("xdotool", "mouseup", "1")
         time.sleep(2.0)
         window.picture(self.folder / "shots" / "ruler_closed.png")
         self.seen["alive"] = window.is_alive()
 
-    def measure_a_large_mesh(self) -> None:
-        """Frames a second without and with an index; the index built on the side; an edit; quitting while it is built."""
-        window = self.window("large")
+    def measure_a_large_mesh(self, name: str) -> None:
+        """Frames a second without and with an index; an edit; quitting while an index is built."""
+        window = self.window(name)
         try:
             window.toggle()
             there_and_back = (LARGE_LEFT, LARGE_RIGHT, LARGE_LEFT, LARGE_RIGHT)
@@ -271,9 +291,9 @@ class Ruler:
             self.seen["seconds to quit"] = window.quit()
         finally:
             self.seen["large lines"] = window.ruler_lines()
-            window.end()
+            window.process.kill()
 
 
 if __name__ == "__main__":
     start_display(Path(sys.argv[1]))
-    Ruler(Path(sys.argv[1])).run()
+    Ruler(Path(sys.argv[1])).run(sys.argv[2] if len(sys.argv) > 2 else None)
