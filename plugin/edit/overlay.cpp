@@ -63,15 +63,17 @@ void Overlay::segments(const SurfaceLines& lines, const Color& color, float widt
   gl().glDisableClientState(GL_VERTEX_ARRAY);
 }
 
-void Overlay::lines(const SurfaceLines& lines, const Color& color, float width) {
+void Overlay::lines(const SurfaceLines& lines, const Color& color, float width, bool dotted) {
   if (lines.segments.empty()) return;
   constexpr Color dark{0.0F, 0.0F, 0.0F};
   gl().glDepthRange(0.0, 1.0 - nearer);
-  gl().glDepthFunc(GL_GREATER);
-  gl().glEnable(GL_LINE_STIPPLE);
-  gl().glLineStipple(2, dots);
-  segments(lines, color, width, opacity_hidden);
-  gl().glDisable(GL_LINE_STIPPLE);
+  if (dotted) {
+    gl().glDepthFunc(GL_GREATER);
+    gl().glEnable(GL_LINE_STIPPLE);
+    gl().glLineStipple(2, dots);
+    segments(lines, color, width, opacity_hidden);
+    gl().glDisable(GL_LINE_STIPPLE);
+  }
   gl().glDepthFunc(GL_LEQUAL);
   segments(lines, dark, width + rim, 1.0F);
   segments(lines, color, width, 1.0F);

@@ -35,8 +35,9 @@ class Overlay {
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// With a dark rim; what the scene hides is dotted. `width` in pixels.
-  void lines(const SurfaceLines& lines, const Color& color, float width);
+  /// With a dark rim. `width` in pixels; `dotted`: what the scene hides is drawn in dots, otherwise not at
+  /// all.
+  void lines(const SurfaceLines& lines, const Color& color, float width, bool dotted = true);
   /// In place of the surface that was drawn, in the light of the scene.
   void surface(const ColoredSurface& surface);
 

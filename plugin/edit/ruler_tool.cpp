@@ -252,7 +252,7 @@ void RulerTool::draw(const Transform& transform) {
   Overlay overlay(transform);
   if (live_ && live_->is_field) {
     overlay.surface(field_);
-    overlay.lines(live_->field.lines.lines, isoline_color, isoline_width);
+    overlay.lines(live_->field.lines.lines, isoline_color, isoline_width, false);
   }
   for (const Measurement& measurement : measurements_.all()) {
     if (measurement.layer != layer_) continue;

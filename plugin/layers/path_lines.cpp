@@ -1,6 +1,8 @@
 // From surface points to positions and segments.
 #include "layers/path_lines.h"
 
+#include <span>
+
 namespace vorogeo::plugin {
 
 PathLines lines_of(const Mesh& mesh, const SurfacePath& path) {
@@ -11,7 +13,8 @@ PathLines lines_of(const Mesh& mesh, const SurfacePath& path) {
     double walked = 0.0;
     if (number > 0) {
       result.lines.segments.push_back({number - 1, number});
-      walked = result.along.back() + distance_between(result.lines.points.back(), at);
+      // In the metric of the mesh, which may be another than that of its positions.
+      walked = result.along.back() + measured_length(mesh, std::span(&point - 1, 2)).length;
     }
     result.lines.points.push_back(at);
     result.along.push_back(walked);

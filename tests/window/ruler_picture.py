@@ -2,7 +2,7 @@
 
 Usage (inside a root, within dbus-run-session): python3 ruler_picture.py FOLDER MESH PICTURE
   Frames go to FOLDER; PICTURE is a GIF of less than 2 MB. In the project, for example:
-  tests/window/in_root.sh build/window/root-2025.07 dbus-run-session -- python3 /project/tests/window/ruler_picture.py \
+  tests/roots/in_root.sh build/window/root-2025.07 dbus-run-session -- python3 /project/tests/window/ruler_picture.py \
     /project/build/window/picture /project/build/window/picture/bunny.obj /project/docs/pictures/ruler.gif
 """
 
