@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exact/solver_state.h"
+#include "support/checkpoint.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -100,10 +101,14 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
         break;
       }
     }
-    if (limits.progress != nullptr && ++items % items_per_report == 0) {
-      limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
-                                  static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
-                              "Computing exact distances");
+    if (++items % items_per_report == 0) {
+      if (limits.progress != nullptr) {
+        limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
+                                    static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
+                                "Computing exact distances");
+      } else {
+        checkpoint();
+      }
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;

@@ -57,6 +57,7 @@ struct ExactLimits {
   /// which keeps memory to a multiple of the front's length instead of the mesh's size, and is faster.
   bool distances_only = false;
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
+  /// Otherwise the run has checkpoints.
   const Progress* progress = nullptr;
 };
 

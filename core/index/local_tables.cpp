@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <iomanip>
-#include <optional>
 #include <sstream>
 #include <string>
 
 #include "exact/exact_solver.h"
+#include "exact/field_timing.h"
 #include "index/index_options.h"
 #include "index/table_draft.h"
 #include "support/checkpoint.h"
@@ -71,7 +71,7 @@ class GroupSolver {
     limits.face_allowed = halo_.mask();
     limits.targets = vertices_;
     limits.edge_targets = points_;
-    limits.distances_only = points_.empty();
+    // Windows behind the front are kept: dropping them takes 3 to 7 % longer on the few faces of a patch.
     limits.merge_tolerance = merge_tolerance;
     solver_.run(std::span(&source, 1), limits);
     auto place = place_.begin();
@@ -137,40 +137,14 @@ double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, 
   return runs == 0 ? 0.0 : seconds * layer.node_count() / runs;
 }
 
-/// Seconds that an exact field from a vertex takes, or nothing if they are more than `limit`.
-std::optional<double> field_seconds(const TableSurface& surface, double limit, const Progress& progress) {
-  const auto begin = std::chrono::steady_clock::now();
-  auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  bool too_long = false;
-  const Progress until([&](double, const std::string&) {
-    progress.report(0.0, table_phase);
-    too_long = elapsed() > limit;
-    return !too_long;
-  });
-  const Index source = 0;
-  ExactSolver exact(surface.geometry);
-  ExactLimits limits;
-  limits.distances_only = true;
-  limits.progress = &until;
-  try {
-    exact.run_from_vertices(std::span(&source, 1), limits);
-  } catch (const Cancelled&) {
-    if (!too_long) throw;
-  }
-  const double seconds = elapsed();
-  if (too_long || seconds > limit) return std::nullopt;
-  return seconds;
-}
-
 /// Warns if all runs will take as long as many exact fields of the mesh; returns how many then, otherwise 0.
 /// Takes some half a percent of their time.
 double warn_of_dear_tables(const TableSurface& surface, double seconds, const Progress& progress) {
   if (seconds < least_seconds) return 0.0;
-  const auto field = field_seconds(surface, seconds / fields_to_warn, progress);
-  if (!field || *field <= 0.0) return 0.0;
-  const double fields = seconds / *field;
+  const FieldTiming field =
+      time_exact_field(surface.geometry, seconds / fields_to_warn, progress, table_phase);
+  if (!field.is_complete || field.seconds <= 0.0 || field.seconds > seconds / fields_to_warn) return 0.0;
+  const double fields = seconds / field.seconds;
   auto rounded = [](double value) {
     std::ostringstream text;
     text << std::setprecision(value < 100.0 ? 2 : 9) << (value < 100.0 ? value : std::round(value));
@@ -178,11 +152,20 @@ double warn_of_dear_tables(const TableSurface& surface, double seconds, const Pr
   };
   progress.warn("Building this index will take about " + rounded(seconds) + " s of one core, as long as " +
                 std::to_string(std::lround(fields)) + " exact fields of this mesh (" +
-                rounded(1000.0 * *field) + " ms each): for fewer fields, take the exact method.");
+                rounded(1000.0 * field.seconds) + " ms each): for fewer fields, take the exact method.");
   return fields;
 }
 
 }  // namespace
+
+double expected_table_seconds(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
+                              const Progress& progress) {
+  TableDraft tables(layer);
+  const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
+  const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
+  GroupSolver solver(surface, work, layer, face_begin);
+  return expected_seconds(layer, groups, solver, tables, progress);
+}
 
 double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
                          const Progress& progress) {

@@ -15,6 +15,10 @@ namespace vorogeo {
 /// and pairs on real meshes.
 inline constexpr double table_growth = 1.2;
 
+/// Seconds of one core that fill_local_tables() will take, by a few of its runs.
+double expected_table_seconds(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
+                              const Progress& progress);
+
 /// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
 /// halo. If a few runs show that all take as long as many exact fields of the mesh (fields_to_warn), warns
 /// before it begins and returns how many; otherwise returns 0.

@@ -18,9 +18,9 @@ class MemoryBudget {
   IndexForm form_of(const IndexData& data) const;
   /// \throw InvalidInput if a finished index of this many bytes is larger than the budget.
   void require(std::int64_t bytes) const;
+  bool fits(std::int64_t bytes) const;
 
  private:
-  bool fits(std::int64_t bytes) const;
   [[noreturn]] void refuse(std::int64_t bytes, const char* comparison) const;
 
   const IndexOptions& options_;

@@ -84,6 +84,11 @@ void check_patches(const char* which, Index requested, Index faces) {
 
 bool is_coarse(const Mesh& mesh) { return mesh.mean_angle_defect() >= coarse_defect; }
 
+Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options) {
+  if (options.first_layer_patches) return options.first_layer_patches;
+  return first_layer_count(vertices, is_coarse(mesh) ? coarse_sizes : usual_sizes, options);
+}
+
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
   const Index faces = mesh.face_count();
   if (faces == 0) throw InvalidInput("The mesh has no face; geodesic distances need a surface.");
@@ -96,8 +101,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   const auto all_vertices = vertices_of(mesh, all_faces);
   const auto vertices = static_cast<double>(all_vertices.size());
   const PatchSizes& sizes = is_coarse(mesh) ? coarse_sizes : usual_sizes;
-  const Index first_count =
-      options.first_layer_patches ? options.first_layer_patches : first_layer_count(vertices, sizes, options);
+  const Index first_count = planned_first_layer(mesh, vertices, options);
 
   const MeshPart whole{all_vertices, {}};
   partition.first_layer.assign(faces, 0);

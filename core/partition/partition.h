@@ -32,6 +32,9 @@ struct Partition {
 /// index needs closer points on borders and fewer borders to cross.
 bool is_coarse(const Mesh& mesh);
 
+/// First-layer patches that make_partition() aims at on a mesh, or on one like it with so many vertices.
+Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options);
+
 /// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
 /// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);

@@ -6,34 +6,19 @@
 
 namespace vorogeo {
 
-void FoundPath::join(FoundPath other) {
-  if (other.path.length < path.length) {
-    path = std::move(other.path);
-    on_user_mesh = other.on_user_mesh;
-  }
-  distance = std::min(distance, other.distance);
-}
-
 ExactSearch::ExactSearch(const IndexData& data)
     : data_(data),
       unsplit_(data.unsplit()),
-      solver_(unsplit_ != nullptr ? unsplit_->geometry : data.geometry),
+      corridor_(unsplit_ != nullptr ? unsplit_->geometry : data.geometry),
       halo_(unsplit_ != nullptr ? Halo(*data.mesh, unsplit_->first_face, unsplit_->faces)
                                 : Halo(*data.work.mesh, data.first_face)),
       bounds_(data) {}
 
-FoundPath ExactSearch::run(const PathEnd& from, const PathEnd& to, ExactLimits limits) {
+FoundPath ExactSearch::run(const PathEnd& from, const PathEnd& to, const ExactLimits& limits) {
   const bool on_user_mesh = unsplit_ != nullptr;
-  const ExactSource source{on_user_mesh ? from.user : from.point};
-  const SurfacePoint& target = on_user_mesh ? to.user : to.point;
-  if (limits.max_distance < unreachable) {
-    limits.max_distance *= 1.0 + path_tolerance;
-    limits.corridor_point = &target;
-  }
-  solver_.run(std::span(&source, 1), limits);
-  FoundPath found{solver_.path_to_source(target), solver_.distance(target), on_user_mesh};
-  if (found.path.points.empty()) found.path.length = unreachable;
-  std::ranges::reverse(found.path.points);
+  FoundPath found =
+      on_user_mesh ? corridor_.run(from.user, to.user, limits) : corridor_.run(from.point, to.point, limits);
+  found.on_user_mesh = on_user_mesh;
   return found;
 }
 
@@ -49,12 +34,10 @@ FoundPath ExactSearch::within(const PathEnd& from, const PathEnd& to, double max
 
 FoundPath ExactSearch::within_mask(const PathEnd& from, const PathEnd& to, double max_distance,
                                    std::span<const std::uint8_t> mask) {
-  ExactLimits limits;
-  limits.max_distance = max_distance;
-  limits.face_allowed = mask;
-  FoundPath found = run(from, to, limits);
-  // A path outside may be shorter.
-  if (!mask.empty() && found.distance > solver_.barrier_distance()) found.distance = unreachable;
+  const bool on_user_mesh = unsplit_ != nullptr;
+  FoundPath found = on_user_mesh ? corridor_.within(from.user, to.user, max_distance, mask)
+                                 : corridor_.within(from.point, to.point, max_distance, mask);
+  found.on_user_mesh = on_user_mesh;
   return found;
 }
 

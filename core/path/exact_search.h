@@ -7,26 +7,15 @@
 #include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
 #include "index/local_tables.h"
+#include "path/corridor_search.h"
 #include "path/exact_pair.h"
 #include "path/path_ends.h"
 
 namespace vorogeo {
 
-/// A path and what is known about it. It has no points and infinite length if none was found.
-struct FoundPath {
-  SurfacePath path{{}, unreachable};
-  /// The distance by exact propagation, if only proven bounds limited it; otherwise unreachable.
-  double distance = unreachable;
-  bool on_user_mesh = false;  ///< whether the path runs over that, rather than over the work mesh
-
-  /// Keeps the shorter of both paths, and the distance that either of them knows.
-  void join(FoundPath other);
-};
-
 /// Paths over the work mesh of an index, or over the user's mesh where exact runs take that
-/// (IndexData::unsplit), each by one or two runs of the exact solver. Each run ends: the solver passes a
-/// window on only where it shortens a distance by more than rounding. Holds scratch memory: one object
-/// belongs to one thread.
+/// (IndexData::unsplit), each by one or two runs of the exact solver. Holds scratch memory: one
+/// object belongs to one thread.
 class ExactSearch {
  public:
   explicit ExactSearch(const IndexData& data);
@@ -47,14 +36,14 @@ class ExactSearch {
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) { landmarks_ = std::move(landmarks); }
 
  private:
-  FoundPath run(const PathEnd& from, const PathEnd& to, ExactLimits limits);
+  FoundPath run(const PathEnd& from, const PathEnd& to, const ExactLimits& limits);
   /// `mask`: faces allowed of the mesh that runs take; empty: all.
   FoundPath within_mask(const PathEnd& from, const PathEnd& to, double max_distance,
                         std::span<const std::uint8_t> mask);
 
   const IndexData& data_;
   const UnsplitSurface* unsplit_;
-  ExactSolver solver_;
+  CorridorSearch corridor_;
   Halo halo_;
   RemainingBounds bounds_;
   std::vector<std::uint8_t> user_mask_;

@@ -169,13 +169,7 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
 SurfacePath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoint& source,
                                        const SurfacePoint& target) const {
   SurfacePath result = found.on_user_mesh ? found.path : user_path(data, found.path);
-  if (result.points.empty()) return result;
-  if (is_same_point(*data.mesh, result.points.front(), source)) result.points.front() = source;
-  if (result.points.size() == 1) result.points.push_back(target);
-  if (is_same_point(*data.mesh, result.points.back(), target)) result.points.back() = target;
-  const MeasuredLength measured = measured_length(*data.mesh, result.points);
-  // Where they agree, the sum of the steps in the plane has less rounding.
-  if (!measured.agrees_with(result.length)) result.length = measured.length;
+  set_ends(*data.mesh, source, target, result);
   return result;
 }
 

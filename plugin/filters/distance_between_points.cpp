@@ -1,16 +1,15 @@
-// Filter: the distance of two points, from the index.
-#include <chrono>
+// Filter: the distance of two points.
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "field/geodesic_query.h"
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "host/logged_length.h"
+#include "host/ticking.h"
 #include "layers/end_points.h"
 #include "layers/index_of_layer.h"
-#include "path/path_query.h"
+#include "layers/surface_of_layer.h"
 
 namespace vorogeo::plugin {
 
@@ -19,6 +18,7 @@ namespace {
 RichParameterList two_points_parameters(const MeshDocument& document) {
   RichParameterList list;
   add_end_point_parameters(list, document, 0);
+  list.addParam(method_parameter());
   return list;
 }
 
@@ -32,33 +32,25 @@ Results distance_between_points(FilterCall& call) {
   const auto mesh = read_mesh(call, layer_mesh);
   const EndPoints ends = end_points(call, layer_mesh, mesh);
   const auto& [source, target] = ends;
-  const IndexOfLayer found = index_of_layer(call, layer_mesh);
-  double distance = 0.0;
-  double seconds = 0.0;
-  auto measured = [&](auto&& call_of_query) {
-    const auto start = std::chrono::steady_clock::now();
-    distance = call_of_query();
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  if (source.point.is_vertex() && target.point.is_vertex()) {
-    GeodesicQuery query(found.index, 1);
-    measured([&] { return query.distance(source.point.vertex, target.point.vertex); });
-  } else {
-    PathQuery query(found.index);
-    measured([&] { return query.path(source.point, target.point).length; });
-  }
+  SurfaceOfLayer layer(call, layer_mesh, mesh);
+  const AnswerMethod method = method_of(call);
+  Answered answered;
+  const double distance = run_ticking(call.progress, "Geodesic distance", [&](const Progress& inner) {
+    return layer.surface().distance(source.point, target.point, method, answered, inner);
+  });
   std::ostringstream text;
   text << name_of(layer_mesh, *mesh, source.point) << " to " << name_of(layer_mesh, *mesh, target.point)
        << ": ";
   if (std::isfinite(distance)) {
-    text << "distance " << logged_length(distance) << ", in " << std::setprecision(3) << seconds << " s";
+    text << "distance " << logged_length(distance) << ", in " << std::setprecision(3) << answered.seconds
+         << " s";
   } else {
     text << "no path, they lie in different components";
   }
   call.log(text.str());
-  Results results = {{"distance", distance}, {"seconds", seconds}};
+  Results results = {{"distance", distance}, {"seconds", answered.seconds}};
   results.merge(about_end_points(ends));
-  results.merge(about_index(found));
+  results.merge(layer.finish(answered));
   return results;
 }
 
@@ -70,11 +62,12 @@ FilterRow distance_between_points_row() {
       "get_vorogeo_distance_between_points",
       "<p>Geodesic distance of two points: the length of the shortest path over the surface, in the unit of "
       "the mesh. It is logged and returned as <i>distance</i>; infinity if no path leads from one to the "
-      "other. For two vertices it comes from the index, for other points it is the length of the refined "
-      "path. "
+      "other. Without an index it is exact. With one it comes from the index for two vertices, and is the "
+      "length of "
+      "the refined path for other points. "
       "The mesh is not changed.</p><p>How to choose: for the path itself take <i>Shortest path between two "
       "points (VoroGeo)</i>.</p>" +
-          help_on_end_points() + help_on_index() + references_of_index(),
+          help_on_end_points() + help_on_choosing() + references_of_index(),
       FilterPlugin::Measure,
       MeshModel::MM_NONE,
       two_points_parameters,

@@ -25,7 +25,14 @@ std::vector<Index> border_vertices(const Mesh& mesh) {
 
 Results distances_from_border(FilterCall& call) {
   const LayerMesh layer_mesh(call);
-  return write_distance_field(call, layer_mesh, border_vertices(*read_mesh(call, layer_mesh)), Method::index);
+  return write_distance_field(call, layer_mesh, border_vertices(*read_mesh(call, layer_mesh)),
+                              method_of(call));
+}
+
+RichParameterList from_border_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_field_parameters(list, document);
+  return list;
 }
 
 }  // namespace
@@ -40,7 +47,7 @@ FilterRow distance_from_border_row() {
           help_on_field() + help_on_choosing() + references_of_index(),
       FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      only_max_distance,
+      from_border_parameters,
       distances_from_border};
 }
 

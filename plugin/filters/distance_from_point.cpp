@@ -10,14 +10,23 @@ namespace vorogeo::plugin {
 
 namespace {
 
+constexpr const char* start_meaning = "the nearest point of the surface";
+
 RichParameterList from_point_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_start_vertex_parameters(list, document, "the nearest point of the surface");
+  add_start_vertex_parameters(list, document, start_meaning);
+  add_field_parameters(list, document);
+  return list;
+}
+
+RichParameterList exact_from_point_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_start_vertex_parameters(list, document, start_meaning);
   list.addParam(max_distance_parameter(document));
   return list;
 }
 
-Results distances_from_point(FilterCall& call, Method method) {
+Results distances_from_point(FilterCall& call, AnswerMethod method) {
   const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const StartPoint start = start_point(call, layer_mesh, mesh);
@@ -36,8 +45,10 @@ Results distances_from_point(FilterCall& call, Method method) {
   return results;
 }
 
-Results index_distances_from_point(FilterCall& call) { return distances_from_point(call, Method::index); }
-Results exact_distances_from_point(FilterCall& call) { return distances_from_point(call, Method::exact); }
+Results chosen_distances_from_point(FilterCall& call) { return distances_from_point(call, method_of(call)); }
+Results exact_distances_from_point(FilterCall& call) {
+  return distances_from_point(call, AnswerMethod::exact);
+}
 
 QString help_on_start() {
   return "<p>It starts at the point of the surface nearest to the <b>Start point</b>, which need not be a "
@@ -58,7 +69,7 @@ FilterRow distance_from_point_row() {
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_point_parameters,
-          index_distances_from_point};
+          chosen_distances_from_point};
 }
 
 FilterRow exact_distance_from_point_row() {
@@ -70,7 +81,7 @@ FilterRow exact_distance_from_point_row() {
           help_on_start() + help_on_field() + help_on_exact() + references_of_exact(),
       field_class(),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      from_point_parameters,
+      exact_from_point_parameters,
       exact_distances_from_point};
 }
 

@@ -8,17 +8,23 @@ namespace vorogeo::plugin {
 
 namespace {
 
-Results distances_from_selection(FilterCall& call, Method method) {
+Results distances_from_selection(FilterCall& call, AnswerMethod method) {
   const LayerMesh layer_mesh(call);
   return write_distance_field(
       call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh, "where distances shall start"), method);
 }
 
-Results index_distances_from_selection(FilterCall& call) {
-  return distances_from_selection(call, Method::index);
+Results chosen_distances_from_selection(FilterCall& call) {
+  return distances_from_selection(call, method_of(call));
 }
 Results exact_distances_from_selection(FilterCall& call) {
-  return distances_from_selection(call, Method::exact);
+  return distances_from_selection(call, AnswerMethod::exact);
+}
+
+RichParameterList from_selection_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_field_parameters(list, document);
+  return list;
 }
 
 }  // namespace
@@ -32,8 +38,8 @@ FilterRow distance_from_selection_row() {
               help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          only_max_distance,
-          index_distances_from_selection};
+          from_selection_parameters,
+          chosen_distances_from_selection};
 }
 
 FilterRow exact_distance_from_selection_row() {

@@ -30,8 +30,7 @@ RichParameterList from_layer_parameters(const MeshDocument& document) {
   list.addParam(spacing_parameter(document));
   list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
                          "Add the quality of a point of the source layer to the distances from it."));
-  list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter(document));
+  add_field_parameters(list, document);
   return list;
 }
 
@@ -40,18 +39,13 @@ RichParameterList from_edges_parameters(const MeshDocument& document) {
   list.addParam(
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
   list.addParam(spacing_parameter(document));
-  list.addParam(exact_parameter());
-  list.addParam(max_distance_parameter(document));
+  add_field_parameters(list, document);
   return list;
 }
 
 double spacing_of(const FilterCall& call, const Mesh& mesh) {
   const double spacing = length_of(call, "spacing", true);
   return spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
-}
-
-Method method_of(const FilterCall& call) {
-  return call.parameters.getBool("exact") ? Method::exact : Method::index;
 }
 
 Results distances_from_layer(FilterCall& call) {
@@ -143,7 +137,7 @@ FilterRow distance_from_layer_row() {
               "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex of "
               "the source "
               "layer, -1 where there is none.</p>" +
-              help_on_exact_parameter() + help_on_field() + help_on_index() + references_of_index(),
+              help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_layer_parameters,
@@ -156,8 +150,7 @@ FilterRow distance_from_edges_row() {
           "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest border "
           "edge if "
           "<b>From the border</b> is ticked.</p>" +
-              help_on_curves() + "</p>" + help_on_exact_parameter() + help_on_field() + help_on_index() +
-              references_of_index(),
+              help_on_curves() + "</p>" + help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
           from_edges_parameters,

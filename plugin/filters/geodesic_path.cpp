@@ -1,5 +1,4 @@
 // Filter: the shortest path between two points as a polyline layer.
-#include <chrono>
 #include <sstream>
 
 #include "filters/help.h"
@@ -11,7 +10,7 @@
 #include "layers/new_layer.h"
 #include "layers/parameters.h"
 #include "layers/path_lines.h"
-#include "path/path_query.h"
+#include "layers/surface_of_layer.h"
 
 namespace vorogeo::plugin {
 
@@ -20,6 +19,7 @@ namespace {
 RichParameterList path_parameters(const MeshDocument& document) {
   RichParameterList list;
   add_end_point_parameters(list, document, -1);
+  list.addParam(method_parameter());
   list.addParam(
       RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
   list.addParam(
@@ -34,16 +34,14 @@ Results draw_path(FilterCall& call) {
   const auto mesh = read_mesh(call, layer_mesh);
   const EndPoints ends = end_points(call, layer_mesh, mesh);
   const auto& [source, target] = ends;
-  const IndexOfLayer found = index_of_layer(call, layer_mesh);
-  PathQuery query(found.index);
-  const auto start = std::chrono::steady_clock::now();
+  SurfaceOfLayer layer(call, layer_mesh, mesh);
   const bool exact = call.parameters.getBool("exact");
   const bool certify = call.parameters.getBool("certify");
-  const ExactPath result = run_ticking(call.progress.part(0.9, 1.0), "Shortest path", [&](const Progress&) {
-    return exact ? query.exact_path(source.point, target.point, certify)
-                 : ExactPath{.path = query.path(source.point, target.point)};
+  const AnswerMethod method = method_of(call);
+  Answered answered;
+  const ExactPath result = run_ticking(call.progress, "Shortest path", [&](const Progress& inner) {
+    return layer.surface().path(source.point, target.point, method, exact, answered, inner, certify);
   });
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   call.progress.report(1.0, "Shortest path");
   const PathLines polyline = lines_of(*mesh, result.path);
   std::ostringstream text;
@@ -58,9 +56,9 @@ Results draw_path(FilterCall& call) {
   Results results = {{"length", result.path.length},
                      {"certified", result.certified},
                      {"points", static_cast<int>(polyline.lines.points.size())},
-                     {"seconds", seconds}};
+                     {"seconds", answered.seconds}};
   results.merge(about_end_points(ends));
-  results.merge(about_index(found));
+  results.merge(layer.finish(answered));
   return results;
 }
 
@@ -73,14 +71,15 @@ FilterRow geodesic_path_row() {
       "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
       "current one; the quality of its vertices is the length up to there.</p>" +
           help_on_end_points() +
-          "<p>How to choose: without <b>Exact</b>, the path that the index gives is shortened until it is a "
+          "<p>How to choose: without an index, the path is always the exact one. With one, and without "
+          "<b>Exact</b>, the path that the index gives is shortened until it is a "
           "geodesic: never shorter than the shortest path, and mostly that path itself. With <b>Exact</b> it "
           "is "
           "the shortest one, found in milliseconds by propagation in a corridor; <b>Certify</b> proves it "
           "without "
           "relying on the index.</p><p>Returns the <i>length</i>, infinity and no layer if the points lie in "
           "different components, the number of <i>points</i> and whether it is <i>certified</i>.</p>" +
-          help_on_index() + references_of_index(),
+          help_on_choosing() + references_of_index(),
       FilterPlugin::Measure,
       MeshModel::MM_NONE,
       path_parameters,

@@ -28,11 +28,18 @@ QString help_on_exact() {
 }
 
 QString help_on_choosing() {
-  return "<p>How to choose: leave <b>Max distance</b> at 0 unless only the surroundings of the sources "
-         "matter. The "
-         "first distance on a mesh builds an index, which takes seconds to minutes, and later ones reuse it "
+  return "<p>How to choose: leave <b>Method</b> at automatic. It takes the index if this mesh has one, "
+         "otherwise "
+         "exact "
+         "answers until these have taken as long as building an index would; then it builds one, which "
+         "answers "
          "until the "
-         "mesh is edited; for one field only, the exact filter is faster.</p>";
+         "mesh is edited. <i>index</i> builds it at once, for hundreds of calls; <i>exact</i> never does; "
+         "<i>quick</i> is "
+         "for previews. The log says what answered. Leave <b>Max distance</b> at 0 unless only the "
+         "surroundings of "
+         "the "
+         "sources matter.</p>";
 }
 
 QString help_on_task_points() {

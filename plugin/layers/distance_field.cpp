@@ -1,17 +1,13 @@
-// Computes a distance field by either method and writes it into the layer.
+// Computes a distance field and writes it into the layer.
 #include "layers/distance_field.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
 #include "host/logged_length.h"
 #include "host/ticking.h"
-#include "layers/index_of_layer.h"
 #include "layers/parameters.h"
 #include "support/error.h"
 
@@ -19,20 +15,12 @@ namespace vorogeo::plugin {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr const char* distances_activity = "Geodesic distances";
-
 struct Field {
   std::shared_ptr<const Mesh> mesh;
-  std::vector<double> distances;
+  LabelledField found;
   double seconds = 0.0;
-  Results about_index;
+  Results about_answer;
 };
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The limit to compute with: `unreachable` stands for none.
 double max_distance_of(const FilterCall& call) {
@@ -44,39 +32,16 @@ double max_distance_of(const FilterCall& call) {
   return value == 0.0 ? unreachable : value;
 }
 
-Field field_by_index(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
-                     double max_distance) {
-  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+Field field_of(FilterCall& call, SurfaceOfLayer& layer, const std::vector<ExactSource>& sources, double limit,
+               AnswerMethod method) {
   Field field;
-  field.mesh = found.index->mesh();
-  const auto start = Clock::now();
-  field.distances = run_ticking(call.progress.part(0.9, 1.0), distances_activity, [&](const Progress&) {
-    return GeodesicQuery(found.index).distance_field(sources, max_distance);
+  field.mesh = layer.mesh();
+  Answered answered;
+  field.found = run_ticking(call.progress, "Geodesic distances", [&](const Progress& inner) {
+    return layer.surface().field(sources, limit, method, answered, inner);
   });
-  field.seconds = seconds_since(start);
-  field.about_index = about_index(found);
-  return field;
-}
-
-Field field_by_exact_solver(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
-                            double max_distance) {
-  log_warnings(call, layer_mesh);
-  const auto start = Clock::now();
-  Field field;
-  run_ticking(call.progress, "Exact geodesic distances", [&](const Progress& inner) {
-    field.mesh = layer_mesh.make_mesh();
-    ExactSolver solver(field.mesh);
-    ExactLimits limits;
-    limits.max_distance = max_distance;
-    limits.progress = &inner;
-    limits.distances_only = true;
-    solver.run_from_vertices(sources, limits);
-    field.distances.resize(static_cast<std::size_t>(field.mesh->vertex_count()));
-    for (Index v = 0; v < field.mesh->vertex_count(); ++v) {
-      field.distances[v] = solver.distance(v) <= max_distance ? solver.distance(v) : unreachable;
-    }
-  });
-  field.seconds = seconds_since(start);
+  field.seconds = answered.seconds;
+  field.about_answer = layer.finish(answered);
   return field;
 }
 
@@ -112,6 +77,11 @@ RichParameterList only_max_distance(const MeshDocument& document) {
   return list;
 }
 
+void add_field_parameters(RichParameterList& list, const MeshDocument& document) {
+  list.addParam(method_parameter());
+  list.addParam(max_distance_parameter(document));
+}
+
 namespace {
 
 /// Writes a computed field; `has_source`: by component of its mesh; `at_vertices`: all sources are vertices.
@@ -123,16 +93,16 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
   int no_path = 0;
   int beyond = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (std::isfinite(field.distances[v])) {
+    if (std::isfinite(field.found.distance[v])) {
       ++reached;
-      largest = std::max(largest, field.distances[v]);
+      largest = std::max(largest, field.found.distance[v]);
     } else {
       ++(has_source[mesh.component(v)] ? beyond : no_path);
     }
   }
   call.progress.report(1.0, "Writing quality and colours");
 
-  write_distances(call.layer, layer_mesh.arrays().input_of_vertex, field.distances, largest);
+  write_distances(call.layer, layer_mesh.arrays().input_of_vertex, field.found.distance, largest);
 
   const bool one = source_count == 1;
   const char* sources = at_vertices ? (one ? " source vertex" : " source vertices")
@@ -149,7 +119,7 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
     call.log(std::to_string(beyond) +
              " vertices lie beyond the max distance; their quality is -1 and their colour grey");
   }
-  Results results = std::move(field.about_index);
+  Results results = std::move(field.about_answer);
   results["source_vertices"] = static_cast<int>(source_count);
   results["reached_vertices"] = reached;
   results["unreachable_vertices"] = no_path;
@@ -162,10 +132,13 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
 }  // namespace
 
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
-                             Method method) {
+                             AnswerMethod method) {
   const double limit = max_distance_of(call);
-  Field field = method == Method::index ? field_by_index(call, layer_mesh, sources, limit)
-                                        : field_by_exact_solver(call, layer_mesh, sources, limit);
+  SurfaceOfLayer layer(call, layer_mesh);
+  std::vector<ExactSource> points;
+  points.reserve(sources.size());
+  for (Index source : sources) points.push_back({SurfacePoint::at_vertex(source)});
+  Field field = field_of(call, layer, points, limit, method);
   std::vector<bool> has_source(static_cast<std::size_t>(field.mesh->component_count()), false);
   for (Index source : sources) has_source[field.mesh->component(source)] = true;
   return write_field(call, layer_mesh, field, has_source, sources.size(), true);
@@ -173,37 +146,10 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, cons
 
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
                              const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
-                             const std::vector<Index>* numbers, Method method) {
+                             const std::vector<Index>* numbers, AnswerMethod method) {
   const double limit = max_distance_of(call);
-  Field field;
-  field.mesh = mesh;
-  LabelledField found;
-  if (method == Method::index) {
-    const IndexOfLayer index = index_of_layer(call, layer_mesh);
-    const auto start = Clock::now();
-    found = run_ticking(call.progress.part(0.9, 1.0), distances_activity, [&](const Progress&) {
-      return GeodesicQuery(index.index).labelled_field(sources, limit);
-    });
-    field.seconds = seconds_since(start);
-    field.about_index = about_index(index);
-  } else {
-    log_warnings(call, layer_mesh);
-    const auto start = Clock::now();
-    run_ticking(call.progress, "Exact geodesic distances", [&](const Progress& inner) {
-      ExactSolver solver(mesh);
-      ExactLimits limits;
-      limits.max_distance = limit;
-      limits.progress = &inner;
-      limits.distances_only = true;
-      solver.run(sources, limits);
-      for (Index v = 0; v < mesh->vertex_count(); ++v) {
-        found.distance.push_back(solver.distance(v));
-        found.source.push_back(solver.nearest_source(v));
-      }
-    });
-    field.seconds = seconds_since(start);
-  }
-  field.distances = std::move(found.distance);
+  SurfaceOfLayer layer(call, layer_mesh, mesh);
+  Field field = field_of(call, layer, sources, limit, method);
   std::vector<bool> has_source(static_cast<std::size_t>(mesh->component_count()), false);
   for (const ExactSource& source : sources) {
     const SurfacePoint& p = source.point;
@@ -213,7 +159,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
   if (numbers != nullptr) {
     auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      const Index source = found.source[v];
+      const Index source = field.found.source[v];
       label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] =
           static_cast<Scalarm>(source == no_index ? no_index : (*numbers)[source]);
     }

@@ -7,14 +7,9 @@
 #include "exact/exact_solver.h"
 #include "host/filter_row.h"
 #include "layers/layer_mesh.h"
+#include "layers/surface_of_layer.h"
 
 namespace vorogeo::plugin {
-
-/// How distances are computed.
-enum class Method {
-  index,  ///< from the index, which is built if there is none
-  exact   ///< by exact propagation from the sources, without an index
-};
 
 /// Quality of a vertex that got no distance: no path leads to it, or it lies beyond max_distance. A number
 /// below every distance and finite, so that it can be told from a source and does not spoil ramps and
@@ -30,23 +25,25 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
 
 /// The parameter max_distance, as all distance filters have it.
 RichLength max_distance_parameter(const MeshDocument& document);
-/// The parameters of filters that have no others.
+/// The parameters of exact filters that have no others.
 RichParameterList only_max_distance(const MeshDocument& document);
+/// Adds method and max_distance.
+void add_field_parameters(RichParameterList& list, const MeshDocument& document);
 
 /// Writes the distances from the nearest source vertex into the quality of all vertices, and colours along a
 /// ramp. Reads max_distance. Nothing is changed before everything is computed.
 ///
 /// Returns source_vertices, reached_vertices, unreachable_vertices, vertices_beyond_max_distance,
-/// max_distance (the largest distance found) and seconds (of the distances alone); with an index also
-/// index_reused and index_seconds.
+/// max_distance (the largest distance found), seconds (of the distances alone), and what
+/// SurfaceOfLayer::finish() does.
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
-                             Method method);
+                             AnswerMethod method);
 
 /// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset; returns
 /// source_points instead of source_vertices. If there are `numbers`, one for each source, the vertices also
 /// get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
 Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
                              const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
-                             const std::vector<Index>* numbers, Method method);
+                             const std::vector<Index>* numbers, AnswerMethod method);
 
 }  // namespace vorogeo::plugin

@@ -33,6 +33,21 @@ void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const Geodesic
   while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > max_bytes_)) entries_.pop_back();
 }
 
+RentOrBuy IndexCache::spent(const Fingerprint& mesh, Index vertices) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [of, spent] : spent_) {
+    if (of == mesh) return spent;
+  }
+  return RentOrBuy(vertices);
+}
+
+void IndexCache::keep_spent(const Fingerprint& mesh, const RentOrBuy& spent) {
+  const std::lock_guard lock(mutex_);
+  spent_.remove_if([&](const auto& entry) { return entry.first == mesh; });
+  spent_.emplace_front(mesh, spent);
+  if (spent_.size() > max_spent) spent_.pop_back();
+}
+
 void IndexCache::forget(const void* document) {
   const std::lock_guard lock(mutex_);
   entries_.remove_if([&](Entry& e) { return e.documents.erase(document) > 0 && e.documents.empty(); });

@@ -7,8 +7,10 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "choice/rent_or_buy.h"
 #include "index/geodesic_index.h"
 #include "mesh/vcg_adapter.h"
 
@@ -32,6 +34,10 @@ class IndexCache {
   /// document it stays until it is displaced.
   void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
            const void* document = nullptr);
+  /// What exact answers on a mesh have taken so far; nothing for one that is not known. Only the choice of
+  /// what answers depends on it, so a fingerprint is enough.
+  RentOrBuy spent(const Fingerprint& mesh, Index vertices);
+  void keep_spent(const Fingerprint& mesh, const RentOrBuy& spent);
   /// Frees the indexes that belong to this document only.
   void forget(const void* document);
 
@@ -47,12 +53,14 @@ class IndexCache {
     bool fits(const VcgMeshArrays& arrays) const;
   };
   static constexpr std::size_t capacity = 4;
+  static constexpr std::size_t max_spent = 64;
 
   std::int64_t bytes() const;
 
   const std::int64_t max_bytes_;
   std::mutex mutex_;
-  std::list<Entry> entries_;  ///< most recently used first
+  std::list<Entry> entries_;                            ///< most recently used first
+  std::list<std::pair<Fingerprint, RentOrBuy>> spent_;  ///< likewise
 };
 
 }  // namespace vorogeo::plugin

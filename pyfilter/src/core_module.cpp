@@ -9,6 +9,7 @@
 #include "output_binding.h"
 #include "paths_binding.h"
 #include "point_arrays.h"
+#include "surface_binding.h"
 #include "tasks_binding.h"
 #include "weighted_binding.h"
 
@@ -23,6 +24,7 @@ NB_MODULE(_core, module) {
   vorogeo::python::bind_index(module);
   vorogeo::python::bind_points(module);
   vorogeo::python::bind_paths(module);
+  vorogeo::python::bind_surface(module);
   vorogeo::python::bind_tasks(module);
   vorogeo::python::bind_surface_tasks(module);
   vorogeo::python::bind_weighted(module);

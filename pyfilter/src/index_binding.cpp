@@ -141,6 +141,10 @@ IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices
 
 HeldIndex held_index(nb::handle object) { return nb::cast<const IndexHandle&>(object).held(); }
 
+nb::object index_object(std::shared_ptr<const GeodesicIndex> index, std::size_t input_faces, int threads) {
+  return nb::cast(new IndexHandle(std::move(index), input_faces, threads), nb::rv_policy::take_ownership);
+}
+
 void bind_index(nb::module_& module) {
   nb::class_<IndexHandle>(module, "Index")
       .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),

@@ -21,6 +21,10 @@ struct HeldIndex {
 /// \throw nanobind::cast_error if the object is of another class.
 HeldIndex held_index(nanobind::handle object);
 
+/// An object of _core.Index for an index that was built elsewhere.
+nanobind::object index_object(std::shared_ptr<const GeodesicIndex> index, std::size_t input_faces,
+                              int threads);
+
 void bind_index(nanobind::module_& module);
 
 }  // namespace vorogeo::python

@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "exact/exact_solver.h"
+#include "index/build_estimate.h"
 #include "mesh/mesh_check.h"
 #include "progress_bridge.h"
 
@@ -84,20 +85,32 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
   return d;
 }
 
+nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides, int threads,
+                  std::int64_t memory_budget, nb::object progress) {
+  IndexOptions options;
+  options.threads = threads;
+  options.memory_budget = memory_budget;
+  ProgressBridge bridge(progress);
+  const BuildEstimate found = bridge.run([&](const Progress& report) {
+    return estimate_build(mesh_of(vertices, faces, sides), options, true, report);
+  });
+  nb::dict d;
+  d["build_seconds"] = found.build_seconds;
+  d["core_seconds"] = found.core_seconds;
+  d["bytes"] = found.bytes;
+  d["form"] = to_string(found.form);
+  d["field_seconds"] = found.field_seconds;
+  d["exact_field_seconds"] = found.exact_field_seconds;
+  return d;
+}
+
 }  // namespace
 
 void bind_mesh_functions(nb::module_& module) {
-  nb::class_<HeldMesh>(module, "Surface")
-      .def(
-          "__init__",
-          [](HeldMesh* self, const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-             int threads) {
-            nb::gil_scoped_release release;
-            new (self) HeldMesh{mesh_of(vertices, faces, sides), threads};
-          },
-          nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(), nb::arg("threads"));
   module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
              nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"));
+  module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
+             nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"));
 }
 

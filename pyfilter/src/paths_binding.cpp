@@ -7,42 +7,25 @@
 #include "arrays.h"
 #include "exact/exact_solver.h"
 #include "index_binding.h"
-#include "mesh/surface_locator.h"
+#include "mesh_points.h"
 #include "path/path_query.h"
-#include "path_arrays.h"
 #include "point_arrays.h"
 #include "progress_bridge.h"
 #include "support/parallel.h"
-#include "tasks/curve_sources.h"
 #include "tasks/landmark_fields.h"
 
 namespace vorogeo::python {
 
 namespace {
 
-using EdgeArray = nb::ndarray<const Index, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
-using ValueArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-
 /// Queries on one index, each lent to one caller at a time; created when first needed.
 class Paths {
  public:
-  explicit Paths(nb::handle index) : held_(held_index(index)) {}
+  explicit Paths(nb::handle index) : held_(held_index(index)), points_(held_.index->mesh()) {}
 
-  nb::tuple snap(const VertexArray& points) {
-    PointRows rows;
-    std::vector<double> distances(points.shape(0));
-    {
-      nb::gil_scoped_release release;
-      const SurfaceLocator& on_surface = locator();
-      for (std::size_t i = 0; i < distances.size(); ++i) {
-        const double* p = points.data() + 3 * i;
-        const SnappedPoint found = on_surface.nearest({p[0], p[1], p[2]});
-        distances[i] = found.distance;
-        rows.add(mesh(), found.point);
-      }
-    }
-    return nb::make_tuple(to_numpy(std::move(rows.face)), to_numpy(std::move(rows.weights)),
-                          to_numpy(std::move(distances)));
+  nb::tuple snap(const VertexArray& points) { return points_.snap(points); }
+  nb::tuple along_edges(const EdgeArray& ends, double spacing) const {
+    return points_.along_edges(ends, spacing);
   }
 
   /// Paths of pairs: lengths, certified, where the points of each path begin, positions, vertices, faces,
@@ -70,7 +53,7 @@ class Paths {
       });
       return true;
     });
-    return as_arrays(found);
+    return points_.path_arrays(found);
   }
 
   /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,
@@ -100,19 +83,6 @@ class Paths {
     }
     if (exact) result = exact_field(sources, max_distance);
     return nb::make_tuple(to_numpy(std::move(result.distance)), to_numpy(std::move(result.source)));
-  }
-
-  /// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the typical
-  /// edge.
-  nb::tuple along_edges(const EdgeArray& ends, double spacing) const {
-    std::vector<Index> edges;
-    for (std::size_t i = 0; i < ends.shape(0); ++i) edges.push_back(edge_between(ends(i, 0), ends(i, 1)));
-    PointRows rows;
-    const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
-    for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted))
-      rows.add(mesh(), source.point);
-    return nb::make_tuple(to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),
-                          to_numpy(std::move(rows.weights)));
   }
 
  private:
@@ -152,23 +122,7 @@ class Paths {
     return landmarks_->memory_bytes();
   }
 
-  /// \throw InvalidInput if the mesh has no such edge.
-  Index edge_between(Index a, Index b) const {
-    for (const Index h : mesh().corners(a)) {
-      if (mesh().head(h) == b) return mesh().edge_of(h);
-      if (mesh().apex(h) == b) return mesh().edge_of(Mesh::previous_in_face(h));
-    }
-    throw InvalidInput("There is no edge between vertex " + std::to_string(a) + " and vertex " +
-                       std::to_string(b) + "; a curve runs along edges of the mesh.");
-  }
-
   const Mesh& mesh() const { return *held_.index->mesh(); }
-
-  const SurfaceLocator& locator() {
-    const std::lock_guard lock(mutex_);
-    if (!locator_) locator_ = std::make_unique<SurfaceLocator>(held_.index->mesh());
-    return *locator_;
-  }
 
   std::unique_ptr<PathQuery> take_query() {
     std::unique_ptr<PathQuery> query;
@@ -186,17 +140,11 @@ class Paths {
     return query;
   }
 
-  nb::tuple as_arrays(const std::vector<ExactPath>& found) const {
-    PathArrays arrays(mesh());
-    for (const ExactPath& one : found) arrays.add(one.path, one.certified);
-    return arrays.take();
-  }
-
   HeldIndex held_;
+  MeshPoints points_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PathQuery>> queries_;
   std::shared_ptr<const ExactLandmarks> landmarks_;
-  std::unique_ptr<SurfaceLocator> locator_;
 };
 
 }  // namespace

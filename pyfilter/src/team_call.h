@@ -2,8 +2,8 @@
 #pragma once
 
 #include "index_binding.h"
-#include "mesh_binding.h"
 #include "progress_bridge.h"
+#include "surface_binding.h"
 #include "tasks/field_team.h"
 
 namespace vorogeo::python {
@@ -13,9 +13,9 @@ namespace vorogeo::python {
 template <class Body>
 auto with_team(nb::handle index, bool exact, nb::handle progress, Body&& body) {
   ProgressBridge bridge(progress);
-  if (HeldMesh* surface = nullptr; nb::try_cast(index, surface)) {
+  if (HeldSurface* surface = nullptr; nb::try_cast(index, surface)) {
     return bridge.run([&](const Progress& report) {
-      FieldTeam team(surface->mesh, surface->threads);
+      FieldTeam team(surface->surface->mesh(), surface->threads);
       return body(team, report);
     });
   }

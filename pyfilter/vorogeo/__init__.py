@@ -1,15 +1,17 @@
 """VoroGeo: geodesic distances on triangle meshes, for numpy and PyMeshLab.
 
-On numpy arrays: `GeodesicIndex` is built once per mesh and then answers distances between vertices and distance fields;
-`exact_distance_field` needs no index, `distance_field` takes any of the `methods` of the literature; `check_mesh`
-reports what a mesh contains. When PyMeshLab is installed, importing this package also loads the VoroGeo filters into it
-and binds them as methods of ``pymeshlab.MeshSet``.
+On numpy arrays: `Surface` answers at once and builds an index when that pays. `GeodesicIndex` is built once per mesh
+and then answers distances between vertices and distance fields; `estimate` says what that costs. `exact_distance_field`
+needs no index, `distance_field` takes any of the `methods` of the literature; `check_mesh` reports what a mesh
+contains. When PyMeshLab is installed, importing this package also loads the VoroGeo filters into it and binds them as
+methods of ``pymeshlab.MeshSet``.
 """
 
 from importlib.metadata import version as _version
 
 from ._output import matrix_bytes
 from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
+from .estimate import IndexEstimate, estimate
 from .exact import exact_distance_field, exact_path
 from .face_metrics import FaceCost, FaceTensor
 from .geodesic_methods import (
@@ -37,6 +39,7 @@ from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
 from .points import EdgeCurve, SurfacePoints
 from .results import (
+    Answered,
     Disk,
     Extent,
     FarthestSamples,
@@ -47,9 +50,11 @@ from .results import (
     SparseDistances,
     VoronoiRegions,
 )
+from .surface import Surface
 
 __version__ = _version("vorogeo")
 __all__ = [
+    "Answered",
     "Cancelled",
     "Disk",
     "EdgeCurve",
@@ -63,6 +68,7 @@ __all__ = [
     "GeodesicIndex",
     "GeodesicMethod",
     "GeodesicPath",
+    "IndexEstimate",
     "IndexFileError",
     "IndexStatistics",
     "InvalidInput",
@@ -79,6 +85,7 @@ __all__ = [
     "Polylines",
     "RelaxedPoints",
     "SparseDistances",
+    "Surface",
     "SurfacePoints",
     "VertexCost",
     "VertexTensor",
@@ -86,6 +93,7 @@ __all__ = [
     "check_mesh",
     "curvature_tensor",
     "distance_field",
+    "estimate",
     "exact_distance_field",
     "exact_path",
     "load_plugin",

@@ -208,6 +208,11 @@ def threads(value: int | None) -> int:
     return 0 if value is None else integer("threads", value, 1, MAX_THREADS)
 
 
+def memory_budget(value: int | None) -> int:
+    """MiB that an index may take; 0 for None, which stands for the default."""
+    return 0 if value is None else integer("memory_budget", value, 1, _INT32.max)
+
+
 def file_path(value: str | os.PathLike[str]) -> str:
     """A file name without NUL characters."""
     try:
@@ -268,20 +273,6 @@ def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
         row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InvalidInput(f"{name}[{row}]: {points[row].tolist()} is not finite; give {wanted}.")
     return points
-
-
-def face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
-    """Rows of faces as contiguous int32 of shape (k,), none negative; the core checks the upper limit."""
-    wanted = "rows of the faces (integers)"
-    array = np.atleast_1d(_array(name, value, wanted))
-    if array.size == 0:
-        return np.empty(0, dtype=np.int32)
-    _integers(name, array, wanted)
-    bad = (array < 0) | (array > _INT32.max)
-    if array.ndim != 1 or bad.any():
-        found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"
-        raise InvalidInput(f"{name}: has {found}; give {wanted}.")
-    return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:

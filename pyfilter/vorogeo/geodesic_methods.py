@@ -132,6 +132,9 @@ class Methods(Mapping[str, MethodInfo]):
 
 methods = Methods(_described())
 
+#: What a method is for, instead of its name in the literature.
+_BY_PURPOSE = {"exact": "mmp", "quick": "gsp", "index": "vorogeo"}
+
 
 class GeodesicMethod:
     """A method that has been prepared for a mesh, for fields from many sources.
@@ -143,7 +146,7 @@ class GeodesicMethod:
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
     method : str
-        One of `methods`.
+        One of `methods`, or "exact", "quick" or "index", as for `distance_field`.
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
     progress : callable, bool or None
@@ -178,6 +181,7 @@ class GeodesicMethod:
         progress: ProgressFunction | bool | None = None,
         **options: float,
     ) -> None:
+        method = _BY_PURPOSE.get(method, method) if isinstance(method, str) else method
         if not isinstance(method, str) or method not in methods:
             raise InvalidInput(f"method: {method!r} is not known; give one of {', '.join(map(repr, methods))}.")
         self.info = methods[method]
@@ -240,7 +244,7 @@ def distance_field(
     vertices, faces, sources
         As for `exact_distance_field`.
     method : str
-        One of `methods`; "mmp" is exact.
+        One of `methods`, or "exact", "quick" or "index" for what this project takes for that: "mmp", "gsp", "vorogeo".
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
     **options : float

@@ -115,7 +115,7 @@ class GeodesicIndex(Queries):
         delta = check.delta(delta)
         workers = check.threads(threads)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
-        budget = 0 if memory_budget is None else check.integer("memory_budget", memory_budget, 1, 2**31 - 1)
+        budget = check.memory_budget(memory_budget)
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
         sides = None if lengths is None else lengths.lengths

@@ -74,13 +74,18 @@ def from_core(found: Any) -> list[GeodesicPath]:
     ]
 
 
-class Paths:
-    """The methods of `GeodesicIndex` for paths and for points that need not be vertices."""
+class PointsOnMesh:
+    """Points and curves of a mesh, for every class that answers questions on one."""
 
     __slots__ = ()
 
-    _paths: _core.Paths
-    _statistics: IndexStatistics
+    @property
+    def _points_on_mesh(self) -> _core.Paths | _core.Surface:
+        raise NotImplementedError
+
+    @property
+    def _vertex_count(self) -> int:
+        raise NotImplementedError
 
     def snap(self, points: ArrayLike, max_distance: float | None = None) -> SurfacePoints:
         """Move points in space to the nearest points of the surface.
@@ -111,7 +116,7 @@ class Paths:
                 f"coordinates of at most {_GREATEST_COORDINATE:g}."
             )
         limit = check.max_distance(max_distance)
-        faces, weights, distance = self._paths.snap(positions)
+        faces, weights, distance = self._points_on_mesh.snap(positions)
         if (distance > limit).any():
             row = int(np.flatnonzero(distance > limit)[0])
             raise InvalidInput(
@@ -119,6 +124,48 @@ class Paths:
                 "move the point or raise the limit."
             )
         return SurfacePoints(faces, weights.reshape(-1, 3), distance)
+
+    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
+        """Sources as points, and for each the position of its source in the list; a curve is one source."""
+        count = self._vertex_count
+        if not point_lists.holds(sources, EdgeCurve):
+            found = point_lists.rows("sources", sources, count)
+            number = np.arange(len(found[0]), dtype=np.int32)
+        else:
+            parts, numbers, places = [], [], 0
+            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
+                name = f"sources[{i}]"
+                if isinstance(part, EdgeCurve):
+                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
+                    parts.append(self._points_on_mesh.along_edges(part.edges(count, name), spacing))
+                    numbers.append(np.full(len(parts[-1][0]), places))
+                    places += 1
+                else:
+                    parts.append(point_lists.rows(name, part, count))
+                    numbers.append(places + np.arange(len(parts[-1][0])))
+                    places += len(parts[-1][0])
+            found = point_lists.joined([(p[0], p[1], p[2].reshape(-1, 3)) for p in parts])
+            number = np.concatenate(numbers).astype(np.int32)
+        if not len(found[0]):
+            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
+        return found, number
+
+
+class Paths(PointsOnMesh):
+    """The methods of `GeodesicIndex` for paths and for points that need not be vertices."""
+
+    __slots__ = ()
+
+    _paths: _core.Paths
+    _statistics: IndexStatistics
+
+    @property
+    def _points_on_mesh(self) -> _core.Paths:
+        return self._paths
+
+    @property
+    def _vertex_count(self) -> int:
+        return self._statistics.vertices
 
     def path(
         self,
@@ -226,31 +273,6 @@ class Paths:
             found = self._paths.paths(_core.Points(*sources), _core.Points(*targets), exact, certify, report)
         paths = from_core(found)
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
-
-    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
-        """Sources as points, and for each the position of its source in the list; a curve is one source."""
-        count = self._statistics.vertices
-        if not point_lists.holds(sources, EdgeCurve):
-            found = point_lists.rows("sources", sources, count)
-            number = np.arange(len(found[0]), dtype=np.int32)
-        else:
-            parts, numbers, places = [], [], 0
-            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
-                name = f"sources[{i}]"
-                if isinstance(part, EdgeCurve):
-                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
-                    parts.append(self._paths.along_edges(part.edges(count, name), spacing))
-                    numbers.append(np.full(len(parts[-1][0]), places))
-                    places += 1
-                else:
-                    parts.append(point_lists.rows(name, part, count))
-                    numbers.append(places + np.arange(len(parts[-1][0])))
-                    places += len(parts[-1][0])
-            found = point_lists.joined([(p[0], p[1], p[2].reshape(-1, 3)) for p in parts])
-            number = np.concatenate(numbers).astype(np.int32)
-        if not len(found[0]):
-            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
-        return found, number
 
     def _labelled_field(
         self, sources: Sources, offsets: ArrayLike | None, limit: float, exact: bool

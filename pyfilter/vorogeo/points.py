@@ -117,10 +117,24 @@ def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
     return isinstance(value, kind) or (isinstance(value, (list, tuple)) and any(isinstance(v, kind) for v in value))
 
 
+def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
+    """Rows of faces as contiguous int32 of shape (k,), none negative; the core checks the upper limit."""
+    wanted = "rows of the faces (integers)"
+    array = np.atleast_1d(check._array(name, value, wanted))
+    if array.size == 0:
+        return np.empty(0, dtype=np.int32)
+    check._integers(name, array, wanted)
+    bad = (array < 0) | (array > np.iinfo(np.int32).max)
+    if array.ndim != 1 or bad.any():
+        found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"
+        raise InvalidInput(f"{name}: has {found}; give {wanted}.")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
 def rows(name: str, value: Any, vertex_count: int) -> Rows:
     """Points as arrays; a single point or none is allowed."""
     if isinstance(value, SurfacePoints):
-        faces = check.face_ids(f"{name}.faces", np.atleast_1d(value.faces))
+        faces = _face_ids(f"{name}.faces", np.atleast_1d(value.faces))
         weights = check.positions(f"{name}.barycentric", value.barycentric)
         if len(faces) != len(weights):
             raise InvalidInput(

@@ -224,6 +224,28 @@ class IndexStatistics:
     shortened_edges: int = 0
 
 
+@dataclass(frozen=True)
+class Answered:
+    """What gave an answer.
+
+    Attributes
+    ----------
+    by : str
+        'index', 'exact' or 'quick'.
+    seconds : float
+        Of the answer, without the build of an index.
+    index_seconds : float
+        Of an index that was built for it; 0 if none was.
+    remark : str
+        What to know about the choice; empty if nothing.
+    """
+
+    by: str
+    seconds: float
+    index_seconds: float
+    remark: str
+
+
 class SparseDistances(NamedTuple):
     """A sparse matrix in compressed rows: row i holds the entries indptr[i] to indptr[i + 1].
 

@@ -64,6 +64,20 @@ TEST(IndexCache, KeepsTheFourUsedLast) {
   EXPECT_EQ(kept(cache, all), (std::vector<bool>{true, false, true, true, true, false}));
 }
 
+TEST(IndexCache, RemembersWhatExactAnswersTookOnAMesh) {
+  IndexCache cache;
+  auto number = [](std::uint64_t i) { return Fingerprint{{i, 0}}; };
+  RentOrBuy spent = cache.spent(number(1), 10);
+  EXPECT_EQ(spent.rent(), 0.0);
+  spent.pay(3.0);
+  cache.keep_spent(number(1), spent);
+  EXPECT_EQ(cache.spent(number(1), 10).rent(), 3.0);
+  EXPECT_EQ(cache.spent(number(2), 10).rent(), 0.0);
+  for (std::uint64_t i = 2; i < 80; ++i) cache.keep_spent(number(i), spent);
+  EXPECT_EQ(cache.spent(number(1), 10).rent(), 0.0);
+  EXPECT_EQ(cache.spent(number(79), 10).rent(), 3.0);
+}
+
 TEST(IndexCache, DropsTheOldestWhileTheyTakeTooMuchMemory) {
   const auto all = indexes(4);
   const std::int64_t size = all[0].index->statistics().bytes;

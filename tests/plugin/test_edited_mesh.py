@@ -32,7 +32,7 @@ def new_sphere(subdivisions: int = 3) -> tuple[np.ndarray, np.ndarray]:
 
 def apply_and_compare(ms, source: int = 0, reused: bool = False) -> None:
     """The field is right for the mesh as it is now, and the index was reused or not as stated."""
-    result = ms.apply_filter(FROM_POINT, vertex_index=source)
+    result = ms.apply_filter(FROM_POINT, vertex_index=source, method="index")
     assert result["index_reused"] == reused
     vertices, faces = arrays(ms)
     faces = np.unique(faces, axis=0)  # the independent solver takes no repeated face
@@ -116,10 +116,10 @@ def test_undoing_an_edit_finds_the_old_index():
 def test_indexes_of_four_meshes_are_kept():
     meshes = [mesh_set(*new_sphere(2)) for _ in range(5)]
     for ms in meshes:
-        assert not ms.apply_filter(FROM_POINT)["index_reused"]
+        assert not ms.apply_filter(FROM_POINT, method="index")["index_reused"]
     for ms in meshes[1:]:
-        assert ms.apply_filter(FROM_POINT)["index_reused"]
-    assert not meshes[0].apply_filter(FROM_POINT)["index_reused"]
+        assert ms.apply_filter(FROM_POINT, method="index")["index_reused"]
+    assert not meshes[0].apply_filter(FROM_POINT, method="index")["index_reused"]
 
 
 @pytest.mark.parametrize("layer", [1, 2])

@@ -45,7 +45,7 @@ def test_description_after_an_edit():
 def test_saved_index_is_loaded_for_the_same_mesh_in_another_document(tmp_path):
     file = tmp_path / "sphere.vgi"
     ms = stretched(1.03)
-    ms.apply_filter(FROM_POINT, vertex_index=5)
+    ms.apply_filter(FROM_POINT, vertex_index=5, method="index")
     expected = field(ms).copy()
     saved = ms.apply_filter(SAVE_INDEX, index_file=str(file))
     assert saved["file_bytes"] == file.stat().st_size
@@ -55,7 +55,7 @@ def test_saved_index_is_loaded_for_the_same_mesh_in_another_document(tmp_path):
     loaded = ms.apply_filter(LOAD_INDEX, index_file=str(file))
     assert loaded["vertices"] == 642
     assert loaded["seconds"] == 0
-    assert ms.apply_filter(FROM_POINT, vertex_index=5)["index_reused"]
+    assert ms.apply_filter(FROM_POINT, vertex_index=5, method="index")["index_reused"]
     np.testing.assert_array_equal(field(ms), expected)
 
 

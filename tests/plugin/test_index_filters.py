@@ -40,7 +40,7 @@ def test_field_of_real_meshes_is_close_to_exact(real_mesh, name, documented):
     load(ms, real_mesh(name))
     vertices, faces = arrays(ms)
     for source in (17, len(vertices) // 2):
-        ms.apply_filter(FROM_POINT, vertex_index=source)
+        ms.apply_filter(FROM_POINT, vertex_index=source, method="index")
         exact = exact_distances(vertices, faces, [source])
         mean, p99, largest = (2 * percent / 100 for percent in documented)
         assert_close_to_exact(field(ms), exact, mean=mean, largest=largest)
@@ -52,13 +52,13 @@ def test_field_agrees_with_the_exact_filter_on_a_sphere():
     ms = mesh_set(*sphere(4))
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
     exact = field(ms).copy()
-    ms.apply_filter(FROM_POINT, vertex_index=5)
+    ms.apply_filter(FROM_POINT, vertex_index=5, method="index")
     assert_close_to_exact(field(ms), exact, mean=0.0004, largest=0.01)
 
 
 def test_field_keeps_double_precision():
     ms = mesh_set(*sphere(2))
-    ms.apply_filter(FROM_POINT, vertex_index=5)
+    ms.apply_filter(FROM_POINT, vertex_index=5, method="index")
     assert np.any(field(ms) != field(ms).astype(np.float32))
 
 
@@ -67,7 +67,7 @@ def test_selection_gives_distance_from_the_nearest_selected_vertex():
     select_vertices(ms, [3, 500, 2000])
     ms.apply_filter(EXACT_FROM_SELECTION)
     exact = field(ms).copy()
-    result = ms.apply_filter(FROM_SELECTION)
+    result = ms.apply_filter(FROM_SELECTION, method="index")
     assert result["source_vertices"] == 3
     assert_close_to_exact(field(ms), exact, mean=0.0001, largest=0.005)
 
@@ -75,7 +75,7 @@ def test_selection_gives_distance_from_the_nearest_selected_vertex():
 def test_border_of_a_rectangle():
     vertices, faces = grid(30, 12)
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(FROM_BORDER)
+    result = ms.apply_filter(FROM_BORDER, method="index")
     x, y = vertices[:, 0], vertices[:, 1]
     expected = np.minimum(np.minimum(x, 30 - x), np.minimum(y, 12 - y))
     assert_close_to_exact(field(ms), expected, mean=0.0001, largest=0.005)
@@ -89,8 +89,8 @@ def test_two_vertices_agree_with_the_exact_filter_and_are_symmetric():
     exact = exact_distances(vertices, faces, [7])
     rng = np.random.default_rng(1)
     for target in rng.choice(np.arange(8, len(vertices)), 40, replace=False):
-        there = ms.apply_filter(TWO_POINTS, source=7, target=int(target))["distance"]
-        back = ms.apply_filter(TWO_POINTS, source=int(target), target=7)["distance"]
+        there = ms.apply_filter(TWO_POINTS, source=7, target=int(target), method="index")["distance"]
+        back = ms.apply_filter(TWO_POINTS, source=int(target), target=7, method="index")["distance"]
         assert there == back
         assert there == pytest.approx(exact[target], rel=0.02)
 
@@ -161,7 +161,7 @@ def test_meshes_with_components_borders_and_non_manifold_edges(real_mesh, name, 
     load(ms, real_mesh(name))
     exact_result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)
     exact = field(ms).copy()
-    result = ms.apply_filter(FROM_POINT, vertex_index=source)
+    result = ms.apply_filter(FROM_POINT, vertex_index=source, method="index")
     np.testing.assert_array_equal(field(ms) == -1, exact == -1)
     assert result["unreachable_vertices"] == exact_result["unreachable_vertices"] == np.count_nonzero(exact == -1)
     reached = exact > 0

@@ -43,7 +43,7 @@ def test_exact_path_on_a_sphere(certify):
     ms = mesh_set(vertices, faces)
     exact = exact_distances(vertices, faces, [5])
     for target in (0, 100, 600):
-        result = ms.apply_filter(PATH, source=5, target=target, exact=True, certify=certify)
+        result = ms.apply_filter(PATH, source=5, target=target, method="index", exact=True, certify=certify)
         assert result["length"] == pytest.approx(exact[target], rel=1e-9)
         assert result["certified"] or not certify
         ms.set_current_mesh(0)
@@ -63,16 +63,16 @@ def test_a_point_beyond_the_limit_is_refused():
         ms.apply_filter(PATH, source_point=np.array([1.0, 1.0, 3.0]), target=7, max_snap_distance=length(0.5))
 
 
-@pytest.mark.parametrize("exact", [False, True])
-def test_distance_from_a_layer_of_points(exact):
+@pytest.mark.parametrize("method", ["index", "exact"])
+def test_distance_from_a_layer_of_points(method):
     vertices, faces = grid(20, 20, 0.5)
     ms = mesh_set(vertices, faces)
     points = np.array([[1.3, 2.1, 0.0], [7.7, 8.2, 0.4]])
     ms.add_mesh(pymeshlab.Mesh(points))
     ms.set_current_mesh(0)
-    result = ms.apply_filter(FROM_LAYER, source_layer=1, exact=exact)
+    result = ms.apply_filter(FROM_LAYER, source_layer=1, method=method)
     distances = np.linalg.norm((vertices[:, None] - points)[..., :2], axis=2)
-    np.testing.assert_allclose(field(ms), distances.min(axis=1), rtol=1e-9 if exact else 5e-3)
+    np.testing.assert_allclose(field(ms), distances.min(axis=1), rtol=1e-9 if method == "exact" else 5e-3)
     assert result["snap_distance"] == pytest.approx(0.4)
     assert result["source_points"] == 2
     label = ms.current_mesh().vertex_custom_scalar_attribute_array("nearest_source")
@@ -93,18 +93,18 @@ def test_distance_from_a_line():
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=np.array([a, b]), edge_matrix=np.array([[0, 1]])))
     ms.set_current_mesh(0)
     spacing = 0.05
-    ms.apply_filter(FROM_LAYER, source_layer=1, exact=True, spacing=length(spacing))
+    ms.apply_filter(FROM_LAYER, source_layer=1, method="exact", spacing=length(spacing))
     t = np.clip((vertices - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     distances = np.linalg.norm(vertices - (a + t[:, None] * (b - a)), axis=1)
     assert (field(ms) >= distances - 1e-6).all()
     assert (field(ms) <= distances + spacing / 2 + 1e-6).all()
 
 
-@pytest.mark.parametrize("exact", [False, True])
-def test_distance_from_the_border_as_a_curve(exact):
+@pytest.mark.parametrize("method", ["index", "exact"])
+def test_distance_from_the_border_as_a_curve(method):
     vertices, faces = grid(12, 8)
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(FROM_EDGES, from_border=True, exact=exact)
+    result = ms.apply_filter(FROM_EDGES, from_border=True, method=method)
     x, y = vertices[:, 0], vertices[:, 1]
     np.testing.assert_allclose(field(ms), np.min([x, 12 - x, y, 8 - y], axis=0), atol=1e-9)
     assert result["source_edges"] == 40

@@ -54,13 +54,13 @@ END_POINTS = {"source", "target", "source_point", "target_point", "surface_point
     ("name", "parameters"),
     [
         (INDEX, {"n1", "n2", "delta", "memory_budget", "index_file", "threads", "seed"}),
-        (FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
+        (FROM_POINT, {"start_point", "vertex_index", "method", "max_distance"}),
         (EXACT_FROM_POINT, {"start_point", "vertex_index", "max_distance"}),
-        (FROM_SELECTION, {"max_distance"}),
+        (FROM_SELECTION, {"method", "max_distance"}),
         (EXACT_FROM_SELECTION, {"max_distance"}),
-        (FROM_BORDER, {"max_distance"}),
+        (FROM_BORDER, {"method", "max_distance"}),
         (PATCHES, {"layer"}),
-        (TWO_POINTS, END_POINTS),
+        (TWO_POINTS, {"method"} | END_POINTS),
         (DESCRIBE_INDEX, set()),
         (SAVE_INDEX, {"index_file"}),
         (LOAD_INDEX, {"index_file"}),
@@ -78,10 +78,10 @@ END_POINTS = {"source", "target", "source_point", "target_point", "surface_point
         (METHOD_TABLE, {"methods", "sources", "csv_file"}),
         (
             FROM_LAYER,
-            {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "exact", "max_distance"},
+            {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "method", "max_distance"},
         ),
-        (FROM_EDGES, {"from_border", "spacing", "exact", "max_distance"}),
-        (PATH, {"exact", "certify"} | END_POINTS),
+        (FROM_EDGES, {"from_border", "spacing", "method", "max_distance"}),
+        (PATH, {"method", "exact", "certify"} | END_POINTS),
     ],
 )
 def test_parameters_have_python_names(name, parameters):

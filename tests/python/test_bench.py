@@ -15,6 +15,7 @@ import sample_meshes
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
 pytest.importorskip("scipy")
 import bench
+import choosing
 import measure
 import meshes
 import methods
@@ -113,3 +114,20 @@ def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measur
         vorogeo.GeodesicIndex(*mesh, patches=(4, 3)).save(arguments[3])
         lines["build"] |= {("index_bytes", n): [1000.0 * n], ("file_bytes", n): [500.0 * n]}
     return {key: measure.Line(values, values) for key, values in lines[arguments[0]].items()}, 2**27
+
+
+def test_totals_of_each_choice():
+    result = {"exact": 1.0, "build": 9.5, "index": 0.1, "quick": 0.01, "automatic": [1.0] * 9 + [9.6, 0.1, 0.1]}
+    found = choosing.totals(result)
+    assert found["exact"][[0, 999]] == pytest.approx([1, 1000])
+    assert found["index"][[0, 999]] == pytest.approx([9.6, 109.5])
+    assert found["automatic"][[0, 8, 9, 999]] == pytest.approx([1, 9, 18.6, 18.6 + 99])
+    assert choosing.worst_ratio(result) == pytest.approx(1.86)  # after ten fields: 18.6 s instead of 10
+
+
+def test_automatic_choice_is_measured():
+    result = choosing.measured("grid", sample_meshes.bent_grid(12, 12))
+    assert result["vertices"] == 144
+    assert 0 < result["rented"] <= choosing.FIELDS
+    assert result["exact"] > 0
+    assert result["build"] > 0

@@ -15,8 +15,8 @@ PACKAGE = Path("pyfilter", "vorogeo")
 # The rooms of each part from the bottom to the top: a file includes or imports of its own room and those before it.
 ORDER = {
     "core": (
-        *("support", "mesh", "exact", "weighted", "partition", "index", "route", "field", "path", "tasks"),
-        "methods",
+        *("support", "mesh", "exact", "weighted", "partition", "index", "route", "field", "path", "choice"),
+        *("tasks", "methods"),
     ),
     "plugin": ("host", "layers", "filters", "edit"),
     "pyfilter": ("src", "vorogeo", "vorogeo/compat", "vorogeo/cli"),

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "exact/exact_solver.h"
+#include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/exhaustive.h"
 #include "support/indexes.h"
@@ -192,6 +193,12 @@ TEST(ExactLimits, DistancesUpToTheBarrierAreThoseOfTheWholeMesh) {
       expect_near(masked.distance(v), whole.distance(v), *mesh, 1e-11, "vertex " + std::to_string(v));
     }
   }
+}
+
+TEST(ExactLimits, ARunWithoutAProgressIsCancelledAtACheckpoint) {
+  ExactSolver solver(test::make_mesh(test::icosphere(5)));
+  const Watch watch([] { throw Cancelled(); });
+  EXPECT_THROW(solver.run_from_vertices(std::array<Index, 1>{0}), Cancelled);
 }
 
 TEST(ExactLimits, LengthsBeyondTheRangeOfProductsAreRefused) {

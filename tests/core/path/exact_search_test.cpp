@@ -39,14 +39,5 @@ TEST(ExactSearch, AllWaysFindTheStraightLine) {
   }
 }
 
-TEST(ExactSearch, JoinsTheShorterPathAndWhatIsProven) {
-  FoundPath found;
-  found.join({{{SurfacePoint::at_vertex(1)}, 3.0}, unreachable});
-  EXPECT_EQ(found.path.length, 3.0);
-  found.join({{{}, unreachable}, 2.5});
-  EXPECT_EQ(found.path.length, 3.0);
-  EXPECT_EQ(found.distance, 2.5);
-}
-
 }  // namespace
 }  // namespace vorogeo

@@ -1,0 +1,46 @@
+// When an index pays, without knowing how many questions are still to come.
+#pragma once
+
+#include "support/types.h"
+
+namespace vorogeo {
+
+/// Exact answers are rent, an index is bought: renting until the rent would exceed the price, and buying
+/// then, costs at most twice as much as the better of both for any number of questions, and without knowledge
+/// of the future no rule does better (Karlin, Manasse, Rudolph, Sleator: Competitive snoopy caching,
+/// Algorithmica 3, 1988). The price is an estimate, so "twice" holds up to its error.
+class RentOrBuy {
+ public:
+  /// For a mesh of so many vertices.
+  explicit RentOrBuy(Index vertices) : least_price_(least_seconds_per_vertex * vertices) {}
+
+  /// An exact answer took so many seconds.
+  void pay(double seconds);
+  /// Whether the price may have been reached, so that it is time to estimate it.
+  bool wants_price() const {
+    return !has_price_ && answers_ >= least_answers && rent_with_next() >= least_price_;
+  }
+  void set_price(double seconds);
+  /// The index cannot be had: rent for ever.
+  void give_up();
+  /// Whether an index should be built instead of the next exact answer.
+  bool should_buy() const { return has_price_ && rent_with_next() > price_; }
+  /// Seconds of exact answers so far.
+  double rent() const { return rent_; }
+
+ private:
+  /// No build on any mesh and machine is as fast as this.
+  static constexpr double least_seconds_per_vertex = 2e-5;
+  /// A build takes as long as tens of exact fields, so that a few slow answers say nothing.
+  static constexpr int least_answers = 8;
+
+  double rent_with_next() const { return answers_ == 0 ? 0.0 : rent_ + rent_ / answers_; }
+
+  double least_price_;
+  double price_ = 0.0;
+  bool has_price_ = false;
+  double rent_ = 0.0;
+  int answers_ = 0;
+};
+
+}  // namespace vorogeo

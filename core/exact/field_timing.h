@@ -1,0 +1,27 @@
+// How long an exact field of a mesh takes, without waiting for all of it.
+#pragma once
+
+#include <memory>
+
+#include "support/progress.h"
+
+namespace vorogeo {
+
+struct ExactGeometry;
+
+/// A run from one vertex that was stopped after some time.
+struct FieldTiming {
+  double seconds = 0.0;     ///< that it took
+  double reached = 0.0;     ///< part of the vertices that it reached
+  bool is_complete = true;  ///< nothing was left to do
+
+  /// Seconds of the whole field: windows grow in number with the distance, so the part that was reached takes
+  /// less than its share.
+  double expected_seconds() const;
+};
+
+/// Runs for at most about `max_seconds`. \throw Cancelled if the progress asks for it.
+FieldTiming time_exact_field(const std::shared_ptr<const ExactGeometry>& geometry, double max_seconds,
+                             const Progress& progress, const char* activity);
+
+}  // namespace vorogeo

@@ -1,0 +1,80 @@
+// Distances with an error of some tenths of a percent, in a small part of the time of exact ones.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "support/bucket_queue.h"
+
+namespace vorogeo {
+
+/// Virtual source propagation (Trettner, Bommes, Kobbelt, "Geodesic distance computation via virtual source
+/// propagation", Computer Graphics Forum 40(5), 2021): each face keeps one source, unfolded into its plane,
+/// and hands it to the next face. Unlike there, the source comes with the sector in which it is seen through
+/// all edges that were crossed. Beyond the vertex that bounds it, the source is turned about that vertex by
+/// its angle defect, which is how it looks when passing on the other side, and the path bends at the vertex
+/// only where it is in shadow from there, too. There is no bound of the error.
+///
+/// Keeps its memory between runs; one object belongs to one thread.
+class VirtualSources {
+ public:
+  explicit VirtualSources(std::shared_ptr<const Mesh> mesh);
+
+  const Mesh& mesh() const { return *mesh_; }
+
+  /// Propagates from points of the surface. Distances above max_distance become `unreachable`.
+  /// \throw Cancelled at a checkpoint, InvalidInput for a bad source.
+  void run(std::span<const ExactSource> sources, double max_distance = unreachable);
+
+  double distance(Index vertex) const { return distance_[vertex]; }
+  /// Which source (position in the list given to run) a vertex belongs to; no_index if unreachable.
+  Index nearest_source(Index vertex) const { return label_[vertex]; }
+  std::size_t memory_bytes() const;
+
+ private:
+  using PlanePoint = std::array<double, 2>;
+  /// A vertex that bounds the sector in which a source is seen.
+  struct Bound {
+    PlanePoint at{};
+    Index vertex = no_index;  ///< no_index: not bounded on this side
+  };
+  /// What a face knows. The edge of the half-edge `base` lies on the x axis, its tail at 0; the face above
+  /// it, and what is below unfolded into the same plane.
+  struct FaceSource {
+    PlanePoint at{};                ///< the virtual source
+    double sigma = unreachable;     ///< how far it is from the real one
+    double distance = unreachable;  ///< of the face's centroid, by which faces are compared
+    Bound left, right;              ///< as seen from the source: on the side of the tail, and of the head
+    Index base = no_index;
+    Index source = no_index;  ///< the real one
+  };
+  /// The third vertex of a face over one of its edges, which lies on the x axis from its half-edge's tail.
+  struct Apex {
+    double x, y;
+  };
+
+  double length(Index halfedge) const { return mesh_->edge_length(mesh_->edge_of(halfedge)); }
+  void start_at(const SurfacePoint& point, double offset, Index id);
+  void reach_vertex(Index vertex, double distance, Index source);
+  void hand_on(Index face);
+  void enter(const FaceSource& seen, Index base);
+  FaceSource beyond_bound(const FaceSource& seen, bool left, const PlanePoint& point) const;
+  FaceSource source_of(const FaceSource& seen, const PlanePoint& point) const;
+  void take(const FaceSource& found);
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::vector<FaceSource> faces_;
+  std::vector<Apex> apexes_;
+  /// By vertex: cosine and sine of its angle defect; a cosine above 1 where there is no other side.
+  std::vector<PlanePoint> defect_;
+  std::vector<double> distance_;
+  std::vector<Index> label_;
+  std::vector<Index> turning_;  ///< non-manifold vertices that were reached and have to emit
+  double max_distance_ = unreachable;
+  BucketQueue queue_;
+};
+
+}  // namespace vorogeo

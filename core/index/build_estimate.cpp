@@ -1,0 +1,136 @@
+// Lays out the mesh, or parts of it, and times some of the work that a build does.
+#include "index/build_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "exact/field_timing.h"
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "index/memory_budget.h"
+#include "mesh/length_limits.h"
+#include "partition/partition.h"
+#include "support/checkpoint.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+constexpr const char* estimate_phase = "Estimating what an index costs";
+
+/// Larger meshes are judged by parts with about this many faces together.
+constexpr Index max_faces = 60000;
+/// Parts of a large mesh, evenly by the numbers of their first faces.
+constexpr int parts = 2;
+/// An exact field is timed for so long, and then extrapolated.
+constexpr double max_field_seconds = 0.5;
+
+// Seconds of one core for what is not timed, measured on scans and parts (docs/choosing.md).
+constexpr double seconds_per_first_byte = 2.5e-7;
+constexpr double seconds_per_transit_byte = 1.2e-7;
+/// A field from the index: exact around the source, then over all tables.
+constexpr double seconds_near_source = 2e-3;
+constexpr double seconds_per_vertex = 1.2e-7;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Faces around a few places, as a mesh of its own.
+std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
+  std::vector<std::uint8_t> taken(mesh.face_count(), 0);
+  std::vector<Index> faces;
+  for (int part = 0; part < parts; ++part) {
+    const auto wanted = static_cast<std::size_t>(max_faces / parts * (part + 1));
+    // From component to component until there are enough.
+    for (Index first = mesh.face_count() / parts * part; first < mesh.face_count(); ++first) {
+      if (faces.size() >= wanted) break;
+      if (taken[first] != 0) continue;
+      std::size_t at = faces.size();
+      taken[first] = 1;
+      faces.push_back(first);
+      for (; at < faces.size() && faces.size() < wanted; ++at) {
+        for (Index h = 3 * faces[at]; h < 3 * faces[at] + 3; ++h) {
+          for (Index g = mesh.next_around_edge(h); g != h; g = mesh.next_around_edge(g)) {
+            if (taken[Mesh::face_of(g)] != 0) continue;
+            taken[Mesh::face_of(g)] = 1;
+            faces.push_back(Mesh::face_of(g));
+          }
+        }
+      }
+    }
+  }
+  std::vector<Index> renamed(mesh.vertex_count(), no_index);
+  std::vector<Point> positions;
+  std::vector<std::array<Index, 3>> corners;
+  SideLengths sides;
+  for (Index f : faces) {
+    corners.push_back(mesh.face_vertices(f));
+    if (mesh.has_metric()) sides.push_back(mesh.side_lengths(f));
+    for (Index& v : corners.back()) {
+      if (renamed[v] == no_index) {
+        renamed[v] = static_cast<Index>(positions.size());
+        positions.push_back(mesh.position(v));
+      }
+      v = renamed[v];
+    }
+  }
+  return mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), corners, sides)
+                           : std::make_shared<const Mesh>(std::move(positions), corners);
+}
+
+}  // namespace
+
+BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options,
+                             bool with_fields, const Progress& progress) {
+  require_lengths(*mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
+  const Watch watch(progress, estimate_phase);
+  const Progress still = progress.part(0.0, 0.0);
+  IndexData data;
+  data.mesh = mesh->face_count() > max_faces ? part_of(*mesh) : mesh;
+  const double scale = static_cast<double>(mesh->face_count()) / std::max<Index>(1, data.mesh->face_count());
+  const double vertices = static_cast<double>(data.mesh->vertex_count()) * scale;
+  const PartitionOptions patches{0, 0, options.seed, 1};
+  const auto start = Clock::now();
+  data.partition = make_partition(*data.mesh, patches, still);
+  data.lay_out(1, still);
+  const TableSurface surface = make_table_surface(*data.mesh, data.work, data.geometry);
+  const double layout_seconds = seconds_since(start) * scale;
+  const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
+
+  // The borders of n1 round patches on n vertices are as long as the square root of both.
+  const double first_patches = planned_first_layer(*data.mesh, vertices, patches);
+  const double longer = std::sqrt(scale * first_patches / std::max<Index>(1, data.first.patch_count));
+  const double transit = static_cast<double>(transit_table_bytes(data.first)) * longer * longer;
+  const double first = static_cast<double>(table_bytes(data.first)) * longer * scale *
+                       data.first.patch_count / std::max(1.0, first_patches);
+  const double second = static_cast<double>(table_bytes(data.second)) * scale;
+  const double kept = (static_cast<double>(data.bytes()) + static_cast<double>(access_bounds_bytes(data)) +
+                       sizeof(double) * SearchGraph::landmark_count * data.second.node_count()) *
+                          scale +
+                      second;
+
+  BuildEstimate estimate;
+  const std::int64_t with_tables = static_cast<std::int64_t>(kept + first + transit);
+  const MemoryBudget budget(options);
+  estimate.form = options.delta == 0.0 && budget.fits(with_tables) ? IndexForm::tables : IndexForm::graph;
+  estimate.bytes = estimate.form == IndexForm::tables ? with_tables : static_cast<std::int64_t>(kept);
+  const int threads = resolve_thread_count(options.threads);
+  estimate.core_seconds =
+      layout_seconds + run_seconds + seconds_per_first_byte * first + seconds_per_transit_byte * transit;
+  estimate.build_seconds = estimate.core_seconds / threads;
+  if (with_fields) {
+    estimate.field_seconds = seconds_near_source + seconds_per_vertex * vertices / threads;
+    const auto geometry = std::make_shared<const ExactGeometry>(mesh);
+    estimate.exact_field_seconds =
+        time_exact_field(geometry, max_field_seconds, still, estimate_phase).expected_seconds();
+  }
+  return estimate;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,35 @@
+// Exact shortest paths between two points of a mesh that has no index.
+#pragma once
+
+#include <memory>
+
+#include "path/corridor_search.h"
+#include "path/path_neighbourhood.h"
+#include "path/path_query.h"
+#include "path/path_refine.h"
+
+namespace vorogeo {
+
+/// An upper bound of the distance is enough to keep exact propagation in a corridor: the shortest path along
+/// edges, pulled tight, gives one, and exact propagation in the faces around that a closer one. One object
+/// belongs to one thread.
+class MeshPathQuery {
+ public:
+  explicit MeshPathQuery(std::shared_ptr<const ExactGeometry> geometry);
+
+  /// The shortest path, from source to target; see PathQuery::exact_path. Always proven where faces are not
+  /// degenerate. \throw InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
+  ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target);
+
+ private:
+  double upper_bound(const SurfacePoint& source, const SurfacePoint& target);
+  bool lay_strip(const SurfacePoint& source, const SurfacePoint& target, double& length);
+
+  const Mesh& mesh_;
+  CorridorSearch corridor_;
+  PathRefiner refiner_;
+  PathNeighbourhood surroundings_;
+  FaceStrip strip_;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,23 @@
+// The class _core.Surface: a mesh that builds an index when that pays.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <memory>
+
+#include "choice/surface.h"
+#include "mesh_points.h"
+
+namespace vorogeo::python {
+
+/// What a Python object of the class holds.
+struct HeldSurface {
+  std::shared_ptr<Surface> surface;
+  std::shared_ptr<MeshPoints> points;
+  int threads;              ///< 0: one per core
+  std::size_t input_faces;  ///< rows of the faces that were given
+};
+
+void bind_surface(nanobind::module_& module);
+
+}  // namespace vorogeo::python

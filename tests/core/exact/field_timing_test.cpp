@@ -1,0 +1,36 @@
+// Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
+#include "exact/field_timing.h"
+
+#include <gtest/gtest.h>
+
+#include "exact/exact_geometry.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(FieldTiming, IsWholeWhereThereIsTime) {
+  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(2)));
+  const FieldTiming timing = time_exact_field(geometry, 1000.0, {}, "Timing");
+  EXPECT_TRUE(timing.is_complete);
+  EXPECT_GT(timing.seconds, 0.0);
+  EXPECT_EQ(timing.expected_seconds(), timing.seconds);
+}
+
+TEST(FieldTiming, StopsAndExtrapolates) {
+  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(5)));
+  const FieldTiming timing = time_exact_field(geometry, 0.0, {}, "Timing");
+  EXPECT_FALSE(timing.is_complete);
+  EXPECT_GT(timing.reached, 0.0);
+  EXPECT_LT(timing.reached, 1.0);
+  EXPECT_GT(timing.expected_seconds(), timing.seconds / timing.reached);
+}
+
+TEST(FieldTiming, IsCancelled) {
+  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(5)));
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(time_exact_field(geometry, 1000.0, stop, "Timing"), Cancelled);
+}
+
+}  // namespace
+}  // namespace vorogeo

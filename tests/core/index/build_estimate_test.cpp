@@ -1,0 +1,49 @@
+// Estimates of a build, against the index that is then built.
+#include "index/build_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(BuildEstimate, SaysWhatTheIndexWillHold) {
+  for (const test::Soup& soup :
+       {test::icosphere(4), test::drilled_plate(5, 4, 0.2, 3), test::hills(50, 0.3)}) {
+    const auto index = test::make_index(soup);
+    const BuildEstimate estimate = estimate_build(test::make_mesh(soup));
+    EXPECT_GT(estimate.bytes, 0.5 * index->statistics().bytes);
+    EXPECT_LT(estimate.bytes, 2.0 * index->statistics().bytes);
+    EXPECT_EQ(estimate.form, IndexForm::tables);
+    EXPECT_GT(estimate.build_seconds, 0.0);
+    EXPECT_GE(estimate.core_seconds, estimate.build_seconds);
+    EXPECT_GT(estimate.exact_field_seconds, 0.0);
+    EXPECT_GT(estimate.field_seconds, 0.0);
+  }
+}
+
+TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
+  // Fewer faces than make a large mesh, and more, of the same surface.
+  const BuildEstimate whole = estimate_build(test::make_mesh(test::torus(240, 120, 3.0, 1.0)), {}, false);
+  const BuildEstimate parts = estimate_build(test::make_mesh(test::torus(480, 240, 3.0, 1.0)), {}, false);
+  EXPECT_GT(parts.bytes, 2.5 * whole.bytes);
+  EXPECT_LT(parts.bytes, 9.0 * whole.bytes);
+  EXPECT_EQ(parts.exact_field_seconds, 0.0);
+}
+
+TEST(BuildEstimate, ChoosesTheFormByTheMemoryBudget) {
+  IndexOptions options;
+  options.memory_budget = 1;
+  EXPECT_EQ(estimate_build(test::make_mesh(test::icosphere(5)), options, false).form, IndexForm::graph);
+}
+
+TEST(BuildEstimate, RefusesAMeshWithoutFacesAndIsCancelled) {
+  EXPECT_THROW(estimate_build(test::make_mesh({{{0.0, 0.0, 0.0}}, {}})), InvalidInput);
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(estimate_build(test::make_mesh(test::icosphere(3)), {}, true, stop), Cancelled);
+}
+
+}  // namespace
+}  // namespace vorogeo
