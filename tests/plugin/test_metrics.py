@@ -51,10 +51,10 @@ def test_quality_is_the_cost_and_is_kept():
 def test_an_index_belongs_to_its_metric(tmp_path):
     ms, vertices, _, _ = painted()
     chosen = {"metric": "Vertex quality as cost"}
-    first = ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)
+    first = ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)
     assert first["index_reused"] == 0
-    assert ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)["index_reused"] == 1
-    plain = ms.apply_filter(TWO_POINTS, source=0, target=150)
+    assert ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)["index_reused"] == 1
+    plain = ms.apply_filter(TWO_POINTS, source=0, target=150, method="index")
     assert plain["index_reused"] == 0
     assert plain["distance"] == pytest.approx(np.linalg.norm(vertices[150] - vertices[0]), rel=1e-3)
     assert ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
@@ -64,11 +64,11 @@ def test_an_index_belongs_to_its_metric(tmp_path):
     assert not ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
     with fails_and_changes_nothing(ms, "built for another mesh"):
         ms.apply_filter(LOAD_INDEX, index_file=str(file), **chosen)
-    dear = ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)
+    dear = ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)
     assert dear["index_reused"] == 0
     assert dear["distance"] == pytest.approx(2 * first["distance"], rel=1e-3)
     ms.compute_scalar_by_function_per_vertex(q="0.5 * q")
-    assert ms.apply_filter(TWO_POINTS, source=0, target=150, **chosen)["index_reused"] == 1
+    assert ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)["index_reused"] == 1
 
 
 def test_slope_penalty_and_curvature():
