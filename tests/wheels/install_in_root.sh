@@ -29,8 +29,9 @@ if [ "$part" = numpy ]; then
 fi
 "$venv/bin/pip" install --only-binary :all: "pymeshlab==$pymeshlab"
 # The filters of the wheel under the tests of the plugin; the plugin that only these tests load was built before.
-host="$("$venv/bin/python" -c "from vorogeo.plugin import meshlab_version; print(meshlab_version('$pymeshlab'))")"
-installed="$("$venv/bin/python" -c "from vorogeo import plugin; print(plugin.plugin_file('$pymeshlab'))")"
+# PyMeshLab may print warnings about plugins of its own before the answer.
+host="$("$venv/bin/python" -c "from vorogeo.plugin import meshlab_version; print(meshlab_version('$pymeshlab'))" | tail -n 1)"
+installed="$("$venv/bin/python" -c "from vorogeo import plugin; print(plugin.plugin_file('$pymeshlab'))" | tail -n 1)"
 mkdir -p /tmp/build/plugin
 cp "$installed" /tmp/build/plugin/
 ln -s "/project/build/plugin-$host-double/plugin/probe" /tmp/build/plugin/probe
