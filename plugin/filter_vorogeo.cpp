@@ -9,6 +9,7 @@
 
 #include "edit/ruler_tool.h"
 #include "filters/rows.h"
+#include "layers/gap_parameters.h"
 #include "layers/layer_metric.h"
 #include "support/error.h"
 
@@ -90,6 +91,7 @@ RichParameterList FilterVorogeo::initParameterList(const QAction* action, const 
   if (document.mm() == nullptr) return {};
   RichParameterList list = row(action).parameters(document);
   if (row(action).has_metric) vorogeo::plugin::add_metric_parameters(list);
+  vorogeo::plugin::add_gap_parameters(list, document);
   return list;
 }
 

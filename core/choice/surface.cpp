@@ -145,10 +145,11 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
     found.distance.resize(count);
     found.source.resize(count);
     for (Index v = 0; v < count; ++v) {
-      const double distance = solver.distance(v);
+      const Index same = mesh_->representative(v);
+      const double distance = solver.distance(same);
       const bool reached = distance <= max_distance && distance != unreachable;
       found.distance[v] = reached ? distance : unreachable;
-      found.source[v] = reached ? solver.nearest_source(v) : no_index;
+      found.source[v] = reached ? solver.nearest_source(same) : no_index;
     }
     return true;
   };

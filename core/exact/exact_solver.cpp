@@ -89,7 +89,8 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   for (;;) {
     if (stop_at_targets) {
       const double bound = state.queue.lower_bound();
-      while (settled < limits.targets.size() && state.vertices[limits.targets[settled]].distance <= bound)
+      while (settled < limits.targets.size() &&
+             state.vertices[state.mesh.representative(limits.targets[settled])].distance <= bound)
         ++settled;
       if (settled == limits.targets.size()) {
         while (settled_on_edges < limits.edge_targets.size() &&
@@ -140,7 +141,7 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 const Mesh& ExactSolver::mesh() const { return state_->mesh; }
 
 double ExactSolver::distance(Index vertex) const {
-  const double found = state_->vertices[vertex].distance;
+  const double found = state_->vertices[state_->mesh.representative(vertex)].distance;
   return found <= state_->max_distance ? found : unreachable;
 }
 
@@ -151,7 +152,8 @@ double ExactSolver::distance(const EdgePoint& point) const {
 }
 
 Index ExactSolver::nearest_source(Index vertex) const {
-  return distance(vertex) == unreachable ? no_index : state_->vertices[vertex].source;
+  return distance(vertex) == unreachable ? no_index
+                                         : state_->vertices[state_->mesh.representative(vertex)].source;
 }
 
 double ExactSolver::settled_distance() const {

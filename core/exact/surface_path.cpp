@@ -83,6 +83,19 @@ bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& 
   return true;
 }
 
+std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<bool> over(points.size(), false);
+  if (mesh.first_bridge() == mesh.face_count()) return over;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    over[i] = true;
+    for_each_face_at(mesh, points[i], [&](Index face, const std::array<double, 3>&) {
+      std::array<double, 3> weights{};
+      if (!mesh.is_bridge(face) && weights_in_face(mesh, points[i + 1], face, weights)) over[i] = false;
+    });
+  }
+  return over;
+}
+
 bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,
              double distance) {
   if (path.points.empty() || !is_same_point(mesh, path.points.front(), first) ||

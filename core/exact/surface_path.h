@@ -34,6 +34,10 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
 /// sides of a slit say, are not.
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
+/// By point: whether the step to the next one runs over a gap, through bridges and no face that was given.
+/// The last has none.
+std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint> points);
+
 /// Whether a path runs from `first` to `last`, every two consecutive points share a face, and its steps sum
 /// to `distance` and to what it says its length is.
 bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,

@@ -58,6 +58,7 @@ double GeodesicQuery::distance(Index source, Index target) {
   if (a == no_index || b == no_index || data.mesh->component(source) != data.mesh->component(target)) {
     return unreachable;
   }
+  if (a == b) return 0.0;
   return state.pairs().distance(a, b);
 }
 

@@ -166,8 +166,10 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->fingerprint = fingerprint_of(*data->mesh);
   const auto words = in.block<std::uint64_t>(2);
   if (!std::equal(words.begin(), words.end(), data->fingerprint.words.begin())) {
-    throw IndexFileError("The index file " + file.string() +
-                         " was built for another mesh, or the mesh was edited since; build the index again.");
+    throw IndexFileError(
+        "The index file " + file.string() +
+        " was built for another mesh or with other gaps bridged, or the mesh was edited since; "
+        "build the index again.");
   }
   data->statistics.delta = in.block<double>(1)[0];
   const auto numbers = in.block<std::uint64_t>(3);

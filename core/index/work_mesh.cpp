@@ -221,6 +221,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   edge_points.shrink_to_fit();
   work.edge_points = std::move(edge_points);
   renamed.resize(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) renamed[v] = renamed[mesh.representative(v)];
   renamed.shrink_to_fit();
   sorted.shrink_to_fit();
   work.user_vertex.shrink_to_fit();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <queue>
 
+#include "mesh/box_tree.h"
 #include "support/disjoint_sets.h"
 
 namespace vorogeo {
@@ -22,81 +23,6 @@ constexpr double joined_edges = 1.5;
 /// warning without proof.
 constexpr int max_neighbours = 1024;
 constexpr int max_steps = 4096;
-
-/// Border vertices in boxes that are split at the median of their longest side.
-class VertexTree {
- public:
-  VertexTree(const Mesh& mesh, std::vector<Index> vertices) : mesh_(mesh), order_(std::move(vertices)) {
-    if (!order_.empty()) build(0, static_cast<Index>(order_.size()));
-  }
-
-  /// Calls visit(vertex) for the vertices within a radius of a point: `reach` at first, then what visit last
-  /// returned. Stops after `max_visited` calls.
-  template <class Visit>
-  void visit_near(const Point& point, double reach, int max_visited, Visit&& visit) const {
-    std::vector<Index> open{0};
-    while (!open.empty()) {
-      const Index id = open.back();
-      const Box& box = boxes_[id];
-      open.pop_back();
-      double square = 0.0;
-      for (int k = 0; k < 3; ++k) {
-        const double outside = std::max({0.0, box.low[k] - point[k], point[k] - box.high[k]});
-        square += outside * outside;
-      }
-      if (!(square <= reach * reach)) continue;
-      if (box.second != no_index) {
-        open.push_back(box.second);
-        open.push_back(id + 1);
-        continue;
-      }
-      for (Index i = box.begin; i < box.end; ++i) {
-        if (distance_between(mesh_.position(order_[i]), point) > reach) continue;
-        if (max_visited-- == 0) return;
-        reach = visit(order_[i]);
-      }
-    }
-  }
-
- private:
-  struct Box {
-    Point low;
-    Point high;
-    Index begin;
-    Index end;
-    Index second = no_index;  ///< box of the second half; that of the first follows its parent; no_index: a
-                              ///< leaf
-  };
-
-  Index build(Index begin, Index end) {
-    constexpr Index max_in_leaf = 8;
-    const auto id = static_cast<Index>(boxes_.size());
-    Box box{mesh_.position(order_[begin]), mesh_.position(order_[begin]), begin, end};
-    for (Index i = begin; i < end; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], mesh_.position(order_[i])[k]);
-        box.high[k] = std::max(box.high[k], mesh_.position(order_[i])[k]);
-      }
-    }
-    boxes_.push_back(box);
-    if (end - begin <= max_in_leaf) return id;
-    int axis = 0;
-    for (int k = 1; k < 3; ++k) {
-      if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
-    }
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](Index u, Index v) { return mesh_.position(u)[axis] < mesh_.position(v)[axis]; });
-    build(begin, middle);
-    const Index second = build(middle, end);
-    boxes_[id].second = second;
-    return id;
-  }
-
-  const Mesh& mesh_;
-  std::vector<Index> order_;
-  std::vector<Box> boxes_;
-};
 
 /// The vertices that paths along edges reach from a vertex within a length.
 class Walk {
@@ -176,7 +102,7 @@ std::vector<Index> face_groups(const Mesh& mesh, Index vertex) {
   return result;
 }
 
-BorderLoops find_border_loops(const Mesh& mesh) {
+std::vector<Index> border_loops_of_edges(const Mesh& mesh) {
   DisjointSets loops(mesh.edge_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (!mesh.is_border(v)) continue;
@@ -193,12 +119,21 @@ BorderLoops find_border_loops(const Mesh& mesh) {
       }
     }
   }
+  std::vector<Index> loop(mesh.edge_count(), no_index);
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (mesh.is_border_edge(edge)) loop[edge] = loops.root(edge);
+  }
+  return loop;
+}
+
+BorderLoops find_border_loops(const Mesh& mesh) {
+  const std::vector<Index> loop_of = border_loops_of_edges(mesh);
   std::vector<double> length(mesh.edge_count(), 0.0);
   std::vector<Index> edges(mesh.edge_count(), 0);
   BorderLoops result;
   for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
-    if (!mesh.is_border_edge(edge)) continue;
-    const Index loop = loops.root(edge);
+    const Index loop = loop_of[edge];
+    if (loop == no_index) continue;
     length[loop] += mesh.edge_length(edge);
     result.count += edges[loop]++ == 0;
   }
@@ -210,7 +145,7 @@ BorderLoops find_border_loops(const Mesh& mesh) {
   result.longest_length = length[longest];
   result.longest_edges = edges[longest];
   for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
-    if (!mesh.is_border_edge(edge) || loops.root(edge) != longest) continue;
+    if (loop_of[edge] != longest) continue;
     const Index v = mesh.edge_vertices(edge)[0];
     if (result.longest_vertex == no_index || v < result.longest_vertex) result.longest_vertex = v;
   }
@@ -225,14 +160,18 @@ NearBorders find_near_borders(const Mesh& mesh) {
   }
   NearBorders result;
   if (vertices.empty()) return result;
-  const VertexTree tree(mesh, vertices);
+  std::vector<Box> boxes;
+  boxes.reserve(vertices.size());
+  for (const Index v : vertices) boxes.push_back({mesh.position(v), mesh.position(v)});
+  const BoxTree tree(boxes);
   Walk walk(mesh);
   for (const Index u : vertices) {
     double least = near_share * edge[u];
     Index nearest = no_index;
     bool walked = false;
     bool ended = false;
-    tree.visit_near(mesh.position(u), least, max_neighbours, [&](Index v) {
+    const auto look_at = [&](Index place) {
+      const Index v = vertices[place];
       const double distance = distance_between(mesh.position(u), mesh.position(v));
       if (v == u || distance > near_share * edge[v] || (nearest != no_index && distance >= least))
         return least;
@@ -244,7 +183,9 @@ NearBorders find_near_borders(const Mesh& mesh) {
       nearest = v;
       least = distance;
       return least;
-    });
+    };
+    tree.visit_near({mesh.position(u), mesh.position(u)}, least, max_neighbours, look_at,
+                    [](Index) { return false; });
     if (nearest == no_index) continue;
     if (result.count++ == 0) result.first = u;
     if (result.closest[0] == no_index || least < result.least) {

@@ -29,6 +29,9 @@ struct NearBorders {
   double greatest = 0.0;  ///< largest distance of such a vertex from its nearest such neighbour
 };
 
+/// By edge, a number that the edges of one border loop share; no_index for edges inside the surface.
+/// Complexity: O(m) for m faces.
+std::vector<Index> border_loops_of_edges(const Mesh& mesh);
 /// Complexity: O(m) for m faces.
 BorderLoops find_border_loops(const Mesh& mesh);
 

@@ -249,7 +249,7 @@ void Mesh::sort_fans() {
 
 void Mesh::find_components() {
   std::vector<Index> parent(positions_.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  for (Index v = 0; v < vertex_count(); ++v) parent[v] = representative(v);
   auto root = [&](Index v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
@@ -279,10 +279,10 @@ int Mesh::edge_face_count(Index edge) const {
 
 std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(halfedge_edge_) +
-         bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) + bytes(edge_halfedge_) +
-         bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
-         bytes(component_);
+  return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
+         bytes(halfedge_edge_) + bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) +
+         bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) +
+         bytes(total_angle_) + bytes(component_);
 }
 
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {

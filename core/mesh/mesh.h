@@ -29,6 +29,15 @@ using SideLengths = std::vector<std::array<double, 3>>;
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN()};
+/// What closes the gaps of a mesh (gap_bridges.h).
+struct GapBridges {
+  /// By vertex, the first of the vertices that are one with it; empty if none are.
+  std::vector<Index> same_as;
+  /// Faces between borders, over the vertices of the mesh.
+  std::vector<std::array<Index, 3>> faces;
+
+  bool empty() const { return same_as.empty() && faces.empty(); }
+};
 
 /// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
 /// three rounded lengths do not determine those of a needle or of a nearly flat face; with a metric, which
@@ -57,6 +66,11 @@ class Mesh {
   ///        lengths).
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
        const SideLengths& sides);
+  /// The same with its gaps closed: vertices keep their numbers, but faces name only the first of those that
+  /// are one, and the bridges follow the other faces. The rest of the vertices that are one have no face and
+  /// stand for the first wherever a point, a distance or a component is asked for.
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+       const GapBridges& bridges);
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
@@ -70,6 +84,12 @@ class Mesh {
   const std::vector<std::array<Index, 3>>& faces() const { return face_vertices_; }
   /// The face of the constructor's list that became `face` (faces left out have no counterpart here).
   Index input_face(Index face) const { return input_face_.empty() ? face : input_face_[face]; }
+  /// Bridges over gaps are the faces from this number on.
+  Index first_bridge() const { return first_bridge_ == no_index ? face_count() : first_bridge_; }
+  bool is_bridge(Index face) const { return face >= first_bridge(); }
+  bool has_merged_vertices() const { return !same_as_.empty(); }
+  /// The vertex that faces name for it: itself, but for vertices that became one over a gap.
+  Index representative(Index vertex) const { return same_as_.empty() ? vertex : same_as_[vertex]; }
   double face_area(Index face) const;
 
   /// Whether edges have lengths other than those in space.
@@ -156,6 +176,8 @@ class Mesh {
   std::vector<Point> positions_;
   std::vector<std::array<Index, 3>> face_vertices_;
   std::vector<Index> input_face_;  ///< empty if no face was left out
+  std::vector<Index> same_as_;     ///< empty if every vertex stands for itself
+  Index first_bridge_ = no_index;  ///< no_index: there is none
   std::vector<Index> halfedge_edge_;
   std::vector<Index> next_around_edge_;
   std::vector<std::array<Index, 2>> edge_vertices_;

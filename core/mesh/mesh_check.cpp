@@ -141,12 +141,32 @@ void check_duplicates(const Mesh& mesh, const std::vector<Index>& origin, MeshRe
   }
 }
 
+/// What bridges would join. Edge lengths are within exact_lengths.
+void check_gaps(const Mesh& mesh, MeshReport& report) {
+  if (report.components > 1) report.gap_to_join_all = gap_to_join_all(mesh, report.gap.folds);
+  report.components_after_bridging = report.components;
+  if (report.gap.length == 0.0) return;
+  const GapBridges bridges = find_gap_bridges(mesh, report.gap);
+  const Mesh bridged(mesh.positions(), mesh.faces(), bridges);
+  report.joined_borders = count_joined_borders(mesh, bridged);
+  std::vector<std::uint8_t> seen(bridged.component_count(), 0);
+  report.components_after_bridging = 0;
+  for (const auto& face : bridged.faces()) {
+    std::uint8_t& component = seen[bridged.component(face[0])];
+    report.components_after_bridging += component == 0;
+    component = 1;
+  }
+}
+
 }  // namespace
 
-MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces) {
+MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces,
+                      const GapLimit& gap) {
   MeshReport report;
   report.vertices = static_cast<Index>(positions.size());
   report.faces = static_cast<Index>(faces.size());
+  report.gap = gap;
+  require_gap(gap);
   check_vertices(positions, report);
   std::vector<Index> origin;
   const auto usable = check_faces(positions, faces, report, origin);
@@ -172,6 +192,7 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
   const TJunctions t_junctions = find_t_junctions(mesh);
   report.t_junctions = {t_junctions.count, t_junctions.first};
   report.first_t_junction_edge = t_junctions.first_edge;
+  check_gaps(mesh, report);
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/border_check.h"
+#include "mesh/gap_bridges.h"
 #include "mesh/length_limits.h"
 #include "mesh/mesh.h"
 
@@ -52,6 +53,11 @@ struct MeshReport {
   double longest_edge_length = 0.0;
   BorderLoops border_loops;
   NearBorders near_borders;
+  /// The least gap with which all faces are one component; 0 if they are, `unreachable` if none would do.
+  double gap_to_join_all = 0.0;
+  GapLimit gap;                         ///< the one the report was asked for
+  Index joined_borders = 0;             ///< border loops that it joins with others or with themselves
+  Index components_after_bridging = 0;  ///< of vertices with a face
 
   bool fits(const LengthLimits& limits) const { return limits.allow(mean_edge_length, longest_edge_length); }
   /// Whether distances can be computed: false if a Mesh cannot be made from it or it is too large or small.
@@ -67,7 +73,9 @@ struct MeshReport {
   std::string summary() const;
 };
 
-/// Never throws on bad geometry. Complexity O(n log n + m log m).
-MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces);
+/// Never throws on bad geometry. `gap`: what would be bridged is reported, too. \throw InvalidInput for a gap
+/// that is negative or not finite. Complexity O(n log n + m log m).
+MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces,
+                      const GapLimit& gap = {});
 
 }  // namespace vorogeo

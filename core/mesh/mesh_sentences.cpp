@@ -32,6 +32,12 @@ std::string number(double value) {
   return text.str();
 }
 
+/// Four digits of a value, not below it.
+std::string number_above(double value) {
+  const double unit = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 3.0) : 1.0;
+  return number(std::ceil(value / unit * (1.0 - 1e-12)) * unit);
+}
+
 /// "2000, 40 and 3 vertices (the first: 0, 2000 and 2040)".
 std::string sizes_of(const std::vector<MeshComponent>& components) {
   constexpr std::size_t max_named = 5;
@@ -114,15 +120,26 @@ std::vector<std::string> MeshReport::sentences() const {
   if (components > 1) {
     result.push_back(std::to_string(components) + " components, of " + sizes_of(component_sizes) +
                      "; no path leads from one to another.");
+    if (gap_to_join_all < unreachable) {
+      result.push_back("Bridging gaps of " +
+                       (gap_to_join_all > 0.0 ? "up to " + number_above(gap_to_join_all)
+                                              : std::string("any width, as borders touch,")) +
+                       " would make the components one.");
+    }
+  }
+  if (gap.length > 0.0) {
+    result.push_back("Bridging gaps of up to " + number(gap.length) + " joins " +
+                     counted(joined_borders, "border|borders") + " of " + std::to_string(border_loops.count) +
+                     " and leaves " + counted(components_after_bridging, "component|components") + ".");
   }
   if (near_borders.count > 0) {
-    result.push_back(
-        counted(near_borders.count, "border vertex lies|border vertices lie") + " close to " +
-        (near_borders.count == 1 ? "another" : "others") +
-        " that no short path leads to (the closest: " + "vertices " +
-        std::to_string(near_borders.closest[0]) + " and " + std::to_string(near_borders.closest[1]) + ", " +
-        number(near_borders.least) + " apart; the farthest: " + number(near_borders.greatest) +
-        "); paths do not cross such gaps: merge close vertices first if the surface should be joined.");
+    result.push_back(counted(near_borders.count, "border vertex lies|border vertices lie") + " close to " +
+                     (near_borders.count == 1 ? "another" : "others") +
+                     " that no short path leads to (the closest: " + "vertices " +
+                     std::to_string(near_borders.closest[0]) + " and " +
+                     std::to_string(near_borders.closest[1]) + ", " + number(near_borders.least) +
+                     " apart; the farthest: " + number(near_borders.greatest) +
+                     "); paths cross such gaps only if they are bridged, or the vertices merged.");
   }
   const double factor = factor_to_unit(mean_edge_length, longest_edge_length);
   auto say_scale = [&](const std::string& who, const LengthLimits& limits) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mesh/length_limits.h"
+#include "mesh/vectors.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -18,9 +19,6 @@ namespace {
 constexpr Index max_in_leaf = 8;
 /// Weights below this are rounding: the point lies on the edge or at the vertex.
 constexpr double least_weight = 1e-12;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// Weights of the point of a segment a-b nearest to p.
 double along_segment(const Point& p, const Point& a, const Point& b) {
@@ -77,9 +75,6 @@ double square_to_box(const Point& p, const Point& low, const Point& high) {
   return sum;
 }
 
-/// Length of a vector, without overflow of the squares.
-double length_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-
 /// A point farther away than this many diagonals of the mesh is replaced by one at this distance in the same
 /// direction from the middle of the mesh's box. That changes which point of the surface is nearest by at most
 /// the diagonal divided by this number, which is what a double can hold of such distances.
@@ -104,9 +99,9 @@ SurfaceLocator::SurfaceLocator(std::shared_ptr<const Mesh> mesh) : mesh_(std::mo
   }
   require_lengths(*mesh_, "moving points to the surface takes", exact_lengths.least_mean,
                   exact_lengths.greatest);
-  order_.resize(mesh_->face_count());
+  order_.resize(mesh_->first_bridge());
   std::iota(order_.begin(), order_.end(), 0);
-  build(0, mesh_->face_count());
+  build(0, mesh_->first_bridge());
 }
 
 Index SurfaceLocator::build(Index begin, Index end) {

@@ -21,12 +21,12 @@ class SurfaceLocator {
   /// \throw InvalidInput for a mesh without faces. Complexity: O(m log m).
   explicit SurfaceLocator(std::shared_ptr<const Mesh> mesh);
 
-  /// The nearest point of the surface, moved to a vertex or an edge if it differs from it only by rounding;
-  /// for a distant point, one whose distance differs from the least only by rounding. Of several faces
-  /// equally near, the one with the lowest number: where sheets coincide (the two sides of a slit, doubled
-  /// vertices), all points there are moved to the same sheet, and the other can only be named by vertex or
-  /// face numbers. \throw InvalidInput for a coordinate that is not finite or above 1e307; names the point.
-  /// Complexity: O(log m) for points near the surface.
+  /// The nearest point of the surface, which is not on a bridge over a gap, moved to a vertex or an edge if
+  /// it differs from it only by rounding; for a distant point, one whose distance differs from the least only
+  /// by rounding. Of several faces equally near, the one with the lowest number: where sheets coincide (the
+  /// two sides of a slit, doubled vertices), all points there are moved to the same sheet, and the other can
+  /// only be named by vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or
+  /// above 1e307; names the point. Complexity: O(log m) for points near the surface.
   SnappedPoint nearest(const Point& point) const;
 
  private:

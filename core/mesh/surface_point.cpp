@@ -28,7 +28,7 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
                          " does not exist: the mesh has vertices 0 to " +
                          std::to_string(mesh.vertex_count() - 1) + ".");
     }
-    return point;
+    return SurfacePoint::at_vertex(mesh.representative(point.vertex));
   }
   if (point.face == no_index) throw InvalidInput("A surface point needs a vertex or a face.");
   if (point.face < 0 || point.face >= mesh.face_count()) {

@@ -114,7 +114,7 @@ GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radiu
     disk.vertices.push_back(v);
     disk.distance.push_back(field[v]);
   }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
     const auto& corners = mesh.face_vertices(f);
     if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return field[v] < unreachable; })) {
       disk.faces.push_back(f);

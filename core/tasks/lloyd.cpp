@@ -25,7 +25,7 @@ struct Label {
 
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> area(mesh.vertex_count(), 0.0);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
     for (Index v : mesh.face_vertices(f)) area[v] += mesh.face_area(f) / 3.0;
   }
   return area;

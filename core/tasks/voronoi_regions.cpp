@@ -137,7 +137,7 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
       least = at_centre;
       regions.face_region[f] = site.site;
     }
-    const double area = mesh.face_area(f);
+    const double area = mesh.is_bridge(f) ? 0.0 : mesh.face_area(f);
     if (in_face.size() < 2) {
       if (in_face.empty()) regions.face_region[f] = regions.vertex_region[mesh.face_vertices(f)[0]];
       if (regions.face_region[f] != no_index) regions.area[regions.face_region[f]] += area;

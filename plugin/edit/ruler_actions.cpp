@@ -117,7 +117,7 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
                          const IndexPreparation::Result& result) {
   if (document_ == nullptr) return;
   if (result.index) {
-    indexes_.put(surface->arrays(), result.index, document_);
+    indexes_.put(surface->arrays(), {}, result.index, document_);
     surface->use(result.index);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +

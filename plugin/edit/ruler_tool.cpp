@@ -131,9 +131,9 @@ void RulerTool::read_layer() {
       }
       if (surface_ && layer_ == layer->id() && is_same(surface_->arrays())) {
         now = surface_;
-        if (!surface_->index()) surface_->use(indexes_.find(arrays, document_));
+        if (!surface_->index()) surface_->use(indexes_.find(arrays, {}, document_));
       } else {
-        now = std::make_shared<RulerSurface>(arrays, indexes_.find(arrays, document_));
+        now = std::make_shared<RulerSurface>(arrays, indexes_.find(arrays, {}, document_));
       }
     } catch (const Error& error) {
       why_not_ = QString::fromUtf8(error.what());

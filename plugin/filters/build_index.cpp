@@ -82,7 +82,7 @@ Results build_index_of_layer(FilterCall& call) {
                 [&](const Progress&) { index->save(file); });
     call.log("Geodesic index: written to " + file.string());
   }
-  call.indexes.put(layer_mesh.arrays(), index, &call.document);
+  call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
 
   return statistics_results(index->statistics());
 }

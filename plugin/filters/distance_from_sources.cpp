@@ -95,8 +95,9 @@ Results distances_from_edges(FilterCall& call) {
     bool chosen = from_border && mesh->is_border_edge(e);
     Index h = mesh->edge_halfedge(e);
     do {
-      const CFaceO& face = call.layer.cm.face[layer_mesh.host_face(*mesh, Mesh::face_of(h))];
-      chosen |= !from_border && face.IsFaceEdgeS(h % 3);
+      const Index face = Mesh::face_of(h);
+      chosen |= !from_border && !mesh->is_bridge(face) &&
+                call.layer.cm.face[layer_mesh.host_face(*mesh, face)].IsFaceEdgeS(h % 3);
       h = mesh->next_around_edge(h);
     } while (h != mesh->edge_halfedge(e));
     if (chosen) edges.push_back(e);

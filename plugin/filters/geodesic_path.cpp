@@ -44,6 +44,14 @@ Results draw_path(FilterCall& call) {
   });
   call.progress.report(1.0, "Shortest path");
   const PathLines polyline = lines_of(*mesh, result.path);
+  const std::vector<bool> over_gap = steps_over_gaps(*mesh, result.path.points);
+  double gap_length = 0.0;
+  std::vector<std::size_t> marked;
+  for (std::size_t i = 0; i < over_gap.size(); ++i) {
+    if (!over_gap[i]) continue;
+    gap_length += polyline.along[i + 1] - polyline.along[i];
+    marked.push_back(i);
+  }
   std::ostringstream text;
   if (polyline.lines.points.empty()) {
     text << "No path: the points lie in different components";
@@ -51,11 +59,18 @@ Results draw_path(FilterCall& call) {
     add_polyline_layer(call.document, call.layer, "Geodesic path", polyline.lines, polyline.along, true);
     text << "Path of length " << logged_length(result.path.length) << " over " << polyline.lines.points.size()
          << " points";
+    if (!marked.empty()) {
+      text << "; " << marked.size() << " of its steps run over gaps, a length of "
+           << logged_length(gap_length) << ", from selected vertices";
+      for (const std::size_t point : marked) call.document.mm()->cm.vert[point].SetS();
+    }
   }
   call.log(text.str());
   Results results = {{"length", result.path.length},
                      {"certified", result.certified},
                      {"points", static_cast<int>(polyline.lines.points.size())},
+                     {"steps_over_gaps", static_cast<int>(marked.size())},
+                     {"gap_length", gap_length},
                      {"seconds", answered.seconds}};
   results.merge(about_end_points(ends));
   results.merge(layer.finish(answered));
@@ -69,7 +84,9 @@ FilterRow geodesic_path_row() {
       "Shortest path between two points (VoroGeo)",
       "generate_polyline_by_vorogeo_geodesic_path",
       "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
-      "current one; the quality of its vertices is the length up to there.</p>" +
+      "current one; the quality of its vertices is the length up to there. Vertices from which a step runs "
+      "over "
+      "a bridged gap are selected.</p>" +
           help_on_end_points() +
           "<p>How to choose: without an index, the path is always the exact one. With one, and without "
           "<b>Exact</b>, the path that the index gives is shortened until it is a "

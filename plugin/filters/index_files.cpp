@@ -37,7 +37,7 @@ RichParameterList file_to_read(const MeshDocument&) {
 Results describe_index(FilterCall& call) {
   const LayerMesh layer_mesh(call);
   call.progress.report(0.0, "Looking for the geodesic index");
-  const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
+  const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
   if (!index) {
     call.log(
         "Geodesic index: none for this mesh as it is. The next VoroGeo filter builds one; 'Geodesic index: "
@@ -55,7 +55,7 @@ Results save_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   check_index_file_can_be_written(file);
   const LayerMesh layer_mesh(call);
-  const auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
+  const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
   if (!index) {
     throw InvalidInput(
         "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first, or any "
@@ -78,7 +78,7 @@ Results load_index(FilterCall& call) {
   const auto index = run_ticking(call.progress, "Reading the geodesic index", [&](const Progress&) {
     return GeodesicIndex::load(file, layer_mesh.make_mesh());
   });
-  call.indexes.put(layer_mesh.arrays(), index, &call.document);
+  call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
   call.log("Geodesic index: read from " + file.string());
   log_statistics(call, index->statistics());
   return statistics_results(index->statistics());

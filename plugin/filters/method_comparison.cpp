@@ -194,12 +194,18 @@ void log_difference(FilterCall& call, const FieldDifference& d, const std::strin
 Results compare_methods(FilterCall& call) {
   const Compared method = method_of(call, "method");
   const Compared reference = method_of(call, "reference");
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const StartVertex start = start_vertex(call, layer_mesh);
   const auto mesh = read_mesh(call, layer_mesh);
-  const MethodField b =
-      field_of(call, layer_mesh, mesh, start.vertex, reference, call.progress.part(0.0, 0.5));
-  const MethodField a = field_of(call, layer_mesh, mesh, start.vertex, method, call.progress.part(0.5, 1.0));
+  const auto measured = [&](Compared which, const Progress& progress) {
+    MethodField field = field_of(call, layer_mesh, mesh, mesh->representative(start.vertex), which, progress);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      field.distances[v] = field.distances[mesh->representative(v)];
+    }
+    return field;
+  };
+  const MethodField b = measured(reference, call.progress.part(0.0, 0.5));
+  const MethodField a = measured(method, call.progress.part(0.5, 1.0));
   const FieldDifference difference = difference_of(a.distances, b.distances);
   call.progress.report(1.0, "Writing quality and colours");
   write_difference(call, layer_mesh, difference);

@@ -41,7 +41,7 @@ Results measure_methods(FilterCall& call) {
   const std::filesystem::path file =
       QFile::encodeName(call.parameters.getSaveFileName("csv_file")).toStdString();
   if (!file.empty()) output_target(file, "The CSV file");
-  const LayerMesh layer_mesh(call.layer.cm);
+  const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   for (const MethodRequest& request : requests) {
     const auto& warning = method_named(request.name).warning;

@@ -52,7 +52,7 @@ Results color_voronoi_regions(FilterCall& call) {
     unreached += regions.vertex_region[v] == no_index;
   }
   for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
     if (regions.face_region[f] == no_index) continue;
     const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
     call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};

@@ -48,7 +48,7 @@ struct Component {
 void take_component(const Mesh& mesh, Index source, Component& taken) {
   std::vector<Index> number(static_cast<std::size_t>(mesh.vertex_count()), no_index);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.component(v) != mesh.component(source)) continue;
+    if (mesh.component(v) != mesh.component(source) || mesh.representative(v) != v) continue;
     number[v] = static_cast<Index>(taken.vertex_of.size());
     taken.vertex_of.push_back(v);
   }

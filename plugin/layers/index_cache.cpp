@@ -6,29 +6,31 @@
 
 namespace vorogeo::plugin {
 
-bool IndexCache::Entry::fits(const VcgMeshArrays& arrays) const {
-  return faces == arrays.faces && sides == arrays.sides && index->mesh()->positions() == arrays.positions;
+bool IndexCache::Entry::fits(const VcgMeshArrays& arrays, const GapLimit& asked) const {
+  return gap == asked && faces == arrays.faces && sides == arrays.sides &&
+         index->mesh()->positions() == arrays.positions;
 }
 
-std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays, const void* document) {
+std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays, const GapLimit& gap,
+                                                      const void* document) {
   const std::lock_guard lock(mutex_);
   const auto entry =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.fits(arrays); });
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.fits(arrays, gap); });
   if (entry == entries_.end()) return nullptr;
   entries_.splice(entries_.begin(), entries_, entry);
   if (document != nullptr) entry->documents.insert(document);
   return entries_.front().index;
 }
 
-void IndexCache::put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
-                     const void* document) {
+void IndexCache::put(const VcgMeshArrays& arrays, const GapLimit& gap,
+                     std::shared_ptr<const GeodesicIndex> index, const void* document) {
   const std::lock_guard lock(mutex_);
-  Entry entry{arrays.faces, arrays.sides, std::move(index), {}};
+  Entry entry{arrays.faces, arrays.sides, std::move(index), {}, gap};
   if (document != nullptr) entry.documents.insert(document);
   for (const Entry& e : entries_) {  // other documents that used the replaced index now use this one
-    if (e.fits(arrays)) entry.documents.insert(e.documents.begin(), e.documents.end());
+    if (e.fits(arrays, gap)) entry.documents.insert(e.documents.begin(), e.documents.end());
   }
-  entries_.remove_if([&](const Entry& e) { return e.fits(arrays); });
+  entries_.remove_if([&](const Entry& e) { return e.fits(arrays, gap); });
   entries_.push_front(std::move(entry));
   while (entries_.size() > 1 && (entries_.size() > capacity || bytes() > max_bytes_)) entries_.pop_back();
 }

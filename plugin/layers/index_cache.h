@@ -12,6 +12,7 @@
 
 #include "choice/rent_or_buy.h"
 #include "index/geodesic_index.h"
+#include "mesh/gap_bridges.h"
 #include "mesh/vcg_adapter.h"
 
 namespace vorogeo::plugin {
@@ -27,12 +28,13 @@ class IndexCache {
   /// `max_bytes`: what the indexes may take together; the newest is kept, however large it is.
   explicit IndexCache(std::int64_t max_bytes = default_memory_budget << 20) : max_bytes_(max_bytes) {}
 
-  /// The index of exactly this mesh, or nothing. From now on it belongs to this document, too (if one is
-  /// named).
-  std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays, const void* document = nullptr);
+  /// The index of exactly this mesh with these gaps bridged, or nothing. From now on it belongs to this
+  /// document, too (if one is named).
+  std::shared_ptr<const GeodesicIndex> find(const VcgMeshArrays& arrays, const GapLimit& gap,
+                                            const void* document = nullptr);
   /// Keeps an index, which replaces one of the same mesh, or else displaces those used longest ago. Without a
   /// document it stays until it is displaced.
-  void put(const VcgMeshArrays& arrays, std::shared_ptr<const GeodesicIndex> index,
+  void put(const VcgMeshArrays& arrays, const GapLimit& gap, std::shared_ptr<const GeodesicIndex> index,
            const void* document = nullptr);
   /// What exact answers on a mesh have taken so far; nothing for one that is not known. Only the choice of
   /// what answers depends on it, so a fingerprint is enough.
@@ -49,8 +51,9 @@ class IndexCache {
     SideLengths sides;
     std::shared_ptr<const GeodesicIndex> index;
     std::set<const void*> documents;
+    GapLimit gap;
 
-    bool fits(const VcgMeshArrays& arrays) const;
+    bool fits(const VcgMeshArrays& arrays, const GapLimit& asked) const;
   };
   static constexpr std::size_t capacity = 4;
   static constexpr std::size_t max_spent = 64;

@@ -43,7 +43,8 @@ Results about_index(const IndexOfLayer& found) {
 }
 
 std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh) {
-  if (const auto index = call.indexes.find(layer_mesh.arrays(), &call.document)) return index->mesh();
+  if (const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document))
+    return index->mesh();
   return run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
                      [&](const Progress&) { return layer_mesh.make_mesh(); });
 }
@@ -65,12 +66,12 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMe
 }
 
 IndexOfLayer index_of_layer(FilterCall& call, const LayerMesh& layer_mesh) {
-  if (auto index = call.indexes.find(layer_mesh.arrays(), &call.document)) {
+  if (auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document)) {
     call.log("Geodesic index: reused, the mesh has not changed since it was built");
     return {std::move(index), true};
   }
   auto index = build_index(call, layer_mesh, {}, call.progress.part(0.0, 0.9));
-  call.indexes.put(layer_mesh.arrays(), index, &call.document);
+  call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
   return {std::move(index), false};
 }
 

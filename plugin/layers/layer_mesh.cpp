@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "layers/gap_parameters.h"
 #include "layers/layer_metric.h"
 #include "mesh/mesh_check.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
 
-LayerMesh::LayerMesh(const CMeshO& layer) {
+LayerMesh::LayerMesh(const CMeshO& layer, const GapLimit& gap) : gap_(gap) {
   if (layer.vn == 0) {
     throw InvalidInput(
         "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
@@ -22,7 +23,7 @@ LayerMesh::LayerMesh(const CMeshO& layer) {
   arrays_ = arrays_from_vcg(layer);
 }
 
-LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm) {
+LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm, gap_of(call)) {
   arrays_.sides = side_lengths_of(call, arrays_);
 }
 
@@ -41,7 +42,7 @@ Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) cons
 }
 
 std::vector<std::string> LayerMesh::warnings() const {
-  return check_mesh(arrays_.positions, arrays_.faces).sentences();
+  return check_mesh(arrays_.positions, arrays_.faces, gap_).sentences();
 }
 
 }  // namespace vorogeo::plugin

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/filter_row.h"
+#include "mesh/gap_bridges.h"
 #include "mesh/mesh.h"
 #include "mesh/vcg_adapter.h"
 
@@ -16,9 +17,9 @@ class LayerMesh {
  public:
   /// Copies the layer. \throw InvalidInput for a layer without vertices or faces and for a coordinate that is
   /// NaN or infinite (names the vertex).
-  explicit LayerMesh(const CMeshO& layer);
-  /// The current layer in the metric that the parameters choose. \throw InvalidInput also as
-  /// side_lengths_of().
+  explicit LayerMesh(const CMeshO& layer, const GapLimit& gap = {});
+  /// The current layer of a filter in the metric that the parameters choose, with the gaps that they name.
+  /// \throw InvalidInput also as side_lengths_of() and gap_of().
   explicit LayerMesh(const FilterCall& call);
 
   const VcgMeshArrays& arrays() const { return arrays_; }
@@ -28,17 +29,20 @@ class LayerMesh {
   Index core_vertex(int host_vertex, const std::string& parameter) const;
   int host_vertex(Index vertex) const { return arrays_.input_of_vertex[vertex]; }
   /// The host's number of a face of a Mesh that was made from arrays().
+  /// \pre It is not a bridge over a gap.
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
 
+  const GapLimit& gap() const { return gap_; }
+  /// The mesh that is measured on, with its gaps bridged.
   std::shared_ptr<const Mesh> make_mesh() const {
-    if (arrays_.sides.empty()) return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces);
-    return std::make_shared<const Mesh>(arrays_.positions, arrays_.faces, arrays_.sides);
+    return measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_);
   }
   /// What a user should know about the mesh before trusting distances on it, one sentence each.
   std::vector<std::string> warnings() const;
 
  private:
   VcgMeshArrays arrays_;
+  GapLimit gap_;
 };
 
 }  // namespace vorogeo::plugin

@@ -19,7 +19,7 @@ namespace {
 Index core_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face, const std::string& entry) {
   // Both numberings are ascending.
   Index low = 0;
-  Index high = mesh.face_count();
+  Index high = mesh.first_bridge();
   while (low < high) {
     const Index middle = low + (high - low) / 2;
     if (layer_mesh.host_face(mesh, middle) < host_face) {
@@ -28,7 +28,7 @@ Index core_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face, co
       high = middle;
     }
   }
-  if (low < mesh.face_count() && layer_mesh.host_face(mesh, low) == host_face) return low;
+  if (low < mesh.first_bridge() && layer_mesh.host_face(mesh, low) == host_face) return low;
   throw InvalidInput(entry + " names face " + std::to_string(host_face) +
                      ", which the surface does not have. Faces are counted from 0; deleted ones and those "
                      "that name a vertex twice hold no points.");

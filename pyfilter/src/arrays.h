@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/gap_bridges.h"
 #include "mesh/mesh.h"
 
 namespace vorogeo::python {
@@ -47,10 +48,11 @@ inline std::vector<std::array<Index, 3>> triangles_of(const FaceArray& faces) {
 /// Lengths of the sides of the faces, each opposite its corner; nothing for those in space.
 using SideArray = std::optional<VertexArray>;
 
+/// The mesh that is measured on.
 inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces,
-                                           const SideArray& sides) {
-  if (!sides) return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces));
-  return std::make_shared<const Mesh>(points_of(vertices), triangles_of(faces), points_of(*sides));
+                                           const SideArray& sides, const GapLimit& gap = {}) {
+  return measured_mesh(points_of(vertices), triangles_of(faces), sides ? points_of(*sides) : SideLengths(),
+                       gap);
 }
 
 inline std::span<const Index> ids_of(const IdArray& ids) { return {ids.data(), ids.shape(0)}; }

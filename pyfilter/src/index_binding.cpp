@@ -71,7 +71,7 @@ class IndexHandle {
   IndexArray face_patches(int layer) const {
     const std::span<const Index> patches = index().face_patches(layer);
     std::vector<Index> values(input_faces_, no_index);
-    for (Index f = 0; f < static_cast<Index>(patches.size()); ++f)
+    for (Index f = 0; f < index().mesh()->first_bridge(); ++f)
       values[index().mesh()->input_face(f)] = patches[f];
     return to_numpy(std::move(values));
   }
@@ -81,11 +81,15 @@ class IndexHandle {
     index().save(file);
   }
 
+  /// How many bridges join borders.
+  Index bridge_count() const { return index().mesh()->face_count() - index().mesh()->first_bridge(); }
+
   nb::dict statistics() const {
     const IndexStatistics& s = index().statistics();
     nb::dict d;
     d["vertices"] = s.vertices;
-    d["faces"] = s.faces;
+    d["faces"] = s.faces - bridge_count();
+    d["bridges"] = bridge_count();
     d["components"] = s.components;
     d["first_layer_patches"] = s.first_layer_patches;
     d["second_layer_patches"] = s.second_layer_patches;
@@ -110,7 +114,8 @@ class IndexHandle {
 /// The Python object owns what build and load return.
 IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
                    Index first_layer_patches, Index second_layer_patches, double delta, int threads,
-                   std::uint64_t seed, std::int64_t memory_budget, nb::object progress) {
+                   std::uint64_t seed, std::int64_t memory_budget, double gap, bool folds,
+                   nb::object progress) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
@@ -123,7 +128,7 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const Si
     std::shared_ptr<const Mesh> mesh;
     {
       const Watch watch(report, "Reading the mesh");
-      mesh = mesh_of(vertices, faces, sides);
+      mesh = mesh_of(vertices, faces, sides, {gap, folds});
     }
     return GeodesicIndex::build(std::move(mesh), options, report);
   });
@@ -131,9 +136,9 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const Si
 }
 
 IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices, const FaceArray& faces,
-                  const SideArray& sides, int threads) {
+                  const SideArray& sides, int threads, double gap, bool folds) {
   nb::gil_scoped_release release;
-  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides));
+  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides, {gap, folds}));
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
 
@@ -149,9 +154,10 @@ void bind_index(nb::module_& module) {
   nb::class_<IndexHandle>(module, "Index")
       .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
                   nb::arg("first_layer_patches"), nb::arg("second_layer_patches"), nb::arg("delta"),
-                  nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"), nb::arg("progress").none())
+                  nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"), nb::arg("gap"),
+                  nb::arg("folds"), nb::arg("progress").none())
       .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"),
-                  nb::arg("sides").none(), nb::arg("threads"))
+                  nb::arg("sides").none(), nb::arg("threads"), nb::arg("gap"), nb::arg("folds"))
       .def("distance", &IndexHandle::distance, nb::arg("source"), nb::arg("target"))
       .def("distances", &IndexHandle::distances, nb::arg("sources"), nb::arg("targets"))
       .def("distance_field", &IndexHandle::distance_field, nb::arg("sources"), nb::arg("max_distance"))

@@ -14,10 +14,10 @@ namespace vorogeo::python {
 namespace {
 
 DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                                 const IdArray& sources, double max_distance) {
+                                 const IdArray& sources, double max_distance, double gap, bool folds) {
   ProgressBridge bridge{nb::none()};
   auto values = bridge.run([&](const Progress& progress) {
-    const auto mesh = mesh_of(vertices, faces, sides);
+    const auto mesh = mesh_of(vertices, faces, sides, {gap, folds});
     ExactSolver solver(mesh);
     ExactLimits limits;
     limits.max_distance = max_distance;
@@ -36,11 +36,11 @@ DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& f
 
 nb::tuple finding(const MeshFinding& found) { return nb::make_tuple(found.count, found.first); }
 
-nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
+nb::dict check(const VertexArray& vertices, const FaceArray& faces, double gap, bool folds) {
   MeshReport report;
   {
     nb::gil_scoped_release release;
-    report = check_mesh(points_of(vertices), triangles_of(faces));
+    report = check_mesh(points_of(vertices), triangles_of(faces), {gap, folds});
   }
   nb::list sentences;
   for (const std::string& sentence : report.sentences()) sentences.append(sentence);
@@ -76,6 +76,9 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces) {
   findings["near_borders"] = nb::make_tuple(report.near_borders.count, report.near_borders.first);
   d["nearest_borders"] = nb::make_tuple(report.near_borders.closest[0], report.near_borders.closest[1]);
   d["near_border_gaps"] = nb::make_tuple(report.near_borders.least, report.near_borders.greatest);
+  d["gap_to_join_all"] = report.gap_to_join_all;
+  d["joined_borders"] = report.joined_borders;
+  d["components_after_bridging"] = report.components_after_bridging;
   d["mean_edge_length"] = report.mean_edge_length;
   d["longest_edge_length"] = report.longest_edge_length;
   d["usable"] = report.usable();
@@ -108,10 +111,11 @@ nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const Sid
 
 void bind_mesh_functions(nb::module_& module) {
   module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
-             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"));
+             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"), nb::arg("gap"),
+             nb::arg("folds"));
   module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
-  module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"));
+  module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"), nb::arg("gap"), nb::arg("folds"));
 }
 
 }  // namespace vorogeo::python

@@ -43,13 +43,15 @@ nb::tuple MeshPoints::path_arrays(const std::vector<ExactPath>& found) const {
   return arrays.take();
 }
 
-Index MeshPoints::edge_between(Index a, Index b) const {
+Index MeshPoints::edge_between(Index given_a, Index given_b) const {
+  const Index a = mesh().representative(given_a);
+  const Index b = mesh().representative(given_b);
   for (const Index h : mesh().corners(a)) {
     if (mesh().head(h) == b) return mesh().edge_of(h);
     if (mesh().apex(h) == b) return mesh().edge_of(Mesh::previous_in_face(h));
   }
-  throw InvalidInput("There is no edge between vertex " + std::to_string(a) + " and vertex " +
-                     std::to_string(b) + "; a curve runs along edges of the mesh.");
+  throw InvalidInput("There is no edge between vertex " + std::to_string(given_a) + " and vertex " +
+                     std::to_string(given_b) + "; a curve runs along edges of the mesh.");
 }
 
 const SurfaceLocator& MeshPoints::locator() {

@@ -29,7 +29,7 @@ class Paths {
   }
 
   /// Paths of pairs: lengths, certified, where the points of each path begin, positions, vertices, faces,
-  /// weights.
+  /// weights, and which points begin a step over a gap.
   nb::tuple paths(const PointArrays& source, const PointArrays& target, bool exact, bool certify,
                   nb::object progress) {
     const PointList sources = points_on(mesh(), points_from(mesh(), source), "Source");

@@ -24,12 +24,12 @@ void bind_points(nb::module_& module);
 /// The face of the mesh that was given as this row of faces. \throw InvalidInput if it was left out.
 inline Index face_of_row(const Mesh& mesh, Index row) {
   Index low = 0;
-  Index high = mesh.face_count();
+  Index high = mesh.first_bridge();
   while (low < high) {
     const Index middle = low + (high - low) / 2;
     (mesh.input_face(middle) < row ? low : high) = mesh.input_face(middle) < row ? middle + 1 : middle;
   }
-  if (low < mesh.face_count() && mesh.input_face(low) == row) return low;
+  if (low < mesh.first_bridge() && mesh.input_face(low) == row) return low;
   throw InvalidInput("Face " + std::to_string(row) +
                      " does not exist or is left out of the index (it is masked, names a vertex twice or "
                      "repeats a face), so "
@@ -50,7 +50,7 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
 }
 
 /// Surface points to be returned to Python: the vertex or -1, a row of the faces given, and the weights in
-/// it; a vertex is a corner of its first face, or of none (-1).
+/// it; a vertex is a corner of its first face, or of none (-1). A point over a gap is in no face, either.
 struct PointRows {
   std::vector<Index> vertex;
   std::vector<Index> face;
@@ -61,7 +61,7 @@ struct PointRows {
     face.push_back(no_index);
     weights.resize(weights.size() + 3, 0.0);
     for_each_face_at(mesh, point, [&](Index at, const std::array<double, 3>& there) {
-      if (face.back() != no_index) return;
+      if (face.back() != no_index || mesh.is_bridge(at)) return;
       face.back() = mesh.input_face(at);
       std::ranges::copy(there, weights.end() - 3);
     });

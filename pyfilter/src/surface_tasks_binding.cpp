@@ -29,7 +29,7 @@ nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size
 /// Values of the mesh's faces, by row of the faces given; no_index for a face that was left out.
 IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_face) {
   std::vector<Index> values(held.input_faces, no_index);
-  for (Index f = 0; f < static_cast<Index>(of_face.size()); ++f) {
+  for (Index f = 0; f < held.index->mesh()->first_bridge(); ++f) {
     values[held.index->mesh()->input_face(f)] = of_face[f];
   }
   return to_numpy(std::move(values));

@@ -78,9 +78,9 @@ std::vector<SurfacePath> paths_of_pairs(const PointList& sources, const PointLis
 
 /// `points`: on each edge, for sides on which the faces of an edge disagree; 0: exact.
 nb::tuple paths_without_index(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                              Index points, const PointArrays& source, const PointArrays& target,
-                              nb::object progress) {
-  const auto mesh = mesh_of(vertices, faces, points > 0 ? std::nullopt : sides);
+                              Index points, const PointArrays& source, const PointArrays& target, double gap,
+                              bool folds, nb::object progress) {
+  const auto mesh = mesh_of(vertices, faces, points > 0 ? std::nullopt : sides, {gap, folds});
   const PointList sources = points_on(*mesh, points_from(*mesh, source), "Source");
   const PointList targets = points_on(*mesh, points_from(*mesh, target), "Target");
   ProgressBridge bridge(progress);
@@ -117,7 +117,8 @@ void bind_weighted(nb::module_& module) {
   module.def("weighted_field", &weighted_field, vertices, faces, nb::arg("sides"), points, nb::arg("sources"),
              nb::arg("max_distance"));
   module.def("paths_without_index", &paths_without_index, vertices, faces, nb::arg("sides").none(), points,
-             nb::arg("sources"), nb::arg("targets"), nb::arg("progress").none());
+             nb::arg("sources"), nb::arg("targets"), nb::arg("gap"), nb::arg("folds"),
+             nb::arg("progress").none());
 }
 
 }  // namespace vorogeo::python

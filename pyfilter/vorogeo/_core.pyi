@@ -19,6 +19,8 @@ class Index:
         threads: int,
         seed: int,
         memory_budget: int,
+        gap: float,
+        folds: bool,
         progress: Callable[[float, str], object] | None,
     ) -> Index: ...
     @staticmethod
@@ -28,6 +30,8 @@ class Index:
         faces: NDArray[np.int32],
         sides: NDArray[np.float64] | None,
         threads: int,
+        gap: float,
+        folds: bool,
     ) -> Index: ...
     def distance(self, source: int, target: int) -> float: ...
     def distances(self, sources: NDArray[np.int32], targets: NDArray[np.int32]) -> NDArray[np.float64]: ...
@@ -42,6 +46,8 @@ def exact_distance_field(
     sides: NDArray[np.float64] | None,
     sources: NDArray[np.int32],
     max_distance: float,
+    gap: float,
+    folds: bool,
 ) -> NDArray[np.float64]: ...
 def lengths_by_cost(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], cost: NDArray[np.float64]
@@ -77,7 +83,7 @@ def estimate(
     memory_budget: int,
     progress: Callable[[float, str], object] | None,
 ) -> dict[str, Any]: ...
-def check_mesh(vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> dict[str, Any]: ...
+def check_mesh(vertices: NDArray[np.float64], faces: NDArray[np.int32], gap: float, folds: bool) -> dict[str, Any]: ...
 def available_memory_bytes() -> int: ...
 
 class OutputFile:
@@ -122,8 +128,10 @@ def paths_without_index(
     points: int,
     sources: Points,
     targets: Points,
+    gap: float,
+    folds: bool,
     progress: _Progress,
-) -> tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats]: ...
+) -> tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats, _Ids]: ...
 def fill_matrix(
     index: Index, rows: Points, columns: Points, method: int, exact: bool, out: _Reals, progress: _Progress
 ) -> None: ...
@@ -161,11 +169,18 @@ def relax(
 ) -> tuple[tuple[_Ids, _Ids, _Floats], _Floats]: ...
 
 _Answered = tuple[str, float, float, str]
-_PathArrays = tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats]
+_PathArrays = tuple[_Floats, _Ids, NDArray[np.int64], _Floats, _Ids, _Ids, _Floats, _Ids]
 
 class Surface:
     def __init__(
-        self, vertices: _Floats, faces: _Ids, sides: _Floats | None, threads: int, memory_budget: int
+        self,
+        vertices: _Floats,
+        faces: _Ids,
+        sides: _Floats | None,
+        threads: int,
+        memory_budget: int,
+        gap: float,
+        folds: bool,
     ) -> None: ...
     def snap(self, points: _Floats) -> tuple[_Ids, _Floats, _Floats]: ...
     def along_edges(self, ends: _Ids, spacing: float) -> tuple[_Ids, _Ids, _Floats]: ...

@@ -31,6 +31,7 @@ def loaded(
     faces: NDArray[np.int32],
     sides: NDArray[np.float64] | None,
     threads: int,
+    gap: tuple[float, bool],
 ) -> _core.Index:
     """The index of this mesh from the contents of its file.
 
@@ -42,4 +43,4 @@ def loaded(
     with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
         file = Path(folder) / "index.vgi"
         contents.tofile(file)
-        return _core.Index.load(file, vertices, faces, sides, threads)
+        return _core.Index.load(file, vertices, faces, sides, threads, *gap)

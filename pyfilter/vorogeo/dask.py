@@ -38,7 +38,9 @@ class IndexFiles:
 def _opened(index: str, folder: str) -> GeodesicIndex:
     vertices, faces = (np.load(Path(folder) / f"{name}.npy", mmap_mode="r") for name in ("vertices", "faces"))
     mask = Path(folder) / "mask.npy"
-    return GeodesicIndex.load(index, vertices, faces, threads=1, mask=np.load(mask) if mask.is_file() else None)
+    kept = np.load(mask) if mask.is_file() else None
+    gap, folds = np.load(Path(folder) / "gap.npy")
+    return GeodesicIndex.load(index, vertices, faces, threads=1, mask=kept, gap=gap, bridge_folds=bool(folds))
 
 
 def write_files(
@@ -70,6 +72,7 @@ def write_files(
     for name, array in (("vertices", index.vertices), ("faces", index.faces), ("mask", index.mask)):
         if array is not None:
             np.save(os.path.join(folder, f"{name}.npy"), array)
+    np.save(os.path.join(folder, "gap.npy"), index._gap)
     return IndexFiles(file, folder)
 
 

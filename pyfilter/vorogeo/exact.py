@@ -12,6 +12,7 @@ from . import _core, metrics
 from . import points as point_lists
 from .errors import InvalidInput
 from .face_metrics import FaceCost, FaceMetric, FaceTensor
+from .gaps import GapLimit, gap_limit
 from .masks import face_mask, without_masked
 from .metrics import Metric
 from .paths import GeodesicPath, from_core
@@ -27,6 +28,8 @@ def exact_distance_field(
     dtype: DTypeLike = np.float64,
     mask: ArrayLike | None = None,
     metric: Metric | FaceMetric | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
 ) -> NDArray[Any]:
     """Exact distance of every vertex from its nearest source, on one thread.
 
@@ -46,6 +49,8 @@ def exact_distance_field(
         Which faces or vertices belong to the surface, as for `GeodesicIndex`.
     metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
         What paths cost; None is their length in space. With values of faces, distances are not exact but close.
+    gap, bridge_folds
+        Which gaps are bridged, as for `GeodesicIndex`.
 
     Returns
     -------
@@ -67,11 +72,14 @@ def exact_distance_field(
     surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
     ids = check.source_ids(sources, len(points))
     entry, limit = check.real_type(dtype), check.max_distance(max_distance)
+    bridged = gap_limit(gap, bridge_folds)
     if isinstance(metric, (FaceCost, FaceTensor)):
+        _refuse_gap(bridged)
         own = metric.face_sides(points, surface)
         return _core.weighted_field(points, surface, own, metric.points, ids, limit).astype(entry, copy=False)
     sides = metrics.sides(metric, points, surface)
-    return _core.exact_distance_field(points, surface, sides, ids, limit).astype(entry, copy=False)
+    found = _core.exact_distance_field(points, surface, sides, ids, limit, *bridged)
+    return found.astype(entry, copy=False)
 
 
 def exact_path(
@@ -82,6 +90,8 @@ def exact_path(
     metric: Metric | FaceMetric | None = None,
     mask: ArrayLike | None = None,
     progress: ProgressFunction | bool | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
 ) -> GeodesicPath | list[GeodesicPath]:
     """Exact shortest path between two points, or of each of k pairs, without an index.
 
@@ -89,7 +99,7 @@ def exact_path(
 
     Parameters
     ----------
-    vertices, faces, mask
+    vertices, faces, mask, gap, bridge_folds
         As for `exact_distance_field`.
     source, target : a point, or k points
         Vertex ids, `SurfacePoints` or lists of both; both of the same length.
@@ -117,13 +127,21 @@ def exact_path(
         raise InvalidInput(
             f"source has {len(ends[0][0])} points, target {len(ends[1][0])}; give as many of one as of the other."
         )
+    bridged = gap_limit(gap, bridge_folds)
     sides: NDArray[np.float64] | None
     if isinstance(metric, (FaceCost, FaceTensor)):
+        _refuse_gap(bridged)
         sides, per_edge = metric.face_sides(points, surface), metric.points
     else:
         sides, per_edge = metrics.sides(metric, points, surface), 0
     with reporter(progress) as report:
         begins, arrives = (_core.Points(*end) for end in ends)
-        found = _core.paths_without_index(points, surface, sides, per_edge, begins, arrives, report)
+        found = _core.paths_without_index(points, surface, sides, per_edge, begins, arrives, *bridged, report)
     paths = from_core(found)
     return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
+
+
+def _refuse_gap(bridged: GapLimit) -> None:
+    """Raise InvalidInput if a gap is to be bridged in a metric with values of faces, which bridges do not have."""
+    if bridged[0] > 0:
+        raise InvalidInput("gap: bridges have no value of the metric; leave out the gap or the metric.")

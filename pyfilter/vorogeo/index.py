@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as check
 from . import _core, metrics
 from ._serial import loaded, saved
+from .gaps import GapLimit, gap_limit
 from .masks import face_mask, without_masked
 from .metrics import Metric, MetricLengths
 from .progress import ProgressFunction, reporter
@@ -52,6 +53,9 @@ class GeodesicIndex(Queries):
         Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
         many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
         without a face are unreachable. Results refer to all vertices and faces.
+    gap, bridge_folds : float and bool, optional
+        Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
+        the mesh that is measured on (``docs/gaps.md``). Not together with a metric.
 
     Raises
     ------
@@ -76,16 +80,8 @@ class GeodesicIndex(Queries):
     """
 
     __slots__ = (
-        "__weakref__",
-        "_faces",
-        "_handle",
-        "_mask",
-        "_metric",
-        "_paths",
-        "_statistics",
-        "_threads",
-        "_vertices",
-    )
+        "__weakref__", "_faces", "_gap", "_handle", "_mask", "_metric", "_paths", "_statistics", "_threads", "_vertices"
+    )  # fmt: skip
 
     _handle: _core.Index
     _statistics: IndexStatistics
@@ -93,6 +89,7 @@ class GeodesicIndex(Queries):
     _faces: NDArray[np.int32]
     _mask: NDArray[np.bool_] | None
     _metric: Metric | None
+    _gap: GapLimit
     _threads: int
 
     def __init__(
@@ -107,6 +104,8 @@ class GeodesicIndex(Queries):
         memory_budget: int | None = None,
         mask: ArrayLike | None = None,
         metric: Metric | None = None,
+        gap: float = 0.0,
+        bridge_folds: bool = False,
     ) -> None:
         points = check.kept(metrics.positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
@@ -119,9 +118,10 @@ class GeodesicIndex(Queries):
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
         sides = None if lengths is None else lengths.lengths
+        bridged = gap_limit(gap, bridge_folds)
         with reporter(progress) as report:
-            handle = _core.Index.build(points, surface, sides, n1, n2, delta, workers, seed, budget, report)
-        self._adopt(handle, points, triangles, kept, metric, lengths, workers)
+            handle = _core.Index.build(points, surface, sides, n1, n2, delta, workers, seed, budget, *bridged, report)
+        self._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
 
     @classmethod
     def load(
@@ -132,6 +132,8 @@ class GeodesicIndex(Queries):
         threads: int | None = None,
         mask: ArrayLike | None = None,
         metric: Metric | None = None,
+        gap: float = 0.0,
+        bridge_folds: bool = False,
     ) -> GeodesicIndex:
         """Read an index that was saved for exactly this mesh.
 
@@ -145,10 +147,8 @@ class GeodesicIndex(Queries):
             Its triangles.
         threads : int, optional
             Threads of each field; None is one per core.
-        mask : array_like of bool, optional
-            The one that the index was built with.
-        metric : EdgeLengths, VertexCost or VertexTensor, optional
-            The one that the index was built with: an index of another metric is refused.
+        mask, metric, gap, bridge_folds
+            Those that the index was built with: an index of others is refused.
 
         Raises
         ------
@@ -165,8 +165,9 @@ class GeodesicIndex(Queries):
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
         sides = None if lengths is None else lengths.lengths
-        handle = _core.Index.load(path, points, surface, sides, workers)
-        return cls._of(handle, points, triangles, kept, metric, lengths, workers)
+        bridged = gap_limit(gap, bridge_folds)
+        handle = _core.Index.load(path, points, surface, sides, workers, *bridged)
+        return cls._of(handle, points, triangles, kept, metric, lengths, bridged, workers)
 
     @classmethod
     def _of(
@@ -177,10 +178,11 @@ class GeodesicIndex(Queries):
         mask: NDArray[np.bool_] | None,
         metric: Metric | None,
         lengths: MetricLengths | None,
+        gap: GapLimit,
         threads: int,
     ) -> GeodesicIndex:
         index = cls.__new__(cls)
-        index._adopt(handle, vertices, faces, mask, metric, lengths, threads)
+        index._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)
         return index
 
     def _adopt(
@@ -191,14 +193,15 @@ class GeodesicIndex(Queries):
         mask: NDArray[np.bool_] | None,
         metric: Metric | None,
         lengths: MetricLengths | None,
+        gap: GapLimit,
         threads: int,
     ) -> None:
         self._handle = handle
         self._paths = _core.Paths(handle)
         shortened = 0 if lengths is None else lengths.shortened_edges
         self._statistics = IndexStatistics(**handle.statistics(), shortened_edges=shortened)
-        self._vertices, self._faces, self._mask, self._threads = vertices, faces, mask, threads
-        self._metric = metric
+        self._vertices, self._faces, self._mask = vertices, faces, mask
+        self._metric, self._gap, self._threads = metric, gap, threads
 
     def __copy__(self) -> GeodesicIndex:
         return self  # immutable
@@ -207,7 +210,7 @@ class GeodesicIndex(Queries):
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        mesh = self._vertices, self._faces, self._mask, self._metric
+        mesh = self._vertices, self._faces, self._mask, self._metric, self._gap
         return _restored, (type(self), saved(self._handle), *mesh, self._threads)
 
     @property
@@ -229,6 +232,11 @@ class GeodesicIndex(Queries):
     def metric(self) -> Metric | None:
         """What paths cost; None is their length in space."""
         return self._metric
+
+    @property
+    def gap(self) -> float:
+        """The width up to which gaps are bridged."""
+        return self._gap[0]
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
@@ -282,10 +290,11 @@ def _restored(
     faces: NDArray[np.int32],
     mask: NDArray[np.bool_] | None,
     metric: Metric | None,
+    gap: GapLimit,
     threads: int,
 ) -> GeodesicIndex:
     """The index that pickle took apart."""
     surface = without_masked(faces, mask)
     lengths = metrics.lengths(metric, vertices, surface)
-    handle = loaded(contents, vertices, surface, None if lengths is None else lengths.lengths, threads)
-    return cls._of(handle, vertices, faces, mask, metric, lengths, threads)
+    handle = loaded(contents, vertices, surface, None if lengths is None else lengths.lengths, threads, gap)
+    return cls._of(handle, vertices, faces, mask, metric, lengths, gap, threads)

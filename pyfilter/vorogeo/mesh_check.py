@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from . import _arguments as check
 from . import _core
+from .gaps import gap_limit
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,13 @@ class MeshReport:
         The closest two vertices of these, or (-1, -1).
     near_border_gaps : (float, float)
         The least and the greatest distance of such vertices from their nearest neighbour across the gap.
+    gap_to_join_all : float
+        The least `gap` with which all components are one; 0 if they are or their borders touch, infinity if none would
+        do.
+    joined_borders : int
+        How many border loops have an edge that is none once gaps up to `gap` are bridged.
+    components_after_bridging : int
+        Connected parts that are left then.
     mean_edge_length, longest_edge_length : float
     usable : bool
         Whether distances can be computed on the mesh.
@@ -104,6 +112,9 @@ class MeshReport:
     near_borders: MeshFinding
     nearest_borders: tuple[int, int]
     near_border_gaps: tuple[float, float]
+    gap_to_join_all: float
+    joined_borders: int
+    components_after_bridging: int
     mean_edge_length: float
     longest_edge_length: float
     usable: bool
@@ -115,7 +126,7 @@ class MeshReport:
         return "\n".join((self.summary, *self.sentences))
 
 
-def check_mesh(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
+def check_mesh(vertices: ArrayLike, faces: ArrayLike, gap: float = 0.0, bridge_folds: bool = False) -> MeshReport:
     """Report on a mesh; bad geometry and bad vertex ids are findings, not errors.
 
     Parameters
@@ -124,6 +135,8 @@ def check_mesh(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
         Positions; may hold NaN and infinity.
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles; may be out of range.
+    gap, bridge_folds
+        As for `GeodesicIndex`: what bridging would join is reported, too.
 
     Returns
     -------
@@ -132,8 +145,10 @@ def check_mesh(vertices: ArrayLike, faces: ArrayLike) -> MeshReport:
     Raises
     ------
     InvalidInput
-        (a ValueError) If an array has a wrong shape or type.
+        (a ValueError) If an array has a wrong shape or type, or the gap is negative or not finite.
     """
-    found = _core.check_mesh(check.vertices(vertices, finite=False), check.unchecked_faces(faces))
+    found = _core.check_mesh(
+        check.vertices(vertices, finite=False), check.unchecked_faces(faces), *gap_limit(gap, bridge_folds)
+    )
     findings: dict[str, Any] = {name: MeshFinding(*value) for name, value in found.pop("findings").items()}
     return MeshReport(**findings, **found)

@@ -36,6 +36,9 @@ class GeodesicPath:
         The same points on faces.
     certified : bool
         For exact paths: whether it is proven that none is shorter. False for refined paths.
+    over_gap : ndarray of bool, shape (p,)
+        Whether the step from a point to the next one runs over a gap (`gap` of `GeodesicIndex`), so over no face. A
+        point between the borders of a gap has face -1 in `surface_points`.
     """
 
     points: NDArray[np.float64]
@@ -43,6 +46,7 @@ class GeodesicPath:
     vertices: NDArray[np.int32]
     surface_points: SurfacePoints
     certified: bool
+    over_gap: NDArray[np.bool_]
 
     def __repr__(self) -> str:
         return f"GeodesicPath(length {self.length:g}, {len(self.points)} points, certified: {self.certified})"
@@ -64,11 +68,16 @@ class GeodesicPath:
 
 def from_core(found: Any) -> list[GeodesicPath]:
     """The paths that the core returns as arrays."""
-    lengths, certified, begin, positions, vertices, faces, weights = found
+    lengths, certified, begin, positions, vertices, faces, weights, over_gap = found
     positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
     return [
         GeodesicPath(
-            positions[a:b], float(length), vertices[a:b], SurfacePoints(faces[a:b], weights[a:b]), bool(proven)
+            positions[a:b],
+            float(length),
+            vertices[a:b],
+            SurfacePoints(faces[a:b], weights[a:b]),
+            bool(proven),
+            over_gap[a:b] > 0,
         )
         for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
     ]

@@ -183,6 +183,8 @@ class IndexStatistics:
     ----------
     vertices, faces, components : int
         Size of the mesh; degenerate and repeated faces are not counted.
+    bridges : int
+        Triangles that bridge gaps.
     first_layer_patches, second_layer_patches : int
         Patches of the mesh in each layer.
     first_layer_border_vertices, second_layer_border_vertices : int
@@ -208,6 +210,7 @@ class IndexStatistics:
 
     vertices: int
     faces: int
+    bridges: int
     components: int
     first_layer_patches: int
     second_layer_patches: int

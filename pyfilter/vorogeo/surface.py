@@ -11,6 +11,7 @@ from . import _arguments as check
 from . import _core, metrics
 from . import points as point_lists
 from .errors import InvalidInput
+from .gaps import gap_limit
 from .index import GeodesicIndex
 from .masks import face_mask, without_masked
 from .metrics import Metric
@@ -35,7 +36,7 @@ class Surface(PointsOnMesh):
         Finite positions; any real type and layout.
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
-    threads, memory_budget, mask, metric
+    threads, memory_budget, mask, metric, gap, bridge_folds
         As for `GeodesicIndex`, of an index that is built.
 
     Attributes
@@ -57,13 +58,12 @@ class Surface(PointsOnMesh):
     Examples
     --------
     >>> surface = vorogeo.Surface(vertices, faces)
-    >>> surface.distance_field(0)
     >>> surface.path(0, surface.snap([0.1, 0.2, 0.3])).length
     >>> surface.last.by
     'exact'
     """
 
-    __slots__ = ("__weakref__", "_faces", "_handle", "_lengths", "_mask", "_metric", "_threads", "_vertices", "last")
+    __slots__ = ("__weakref__", "_faces", "_handle", "_of_index", "_threads", "_vertices", "last")
 
     def __init__(
         self,
@@ -73,16 +73,20 @@ class Surface(PointsOnMesh):
         memory_budget: int | None = None,
         mask: ArrayLike | None = None,
         metric: Metric | None = None,
+        gap: float = 0.0,
+        bridge_folds: bool = False,
     ) -> None:
         self._vertices = check.kept(metrics.positions(vertices, faces, metric), vertices)
         self._faces = check.kept(check.faces(faces, len(self._vertices)), faces)
-        self._mask = face_mask(mask, self._faces, len(self._vertices))
+        kept = face_mask(mask, self._faces, len(self._vertices))
         self._threads = check.threads(threads)
-        surface = without_masked(self._faces, self._mask)
-        self._metric, self._lengths = metric, metrics.lengths(metric, self._vertices, surface)
-        sides = None if self._lengths is None else self._lengths.lengths
+        surface = without_masked(self._faces, kept)
+        lengths = metrics.lengths(metric, self._vertices, surface)
+        sides = None if lengths is None else lengths.lengths
         budget = check.memory_budget(memory_budget)
-        self._handle = _core.Surface(self._vertices, surface, sides, self._threads, budget)
+        bridged = gap_limit(gap, bridge_folds)
+        self._of_index = kept, metric, lengths, bridged
+        self._handle = _core.Surface(self._vertices, surface, sides, self._threads, budget, *bridged)
         self.last: Answered | None = None
 
     @property
@@ -107,13 +111,10 @@ class Surface(PointsOnMesh):
     def index(self) -> GeodesicIndex | None:
         """The index, once there is one: for all its other methods, and to save it."""
         handle = self._handle.index()
-        if handle is None:
-            return None
-        return self._index_of(handle)
+        return None if handle is None else self._index_of(handle)
 
     def _index_of(self, handle: _core.Index) -> GeodesicIndex:
-        mesh = self._vertices, self._faces, self._mask, self._metric, self._lengths
-        return GeodesicIndex._of(handle, *mesh, self._threads)
+        return GeodesicIndex._of(handle, self._vertices, self._faces, *self._of_index, self._threads)
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
         """Build the index now, if there is none.

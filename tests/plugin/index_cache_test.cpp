@@ -34,7 +34,7 @@ std::vector<Cached> indexes(int count) {
 std::vector<bool> kept(IndexCache& cache, const std::vector<Cached>& all) {
   std::vector<bool> found;
   for (const Cached& c : all) {
-    const auto index = cache.find(c.arrays);
+    const auto index = cache.find(c.arrays, {});
     EXPECT_TRUE(!index || index == c.index);
     found.push_back(index != nullptr);
   }
@@ -46,21 +46,21 @@ TEST(IndexCache, KnowsTheMetric) {
   VcgMeshArrays dear = all[0].arrays;
   dear.sides.assign(dear.faces.size(), {1.0, 1.0, 1.0});
   IndexCache cache;
-  cache.put(all[0].arrays, all[0].index);
-  EXPECT_EQ(cache.find(dear), nullptr);
-  cache.put(dear, all[0].index);
-  EXPECT_EQ(cache.find(dear), all[0].index);
-  EXPECT_EQ(cache.find(all[0].arrays), all[0].index);
+  cache.put(all[0].arrays, {}, all[0].index);
+  EXPECT_EQ(cache.find(dear, {}), nullptr);
+  cache.put(dear, {}, all[0].index);
+  EXPECT_EQ(cache.find(dear, {}), all[0].index);
+  EXPECT_EQ(cache.find(all[0].arrays, {}), all[0].index);
   dear.sides.back()[2] = 1.5;
-  EXPECT_EQ(cache.find(dear), nullptr);
+  EXPECT_EQ(cache.find(dear, {}), nullptr);
 }
 
 TEST(IndexCache, KeepsTheFourUsedLast) {
   const auto all = indexes(6);
   IndexCache cache;
-  for (int i = 0; i < 4; ++i) cache.put(all[i].arrays, all[i].index);
-  EXPECT_EQ(cache.find(all[0].arrays), all[0].index);  // now 1 is the one used longest ago
-  cache.put(all[4].arrays, all[4].index);
+  for (int i = 0; i < 4; ++i) cache.put(all[i].arrays, {}, all[i].index);
+  EXPECT_EQ(cache.find(all[0].arrays, {}), all[0].index);  // now 1 is the one used longest ago
+  cache.put(all[4].arrays, {}, all[4].index);
   EXPECT_EQ(kept(cache, all), (std::vector<bool>{true, false, true, true, true, false}));
 }
 
@@ -83,7 +83,7 @@ TEST(IndexCache, DropsTheOldestWhileTheyTakeTooMuchMemory) {
   const std::int64_t size = all[0].index->statistics().bytes;
   ASSERT_GT(size, 0);
   IndexCache cache(2 * size + size / 2);
-  for (const Cached& c : all) cache.put(c.arrays, c.index);
+  for (const Cached& c : all) cache.put(c.arrays, {}, c.index);
   EXPECT_EQ(kept(cache, all), (std::vector<bool>{false, false, true, true}));
 }
 
@@ -91,8 +91,8 @@ TEST(IndexCache, KeepsTheNewestHoweverLarge) {
   const auto all = indexes(3);
   IndexCache cache(1);
   for (const Cached& c : all) {
-    cache.put(c.arrays, c.index);
-    EXPECT_EQ(cache.find(c.arrays), c.index);
+    cache.put(c.arrays, {}, c.index);
+    EXPECT_EQ(cache.find(c.arrays, {}), c.index);
   }
   EXPECT_EQ(kept(cache, all), (std::vector<bool>{false, false, true}));
 }
@@ -100,24 +100,24 @@ TEST(IndexCache, KeepsTheNewestHoweverLarge) {
 TEST(IndexCache, AnotherIndexOfTheSameMeshTakesItsPlace) {
   const auto all = indexes(2);
   IndexCache cache;
-  for (const Cached& c : all) cache.put(c.arrays, c.index);
+  for (const Cached& c : all) cache.put(c.arrays, {}, c.index);
   const auto again = indexes(1)[0].index;
-  cache.put(all[0].arrays, again);
-  EXPECT_EQ(cache.find(all[0].arrays), again);
-  EXPECT_EQ(cache.find(all[1].arrays), all[1].index);
+  cache.put(all[0].arrays, {}, again);
+  EXPECT_EQ(cache.find(all[0].arrays, {}), again);
+  EXPECT_EQ(cache.find(all[1].arrays, {}), all[1].index);
 }
 
 TEST(IndexCache, AnEditedMeshHasNone) {
   const auto all = indexes(1);
   IndexCache cache;
-  cache.put(all[0].arrays, all[0].index);
+  cache.put(all[0].arrays, {}, all[0].index);
   VcgMeshArrays moved = all[0].arrays;
   moved.positions[3][2] += 1e-9;
-  EXPECT_EQ(cache.find(moved), nullptr);
+  EXPECT_EQ(cache.find(moved, {}), nullptr);
   VcgMeshArrays smaller = all[0].arrays;
   smaller.faces.pop_back();
-  EXPECT_EQ(cache.find(smaller), nullptr);
-  EXPECT_EQ(cache.find(all[0].arrays), all[0].index);
+  EXPECT_EQ(cache.find(smaller, {}), nullptr);
+  EXPECT_EQ(cache.find(all[0].arrays, {}), all[0].index);
 }
 
 }  // namespace

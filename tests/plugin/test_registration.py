@@ -86,7 +86,8 @@ END_POINTS = {"source", "target", "source_point", "target_point", "surface_point
 )
 def test_parameters_have_python_names(name, parameters):
     in_space = name in (COMPARISON, METHOD_TABLE)  # MeshLab's own methods measure lengths in space
-    assert set(mesh_set(*grid(2, 2)).filter_parameter_values(name)) == parameters | (set() if in_space else METRIC)
+    common = {"gap", "bridge_folds"} | (set() if in_space else METRIC)
+    assert set(mesh_set(*grid(2, 2)).filter_parameter_values(name)) == parameters | common
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,9 @@ def field(task: MeshTask) -> Result:
     limit = task.options.get("max_distance")
     sources = task.points("from")
     if task.exact and isinstance(sources, np.ndarray):  # needs no index
-        values = exact_distance_field(task.vertices, task.faces, sources, limit, dtype=task.dtype, mask=task.mask)
+        values = exact_distance_field(
+            task.vertices, task.faces, sources, limit, dtype=task.dtype, mask=task.mask, gap=task.gap
+        )
     else:
         values = task.index.distance_field(sources, limit, exact=task.exact, dtype=task.dtype)
     reached = values[np.isfinite(values)]

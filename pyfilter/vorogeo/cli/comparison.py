@@ -34,7 +34,7 @@ def compare(task: MeshTask) -> Result:
     sources = task.points("from")
     began = time.perf_counter()
     if isinstance(sources, np.ndarray):
-        exact = exact_distance_field(task.vertices, task.faces, sources, mask=task.mask)
+        exact = exact_distance_field(task.vertices, task.faces, sources, mask=task.mask, gap=task.gap)
     else:
         exact = task.index.distance_field(sources, exact=True)
     exact_took = time.perf_counter() - began

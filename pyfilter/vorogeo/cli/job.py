@@ -79,12 +79,19 @@ class MeshTask:
         shown = bool(self.options.get("progress")) and sys.stderr.isatty()
         return shown and importlib.util.find_spec("tqdm") is not None
 
+    @property
+    def gap(self) -> float:
+        """The widest gap that is bridged."""
+        return self.options.get("gap") or 0.0
+
     @cached_property
     def index(self) -> GeodesicIndex:
         """The index: read from the file of --index, or built."""
         threads = self.options.get("threads")
         if self.options.get("index"):
-            return GeodesicIndex.load(self.options["index"], self.vertices, self.faces, threads, mask=self.mask)
+            return GeodesicIndex.load(
+                self.options["index"], self.vertices, self.faces, threads, mask=self.mask, gap=self.gap
+            )
         return GeodesicIndex(
             self.vertices,
             self.faces,
@@ -94,6 +101,7 @@ class MeshTask:
             progress=self.progress,
             memory_budget=self.options.get("memory_budget"),
             mask=self.mask,
+            gap=self.gap,
         )
 
     def points(self, option: str) -> Points:

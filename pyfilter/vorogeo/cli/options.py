@@ -176,9 +176,16 @@ def _command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
         help="what belongs to the surface: labels, an annotation, GIFTI or .npy, with a value for each vertex",
     )
     command.add_argument(
+        "--gap",
+        type=_LENGTH,
+        default=0.0,
+        metavar="LENGTH",
+        help="bridge gaps up to this width, in the unit of --normalise; default 0: none",
+    )
+    command.add_argument(
         "--index",
         metavar="FILE",
-        help="an index of this mesh from 'vorogeo index', with the same --normalise and --mask",
+        help="an index of this mesh from 'vorogeo index', with the same --normalise, --mask and --gap",
     )
     command.add_argument(
         "--patches",

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "support/shapes.h"
+#include "support/gaps.h"
 
 namespace vorogeo {
 namespace {
@@ -90,6 +90,17 @@ TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {
     EXPECT_NEAR(measured.length, 1.0, 1e-12);
     EXPECT_LT(measured.rounding, 1e-13);
   }
+}
+
+TEST(SurfacePath, StepsOverGapsAreMarked) {
+  const test::Soup soup = test::two_plates(1, 1, 0.1).soup;
+  GapBridges bridges;
+  bridges.faces = {{1, 4, 3}, {4, 6, 3}};
+  const Mesh mesh(soup.positions, soup.faces, bridges);
+  const std::array points{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(1), SurfacePoint::at_vertex(4),
+                          SurfacePoint::at_vertex(6)};
+  EXPECT_EQ(steps_over_gaps(mesh, points), (std::vector<bool>{false, true, false, false}));
+  EXPECT_EQ(steps_over_gaps(Mesh(soup.positions, soup.faces), points), std::vector<bool>(4, false));
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 #include <limits>
 #include <tuple>
 
+#include "support/error.h"
+#include "support/gaps.h"
 #include "support/ply.h"
-#include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
@@ -193,6 +194,21 @@ TEST(MeshCheck, AgreesWithTheNotesOnRealMeshes) {
     EXPECT_EQ(report.border_edges, 0);
     EXPECT_EQ(report.zero_area_faces.count, 0);
   }
+}
+
+TEST(MeshCheck, SaysWhatAGapWouldJoin) {
+  const Soup plates = test::two_plates(6, 7, 0.03).soup;
+  const MeshReport without = check(plates);
+  EXPECT_NEAR(without.gap_to_join_all, 0.03, 1e-12);
+  EXPECT_EQ(without.components_after_bridging, 2);
+  EXPECT_EQ(without.sentences().back(), "Bridging gaps of up to 0.03 would make the components one.");
+  const MeshReport with = check_mesh(plates.positions, plates.faces, {0.04});
+  EXPECT_EQ(with.joined_borders, 2);
+  EXPECT_EQ(with.components_after_bridging, 1);
+  EXPECT_EQ(with.sentences().back(),
+            "Bridging gaps of up to 0.04 joins 2 borders of 2 and leaves 1 component.");
+  EXPECT_EQ(check(test::exploded(test::icosphere(0)).soup).gap_to_join_all, 0.0);
+  EXPECT_THROW(check_mesh(plates.positions, plates.faces, {-1.0}), InvalidInput);
 }
 
 }  // namespace

@@ -48,12 +48,13 @@ TEST(MeshSentences, Gaps) {
   for (Point& p : second.positions) p[1] += 1.001;
   const auto sentences =
       check(test::two_components(test::plane_grid(2, 1, 2.0, 1.0).soup, second)).sentences();
-  ASSERT_EQ(sentences.size(), 2U);
+  ASSERT_EQ(sentences.size(), 3U);
+  EXPECT_EQ(sentences[1], "Bridging gaps of up to 0.001 would make the components one.");
   EXPECT_EQ(
-      sentences[1],
+      sentences[2],
       "6 border vertices lie close to others that no short path leads to (the closest: vertices 3 and 6, "
-      "0.001 apart; the farthest: 0.001); paths do not cross such gaps: merge close vertices first if the "
-      "surface should be joined.");
+      "0.001 apart; the farthest: 0.001); paths cross such gaps only if they are bridged, or the vertices "
+      "merged.");
 }
 
 TEST(MeshSentences, Scale) {
