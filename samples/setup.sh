@@ -37,7 +37,8 @@ logs=build/logs
 mkdir -p "$logs"
 
 # Runs a step unless its stamp says that it succeeded with the same input before. The stamp lies in the folder
-# that the step makes, so that removing the folder removes the stamp.
+# that the step makes, so that removing the folder removes the stamp. A function returns at its first failure by itself:
+# bash does not stop it inside a condition.
 # Usage: once NAME STAMP INPUT COMMAND...
 once() {
   local name="$1" stamp="$2" input="$3" log="$logs/$1.log"
@@ -114,8 +115,8 @@ core_preset=core
 [ "$with_tests" = no ] || core_preset=release
 core_library="$PWD/build/$core_preset/core/libvorogeo_core.a"
 build_core() {
-  cmake --preset "$core_preset"
-  cmake --build "build/$core_preset" --target vorogeo_core --parallel "$jobs"
+  cmake --preset "$core_preset" &&
+    cmake --build "build/$core_preset" --target vorogeo_core --parallel "$jobs"
 }
 core() { once "core" "build/$core_preset/.stamp-core" "$(sources core)" build_core; }
 
@@ -123,8 +124,8 @@ core() { once "core" "build/$core_preset/.stamp-core" "$(sources core)" build_co
 # Leaves the plugin in build/plugin-VERSION-double/plugin and a copy in build/plugins/VERSION, as pyfilter takes it.
 build_plugin() {
   local folder="build/plugin-$1-double"
-  cmake --preset "plugin-$1-double" "-DVOROGEO_CORE_LIBRARY=$core_library"
-  cmake --build "$folder" --target filter_vorogeo --parallel "$jobs"
+  cmake --preset "plugin-$1-double" "-DVOROGEO_CORE_LIBRARY=$core_library" || return
+  cmake --build "$folder" --target filter_vorogeo --parallel "$jobs" || return
   mkdir -p "build/plugins/$1"
   if ! cmp -s "$folder/plugin/libfilter_vorogeo.so" "build/plugins/$1/libfilter_vorogeo.so"; then
     cp "$folder/plugin/libfilter_vorogeo.so" "build/plugins/$1/.new"
@@ -163,8 +164,8 @@ install_peers() {
   done
 }
 build_bench() {
-  cmake --preset bench
-  cmake --build build/bench --target core_bench trade_off_bench paths_bench --parallel "$jobs"
+  cmake --preset bench || return
+  cmake --build build/bench --target core_bench trade_off_bench paths_bench --parallel "$jobs" || return
   cmake --build build/bench --target cgal_peer --parallel "$jobs" || echo "left out: CGAL"
 }
 if [ "$for_bench" = yes ]; then

@@ -39,7 +39,7 @@ AnswerMethod method_of(const FilterCall& call) {
 SurfaceOfLayer::SurfaceOfLayer(FilterCall& call, const LayerMesh& layer_mesh,
                                std::shared_ptr<const Mesh> mesh)
     : call_(call), layer_mesh_(layer_mesh) {
-  auto index = call.indexes.find(layer_mesh.arrays(), &call.document);
+  auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
   had_index_ = index != nullptr;
   if (had_index_) {
     mesh = index->mesh();
@@ -56,7 +56,7 @@ Results SurfaceOfLayer::finish(const Answered& answered) {
   if (!answered.remark.empty()) call_.log(answered.remark);
   if (const auto index = surface_->index(); index && !had_index_) {
     log_statistics(call_, index->statistics());
-    call_.indexes.put(layer_mesh_.arrays(), index, &call_.document);
+    call_.indexes.put(layer_mesh_.arrays(), layer_mesh_.gap(), index, &call_.document);
   }
   Results results = {{"answered_by", static_cast<int>(answered.by)}};
   std::string line = std::string("Answered by ") + answered_by[static_cast<int>(answered.by)];
