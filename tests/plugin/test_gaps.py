@@ -42,7 +42,7 @@ def test_the_index_of_another_gap_is_not_used(plates):
     ms = mesh_set(vertices, faces)
     ms.apply_filter(INDEX, gap=length(2 * GAP))
     far = len(vertices) - 1
-    without = ms.apply_filter(TWO_POINTS, source=0, target=far)
+    without = ms.apply_filter(TWO_POINTS, source=0, target=far, method="index")
     assert without["distance"] == np.inf
     assert without["index_reused"] is False
     within = ms.apply_filter(TWO_POINTS, source=0, target=far, gap=length(2 * GAP))

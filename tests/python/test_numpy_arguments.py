@@ -58,7 +58,7 @@ BAD_MESHES = [
     (VERTICES[None], FACES, r"vertices: has shape \(1, 20, 3\)"),
     ([[0, 0, 0], [1, 0]], FACES, "vertices: cannot be read"),
     ("mesh.ply", FACES, "vertices: is not an array of numbers"),
-    (None, FACES, "vertices: is not an array of numbers"),
+    (None, FACES, "vertices: is None; give positions"),
     (VERTICES + 0j, FACES, "vertices: is not an array of numbers"),
     (VERTICES > 0, FACES, "vertices: has type bool"),
     (replaced(VERTICES, (7, 1), np.nan), FACES, r"vertices\[7\]: .*nan.* is not finite"),
