@@ -88,7 +88,7 @@ FilterRow geodesic_path_row() {
       "over "
       "a bridged gap are selected.</p>" +
           help_on_end_points() +
-          "<p>How to choose: without an index, the path is always the exact one. With one, and without "
+          "<p>Without an index, the path is always the exact one. With one, and without "
           "<b>Exact</b>, the path that the index gives is shortened until it is a "
           "geodesic: never shorter than the shortest path, and mostly that path itself. With <b>Exact</b> it "
           "is "

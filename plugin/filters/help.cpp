@@ -28,18 +28,8 @@ QString help_on_exact() {
 }
 
 QString help_on_choosing() {
-  return "<p>How to choose: leave <b>Method</b> at automatic. It takes the index if this mesh has one, "
-         "otherwise "
-         "exact "
-         "answers until these have taken as long as building an index would; then it builds one, which "
-         "answers "
-         "until the "
-         "mesh is edited. <i>index</i> builds it at once, for hundreds of calls; <i>exact</i> never does; "
-         "<i>quick</i> is "
-         "for previews. The log says what answered. Leave <b>Max distance</b> at 0 unless only the "
-         "surroundings of "
-         "the "
-         "sources matter.</p>";
+  return "<p>How to choose: leave <b>Method</b> at automatic. It takes the index if there is one, and builds "
+         "it once exact answers have taken as long as building it would. The log says what answered.</p>";
 }
 
 QString help_on_task_points() {

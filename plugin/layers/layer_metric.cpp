@@ -79,8 +79,11 @@ void add_metric_parameters(RichParameterList& list) {
   list.addParam(
       RichEnum("metric", static_cast<int>(LayerMetric::length),
                {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature"}, "Metric",
-               "What paths cost: their length, the integral of the vertex quality, more on slopes, or "
-               "more across ridges and limbs than along them."));
+               "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
+               "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
+               "or more across ridges and limbs than along them. An index belongs to its metric: quality "
+               "that is painted anew is a new one. A filter that overwrites the quality keeps the cost as "
+               "the vertex attribute metric_cost, so that it can be applied again."));
   list.addParam(
       RichFloat("slope_penalty", 1, "Slope penalty",
                 "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z "
@@ -90,18 +93,8 @@ void add_metric_parameters(RichParameterList& list) {
                           "they run around them."));
 }
 
-QString help_on_metric() {
-  return "<p><b>Metric</b>: distances, radii and areas are lengths, unless another cost of paths is chosen: "
-         "the "
-         "<i>vertex quality</i>, a cost above 0 for each unit of length, <b>not a speed</b> (where it is 2, "
-         "paths "
-         "count twice); a <b>Slope penalty</b> for terrain; or the principal directions, by <b>Curvature "
-         "weight</b>. An index belongs to its metric: quality that is painted anew is a new one. A filter "
-         "that "
-         "overwrites the quality keeps the cost as the vertex attribute <i>metric_cost</i>, so that it can "
-         "be "
-         "applied again.</p>";
-}
+// Short: a dialog is as high as its help, and must leave room for its buttons on a small screen.
+QString help_on_metric() { return "<p><b>Metric</b>: lengths, or a cost of paths; its tip says more.</p>"; }
 
 LayerMetric metric_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
