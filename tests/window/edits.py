@@ -35,7 +35,7 @@ class Edits:
         """Everything; what was seen before a step failed is kept."""
         window = MeshLabWindow([self.folder / "meshes" / "terrain.ply"], self.folder / "edits.log")
         try:
-            self.apply(window, FROM_POINT, {"Start vertex": str(BEFORE)})
+            self.apply(window, FROM_POINT, {"Start vertex": str(BEFORE), "Method": "index"})
             self.pick_a_point(window)
             self.edit(window)
             self.lack_memory(window)
@@ -76,13 +76,15 @@ class Edits:
         window.close(dialog)
 
     def edit(self, window: MeshLabWindow) -> None:
-        """The mesh is scaled: there is no index until the next distance builds one."""
+        """The mesh is scaled: there is no index until the next distance by the index builds one."""
         self.apply(window, DESCRIBE)
         self.apply(window, "Transform: Scale, Normalize", {"X Axis": str(SCALE)})
         self.seen["lines before the edit"] = len(window.log_lines())
         self.apply(window, DESCRIBE)
         self.seen["save after the edit"] = self.apply(window, SAVE, {"Index file": str(self.folder / "stale.vgi")})
-        self.seen["apply after the edit"] = self.apply(window, FROM_POINT, {"Start vertex": str(AFTER)})
+        self.seen["apply after the edit"] = self.apply(
+            window, FROM_POINT, {"Start vertex": str(AFTER), "Method": "index"}
+        )
         window.export()
         mesh = self.folder / "meshes" / "terrain.ply"
         (self.folder / "field_edited.ply").write_bytes(mesh.read_bytes())

@@ -82,6 +82,8 @@ class Scenario:
         for key, name in (("index", FROM_POINT), ("exact", EXACT_FROM_POINT)):
             dialog = window.open_filter(name)
             window.fill(dialog, "Start vertex", str(SOURCE))
+            if key == "index":
+                window.fill(dialog, "Method", "index")
             self.seen["errors"][f"apply {name}"] = window.apply(dialog)
             self.picture(window, f"field_{key}")
             window.close(dialog)

@@ -19,7 +19,7 @@ gi.require_version("Atspi", "2.0")
 from gi.repository import Atspi, GLib  # noqa: E402
 
 Result = TypeVar("Result")
-SIZE = (1280, 900)
+SIZE = (1280, 1080)
 # Seconds to wait for what takes one or two on an idle machine.
 PATIENCE = 60
 START_PATIENCE = 180
