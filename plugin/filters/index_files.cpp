@@ -98,7 +98,8 @@ FilterRow describe_index_row() {
           "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: "
           "vertices, "
           "patches, border vertices, arcs, size in memory and time of building. Builds nothing and changes "
-          "nothing.</p>" +
+          "nothing.</p>"
+          "<p>How to choose: an index belongs to the metric and the gap it was built with.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,

@@ -113,7 +113,9 @@ class Scenario:
             window.fill(dialog, "Index file", file)
             self.seen["errors"][f"apply {name}"] = window.apply(dialog)
             window.close(dialog)
-        self.seen["describe opens"] = window.open_filter(DESCRIBE_INDEX) is not None
+        dialog = window.open_filter(DESCRIBE_INDEX)
+        self.seen["errors"][f"apply {DESCRIBE_INDEX}"] = window.apply(dialog)
+        window.close(dialog)
         self.picture(window, "index_in_the_log")
 
     def save(self, window: MeshLabWindow, key: str) -> None:
