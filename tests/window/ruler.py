@@ -286,8 +286,7 @@ class Ruler:
             self.note(window, "large edited")
             self.seen["status edited"] = window.status()
             window.press(window.dock(), *window.buttons("Prepare"))
-            time.sleep(3.0)
-            self.seen["building"] = window.buttons("Cancel")
+            self.seen["building"] = wait_for("the build to begin", lambda: window.buttons("Cancel"), 10)
             self.seen["seconds to quit"] = window.quit()
         finally:
             self.seen["large lines"] = window.ruler_lines()
