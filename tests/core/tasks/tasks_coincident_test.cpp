@@ -1,0 +1,163 @@
+// Tasks where different vertices lie at one place: on both sides of a slit, and on two copies of a surface.
+// What counts is the way over the surface, never the place.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/indexes.h"
+#include "support/shapes.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/extent.h"
+#include "tasks/lloyd.h"
+#include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
+#include "tasks/voronoi_regions.h"
+
+namespace vorogeo {
+namespace {
+
+/// The plane with a slit, its formula, and the two vertices at the middle of the slit, the upper one first.
+struct SlitPlane {
+  test::Shape shape = test::plane_with_slit(4);
+  std::shared_ptr<const Mesh> mesh = test::make_mesh(shape.soup);
+  std::vector<Index> middle;
+
+  SlitPlane() {
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (std::hypot(mesh->position(v)[0], mesh->position(v)[1]) < 1e-12) middle.push_back(v);
+    }
+    if (!is_above(middle.front())) std::swap(middle.front(), middle.back());
+  }
+
+  /// Whether a vertex has faces above the slit only.
+  bool is_above(Index vertex) const { return side(vertex, 1.0); }
+  bool is_below(Index vertex) const { return side(vertex, -1.0); }
+  bool side(Index vertex, double sign) const {
+    return std::ranges::all_of(shape.soup.faces, [&](const auto& face) {
+      if (std::ranges::find(face, vertex) == face.end()) return true;
+      double height = 0.0;
+      for (const Index corner : face) height += sign * shape.soup.positions[corner][1];
+      return height > 0.0;
+    });
+  }
+};
+
+/// Exact fields, and an index of a few patches; with how much each may err, relative to the distance.
+struct Answering {
+  FieldTeam team;
+  double error;
+};
+std::vector<Answering> both(const test::Soup& soup) {
+  std::vector<Answering> teams;
+  teams.push_back({FieldTeam(test::make_mesh(soup), 2), 1e-9});
+  teams.push_back({FieldTeam(test::make_index(soup, 2, 4), 2), 5e-3});
+  return teams;
+}
+
+TEST(TasksOfCoincidentVertices, MatricesAndNeighboursGoRoundTheSlit) {
+  const SlitPlane slit;
+  const PointList points(slit.middle);
+  for (auto& [team, error] : both(slit.shape.soup)) {
+    std::vector<double> matrix(4);
+    distance_matrix(team, points, MatrixMethod::fields, matrix);
+    EXPECT_NEAR(matrix[1], 2.0, 2.0 * error);
+    EXPECT_EQ(matrix[1], matrix[2]);
+    if (!team.is_exact()) {
+      distance_matrix(team, points, MatrixMethod::pairs, matrix);
+      EXPECT_NEAR(matrix[1], 2.0, 2.0 * error);
+    }
+    EXPECT_TRUE(pairs_within(team, points, 1.9).column.empty());
+    EXPECT_EQ(pairs_within(team, points, 2.1).column, (std::vector<Index>{1, 0}));
+    const NearestOfSet nearest = nearest_of_set(team, points, points, 2);
+    EXPECT_EQ(nearest.position, (std::vector<Index>{0, 1, 1, 0}));
+    EXPECT_NEAR(nearest.distance[1], 2.0, 2.0 * error);
+  }
+}
+
+TEST(TasksOfCoincidentVertices, EachSideOfTheSlitBelongsToItsSite) {
+  const SlitPlane slit;
+  for (auto& [team, error] : both(slit.shape.soup)) {
+    const VoronoiRegions regions = voronoi_regions(team, slit.middle);
+    for (Index v = 0; v < team.mesh().vertex_count(); ++v) {
+      const Index owner = regions.vertex_region[v];
+      const double upper = slit.shape.vertex_distance(slit.middle[0], v);
+      const double lower = slit.shape.vertex_distance(slit.middle[1], v);
+      EXPECT_NEAR(regions.distance[v], std::min(upper, lower), 2.0 * error) << v;
+      EXPECT_TRUE(owner == 0 || !slit.is_above(v)) << v;
+      EXPECT_TRUE(owner == 1 || !slit.is_below(v)) << v;
+    }
+    EXPECT_NEAR(regions.area[0], 4.0, 0.04);
+    EXPECT_NEAR(regions.area[1], 4.0, 0.04);
+    const RelaxedPoints relaxed = relax_points(team, slit.middle, 3);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double height = slit.mesh->position(relaxed.vertices[i])[1];
+      EXPECT_GT(i == 0 ? height : -height, 0.2) << "a site moves to the middle of its own side";
+    }
+  }
+}
+
+TEST(TasksOfCoincidentVertices, DisksStayOnTheirSide) {
+  const SlitPlane slit;
+  for (auto& [team, error] : both(slit.shape.soup)) {
+    const GeodesicDisk disk = geodesic_disk(team, PointList(std::vector{slit.middle[0]}), 0.9);
+    std::vector<Index> expected;
+    for (Index v = 0; v < team.mesh().vertex_count(); ++v) {
+      if (slit.shape.vertex_distance(slit.middle[0], v) <= 0.9) expected.push_back(v);
+    }
+    EXPECT_EQ(disk.vertices, expected);
+    EXPECT_TRUE(std::ranges::all_of(disk.vertices, [&](Index v) { return slit.is_above(v); }));
+    const auto reach = eccentricities(team, PointList(slit.middle));
+    for (const Eccentricity& one : reach) EXPECT_NEAR(one.distance, 1.0 + std::sqrt(2.0), 3.0 * error);
+  }
+}
+
+TEST(TasksOfCoincidentVertices, SamplesCoverBothSides) {
+  const SlitPlane slit;
+  for (auto& [team, error] : both(slit.shape.soup)) {
+    const std::vector<Index> scattered = sample_poisson_disk(team, 0.4);
+    for (std::size_t i = 0; i < scattered.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_GE(slit.shape.vertex_distance(scattered[i], scattered[j]), 0.4 * (1.0 - error));
+      }
+    }
+    for (const Index vertex : slit.middle) {
+      double nearest = unreachable;
+      for (const Index sample : scattered) {
+        nearest = std::min(nearest, slit.shape.vertex_distance(sample, vertex));
+      }
+      EXPECT_LE(nearest, 0.4 * (1.0 + error));
+    }
+    const FarthestSamples far = sample_farthest(team, {2, 0.0}, std::vector{slit.middle[0]});
+    EXPECT_NEAR(far.radius[1], 1.0 + std::sqrt(2.0), 3.0 * error);
+    EXPECT_TRUE(slit.is_below(far.vertices[1]));
+  }
+}
+
+TEST(TasksOfCoincidentVertices, CopiesOfASurfaceAreApart) {
+  const test::Soup sphere = test::icosphere(2);
+  const auto copy = static_cast<Index>(sphere.positions.size());
+  const PointList twins(std::vector<Index>{0, copy});
+  for (auto& [team, error] : both(test::two_components(sphere, sphere))) {
+    std::vector<double> matrix(4);
+    distance_matrix(team, twins, MatrixMethod::fields, matrix);
+    EXPECT_EQ(matrix, (std::vector<double>{0.0, unreachable, unreachable, 0.0}));
+    EXPECT_TRUE(pairs_within(team, twins, 100.0).column.empty());
+    const NearestOfSet nearest = nearest_of_set(team, PointList(std::vector<Index>{0}), twins, 1);
+    EXPECT_EQ(nearest.position, (std::vector<Index>{0, no_index}));
+    const VoronoiRegions regions = voronoi_regions(team, std::vector<Index>{0});
+    for (Index v = 0; v < copy; ++v) {
+      EXPECT_EQ(regions.vertex_region[v], 0);
+      EXPECT_EQ(regions.vertex_region[copy + v], no_index);
+    }
+    const FarthestSamples far = sample_farthest(team, {2, 0.0}, std::vector<Index>{0});
+    EXPECT_GE(far.vertices[1], copy);
+    EXPECT_EQ(far.radius[1], unreachable);
+    const GeodesicDisk disk = geodesic_disk(team, PointList(std::vector<Index>{0}), 100.0);
+    EXPECT_EQ(disk.vertices.size(), static_cast<std::size_t>(copy));
+    EXPECT_LT(disk.vertices.back(), copy);
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo
