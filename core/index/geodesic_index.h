@@ -14,6 +14,10 @@ namespace vorogeo {
 
 struct IndexData;
 
+/// Where a loaded index has its large tables: in the file, whose pages all processes that load it share, or
+/// in memory of its own.
+enum class TableStorage { mapped, copied };
+
 /// Two layers of geodesic Voronoi patches with local exact tables and the graph between them.
 class GeodesicIndex {
  public:
@@ -29,8 +33,11 @@ class GeodesicIndex {
   void save(const std::filesystem::path& file) const;
   /// Reads an index and ties it to its mesh. \throw IndexFileError if the file is missing, damaged, of
   /// another version, or was built for a mesh with another fingerprint.
+  ///
+  /// A mapped file may be removed or replaced by another, but not written to or cut in place (MappedFile).
   static std::shared_ptr<const GeodesicIndex> load(const std::filesystem::path& file,
-                                                   std::shared_ptr<const Mesh> mesh);
+                                                   std::shared_ptr<const Mesh> mesh,
+                                                   TableStorage storage = TableStorage::mapped);
 
   const std::shared_ptr<const Mesh>& mesh() const;
   const Fingerprint& fingerprint() const;

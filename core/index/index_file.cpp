@@ -1,10 +1,11 @@
 // The container of index files. Layout, little endian: magic (8 bytes), version (u32), byte order mark (u32),
-// then blocks: element size (u64), number of elements (u64), checksum of the contents (u64), the contents.
+// then blocks: element size (u64), number of elements (u64), checksum of the contents (u64), zeros up to a
+// multiple of block_alignment, the contents.
 #include "index/index_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <system_error>
 
@@ -13,13 +14,14 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
-constexpr std::uint32_t version = 6;
+constexpr std::uint32_t version = 7;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
 
-/// The system's reason for a failure; empty unless errno, cleared beforehand, was set: streams do not promise
-/// to set it.
-std::string reason_of_system() { return errno ? " (" + std::generic_category().message(errno) + ")" : ""; }
+/// Bytes from a place in a file to the next at which contents may begin.
+std::size_t padding_at(std::size_t place) {
+  return (block_alignment - place % block_alignment) % block_alignment;
+}
 
 /// Only plain files are opened: opening a pipe would wait forever.
 void check_readable(const std::filesystem::path& file) {
@@ -79,14 +81,19 @@ IndexFileWriter::IndexFileWriter(const std::filesystem::path& file)
     for (std::uint32_t number : {version, byte_order})
       out_->write(std::as_bytes(std::span<const std::uint32_t, 1>(&number, 1)));
   });
+  written_ = magic.size() + sizeof(version) + sizeof(byte_order);
 }
 
 void IndexFileWriter::write(std::span<const std::byte> bytes, std::size_t element_size) {
   const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, block_checksum(bytes)};
+  const std::array<std::byte, block_alignment> zeros{};
+  const std::size_t padding = padding_at(written_ + sizeof(head));
   writing([&] {
     out_->write(std::as_bytes(std::span(head)));
+    out_->write(std::span(zeros).first(padding));
     out_->write(bytes);
   });
+  written_ += sizeof(head) + padding + bytes.size();
 }
 
 void IndexFileWriter::finish() {
@@ -95,14 +102,13 @@ void IndexFileWriter::finish() {
 
 IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file) {
   check_readable(file);
-  std::error_code error;
-  left_ = std::filesystem::file_size(file, error);
-  errno = 0;
-  in_.open(file, std::ios::binary);
-  if (error || !in_) {
-    throw IndexFileError("Cannot open the index file " + file.string() + reason_of_system() +
-                         "; check that you may read it.");
+  try {
+    contents_ = std::make_shared<const MappedFile>(file);
+  } catch (const std::system_error& error) {
+    throw IndexFileError("Cannot open the index file " + file.string() + " (" + error.code().message() +
+                         "); check that you may read it.");
   }
+  left_ = contents_->bytes();
   const auto found = number<std::array<char, 8>>();
   if (found != magic) throw IndexFileError(file.string() + " is not an index file of VoroGeo.");
   const auto found_version = number<std::uint32_t>();
@@ -123,7 +129,7 @@ IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file
 template <class T>
 T IndexFileReader::number() {
   T value;
-  read(std::as_writable_bytes(std::span<T, 1>(&value, 1)).first(sizeof(T)));
+  std::memcpy(&value, take(sizeof(T)).data(), sizeof(T));
   return value;
 }
 
@@ -135,8 +141,7 @@ std::size_t IndexFileReader::next_count(std::size_t element_size) {
   const auto size = number<std::uint64_t>();
   count_ = number<std::uint64_t>();
   if (size != element_size) fail("is damaged (unexpected block)");
-  if (left_ < sizeof(std::uint64_t) || count_ > (left_ - sizeof(std::uint64_t)) / element_size)
-    fail("is truncated");
+  if (count_ > left_.size() / element_size) fail("is truncated");
   counted_ = true;
   return count_;
 }
@@ -147,21 +152,24 @@ void IndexFileReader::expect(std::size_t count, std::size_t element_size) {
   if (count_ != count) fail("is damaged (a block has the wrong size)");
 }
 
-void IndexFileReader::read(std::span<std::byte> bytes) {
-  if (bytes.size() > left_) fail("is truncated");
-  in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!in_) fail("could not be read");
-  left_ -= bytes.size();
+std::span<const std::byte> IndexFileReader::take(std::size_t bytes) {
+  if (bytes > left_.size()) fail("is truncated");
+  const auto taken = left_.first(bytes);
+  left_ = left_.subspan(bytes);
+  return taken;
 }
 
-void IndexFileReader::read_checked(std::span<std::byte> contents) {
+std::span<const std::byte> IndexFileReader::checked(std::size_t bytes) {
   const auto expected = number<std::uint64_t>();
-  read(contents);
-  if (block_checksum(contents) != expected) fail("is damaged (a checksum does not match)");
+  const auto padding = take(padding_at(contents_->bytes().size() - left_.size()));
+  const bool zeros = std::ranges::all_of(padding, [](std::byte byte) { return byte == std::byte{0}; });
+  const auto contents = take(bytes);
+  if (!zeros || block_checksum(contents) != expected) fail("is damaged (a checksum does not match)");
+  return contents;
 }
 
 void IndexFileReader::finish() {
-  if (left_ != 0) fail("is damaged (it goes on after its end)");
+  if (!left_.empty()) fail("is damaged (it goes on after its end)");
 }
 
 }  // namespace vorogeo

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,13 +11,18 @@
 #include <vector>
 
 #include "support/error.h"
+#include "support/mapped_file.h"
 #include "support/output_file.h"
+#include "support/shared_array.h"
 
 namespace vorogeo {
 
 /// Checksum of the contents of a block, at the speed of memory: every bit of the input changes it (multiply,
 /// rotate, add).
 std::uint64_t block_checksum(std::span<const std::byte> bytes);
+
+/// The contents of blocks begin at multiples of this in a file, as cache lines do in memory.
+inline constexpr std::size_t block_alignment = 64;
 
 /// Writes an OutputFile, so that the target is either the old file or the complete new one. All its functions
 /// throw IndexFileError if the file cannot be written: a folder, a device, no permission, a full disk.
@@ -34,6 +39,10 @@ class IndexFileWriter {
   void block(const std::vector<T>& values) {
     block(std::span<const T>(values));
   }
+  template <class T>
+  void block(const SharedArray<T>& values) {
+    block(std::span<const T>(values));
+  }
   /// Moves the file to its place.
   void finish();
 
@@ -41,6 +50,7 @@ class IndexFileWriter {
   void write(std::span<const std::byte> bytes, std::size_t element_size);
 
   std::unique_ptr<OutputFile> out_;
+  std::size_t written_ = 0;
 };
 
 /// Reads the blocks in the order in which they were written.
@@ -55,14 +65,27 @@ class IndexFileReader {
   std::vector<T> block(std::size_t count) {
     static_assert(std::is_trivially_copyable_v<T>);
     expect(count, sizeof(T));
+    const auto contents = checked(count * sizeof(T));
     std::vector<T> values(count);
-    read_checked(std::as_writable_bytes(std::span<T>(values)));
+    if (count > 0) std::memcpy(values.data(), contents.data(), contents.size());
     return values;
   }
   /// The next block, of any size that the rest of the file can hold.
   template <class T>
   std::vector<T> block() {
     return block<T>(next_count(sizeof(T)));
+  }
+  /// The next block as it lies in the file, which stays mapped as long as the array lives.
+  template <class T>
+  SharedArray<T> mapped_block(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= block_alignment);
+    expect(count, sizeof(T));
+    const auto contents = checked(count * sizeof(T));
+    return {{reinterpret_cast<const T*>(contents.data()), count}, contents_};
+  }
+  template <class T>
+  SharedArray<T> mapped_block() {
+    return mapped_block<T>(next_count(sizeof(T)));
   }
   /// \throw IndexFileError if anything follows.
   void finish();
@@ -72,14 +95,15 @@ class IndexFileReader {
  private:
   std::size_t next_count(std::size_t element_size);
   void expect(std::size_t count, std::size_t element_size);
-  void read(std::span<std::byte> bytes);
-  void read_checked(std::span<std::byte> contents);
+  std::span<const std::byte> take(std::size_t bytes);
+  /// The contents of a block whose sizes have been read.
+  std::span<const std::byte> checked(std::size_t bytes);
   template <class T>
   T number();
 
   std::filesystem::path file_;
-  std::ifstream in_;
-  std::uint64_t left_ = 0;  ///< bytes of the file not yet read
+  std::shared_ptr<const MappedFile> contents_;
+  std::span<const std::byte> left_;  ///< what was not yet read
   bool counted_ = false;
   std::uint64_t count_ = 0;
 };

@@ -12,6 +12,7 @@
 #include "index/border_stretches.h"
 #include "index/patch_neighbours.h"
 #include "mesh/mesh.h"
+#include "support/shared_array.h"
 
 namespace vorogeo {
 
@@ -66,7 +67,7 @@ struct PatchLayer {
   BorderStretches stretches;  ///< by patch
   TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
-  std::vector<std::uint16_t> table;
+  SharedArray<std::uint16_t> table;
   std::vector<float> unit;             ///< by patch: distance of an entry of 1
   std::vector<float> offset;           ///< by member_begin[patch] + column, 0 if not far; empty: none is far
   std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is infinite_entry

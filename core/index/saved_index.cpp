@@ -1,5 +1,6 @@
 // Which parts of an index go into its file, and the checks that tie a file to a mesh.
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <string>
 
@@ -26,11 +27,21 @@ void require_distances(IndexFileReader& in, const std::vector<T>& values) {
   }
 }
 
-void load_layer(IndexFileReader& in, PatchLayer& layer) {
-  layer.table = in.block<std::uint16_t>(layer.table_begin.back());
-  for (std::uint16_t entry : layer.table) {
-    if (entry > PatchLayer::infinite_entry)
-      in.fail("is damaged (a distance is greater than its table can hold)");
+using Entries = SharedArray<std::uint16_t>;
+
+Entries read_entries(IndexFileReader& in, TableStorage storage) {
+  return storage == TableStorage::mapped ? in.mapped_block<std::uint16_t>()
+                                         : Entries(in.block<std::uint16_t>());
+}
+
+void load_layer(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
+  layer.table = read_entries(in, storage);
+  if (layer.table.size() != layer.table_begin.back()) in.fail("is damaged (a block has the wrong size)");
+  std::uint16_t bits = 0;
+  for (std::uint16_t entry : layer.table) bits |= entry;
+  static_assert(std::has_single_bit(PatchLayer::infinite_entry + 1U));
+  if (bits > PatchLayer::infinite_entry) {
+    in.fail("is damaged (a distance is greater than its table can hold)");
   }
   layer.unit = in.block<float>(layer.patch_count);
   require_distances(in, layer.unit);
@@ -46,8 +57,9 @@ void load_layer(IndexFileReader& in, PatchLayer& layer) {
   note_complete(layer);
 }
 
-void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLayer& first) {
-  auto entry = in.block<std::uint16_t>();
+void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLayer& first,
+                        TableStorage storage) {
+  auto entry = read_entries(in, storage);
   auto least = in.block<float>();
   const auto unit = in.block<float>(1);
   require_distances(in, least);
@@ -159,7 +171,8 @@ void GeodesicIndex::save(const std::filesystem::path& file) const {
 }
 
 std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::path& file,
-                                                         std::shared_ptr<const Mesh> mesh) {
+                                                         std::shared_ptr<const Mesh> mesh,
+                                                         TableStorage storage) {
   IndexFileReader in(file);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
@@ -179,10 +192,10 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   const IndexForm form = numbers[2] == 1 ? IndexForm::graph : IndexForm::tables;
   load_partition(in, data->partition, data->mesh->face_count());
   data->lay_out(0, {});
-  load_layer(in, data->second);
+  load_layer(in, data->second, storage);
   if (form == IndexForm::tables) {
-    load_layer(in, data->first);
-    load_transit_table(in, data->transit_table, data->first);
+    load_layer(in, data->first, storage);
+    load_transit_table(in, data->transit_table, data->first, storage);
     data->access_bounds = make_access_bounds(*data);
   } else {
     in.block<std::uint16_t>(0);
@@ -195,6 +208,11 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   load_graph(in, data->graph, form, data->second, data->first);
   in.finish();
   data->count();
+  if (storage == TableStorage::mapped) {
+    for (const Entries* table : {&data->second.table, &data->first.table, &data->transit_table.entry}) {
+      data->statistics.mapped_bytes += static_cast<std::int64_t>(table->size() * sizeof((*table)[0]));
+    }
+  }
   return std::make_shared<const GeodesicIndex>(std::move(data));
 }
 

@@ -79,7 +79,7 @@ float TableDraft::set_offsets(PatchLayer& layer, Index patch) {
 }
 
 void TableDraft::finish(PatchLayer& layer) {
-  layer.table.assign(layer.table_begin.back(), PatchLayer::infinite_entry);
+  std::vector<std::uint16_t> entries(layer.table_begin.back(), PatchLayer::infinite_entry);
   layer.unit.assign(layer.patch_count, 0.0f);
   layer.offset.clear();
   for (Index p = 0; p < layer.patch_count; ++p) {
@@ -87,7 +87,7 @@ void TableDraft::finish(PatchLayer& layer) {
     const float greatest = set_offsets(layer, p);
     layer.unit[p] = greatest / PatchLayer::greatest_entry;
     const double scale = greatest > 0.0f ? 1.0 / layer.unit[p] : 0.0;
-    std::uint16_t* table = layer.table.data() + layer.table_begin[p];
+    std::uint16_t* table = entries.data() + layer.table_begin[p];
     const auto rows = static_cast<std::size_t>(rows_[p]);
     for (Index column = 0; column < layer.member_count(p); ++column) {
       const float* from = line(p, column);
@@ -102,6 +102,7 @@ void TableDraft::finish(PatchLayer& layer) {
       }
     }
   }
+  layer.table = SharedArray(std::move(entries));
   note_complete(layer);
 }
 

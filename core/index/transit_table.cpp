@@ -45,7 +45,7 @@ std::uint16_t to_entry(double above, double unit) {
 }
 
 /// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. Returns their unit.
-float set_rows(TransitTable& table, Index a, const float* rows) {
+float set_rows(TransitTable& table, std::span<std::uint16_t> entries, Index a, const float* rows) {
   const Index height = table.size(a);
   auto for_each_entry = [&](Index b, auto&& visit) {
     std::size_t at = table.cell_begin(a, b);
@@ -68,7 +68,7 @@ float set_rows(TransitTable& table, Index a, const float* rows) {
   const float unit = widest / TransitTable::greatest_entry;
   for (Index b = 0; b < table.group_count(); ++b) {
     for_each_entry(b, [&](float value, std::size_t at) {
-      table.entry[at] =
+      entries[at] =
           value < unreachable_float ? to_entry(value - least[b], unit) : TransitTable::infinite_entry;
     });
   }
@@ -77,12 +77,13 @@ float set_rows(TransitTable& table, Index a, const float* rows) {
 
 /// Makes the distances between two groups equal in both directions, by their mean, as unfolding may err to
 /// either side; in the unit of the whole table.
-void make_symmetric(TransitTable& table, Index a, Index b, std::span<const float> unit_of_rows) {
+void make_symmetric(TransitTable& table, std::span<std::uint16_t> entries, Index a, Index b,
+                    std::span<const float> unit_of_rows) {
   const Index groups = table.group_count();
   const Index height = table.size(a);
   const Index width = table.size(b);
-  std::uint16_t* forth = table.entry.data() + table.cell_begin(a, b);
-  std::uint16_t* back = table.entry.data() + table.cell_begin(b, a);
+  std::uint16_t* forth = entries.data() + table.cell_begin(a, b);
+  std::uint16_t* back = entries.data() + table.cell_begin(b, a);
   float& least_forth = table.least[static_cast<std::size_t>(a) * groups + b];
   float& least_back = table.least[static_cast<std::size_t>(b) * groups + a];
   std::array<double, static_cast<std::size_t>(TransitTable::group_size) * TransitTable::group_size> mean;
@@ -118,7 +119,7 @@ TransitTable make_transit_table(const PatchLayer& first, int threads, const Prog
   TransitTable table = group_nodes(first);
   const auto count = static_cast<std::size_t>(table.count);
   const auto groups = static_cast<std::size_t>(table.group_count());
-  table.entry.assign(count * count, TransitTable::infinite_entry);
+  std::vector<std::uint16_t> entries(count * count, TransitTable::infinite_entry);
   table.least.assign(groups * groups, unreachable_float);
   std::vector<float> unit_of_rows(groups);
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
@@ -144,15 +145,16 @@ TransitTable make_transit_table(const PatchLayer& first, int threads, const Prog
       }
     });
     for (Index a = table.group_of[begin]; a <= table.group_of[end - 1]; ++a) {
-      unit_of_rows[a] = set_rows(table, a, own.rows.data() + (table.group_begin[a] - begin) * count);
+      unit_of_rows[a] = set_rows(table, entries, a, own.rows.data() + (table.group_begin[a] - begin) * count);
     }
   });
   table.unit = *std::max_element(unit_of_rows.begin(), unit_of_rows.end());
   parallel_for(groups, threads, progress.part(0.95, 1.0), phase, [&](std::size_t a, int) {
     for (std::size_t b = 0; b <= a; ++b) {
-      make_symmetric(table, static_cast<Index>(a), static_cast<Index>(b), unit_of_rows);
+      make_symmetric(table, entries, static_cast<Index>(a), static_cast<Index>(b), unit_of_rows);
     }
   });
+  table.entry = SharedArray(std::move(entries));
   return table;
 }
 

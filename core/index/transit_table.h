@@ -7,6 +7,7 @@
 
 #include "index/patch_layer.h"
 #include "support/progress.h"
+#include "support/shared_array.h"
 
 namespace vorogeo {
 
@@ -26,7 +27,7 @@ struct TransitTable {
   std::vector<Index> group_of;       ///< by node
   float unit = 0.0f;                 ///< distance of an entry of 1
   std::vector<float> least;          ///< shape (groups, groups)
-  std::vector<std::uint16_t> entry;  ///< by cell
+  SharedArray<std::uint16_t> entry;  ///< by cell
 
   Index group_count() const { return static_cast<Index>(group_begin.size()) - 1; }
   Index size(Index group) const { return group_begin[group + 1] - group_begin[group]; }

@@ -99,6 +99,7 @@ class IndexHandle {
     d["arcs_before_pruning"] = s.arcs_before_pruning;
     d["arcs"] = s.arcs;
     d["bytes"] = s.bytes;
+    d["mapped_bytes"] = s.mapped_bytes;
     d["seconds"] = s.seconds;
     d["expected_fields"] = s.expected_fields;
     d["delta"] = s.delta;
@@ -136,9 +137,10 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const Si
 }
 
 IndexHandle* load(const std::filesystem::path& file, const VertexArray& vertices, const FaceArray& faces,
-                  const SideArray& sides, int threads, double gap, bool folds) {
+                  const SideArray& sides, int threads, double gap, bool folds, bool mapped) {
   nb::gil_scoped_release release;
-  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides, {gap, folds}));
+  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides, {gap, folds}),
+                                   mapped ? TableStorage::mapped : TableStorage::copied);
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
 
@@ -157,7 +159,8 @@ void bind_index(nb::module_& module) {
                   nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"), nb::arg("gap"),
                   nb::arg("folds"), nb::arg("progress").none())
       .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"),
-                  nb::arg("sides").none(), nb::arg("threads"), nb::arg("gap"), nb::arg("folds"))
+                  nb::arg("sides").none(), nb::arg("threads"), nb::arg("gap"), nb::arg("folds"),
+                  nb::arg("mapped"))
       .def("distance", &IndexHandle::distance, nb::arg("source"), nb::arg("target"))
       .def("distances", &IndexHandle::distances, nb::arg("sources"), nb::arg("targets"))
       .def("distance_field", &IndexHandle::distance_field, nb::arg("sources"), nb::arg("max_distance"))

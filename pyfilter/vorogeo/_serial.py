@@ -43,4 +43,4 @@ def loaded(
     with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
         file = Path(folder) / "index.vgi"
         contents.tofile(file)
-        return _core.Index.load(file, vertices, faces, sides, threads, *gap)
+        return _core.Index.load(file, vertices, faces, sides, threads, *gap, mapped=False)  # the file goes

@@ -134,6 +134,7 @@ class GeodesicIndex(Queries):
         metric: Metric | None = None,
         gap: float = 0.0,
         bridge_folds: bool = False,
+        mapped: bool = True,
     ) -> GeodesicIndex:
         """Read an index that was saved for exactly this mesh.
 
@@ -149,6 +150,10 @@ class GeodesicIndex(Queries):
             Threads of each field; None is one per core.
         mask, metric, gap, bridge_folds
             Those that the index was built with: an index of others is refused.
+        mapped : bool, default True
+            Leave the large tables in the file: all processes that load it share that memory. It may be removed or
+            replaced (`save` does so) while it is used, but not be written to or cut in place, which ends the
+            process. False: copy them, for files that others may change.
 
         Raises
         ------
@@ -166,24 +171,8 @@ class GeodesicIndex(Queries):
         lengths = metrics.lengths(metric, points, surface)
         sides = None if lengths is None else lengths.lengths
         bridged = gap_limit(gap, bridge_folds)
-        handle = _core.Index.load(path, points, surface, sides, workers, *bridged)
-        return cls._of(handle, points, triangles, kept, metric, lengths, bridged, workers)
-
-    @classmethod
-    def _of(
-        cls,
-        handle: _core.Index,
-        vertices: NDArray[np.float64],
-        faces: NDArray[np.int32],
-        mask: NDArray[np.bool_] | None,
-        metric: Metric | None,
-        lengths: MetricLengths | None,
-        gap: GapLimit,
-        threads: int,
-    ) -> GeodesicIndex:
-        index = cls.__new__(cls)
-        index._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)
-        return index
+        handle = _core.Index.load(path, points, surface, sides, workers, *bridged, bool(mapped))
+        return cls.__new__(cls)._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
 
     def _adopt(
         self,
@@ -195,13 +184,14 @@ class GeodesicIndex(Queries):
         lengths: MetricLengths | None,
         gap: GapLimit,
         threads: int,
-    ) -> None:
+    ) -> GeodesicIndex:
         self._handle = handle
         self._paths = _core.Paths(handle)
         shortened = 0 if lengths is None else lengths.shortened_edges
         self._statistics = IndexStatistics(**handle.statistics(), shortened_edges=shortened)
         self._vertices, self._faces, self._mask = vertices, faces, mask
         self._metric, self._gap, self._threads = metric, gap, threads
+        return self
 
     def __copy__(self) -> GeodesicIndex:
         return self  # immutable
@@ -297,4 +287,4 @@ def _restored(
     surface = without_masked(faces, mask)
     lengths = metrics.lengths(metric, vertices, surface)
     handle = loaded(contents, vertices, surface, None if lengths is None else lengths.lengths, threads, gap)
-    return cls._of(handle, vertices, faces, mask, metric, lengths, gap, threads)
+    return cls.__new__(cls)._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)

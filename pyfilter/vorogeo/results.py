@@ -195,6 +195,8 @@ class IndexStatistics:
         Arcs between border vertices; in the form of tables, all of them are kept.
     bytes : int
         Memory held by the index.
+    mapped_bytes : int
+        Those of them that lie in the file which the index was loaded from: memory that all processes share.
     seconds : float
         Build time; 0 for an index that was loaded.
     expected_fields : float
@@ -220,6 +222,7 @@ class IndexStatistics:
     arcs_before_pruning: int
     arcs: int
     bytes: int
+    mapped_bytes: int
     seconds: float
     expected_fields: float
     delta: float

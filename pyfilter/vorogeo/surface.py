@@ -114,7 +114,8 @@ class Surface(PointsOnMesh):
         return None if handle is None else self._index_of(handle)
 
     def _index_of(self, handle: _core.Index) -> GeodesicIndex:
-        return GeodesicIndex._of(handle, self._vertices, self._faces, *self._of_index, self._threads)
+        index = GeodesicIndex.__new__(GeodesicIndex)
+        return index._adopt(handle, self._vertices, self._faces, *self._of_index, self._threads)
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
         """Build the index now, if there is none.

@@ -1,5 +1,8 @@
 """Index files: round trip, and every damaged, foreign or stale file is refused."""
 
+import shutil
+from pathlib import Path
+
 import numpy as np
 import pytest
 import vorogeo
@@ -41,6 +44,22 @@ def test_takes_strings_and_paths_and_overwrites(index, saved, tmp_path):
     assert file.read_bytes() == saved.read_bytes()
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.index"]
     vorogeo.GeodesicIndex.load(str(file), *MESH, threads=1)
+
+
+@pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="this system does not list mappings")
+def test_large_tables_lie_in_the_file_unless_they_are_copied(index, saved, tmp_path):
+    file = shutil.copy(saved, tmp_path / "own.index")
+    mine = vorogeo.GeodesicIndex.load(file, *MESH, mapped=False)
+    assert str(file) not in Path("/proc/self/maps").read_text()
+    assert mine.statistics.mapped_bytes == index.statistics.mapped_bytes == 0
+    shared = vorogeo.GeodesicIndex.load(file, *MESH)
+    assert str(file) in Path("/proc/self/maps").read_text()
+    assert 0 < shared.statistics.mapped_bytes < file.stat().st_size
+    assert shared.statistics.bytes == mine.statistics.bytes
+    file.unlink()  # its contents stay as long as they are used
+    np.testing.assert_array_equal(shared.distance_field(7), mine.distance_field(7))
+    del shared
+    assert str(file) not in Path("/proc/self/maps").read_text()
 
 
 def test_stale_after_any_edit_of_the_mesh(saved):

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <set>
 
 #include "support/temporary.h"
@@ -67,6 +69,24 @@ TEST(IndexFile, BlocksComeBackAsWritten) {
   const TemporaryFolder folder;
   write_sample(folder / "a.index");
   EXPECT_EQ(reading(folder / "a.index"), "read");
+}
+
+TEST(IndexFile, MappedBlocksLieInTheFileAlignedToCacheLines) {
+  const TemporaryFolder folder;
+  write_sample(folder / "a.index");
+  std::optional<IndexFileReader> in(folder / "a.index");
+  const SharedArray<double> first = in->mapped_block<double>(3);
+  EXPECT_TRUE(in->mapped_block<std::uint8_t>().empty());
+  const SharedArray<std::int32_t> last = in->mapped_block<std::int32_t>();
+  in.reset();
+  std::filesystem::remove(folder / "a.index");
+  EXPECT_EQ(first, SharedArray(numbers));
+  EXPECT_EQ(last, SharedArray(indices));
+  for (const void* place : {static_cast<const void*>(first.data()), static_cast<const void*>(last.data())}) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(place) % block_alignment, 0U);
+  }
+  EXPECT_LT(reinterpret_cast<const char*>(last.data()) - reinterpret_cast<const char*>(first.data()), 4096)
+      << "one mapping";
 }
 
 TEST(IndexFile, AnExistingFileIsReplacedAndNothingElseStays) {
@@ -161,7 +181,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   std::string newer = sample.good;
   newer[8] = 99;
   EXPECT_EQ(sample.reading_of(newer),
-            sample.named(" has format version 99, this program reads version 6; build the index again."));
+            sample.named(" has format version 99, this program reads version 7; build the index again."));
   const std::string other_order =
       sample.named(" was written on a machine of the other byte order; build the index again on this one.");
   std::string swapped = sample.good;

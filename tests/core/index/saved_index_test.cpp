@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 
 #include "field/geodesic_query.h"
 #include "index/geodesic_index.h"
+#include "index/index_data.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -69,6 +73,57 @@ TEST(SavedIndex, AnswersAreTheSameToTheLastBit) {
       EXPECT_EQ(read_bytes(folder / "b.index"), read_bytes(folder / "a.index"));
     }
   }
+}
+
+/// Whether an address is in a part of the memory of this process that is mapped to a file.
+bool in_file(const void* place, const std::filesystem::path& file) {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    std::uintptr_t begin = 0;
+    std::uintptr_t end = 0;
+    std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR, &begin, &end);
+    const auto at = reinterpret_cast<std::uintptr_t>(place);
+    if (begin <= at && at < end) return line.ends_with(file.string());
+  }
+  return false;
+}
+
+TEST(SavedIndex, LargeTablesLieInTheFileOrAreCopied) {
+  if (!std::filesystem::exists("/proc/self/maps")) GTEST_SKIP() << "this system does not list mappings";
+  const TemporaryFolder folder;
+  const auto file = folder / "a.index";
+  const Soup soup = test::icosphere(3);
+  test::make_index(soup, 3, 4)->save(file);
+  const auto mesh = test::make_mesh(soup);
+  for (TableStorage storage : {TableStorage::mapped, TableStorage::copied}) {
+    const auto index = GeodesicIndex::load(file, mesh, storage);
+    const IndexData& data = index->data();
+    std::int64_t mapped = 0;
+    for (const auto* table : {&data.second.table, &data.first.table, &data.transit_table.entry}) {
+      ASSERT_FALSE(table->empty());
+      EXPECT_EQ(in_file(table->data(), file), storage == TableStorage::mapped);
+      mapped += storage == TableStorage::mapped ? static_cast<std::int64_t>(2 * table->size()) : 0;
+    }
+    EXPECT_EQ(index->statistics().mapped_bytes, mapped);
+    EXPECT_LT(mapped, index->statistics().bytes);
+  }
+}
+
+TEST(SavedIndex, AnswersWhileItsFileIsReplacedAndAfterItIsGone) {
+  const TemporaryFolder folder;
+  const auto file = folder / "a.index";
+  const Soup soup = test::icosphere(3);
+  const auto built = test::make_index(soup, 3, 4);
+  built->save(file);
+  const auto loaded = GeodesicIndex::load(file, test::make_mesh(soup));
+  loaded->save(file);
+  expect_equal_answers(built, loaded);
+  test::make_index(test::icosphere(1), 2, 2)->save(file);
+  expect_equal_answers(built, loaded);
+  std::filesystem::remove(file);
+  expect_equal_answers(built, loaded);
+  loaded->save(file);
+  expect_equal_answers(built, GeodesicIndex::load(file, test::make_mesh(soup), TableStorage::copied));
 }
 
 TEST(SavedIndex, BelongsToItsMeshOnly) {
