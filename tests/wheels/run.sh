@@ -23,8 +23,9 @@ step() {
 }
 
 tools=build/wheels/venv-upload
-[ -x "$tools/bin/twine" ] || { python3 -m venv "$tools" && "$tools/bin/pip" install -q twine; }
+[ -x "$tools/bin/auditwheel" ] || { python3 -m venv "$tools" && "$tools/bin/pip" install -q twine auditwheel; }
 step upload "$tools/bin/twine" check --strict "$dist"/vorogeo-*.whl "$dist"/vorogeo-*.tar.gz
+step tags "$tools/bin/python" tests/wheels/show_wheel.py "$dist"/*.whl
 for wheel in "$dist"/*.whl; do
   step "files-$(cut -d - -f 3,4 <<<"$(basename "$wheel")")" env "VOROGEO_WHEEL=$PWD/$wheel" \
     .venv/bin/python -m pytest -q -p no:cacheprovider tests/wheels
