@@ -75,7 +75,7 @@ def read_labels(file: str | os.PathLike[str], vertex_count: int | None = None) -
     if name.endswith(".annot"):
         found, _, names = _loaded(path, "read_annot")
         return Labels(np.asarray(found, np.int32), {k: text.decode() for k, text in enumerate(names)})
-    values, names_of = _values(path)
+    values, names_of = vertex_values(path)
     if values.dtype.kind == "f" and not (values == np.round(values)).all():
         raise InvalidInput(f"{path}: holds reals, no labels; give whole numbers.")
     return Labels(values.astype(np.int32), names_of)
@@ -105,7 +105,7 @@ def read_mask(file: str | os.PathLike[str], vertex_count: int | None = None) -> 
     path = check.file_path(file)
     if path.lower().endswith((".label", ".annot")):
         return read_labels(path, vertex_count).mask()
-    values, names = _values(path)
+    values, names = vertex_values(path)
     if names:
         return Labels(values.astype(np.int32), names).mask()
     kept: NDArray[np.bool_] = np.nan_to_num(values) != 0
@@ -125,8 +125,14 @@ def _loaded(path: str, reader: str) -> Any:
         raise FileError(f"{path}: cannot be read ({' '.join(str(error).split())}).") from None
 
 
-def _values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
-    """One value for each vertex and, of GIFTI labels, their names."""
+def vertex_values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
+    """One value for each vertex, of GIFTI or .npy, and of GIFTI labels their names.
+
+    Raises
+    ------
+    FileError, InvalidInput
+        As `read_labels`.
+    """
     names: dict[int, str] = {}
     if path.lower().endswith(".npy"):
         try:

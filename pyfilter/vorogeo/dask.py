@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import shutil
 import tempfile
 import weakref
@@ -18,6 +19,7 @@ from . import _arguments as check
 from .errors import InvalidInput
 from .index import GeodesicIndex
 from .mesh_files import Mesh, read_mesh
+from .metrics import Metric
 
 _BLOCK_BYTES = 2**25
 
@@ -40,7 +42,10 @@ def _opened(index: str, folder: str) -> GeodesicIndex:
     mask = Path(folder) / "mask.npy"
     kept = np.load(mask) if mask.is_file() else None
     gap, folds = np.load(Path(folder) / "gap.npy")
-    return GeodesicIndex.load(index, vertices, faces, threads=1, mask=kept, gap=gap, bridge_folds=bool(folds))
+    metric: Metric | None = pickle.loads((Path(folder) / "metric.pickle").read_bytes())
+    return GeodesicIndex.load(
+        index, vertices, faces, threads=1, mask=kept, metric=metric, gap=gap, bridge_folds=bool(folds)
+    )
 
 
 def write_files(
@@ -48,6 +53,7 @@ def write_files(
     folder: str,
     mesh: Mesh | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
+    metric: Metric | None = None,
 ) -> IndexFiles:
     """Put what workers need into a folder that all of them see.
 
@@ -65,7 +71,7 @@ def write_files(
             )
         vertices, faces = read_mesh(mesh) if isinstance(mesh, (str, os.PathLike)) else mesh
         file = os.path.abspath(check.file_path(index))
-        index = GeodesicIndex.load(file, vertices, faces, mask=mask)
+        index = GeodesicIndex.load(file, vertices, faces, mask=mask, metric=metric)
     else:
         file = os.path.join(folder, "index.vgi")
         index.save(file)
@@ -73,6 +79,7 @@ def write_files(
         if array is not None:
             np.save(os.path.join(folder, f"{name}.npy"), array)
     np.save(os.path.join(folder, "gap.npy"), index._gap)
+    Path(folder, "metric.pickle").write_bytes(pickle.dumps(index.metric))
     return IndexFiles(file, folder)
 
 
@@ -96,6 +103,7 @@ def matrix(
     points: ArrayLike | None = None,
     mesh: Mesh | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
+    metric: Metric | None = None,
     exact: bool = False,
     rows: int | None = None,
     folder: str | os.PathLike[str] | None = None,
@@ -112,8 +120,8 @@ def matrix(
         Vertex ids of the rows and columns; None is all vertices.
     mesh : (vertices, faces) or a file that `read_mesh` reads, optional
         Needed with an index file.
-    mask : array_like of bool, optional
-        The one that the index of the file was built with.
+    mask, metric
+        Those that the index of the file was built with.
     exact : bool, default False
         Exact propagation instead of the index.
     rows : int, optional
@@ -135,8 +143,8 @@ def matrix(
 
     Notes
     -----
-    Each worker process reads the index file once; only its name travels. A block that is lost with its worker is
-    computed again.
+    Each worker process loads the index file once, by mapping; only its name travels. A block that is lost with its
+    worker is computed again.
     """
     from dask import array, delayed
 
@@ -145,7 +153,7 @@ def matrix(
     place = tempfile.mkdtemp(prefix="vorogeo-") if folder is None else os.path.abspath(folder)
     try:
         os.makedirs(place, exist_ok=True)
-        files = write_files(index, place, mesh, mask)
+        files = write_files(index, place, mesh, mask, metric)
         count = len(np.load(os.path.join(place, "vertices.npy"), mmap_mode="r"))
         ids = np.arange(count, dtype=np.int32) if points is None else check.id_list("points", points, count)
         columns = None if points is None else ids

@@ -1,5 +1,6 @@
 """The command line on one mesh: values against the plane and the package, formats, printed lines, errors and status."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -145,6 +146,38 @@ def test_compare_shows_all_methods_in_one_table(mesh, capsys):
     assert "--from: heat begins at vertices" in capsys.readouterr().err
 
 
+def test_metrics_from_files_and_from_the_shape(mesh, tmp_path):
+    import nibabel
+
+    exact = ["--from", "0", "--exact", "--out", "f.npy", "--quiet"]
+    np.save("twice.npy", np.full(143, 2.0))
+    np.savetxt("thrice.csv", np.full(143, 3.0))
+    np.save("tensor.npy", np.tile(np.diag([4.0, 4.0, 1.0]), (143, 1, 1)))
+    four = nibabel.gifti.GiftiDataArray(np.full(143, 4.0, np.float32), "NIFTI_INTENT_NONE")
+    nibabel.save(nibabel.gifti.GiftiImage(darrays=[four]), "four.func.gii")
+    for file, factor in (("twice.npy", 2), ("thrice.csv", 3), ("tensor.npy", 2), ("four.func.gii", 4)):
+        assert main(["field", mesh, "--metric", file, *exact]) == 0
+        np.testing.assert_allclose(np.load("f.npy"), factor * APART[0], rtol=1e-6, atol=1e-12)
+    tilted = VERTICES @ np.array([[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]])
+    write_off(tmp_path / "tilted.off", tilted, FACES)
+    assert main(["field", "tilted.off", "--slope-penalty", "5", *exact]) == 0
+    np.testing.assert_allclose(np.load("f.npy"), (1 + 5 * 0.6) * APART[0], rtol=1e-6, atol=1e-9)
+    assert main(["field", mesh, "--curvature-weight", "5", *exact]) == 0
+    np.testing.assert_allclose(np.load("f.npy"), APART[0], atol=1e-9)  # a plane has no curvature
+
+
+def test_an_index_belongs_to_its_metric(mesh, capsys):
+    np.save("twice.npy", np.full(143, 2.0))
+    metric = ["--metric", "twice.npy", "--quiet"]
+    assert main(["index", mesh, "--out", "m.vgi", "--patches", "3", "2", *metric]) == 0
+    assert main(["field", mesh, "--from", "0", "--index", "m.vgi", "--out", "f.npy", *metric]) == 0
+    np.testing.assert_allclose(np.load("f.npy"), 2 * APART[0], **NEAR)
+    assert main(["compare", mesh, "--from", "0", "--methods", "mmp", *metric]) == 0
+    assert "mean error 0 %" in re.sub(r"\S+e-1[0-9] %", "0 %", capsys.readouterr().out)
+    assert main(["field", mesh, "--from", "0", "--index", "m.vgi", "--out", "f.npy", "--quiet"]) == 1
+    assert "built for another mesh" in capsys.readouterr().err
+
+
 def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
     assert main(["sample", mesh, "--count", "3"]) == 0
     assert np.load("plane-sample.npy").shape == (3,)
@@ -167,12 +200,18 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
         (["field", "plane.off"], 2, "the following arguments are required: --from"),
         (["neighbours", "plane.off", "--radius", "-1"], 2, "'-1' is not a length of 0 or more"),
+        (["field", "plane.off", "--from", "0", "--metric", "no.npy"], 1, "--metric no.npy: there is no such file"),
+        (["field", "plane.off", "--from", "0", "--metric", "text.off"], 1, "cannot be read"),
+        (["field", "plane.off", "--from", "0", "--metric", "few.csv"], 1, "give a cost for each of the 143 vertices"),
+        (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--gap", "1"], 1, "leave out the gap or the"),
+        (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--metric", "few.csv"], 2, "not allowed with"),
         (["guess", "plane.off"], 2, "invalid choice: 'guess'"),
         ([], 2, "no command given"),
     ],
 )
 def test_errors_are_one_line_and_a_status(mesh, tmp_path, capsys, arguments, status, line):
     (tmp_path / "text.off").write_text("no mesh\n")
+    (tmp_path / "few.csv").write_text("1\n2\n")
     (tmp_path / "short.off").write_text("OFF\n# nothing follows\n")
     before = {file.name for file in tmp_path.iterdir()}
     assert main(arguments) == status

@@ -82,6 +82,18 @@ def test_of_chosen_points_from_an_index_file_and_exactly(index, tmp_path):
         vorogeo_dask.matrix(tmp_path / "m.vgi", mesh=bent_grid(10, 10))
 
 
+def test_workers_measure_in_the_metric_of_the_index(index, tmp_path):
+    metric = vorogeo.VertexCost(1 + MESH[0][:, 0] ** 2)
+    painted = vorogeo.GeodesicIndex(*MESH, patches=(4, 3), metric=metric)
+    expected = painted.fields(np.arange(700))
+    np.testing.assert_array_equal(vorogeo_dask.matrix(painted).compute(scheduler="threads"), expected)
+    painted.save(tmp_path / "m.vgi")
+    lazy = vorogeo_dask.matrix(tmp_path / "m.vgi", mesh=MESH, metric=metric)
+    np.testing.assert_array_equal(lazy[5].compute(scheduler="sync"), expected[5])
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo_dask.matrix(tmp_path / "m.vgi", mesh=MESH)
+
+
 def test_temporary_files_go_with_the_array(index, tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     lazy = vorogeo_dask.matrix(index)
@@ -127,9 +139,12 @@ def test_the_command_line_uses_the_scheduler_for_one_matrix_and_for_many_meshes(
     whole = ["matrix", "shapes/m.off", "--index", "m.vgi", "--out", "m.npy", "--scheduler", address, "--quiet"]
     assert main(whole) == 0
     np.testing.assert_array_equal(np.load("m.npy"), index.fields(np.arange(700)))
-    assert main(["field", "shapes/*.off", "--from", "0", "--exact", "--out", "out", "--scheduler", address]) == 1
-    np.testing.assert_allclose(np.load("out/m.npy"), vorogeo.exact_distance_field(*MESH, 0), rtol=1e-12)
-    assert sorted(os.listdir()) == ["m.npy", "m.vgi", "out", "shapes"]
+    np.save("cost.npy", np.full(700, 3.0))
+    np.savetxt("source.txt", [7])
+    of_folder = ["field", "shapes/*.off", "--from", "source.txt", "--exact", "--metric", "cost.npy", "--out", "out"]
+    assert main([*of_folder, "--scheduler", address]) == 1
+    np.testing.assert_allclose(np.load("out/m.npy"), 3 * vorogeo.exact_distance_field(*MESH, 7), rtol=1e-12)
+    assert sorted(os.listdir()) == ["cost.npy", "m.npy", "m.vgi", "out", "shapes", "source.txt"]
 
 
 def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch):

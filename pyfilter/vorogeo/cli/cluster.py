@@ -44,7 +44,15 @@ def _client(address: str, workers: int) -> Iterator[Any]:
 
 
 def _absolute(job: Job) -> Job:
-    return replace(job, mesh=os.path.abspath(job.mesh), out=os.path.abspath(job.out))
+    """The job for a process in another folder: names of files, also among the points, begin at the root."""
+    options = dict(job.options)
+    for name in ("mask", "metric", "index", "with"):
+        if options.get(name):
+            options[name] = os.path.abspath(options[name])
+    for name in ("from", "to", "points"):
+        if options.get(name):
+            options[name] = [os.path.abspath(word) if os.path.isfile(word) else word for word in options[name]]
+    return replace(job, mesh=os.path.abspath(job.mesh), out=os.path.abspath(job.out), options=options)
 
 
 def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job, bool, str]]:

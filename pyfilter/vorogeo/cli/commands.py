@@ -22,7 +22,14 @@ def field(task: MeshTask) -> Result:
     sources = task.points("from")
     if task.exact and isinstance(sources, np.ndarray):  # needs no index
         values = exact_distance_field(
-            task.vertices, task.faces, sources, limit, dtype=task.dtype, mask=task.mask, gap=task.gap
+            task.vertices,
+            task.faces,
+            sources,
+            limit,
+            dtype=task.dtype,
+            mask=task.mask,
+            metric=task.metric,
+            gap=task.gap,
         )
     else:
         values = task.index.distance_field(sources, limit, exact=task.exact, dtype=task.dtype)

@@ -34,7 +34,9 @@ def compare(task: MeshTask) -> Result:
     sources = task.points("from")
     began = time.perf_counter()
     if isinstance(sources, np.ndarray):
-        exact = exact_distance_field(task.vertices, task.faces, sources, mask=task.mask, gap=task.gap)
+        exact = exact_distance_field(
+            task.vertices, task.faces, sources, mask=task.mask, metric=task.metric, gap=task.gap
+        )
     else:
         exact = task.index.distance_field(sources, exact=True)
     exact_took = time.perf_counter() - began
@@ -75,7 +77,7 @@ def _field(task: MeshTask, name: str, sources: Any) -> _Compared:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", MethodWarning)  # the table shows what they warn of
             surface = without_masked(task.faces, face_mask(task.mask, task.faces, len(task.vertices)))
-            answer = GeodesicMethod(task.vertices, surface, name).distance_field
+            answer = GeodesicMethod(task.vertices, surface, name, metric=task.metric).distance_field
     between = time.perf_counter()
     values = answer(sources)
     ended = time.perf_counter()

@@ -16,7 +16,9 @@ from numpy.typing import NDArray
 from ..errors import InvalidInput
 from ..index import GeodesicIndex
 from ..mesh_files import read_mesh
+from ..metrics import Metric
 from ..points import Points
+from .metric_options import metric_of
 from .sources import points_of
 
 
@@ -85,12 +87,23 @@ class MeshTask:
         return self.options.get("gap") or 0.0
 
     @cached_property
+    def metric(self) -> Metric | None:
+        """What paths cost; None is their length."""
+        return metric_of(self.options, self.vertices, self.faces)
+
+    @cached_property
     def index(self) -> GeodesicIndex:
         """The index: read from the file of --index, or built."""
         threads = self.options.get("threads")
         if self.options.get("index"):
             return GeodesicIndex.load(
-                self.options["index"], self.vertices, self.faces, threads, mask=self.mask, gap=self.gap
+                self.options["index"],
+                self.vertices,
+                self.faces,
+                threads,
+                mask=self.mask,
+                metric=self.metric,
+                gap=self.gap,
             )
         return GeodesicIndex(
             self.vertices,
@@ -101,6 +114,7 @@ class MeshTask:
             progress=self.progress,
             memory_budget=self.options.get("memory_budget"),
             mask=self.mask,
+            metric=self.metric,
             gap=self.gap,
         )
 

@@ -38,6 +38,9 @@ results
   The ending of --out chooses: .npy, .npz (all arrays of a result), .mat, .csv, .ply (the mesh with the values as
   quality, or lines), .gii (a value for each vertex). Files appear whole or not at all.
 
+metrics
+  --metric, --slope-penalty or --curvature-weight: distances, radii and areas are then costs, as docs/metrics.md says.
+
 exit status
   0: all is done; 1: a mesh or a file could not be used; 2: the command line is wrong; 130: interrupted.
 
@@ -182,10 +185,26 @@ def _command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
         metavar="LENGTH",
         help="bridge gaps up to this width, in the unit of --normalise; default 0: none",
     )
+    metric = command.add_mutually_exclusive_group()
+    metric.add_argument(
+        "--metric",
+        metavar="FILE",
+        help="what a step costs, so that paths are the cheapest: a number above 0 for each vertex (.npy, .txt, .csv, "
+        "GIFTI), or a tensor (.npy of shape (n, 3, 3))",
+    )
+    metric.add_argument(
+        "--slope-penalty", type=_LENGTH, metavar="P", help="terrain, z upwards: a step costs 1 + P sin(slope)"
+    )
+    metric.add_argument(
+        "--curvature-weight",
+        type=_number(float, float("-inf"), float("inf"), "a number"),
+        metavar="W",
+        help="a step across limbs, ridges and valleys costs up to sqrt(1 + W)",
+    )
     command.add_argument(
         "--index",
         metavar="FILE",
-        help="an index of this mesh from 'vorogeo index', with the same --normalise, --mask and --gap",
+        help="an index of this mesh from 'vorogeo index', with the same --normalise, --mask, --gap and metric",
     )
     command.add_argument(
         "--patches",

@@ -13,6 +13,9 @@ from ..errors import InvalidInput
 from ..mesh_files import read_mesh
 from ..points import Points, SurfacePoints
 
+TABLES = (".npy", ".txt", ".csv", ".dat")
+"""Endings of files that hold numbers."""
+
 
 def points_of(name: str, words: list[str], snap: Callable[[Any], SurfacePoints], scale: float) -> Points:
     """The points; positions, in the unit of the file, are moved by `snap` to the nearest point of the surface.
@@ -43,7 +46,7 @@ def _points_of_word(name: str, word: str, snap: Callable[[Any], SurfacePoints], 
         raise InvalidInput(
             f"{name} {word}: is neither a vertex id, nor a position x,y,z, nor a file with ids or positions."
         )
-    values = _values(path)
+    values = numbers_in(path) if path.suffix.lower() in TABLES else read_mesh(path)[0]
     if values.ndim == 2 and values.shape[1] == 3:
         return snap(scale * values.astype(float))
     if (values.ndim == 2 and values.shape[1] == 1) or values.ndim <= 1:
@@ -53,14 +56,21 @@ def _points_of_word(name: str, word: str, snap: Callable[[Any], SurfacePoints], 
     raise InvalidInput(f"{name} {word}: holds numbers of shape {values.shape}; give one column of ids or x, y, z.")
 
 
-def _values(path: Path) -> NDArray[Any]:
-    """The numbers of an array or a table, or the vertices of a mesh."""
-    if path.suffix == ".npy":
-        return np.asarray(np.load(path))
-    if path.suffix.lower() in (".txt", ".csv", ".dat"):
+def numbers_in(file: str | Path) -> NDArray[Any]:
+    """The numbers of an array or of a table.
+
+    Raises
+    ------
+    InvalidInput
+        If it is neither.
+    OSError
+        If there is no such file.
+    """
+    path = Path(file)
+    try:
+        if path.suffix.lower() == ".npy":
+            return np.asarray(np.load(path, allow_pickle=False))
         text = path.read_text().replace(",", " ").replace(";", " ").splitlines()
-        try:
-            return np.array([[float(number) for number in line.split()] for line in text if line.strip()])
-        except ValueError as error:
-            raise InvalidInput(f"{path}: is no table of numbers ({error}); give rows of equal length.") from None
-    return read_mesh(path)[0]
+        return np.array([[float(number) for number in line.split()] for line in text if line.strip()])
+    except ValueError as error:
+        raise InvalidInput(f"{path}: is no table of numbers ({error}); give rows of equal length.") from None
