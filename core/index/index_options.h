@@ -56,7 +56,7 @@ struct IndexStatistics {
   std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, work mesh
   /// Those of them that are pages of the file which the index was loaded from, shared by all processes.
   std::int64_t mapped_bytes = 0;
-  double seconds = 0.0;    ///< build time; 0 for an index that was loaded
+  double seconds = 0.0;  ///< build time; 0 for an index that was loaded
   /// Exact fields of the mesh in whose time the build was expected before its long part, where that is so
   /// much (fields_to_warn) that an index hardly pays; 0 otherwise, and for an index that was loaded.
   double expected_fields = 0.0;

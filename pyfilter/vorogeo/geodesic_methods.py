@@ -6,7 +6,6 @@ import time
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -102,7 +101,7 @@ def _described() -> dict[str, MethodInfo]:
             row["name"],
             row["title"],
             row["paper"],
-            MappingProxyType({name: MethodOption(*rest) for name, *rest in row["options"]}),
+            {name: MethodOption(*rest) for name, *rest in row["options"]},
             MethodClaims(*row["claims"]),
             row["exact"],
             row["has_pairs"],

@@ -78,6 +78,26 @@ def test_coarse_meshes_unreachable_vertices_and_limits(page):
     assert page["pairs"].max() <= 0.3
 
 
+def test_edge_lengths_alone_measure_the_same(page):
+    assert page["same_length"].length == pytest.approx(unrolled(0)[500], rel=1e-9)
+    assert np.isnan(page["same_length"].points).all()
+    positions = page["crossed"].positions(page["vertices"], page["faces"])
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    assert steps.sum() == pytest.approx(page["same_length"].length, rel=1e-9)
+
+
+def test_a_speed_that_grows_with_the_height_is_the_hyperbolic_plane(page):
+    width = 2 * np.sin(np.pi / SIDES)
+    step = np.arange(SIDES * RINGS) % SIDES
+    aside = np.minimum(step, SIDES - step) * width
+    above = 1 + page["vertices"][:, 2]
+    expected = np.arccosh(1 + (aside**2 + (above - 1) ** 2) / (2 * above))
+    np.testing.assert_allclose(page["seconds"], expected, rtol=0.01)
+    assert page["quickest"].length == pytest.approx(expected[12], rel=0.01)
+    # A circle around the middle of the way, at height 0 of that plane.
+    assert page["quickest"].points[:, 2].max() == pytest.approx(np.hypot(6 * width, 1) - 1, abs=0.2)
+
+
 def test_curves_masks_and_reuse(page):
     height = page["vertices"][:, 2]
     expected = np.minimum(height, unrolled(490) + 0.5)

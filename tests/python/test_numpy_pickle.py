@@ -82,6 +82,10 @@ def results(index):
         "extent": index.extent(),
         "relaxed": index.relax([0, 5], rounds=1),
         "report": vorogeo.check_mesh(*MESH),
+        "estimate": vorogeo.estimate(*MESH),
+        "labelled field": index.distance_field([0, 5], return_labels=True),
+        "nearest": index.nearest([0, 5], POINTS),
+        "method": vorogeo.methods["heat"],
     }
 
 
@@ -93,6 +97,28 @@ def same(a, b):
     if isinstance(a, tuple):
         return len(a) == len(b) and all(map(same, a, b))
     return a == b
+
+
+def every_metric():
+    cost, tensors = np.linspace(1, 2, 600), np.tile(np.diag([1.0, 2.0, 3.0]), (600, 1, 1))
+    faces = len(MESH[1])
+    return [
+        vorogeo.EdgeLengths(np.ones((faces, 3))),
+        vorogeo.VertexCost(cost),
+        vorogeo.VertexTensor(tensors),
+        vorogeo.FaceCost(np.linspace(1, 2, faces)),
+        vorogeo.FaceTensor(np.tile(np.eye(3), (faces, 1, 1))),
+        vorogeo.slope_cost(*MESH, penalty=2),
+        vorogeo.curvature_tensor(*MESH, weight=2),
+    ]
+
+
+@pytest.mark.parametrize("metric", every_metric(), ids=lambda metric: type(metric).__name__)
+def test_every_metric_can_be_pickled_and_copied(metric):
+    for other in (pickle.loads(pickle.dumps(metric)), copy.deepcopy(metric), copy.copy(metric)):
+        assert same(other, metric)
+        expected = vorogeo.exact_distance_field(*MESH, 0, metric=metric)
+        np.testing.assert_array_equal(vorogeo.exact_distance_field(*MESH, 0, metric=other), expected)
 
 
 def test_every_result_can_be_pickled_and_copied(index):
