@@ -20,20 +20,18 @@ namespace fs = std::filesystem;
 
 RichParameterList build_index_parameters(const MeshDocument&) {
   RichParameterList list;
-  list.addParam(
-      RichInt("n1", 0, "First-layer patches",
-              "Number of patches of the first layer. 0 chooses it from the number of vertices. More "
-              "patches build faster and answer less accurately."));
+  list.addParam(RichInt("n1", 0, "First-layer patches",
+                        "Number of patches of the first layer. 0 chooses it from the number of vertices. "
+                        "More patches build faster and answer less accurately."));
   list.addParam(
       RichInt("n2", 0, "Second-layer patches",
               "Mean number of second-layer patches in one patch of the first layer. 0 chooses it."));
   list.addParam(RichFloat("delta", 0, "Delta",
                           "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
                           "below 1; 0.001 to 0.02 make the index smaller."));
-  list.addParam(
-      RichInt("memory_budget", 0, "Memory budget (MiB)",
-              "Memory the index may take. If its tables fit, it is fast; if not, it is a graph that is "
-              "searched, smaller and slower. 0: 4096 MiB."));
+  list.addParam(RichInt("memory_budget", 0, "Memory budget (MiB)",
+                        "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
+                        "that is searched, smaller and slower. 0: 4096 MiB."));
   list.addParam(RichFileToWrite("index_file", "", "*.vgi", "Index file",
                                 "File to write the index to. Empty: the index is kept in memory only."));
   list.addParam(RichInt("threads", 0, "Threads",
@@ -90,27 +88,22 @@ Results build_index_of_layer(FilterCall& call) {
 }  // namespace
 
 FilterRow build_index_row() {
-  return {
-      "Geodesic index: build (VoroGeo)",
-      "compute_geodesic_index_by_vorogeo",
-      "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two "
-      "layers of "
-      "geodesic Voronoi patches, and exact distances inside them make a graph over the patch borders. It is "
-      "kept "
-      "for this mesh, and the other VoroGeo filters use it until the mesh is edited or the project is "
-      "closed. Its "
-      "figures are logged and returned.</p>"
-      "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more accurate "
-      "and "
-      "take longer to build. <b>Memory budget</b> chooses the form: tables, which answer fastest, or a "
-      "pruned graph. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save memory at "
-      "the cost of that "
-      "much average relative error. An <b>index file</b> keeps the index for later, for the same mesh.</p>" +
-          references_of_index(),
-      FilterPlugin::Measure,
-      MeshModel::MM_NONE,
-      build_index_parameters,
-      build_index_of_layer};
+  return {"Geodesic index: build (VoroGeo)",
+          "compute_geodesic_index_by_vorogeo",
+          "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two "
+          "layers of geodesic Voronoi patches, and exact distances inside them make a graph over the patch "
+          "borders. It is kept for this mesh, and the other VoroGeo filters use it until the mesh is edited "
+          "or the project is closed. Its figures are logged and returned.</p>"
+          "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more "
+          "accurate and take longer to build. <b>Memory budget</b> chooses the form: tables, which answer "
+          "fastest, or a pruned graph. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save "
+          "memory at the cost of that much average relative error. An <b>index file</b> keeps the index for "
+          "later, for the same mesh.</p>" +
+              references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          build_index_parameters,
+          build_index_of_layer};
 }
 
 }  // namespace vorogeo::plugin

@@ -57,21 +57,18 @@ Results distance_between_points(FilterCall& call) {
 }  // namespace
 
 FilterRow distance_between_points_row() {
-  return {
-      "Geodesic distance between two points (VoroGeo)",
-      "get_vorogeo_distance_between_points",
-      "<p>Geodesic distance of two points: the length of the shortest path over the surface, in the unit of "
-      "the mesh. It is logged and returned as <i>distance</i>; infinity if no path leads from one to the "
-      "other. Without an index it is exact. With one it comes from the index for two vertices, and is the "
-      "length of "
-      "the refined path for other points. "
-      "The mesh is not changed.</p><p>How to choose: for the path itself take <i>Shortest path between two "
-      "points (VoroGeo)</i>.</p>" +
-          help_on_end_points() + help_on_choosing() + references_of_index(),
-      FilterPlugin::Measure,
-      MeshModel::MM_NONE,
-      two_points_parameters,
-      distance_between_points};
+  return {"Geodesic distance between two points (VoroGeo)",
+          "get_vorogeo_distance_between_points",
+          "<p>Geodesic distance of two points: the length of the shortest path over the surface, in the unit "
+          "of the mesh. It is logged and returned as <i>distance</i>; infinity if no path leads from one to "
+          "the other. Without an index it is exact. With one it comes from the index for two vertices, and "
+          "is the length of the refined path for other points. The mesh is not changed.</p><p>How to choose: "
+          "for the path itself take <i>Shortest path between two points (VoroGeo)</i>.</p>" +
+              help_on_end_points() + help_on_choosing() + references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          two_points_parameters,
+          distance_between_points};
 }
 
 }  // namespace vorogeo::plugin

@@ -38,17 +38,16 @@ RichParameterList from_border_parameters(const MeshDocument& document) {
 }  // namespace
 
 FilterRow distance_from_border_row() {
-  return {
-      "Geodesic distance from the border (VoroGeo)",
-      "compute_scalar_by_vorogeo_distance_from_border_per_vertex",
-      "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the shortest path "
-      "over the surface. Border vertices are those of edges with only one face. A component without a "
-      "border is unreachable.</p>" +
-          help_on_field() + help_on_choosing() + references_of_index(),
-      FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
-      MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      from_border_parameters,
-      distances_from_border};
+  return {"Geodesic distance from the border (VoroGeo)",
+          "compute_scalar_by_vorogeo_distance_from_border_per_vertex",
+          "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the shortest "
+          "path over the surface. Border vertices are those of edges with only one face. A component without "
+          "a border is unreachable.</p>" +
+              help_on_field() + help_on_choosing() + references_of_index(),
+          FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          from_border_parameters,
+          distances_from_border};
 }
 
 }  // namespace vorogeo::plugin

@@ -51,11 +51,9 @@ Results exact_distances_from_point(FilterCall& call) {
 }
 
 QString help_on_start() {
-  return "<p>It starts at the point of the surface nearest to the <b>Start point</b>, which need not be a "
-         "vertex, "
-         "or at the <b>Start vertex</b> if one is named by its number, which is exact; the log says where "
-         "and how "
-         "far that is from the point.</p>";
+  return "<p>Distances start at the point of the surface nearest to <b>Start point</b>, which need not be a "
+         "vertex, or, if its number is given, at <b>Start vertex</b>; the log says where, and how far from "
+         "the point.</p>";
 }
 
 }  // namespace
@@ -73,16 +71,15 @@ FilterRow distance_from_point_row() {
 }
 
 FilterRow exact_distance_from_point_row() {
-  return {
-      "Exact geodesic distance from a given point (VoroGeo)",
-      "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex",
-      "<p>Exact geodesic distance of every vertex from a given point: the length of the shortest path over "
-      "the surface.</p>" +
-          help_on_start() + help_on_field() + help_on_exact() + references_of_exact(),
-      field_class(),
-      MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      exact_from_point_parameters,
-      exact_distances_from_point};
+  return {"Exact geodesic distance from a given point (VoroGeo)",
+          "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex",
+          "<p>Exact geodesic distance of every vertex from a given point: the length of the shortest path "
+          "over the surface.</p>" +
+              help_on_start() + help_on_field() + help_on_exact() + references_of_exact(),
+          field_class(),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          exact_from_point_parameters,
+          exact_distances_from_point};
 }
 
 }  // namespace vorogeo::plugin

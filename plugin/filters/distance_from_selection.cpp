@@ -33,8 +33,7 @@ FilterRow distance_from_selection_row() {
   return {"Geodesic distance from the selection (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_selection_per_vertex",
           "<p>Geodesic distance of every vertex from the nearest selected vertex: the length of the shortest "
-          "path "
-          "over the surface.</p>" +
+          "path over the surface.</p>" +
               help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,

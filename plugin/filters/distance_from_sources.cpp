@@ -19,9 +19,9 @@ namespace vorogeo::plugin {
 namespace {
 
 RichLength spacing_parameter(const MeshDocument& document) {
-  return length_parameter(document, "spacing", 0.0, "Spacing",
-                          "Distances start at points along lines at most this far apart; 0: a quarter of the "
-                          "typical edge.");
+  return length_parameter(
+      document, "spacing", 0.0, "Spacing",
+      "Distances start at points along lines at most this far apart; 0: a quarter of the typical edge.");
 }
 
 RichParameterList from_layer_parameters(const MeshDocument& document) {
@@ -118,10 +118,8 @@ Results distances_from_edges(FilterCall& call) {
 
 QString help_on_curves() {
   return "<p>Lines are replaced by points at most <b>Spacing</b> apart, ends included. The distance is then "
-         "never too "
-         "short and at most half the spacing too long, at a distance d much larger than the spacing at most "
-         "about "
-         "spacing<sup>2</sup> / (8 d). ";
+         "never too short and at most half the spacing too long, at a distance d much larger than the "
+         "spacing at most about spacing<sup>2</sup> / (8 d). ";
 }
 
 }  // namespace
@@ -130,14 +128,11 @@ FilterRow distance_from_layer_row() {
   return {"Geodesic distance from the points or lines of a layer (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_layer_per_vertex",
           "<p>Geodesic distance of every vertex from the nearest point of another layer: its vertices and, "
-          "if it has "
-          "edges, the lines between them. Each point is first moved to the nearest point of the surface, "
-          "which need not "
-          "be a vertex; <i>snap_distance</i> is the farthest move.</p>" +
+          "if it has edges, the lines between them. Each point is first moved to the nearest point of the "
+          "surface, which need not be a vertex; <i>snap_distance</i> is the farthest move.</p>" +
               help_on_curves() +
               "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex of "
-              "the source "
-              "layer, -1 where there is none.</p>" +
+              "the source layer, -1 where there is none.</p>" +
               help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
@@ -149,8 +144,7 @@ FilterRow distance_from_edges_row() {
   return {"Geodesic distance from edges (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_edges_per_vertex",
           "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest border "
-          "edge if "
-          "<b>From the border</b> is ticked.</p>" +
+          "edge if <b>From the border</b> is ticked.</p>" +
               help_on_curves() + "</p>" + help_on_field() + help_on_choosing() + references_of_index(),
           field_class(),
           MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,

@@ -107,9 +107,8 @@ FilterRow distance_matrix_row() {
           "get_vorogeo_distance_matrix_of_selection",
           "<p>Geodesic distances between all points given. The matrix is symmetric, with 0 on its diagonal "
           "and infinity between components. It is returned as <i>distances</i>, <i>rows</i> x <i>columns</i> "
-          "numbers row by row, with the numbers of the points as <i>vertices</i>; <b>File</b> writes "
-          "it as a .npy "
-          "file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
+          "numbers row by row, with the numbers of the points as <i>vertices</i>; <b>File</b> writes it as a "
+          ".npy file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
               help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,
@@ -120,9 +119,9 @@ FilterRow distance_matrix_row() {
 FilterRow pairs_within_row() {
   return {"Geodesic pairs within a radius (VoroGeo)",
           "get_vorogeo_pairs_within_radius_of_selection",
-          "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. "
-          "Returned as <i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; "
-          "<b>File</b> writes these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
+          "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. Returned "
+          "as <i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> "
+          "writes these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
               help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,

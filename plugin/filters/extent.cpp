@@ -17,10 +17,9 @@ namespace {
 RichParameterList disk_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."));
-  list.addParam(
-      RichInt("vertex_index", -1, "Vertex",
-              "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or the "
-              "points given below."));
+  list.addParam(RichInt("vertex_index", -1, "Vertex",
+                        "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
+                        "the points given below."));
   add_task_point_parameters(list, document, "points around which the disk shall lie");
   list.addParam(exact_parameter());
   return list;
@@ -93,20 +92,18 @@ Results measure_extent(FilterCall& call) {
 }  // namespace
 
 FilterRow disk_selection_row() {
-  return {
-      "Select a geodesic disk (VoroGeo)",
-      "compute_selection_by_vorogeo_geodesic_disk",
-      "<p>Selects all vertices whose geodesic distance is at most <b>Radius</b>, and the faces whose three "
-      "vertices are, from the vertex <b>Vertex</b> or, if this is -1, from the nearest of the vertices "
-      "selected now, whose selection thus grows by the radius, over the surface and not through space, or of "
-      "other points given. The previous selection is replaced.</p><p>Returns the numbers of "
-      "<i>selected_vertices</i> and "
-      "<i>selected_faces</i>.</p>" +
-          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-      FilterPlugin::Selection,
-      MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT,
-      disk_parameters,
-      select_disk};
+  return {"Select a geodesic disk (VoroGeo)",
+          "compute_selection_by_vorogeo_geodesic_disk",
+          "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
+          "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "
+          "selected vertices or of other points given: a selection grows by the radius over the surface, not "
+          "through space. The previous selection is replaced.</p><p>Returns the numbers of "
+          "<i>selected_vertices</i> and <i>selected_faces</i>.</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          FilterPlugin::Selection,
+          MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT,
+          disk_parameters,
+          select_disk};
 }
 
 FilterRow extent_row() {
@@ -116,8 +113,8 @@ FilterRow extent_row() {
       "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
       "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
       "further fields start where the ends or the centre may still be, and the triangle inequality bounds "
-      "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances "
-      "as computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
+      "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances as "
+      "computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
       "<i>diameter_upper</i>, the vertices <i>diameter_start</i> and <i>diameter_end</i> whose distance is "
       "the lower bound, <i>radius_lower</i>, <i>radius_upper</i>, the <i>centre</i> whose eccentricity is "
       "the upper bound, and the number of <i>fields</i> computed. The mesh is not changed.</p>" +

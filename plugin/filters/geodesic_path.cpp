@@ -22,10 +22,9 @@ RichParameterList path_parameters(const MeshDocument& document) {
   list.addParam(method_parameter());
   list.addParam(
       RichBool("exact", false, "Exact", "The exact shortest path instead of the refined one; slower."));
-  list.addParam(
-      RichBool("certify", true, "Certify",
-               "With exact: prove that no path is shorter. Otherwise the index, less a margin that is not "
-               "proven, keeps the search narrower."));
+  list.addParam(RichBool("certify", true, "Certify",
+                         "With exact: prove that no path is shorter. Unticked, the search is narrower, "
+                         "within bounds from the index that are not proven."));
   return list;
 }
 
@@ -80,27 +79,23 @@ Results draw_path(FilterCall& call) {
 }  // namespace
 
 FilterRow geodesic_path_row() {
-  return {
-      "Shortest path between two points (VoroGeo)",
-      "generate_polyline_by_vorogeo_geodesic_path",
-      "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes the "
-      "current one; the quality of its vertices is the length up to there. Vertices from which a step runs "
-      "over "
-      "a bridged gap are selected.</p>" +
-          help_on_end_points() +
-          "<p>Without an index, the path is always the exact one. With one, and without "
-          "<b>Exact</b>, the path that the index gives is shortened until it is a "
-          "geodesic: never shorter than the shortest path, and mostly that path itself. With <b>Exact</b> it "
-          "is "
-          "the shortest one, found in milliseconds by propagation in a corridor; <b>Certify</b> proves it "
-          "without "
-          "relying on the index.</p><p>Returns the <i>length</i>, infinity and no layer if the points lie in "
-          "different components, the number of <i>points</i> and whether it is <i>certified</i>.</p>" +
-          help_on_choosing() + references_of_index(),
-      FilterPlugin::Measure,
-      MeshModel::MM_NONE,
-      path_parameters,
-      draw_path};
+  return {"Shortest path between two points (VoroGeo)",
+          "generate_polyline_by_vorogeo_geodesic_path",
+          "<p>The shortest path over the surface between two points, as a new polyline layer, which becomes "
+          "the current one; the quality of its vertices is the length up to there. Vertices from which a "
+          "step runs over a bridged gap are selected.</p>" +
+              help_on_end_points() +
+              "<p>Without an index, the path is always the exact one. With an index it is refined: the route "
+              "of the index, shortened until it is a geodesic, which is mostly the shortest path itself. "
+              "With <b>Exact</b> it is the shortest path, found in milliseconds by propagation in a "
+              "corridor; <b>Certify</b> proves it without relying on the index.</p><p>Returns the "
+              "<i>length</i>, infinity and no layer if the points lie in different components, the number of "
+              "<i>points</i> and whether it is <i>certified</i>.</p>" +
+              help_on_choosing() + references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          path_parameters,
+          draw_path};
 }
 
 }  // namespace vorogeo::plugin

@@ -4,50 +4,42 @@
 namespace vorogeo::plugin {
 
 QString help_on_index() {
-  return "<p>The first distance on a mesh builds an index, which takes seconds to minutes; later ones reuse "
-         "it until "
+  return "<p>If the mesh has no index, it is built first, which takes seconds to minutes; it is reused until "
          "the mesh is edited. <i>Geodesic index: build (VoroGeo)</i> builds it with chosen parameters.</p>";
 }
 
 QString help_on_field() {
   return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
-         "sources, "
-         "blue at the farthest vertex. Vertices that no path leads to, or only one longer than <b>Max "
-         "distance</b>, "
-         "get quality <b>-1</b> and grey and are counted in the log. The transformation of the layer is not "
-         "applied; "
-         "freeze it first if it scales.</p>";
+         "sources, blue at the farthest vertex. Vertices that no path leads to, or only one longer than "
+         "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. The transformation "
+         "of the layer is not applied; freeze it first if it scales.</p>";
 }
 
 QString help_on_exact() {
   return "<p>How to choose: exact up to rounding, without an index; one propagation over the whole mesh for "
-         "each "
-         "call. For many fields on one mesh take the filter with an index, which is much faster, with a "
-         "small "
-         "error. A limit of the distance makes it faster.</p>";
+         "each call, which a <b>Max distance</b> shortens. For many fields on one mesh take the filter "
+         "without <i>Exact</i> in its name: from an index they are much faster, with a small error.</p>";
 }
 
 QString help_on_choosing() {
   return "<p>How to choose: leave <b>Method</b> at automatic. It takes the index if there is one, and builds "
-         "it once exact answers have taken as long as building it would. The log says what answered.</p>";
+         "one when exact answers have taken as long as that would. The log says what answered.</p>";
 }
 
 QString help_on_task_points() {
   return "<p>The points are the selected vertices of the layer, in the order of their numbers, counted from "
-         "0 "
-         "(select them first, for example with <i>Conditional Vertex Selection</i>). If <b>Point layer</b> "
-         "is "
-         "another layer, they are all its vertices, each moved to the nearest point of the surface, which "
-         "need not be a vertex: <i>snap_distance</i> is the farthest move, and one of more than "
-         "<b>Max snap distance</b> is an error unless that is 0. If <b>Surface points</b> is not empty, they "
-         "are the points it names, separated by semicolons: a vertex by its number, any other point by the "
-         "number of a face and three barycentric weights, such as <tt>17; 203 0.2 0.3 0.5</tt>. A point is "
-         "returned as the number of its vertex in its layer, or as its place in <b>Surface points</b>.</p>";
+         "0 (select them first, for example with <i>Conditional Vertex Selection</i>). If <b>Point layer</b> "
+         "is another layer, they are all its vertices, each moved to the nearest point of the surface, which "
+         "need not be a vertex: <i>snap_distance</i> is the farthest move, and one of more than <b>Max snap "
+         "distance</b> is an error unless that is 0. If <b>Surface points</b> is not empty, they are the "
+         "points it names, separated by semicolons: a vertex by its number, any other point by the number of "
+         "a face and three barycentric weights, such as <tt>17; 203 0.2 0.3 0.5</tt>. A point is returned as "
+         "the number of its vertex in its layer, or as its place in <b>Surface points</b>.</p>";
 }
 
 QString help_on_exact_parameter() {
-  return "<p>How to choose: <b>Exact</b> propagates for each point instead of asking the index: without its "
-         "errors and without building one, but slower for each point.</p>";
+  return "<p>How to choose: <b>Exact</b> propagates for each point: without the errors of the index and "
+         "without building one, but slower for each point.</p>";
 }
 
 QString references_of_index() {

@@ -40,8 +40,8 @@ Results describe_index(FilterCall& call) {
   const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
   if (!index) {
     call.log(
-        "Geodesic index: none for this mesh as it is. The next VoroGeo filter builds one; 'Geodesic index: "
-        "build (VoroGeo)' builds it with chosen parameters.");
+        "Geodesic index: none for this mesh as it is. 'Geodesic index: build (VoroGeo)' builds one; other "
+        "VoroGeo filters do so when they need it.");
     return {{"has_index", false}};
   }
   const IndexStatistics& s = index->statistics();
@@ -58,9 +58,7 @@ Results save_index(FilterCall& call) {
   const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
   if (!index) {
     throw InvalidInput(
-        "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first, or any "
-        "VoroGeo "
-        "filter that uses it.");
+        "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first.");
   }
   run_ticking(call.progress, "Writing the geodesic index", [&](const Progress&) { index->save(file); });
   const auto bytes = static_cast<double>(fs::file_size(file));
@@ -86,8 +84,7 @@ Results load_index(FilterCall& call) {
 
 QString help_on_life() {
   return "<p>An index belongs to the mesh as it was when it was built: after an edit there is none until one "
-         "is "
-         "built or loaded again. It is freed when the project is closed.</p>";
+         "is built or loaded. It is freed when the project is closed.</p>";
 }
 
 }  // namespace
@@ -96,9 +93,8 @@ FilterRow describe_index_row() {
   return {"Geodesic index: describe (VoroGeo)",
           "get_geodesic_index_by_vorogeo",
           "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: "
-          "vertices, "
-          "patches, border vertices, arcs, size in memory and time of building. Builds nothing and changes "
-          "nothing.</p>"
+          "vertices, patches, border vertices, arcs, size in memory and time of building. Builds nothing and "
+          "changes nothing.</p>"
           "<p>How to choose: an index belongs to the metric and the gap it was built with.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
@@ -112,8 +108,7 @@ FilterRow save_index_row() {
           "save_geodesic_index_by_vorogeo",
           "<p>Writes the index of the current mesh to a file, from which <i>Geodesic index: load from file "
           "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh "
-          "itself "
-          "is not in the file. There must be an index: build one first.</p>"
+          "itself is not in the file. There must be an index: build one first.</p>"
           "<p>How to choose: let <b>Index file</b> end in <i>.vgi</i>: loading offers such files.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
@@ -126,15 +121,12 @@ FilterRow load_index_row() {
   return {"Geodesic index: load from file (VoroGeo)",
           "load_geodesic_index_by_vorogeo",
           "<p>Reads an index from a file and keeps it for the current mesh, as if it had been built. The "
-          "file must "
-          "have been written for exactly this mesh, with the same vertices and faces in the same order; it "
-          "is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates in single "
-          "precision "
-          "and PyMeshLab in double precision: an index made by one fits the other if the mesh came from the "
-          "same file with single-precision coordinates.</p>"
+          "file must have been written for exactly this mesh, with the same vertices and faces in the same "
+          "order; it is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates "
+          "in single precision and PyMeshLab in double precision: an index made by one fits the other if the "
+          "mesh came from the same file with single-precision coordinates.</p>"
           "<p>How to choose: <b>Index file</b> is what <i>Geodesic index: save to file (VoroGeo)</i>, the "
-          "build or "
-          "the Python package wrote for this mesh.</p>" +
+          "build or the Python package wrote for this mesh.</p>" +
               help_on_life() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,

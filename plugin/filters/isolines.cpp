@@ -92,16 +92,13 @@ FilterRow isolines_row() {
       "generate_polyline_by_vorogeo_isolines",
       "<p>Lines on which the quality of the vertices has given values, as a new polyline layer, which "
       "becomes the current one; the quality of its vertices is the value of their line. Lines run straight "
-      "through each face and close over edges.</p><p>How to choose: the values are <b>Lines</b> evenly "
-      "spaced ones "
-      "between the least and the greatest quality, or those in <b>Values</b>, such as <tt>0.1 0.2 0.5</tt>. "
-      "If <b>Quality is a distance</b> is ticked, vertices with negative quality (without a distance) have "
-      "no "
-      "lines at them, and an edge is crossed where the distance from a point of the plane would have the "
-      "value, "
-      "which is exact where the surface is flat: isolines there are circles. Otherwise any quality is "
-      "interpolated linearly.</p><p>Returns the number of <i>segments</i>, their <i>length</i> and the "
-      "<i>values</i>. First run one of the distance filters.</p>" +
+      "through each face and continue across edges.</p><p>How to choose: the values are <b>Lines</b> evenly "
+      "spaced ones between the least and the greatest quality, or those in <b>Values</b>, such as <tt>0.1 "
+      "0.2 0.5</tt>. If <b>Quality is a distance</b> is ticked, vertices with negative quality (without a "
+      "distance) have no lines at them, and an edge is crossed where the distance from a point of the plane "
+      "would have the value, which is exact where the surface is flat: isolines there are circles. Otherwise "
+      "any quality is interpolated linearly.</p><p>Returns the number of <i>segments</i>, their "
+      "<i>length</i> and the <i>values</i>. First run one of the distance filters.</p>" +
           references_of_index(),
       FilterPlugin::Quality,
       MeshModel::MM_NONE,

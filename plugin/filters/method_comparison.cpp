@@ -229,28 +229,26 @@ Results compare_methods(FilterCall& call) {
 }  // namespace
 
 FilterRow method_comparison_row() {
-  return {
-      "Compare geodesic methods (VoroGeo)",
-      "compute_scalar_by_geodesic_method_comparison_per_vertex",
-      "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
-      "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
-      "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing "
-      "to "
-      "compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
-      "logged.</p>"
-      "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
-      "methods with each other. Fast marching and heat (MeshLab) and Dijkstra are the code of this MeshLab, "
-      "without a limit of distance; the methods after them are VoroGeo's code, with the options that "
-      "docs/methods.md names.</p>"
-      "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on triangular "
-      "meshes\"</b><br/>WSCG 2002.<br/>"
-      "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
-      "Transactions on Graphics 32(5), 2013.</p>",
-      FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
-      MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-      comparison_parameters,
-      compare_methods,
-      false};
+  return {"Compare geodesic methods (VoroGeo)",
+          "compute_scalar_by_geodesic_method_comparison_per_vertex",
+          "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
+          "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
+          "short) over light grey to red (too long) and are full at the 99th percentile; vertices with "
+          "nothing to compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both "
+          "times are logged.</p>"
+          "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
+          "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "
+          "limit of distance; the methods after them are VoroGeo's code, with the options that "
+          "docs/methods.md names.</p>"
+          "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on "
+          "triangular meshes\"</b><br/>WSCG 2002.<br/>"
+          "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
+          "Transactions on Graphics 32(5), 2013.</p>",
+          FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          comparison_parameters,
+          compare_methods,
+          false};
 }
 
 }  // namespace vorogeo::plugin

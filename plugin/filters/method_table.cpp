@@ -77,20 +77,16 @@ FilterRow method_table_row() {
       "Table of geodesic methods (VoroGeo)",
       "get_geodesic_method_table",
       "<p>Runs the chosen geodesic methods of the literature on this mesh, from <b>Sources</b> vertices, and "
-      "logs "
-      "a table: what each claims (many sources, reuse, error bound, metrics, growth), then what was "
-      "measured: "
-      "set-up, field and pair times, memory, and errors against exact distances. The same goes to the <b>CSV "
-      "file</b>.</p><p>Returns vectors in the order of the methods: <i>setup_seconds</i>, "
-      "<i>field_seconds</i>, "
-      "<i>pair_seconds</i> (not a number where two points cost a field), <i>bytes</i>, <i>mean_error</i>, "
-      "<i>p99_error</i>, <i>max_error</i> (0.01 is 1 %).</p>"
+      "logs a table: what each claims (many sources, reuse, error bound, metrics, growth), then what was "
+      "measured: set-up, field and pair times, memory, and errors against exact distances. The same goes to "
+      "the <b>CSV file</b>.</p><p>Returns vectors in the order of the methods: <i>setup_seconds</i>, "
+      "<i>field_seconds</i>, <i>pair_seconds</i> (not a number where two points cost a field), <i>bytes</i>, "
+      "<i>mean_error</i>, <i>p99_error</i>, <i>max_error</i> (0.01 is 1 %).</p>"
       "<p>How to choose: a few sources tell the errors, more of them the mean times; on meshes of a million "
       "vertices name the methods, as <i>svg</i> and <i>dgg</i> take minutes there. For an error map of one "
       "method take <i>Compare geodesic methods (VoroGeo)</i>.</p>"
       "<p>See:<br/><i>Keenan Crane, Marco Livesu, Enrico Puppo, Yipeng Qin</i><br/><b>\"A survey of "
-      "algorithms for "
-      "geodesic paths and distances\"</b><br/>2020.</p>",
+      "algorithms for geodesic paths and distances\"</b><br/>2020.</p>",
       FilterPlugin::Measure,
       MeshModel::MM_NONE,
       table_parameters,

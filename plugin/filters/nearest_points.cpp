@@ -77,15 +77,12 @@ FilterRow nearest_points_row() {
   return {"Geodesic nearest points of a layer (VoroGeo)",
           "get_vorogeo_nearest_points_of_layer",
           "<p>For each selected vertex, or each other point given, the geodesically nearest points of "
-          "another layer, nearest first: "
-          "<b>Neighbours</b> of them. The points are first moved to the nearest points of the surface, "
-          "which "
-          "need not be vertices; <i>snap_distance</i> is the farthest move.</p><p>Returned as <i>nearest</i> "
-          "(numbers "
-          "of vertices of that layer, -1 where fewer can be reached) and <i>distances</i> (infinity there), "
-          "<i>rows</i> x <i>columns</i> numbers row by row, with the numbers of the <i>vertices</i>; "
-          "<b>File</b> writes vertex, nearest point and distance as three columns of a .npy file that "
-          "<i>numpy.load</i> reads.</p>" +
+          "another layer, nearest first: <b>Neighbours</b> of them. The points are first moved to the "
+          "nearest points of the surface, which need not be vertices; <i>snap_distance</i> is the farthest "
+          "move.</p><p>Returned as <i>nearest</i> (numbers of vertices of that layer, -1 where fewer can be "
+          "reached) and <i>distances</i> (infinity there), <i>rows</i> x <i>columns</i> numbers row by row, "
+          "with the numbers of the <i>vertices</i>; <b>File</b> writes vertex, nearest point and distance as "
+          "three columns of a .npy file that <i>numpy.load</i> reads.</p>" +
               help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
           FilterPlugin::Measure,
           MeshModel::MM_NONE,

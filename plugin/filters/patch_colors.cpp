@@ -55,11 +55,9 @@ FilterRow patch_colors_row() {
           "compute_color_by_vorogeo_patches_per_face",
           "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
           "vertex have clearly different colours. Faces that are in no patch (repeated faces, faces that "
-          "name a vertex "
-          "twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, which decide how "
-          "long the "
-          "index takes to build; layer 2 has the small ones, inside which distances are exact.</p><p>Returns "
-          "the number of <i>patches</i> and of <i>colors</i>.</p>" +
+          "name a vertex twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, "
+          "layer 2 the small ones that they consist of, inside which distances are exact.</p><p>Returns the "
+          "number of <i>patches</i> and of <i>colors</i>.</p>" +
               help_on_index() + references_of_index(),
           FilterPlugin::FaceColoring,
           MeshModel::MM_FACECOLOR,

@@ -125,40 +125,36 @@ QString references_of_lloyd() {
 }  // namespace
 
 FilterRow farthest_sampling_row() {
-  return {
-      "Geodesic farthest point sampling (VoroGeo)",
-      "generate_sampling_vorogeo_farthest_point",
-      "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a new "
-      "layer of points, which becomes the current one. They are spread evenly: at least the covering "
-      "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
-      "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the "
-      "<b>Covering radius</b>, whichever comes first. With <b>Begin with the selection</b>, the selected "
-      "vertices or other points given as below come first; otherwise it begins with a random vertex that "
-      "<b>Seed</b> chooses. Returns the "
-      "number of <i>samples</i>, the "
-      "<i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled layer (-1: a point to "
-      "begin with that is not a vertex).</p>" +
-          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_farthest(),
-      FilterPlugin::Sampling,
-      MeshModel::MM_NONE,
-      farthest_parameters,
-      farthest_sampling};
+  return {"Geodesic farthest point sampling (VoroGeo)",
+          "generate_sampling_vorogeo_farthest_point",
+          "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a "
+          "new layer of points, which becomes the current one. They are spread evenly: at least the covering "
+          "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
+          "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the <b>Covering radius</b>, "
+          "whichever comes first. With <b>Begin with the selection</b>, the selected vertices or other "
+          "points given come first; otherwise the first sample is a random vertex, chosen by <b>Seed</b>. "
+          "Returns the number of <i>samples</i>, the <i>covering_radius</i>, and the numbers of the "
+          "<i>vertices</i> in the sampled layer (-1: a point to begin with that is not a vertex).</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_farthest(),
+          FilterPlugin::Sampling,
+          MeshModel::MM_NONE,
+          farthest_parameters,
+          farthest_sampling};
 }
 
 FilterRow poisson_disk_sampling_row() {
-  return {
-      "Geodesic Poisson-disk sampling (VoroGeo)",
-      "generate_sampling_vorogeo_poisson_disk",
-      "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new layer "
-      "of points, which becomes the current one. No vertex could be added: each is less than the radius "
-      "from a sample. Distances run over the surface, so that samples on two sides of a thin wall do not "
-      "push each other away.</p><p>Returns the number of <i>samples</i> and the numbers of the "
-      "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
-          help_on_exact_parameter() + help_on_index() + references_of_poisson(),
-      FilterPlugin::Sampling,
-      MeshModel::MM_NONE,
-      poisson_parameters,
-      poisson_disk_sampling};
+  return {"Geodesic Poisson-disk sampling (VoroGeo)",
+          "generate_sampling_vorogeo_poisson_disk",
+          "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new "
+          "layer of points, which becomes the current one. No vertex could be added: each is less than the "
+          "radius from a sample. Distances run over the surface, so that samples on two sides of a thin wall "
+          "do not repel each other.</p><p>Returns the number of <i>samples</i> and the numbers of the "
+          "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
+              help_on_exact_parameter() + help_on_index() + references_of_poisson(),
+          FilterPlugin::Sampling,
+          MeshModel::MM_NONE,
+          poisson_parameters,
+          poisson_disk_sampling};
 }
 
 FilterRow lloyd_relaxation_row() {
@@ -166,10 +162,9 @@ FilterRow lloyd_relaxation_row() {
       "Geodesic Lloyd relaxation of the selection (VoroGeo)",
       "generate_sampling_vorogeo_lloyd_relaxation",
       "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
-      "evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to "
-      "vertices. A point moves "
-      "only if that lowers the integral of the squared geodesic distance over its region, so every round "
-      "lowers the energy. The result is a new layer of points, which becomes the current one.</p>"
+      "evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to vertices. A "
+      "point moves only if that lowers the integral of the squared geodesic distance over its region, so "
+      "every round lowers the energy. The result is a new layer of points, which becomes the current one.</p>"
       "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
       "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
           help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_lloyd(),

@@ -86,8 +86,7 @@ FilterRow voronoi_regions_row() {
       "distances from two points are equal, and meet where those from three are; on flat parts of the "
       "surface they are exact for the given distances. The current layer stays current.</p>"
       "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their points as "
-      "<i>vertices</i>, "
-      "the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
+      "<i>vertices</i>, the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
           help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
       FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
       MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR,

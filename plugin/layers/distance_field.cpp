@@ -67,8 +67,8 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
 RichLength max_distance_parameter(const MeshDocument& document) {
   return length_parameter(
       document, "max_distance", 0.0, "Max distance",
-      "Distances above this length are not computed: those vertices get quality -1. In the unit of "
-      "the mesh, or in percent of the diagonal of its bounding box. 0 means no limit.");
+      "Distances above this length are not computed: those vertices get quality -1. In the unit of the mesh, "
+      "or in percent of the diagonal of its bounding box. 0 means no limit.");
 }
 
 RichParameterList only_max_distance(const MeshDocument& document) {

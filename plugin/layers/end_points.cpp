@@ -35,10 +35,9 @@ void add_end_point_parameters(RichParameterList& list, const MeshDocument& docum
       RichInt("source", vertex, "Source vertex", "Number of the first vertex, counted from 0; -1: a point."));
   list.addParam(RichInt("target", vertex, "Target vertex",
                         "Number of the second vertex, counted from 0; -1: a point."));
-  list.addParam(RichPosition(
-      "source_point", document.mm()->cm.bbox.min, "Source point",
-      "Used if the source vertex is -1: the nearest point of the surface. Choose 'Surf. Pos.' and "
-      "press Get, then double-click on the surface."));
+  list.addParam(RichPosition("source_point", document.mm()->cm.bbox.min, "Source point",
+                             "Used if the source vertex is -1: the nearest point of the surface. Choose "
+                             "'Surf. Pos.' and press Get, then double-click on the surface."));
   list.addParam(RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
                              "Used if the target vertex is -1: the nearest point of the surface."));
   list.addParam(max_snap_distance_parameter(document));
@@ -65,11 +64,10 @@ Results about_end_points(const EndPoints& ends) {
 
 QString help_on_end_points() {
   return "<p>A point is a vertex, given by its number in <b>Source vertex</b> or <b>Target vertex</b>, or, "
-         "if that is -1, "
-         "the point of the surface nearest to <b>Source point</b> or <b>Target point</b>; "
-         "<i>source_snap_distance</i> and <i>target_snap_distance</i> say how far it was moved. "
-         "<b>Surface points</b> gives both exactly, such as <tt>17; 203 0.2 0.3 0.5</tt>: a vertex by its "
-         "number, any other point by the number of a face and three barycentric weights.</p>";
+         "if that is -1, the point of the surface nearest to <b>Source point</b> or <b>Target point</b>; "
+         "<i>source_snap_distance</i> and <i>target_snap_distance</i> say how far it was moved. <b>Surface "
+         "points</b> gives both exactly, such as <tt>17; 203 0.2 0.3 0.5</tt>: a vertex by its number, any "
+         "other point by the number of a face and three barycentric weights.</p>";
 }
 
 }  // namespace vorogeo::plugin

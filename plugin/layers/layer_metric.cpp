@@ -46,16 +46,14 @@ SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput(
         "The vertices have no quality that could be the cost of paths. Paint or compute one above 0, or "
-        "choose "
-        "another metric.");
+        "choose another metric.");
   }
   bool is_kept = false;
   const std::vector<Scalarm> values = cost_of(call, is_kept);
   if (is_kept) {
-    call.log(
-        std::string("Metric: the quality is the result of the last filter, so its cost is taken, which was "
-                    "kept as the vertex attribute ") +
-        cost_attribute);
+    call.log(std::string("Metric: the quality is the result of the last filter; the cost is the one kept as "
+                         "the vertex attribute ") +
+             cost_attribute);
   }
   std::vector<double> cost;
   for (const Index input : arrays.input_of_vertex) {
@@ -81,20 +79,21 @@ void add_metric_parameters(RichParameterList& list) {
                {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature"}, "Metric",
                "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
                "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
-               "or more across ridges and limbs than along them. An index belongs to its metric: quality "
-               "that is painted anew is a new one. A filter that overwrites the quality keeps the cost as "
+               "or more across ridges and limbs than along them. An index belongs to its metric: newly "
+               "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
                "the vertex attribute metric_cost, so that it can be applied again."));
-  list.addParam(
-      RichFloat("slope_penalty", 1, "Slope penalty",
-                "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z "
-                "points upwards."));
+  list.addParam(RichFloat(
+      "slope_penalty", 1, "Slope penalty",
+      "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards."));
   list.addParam(RichFloat("curvature_weight", 3, "Curvature weight",
                           "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, "
                           "they run around them."));
 }
 
 // Short: a dialog is as high as its help, and must leave room for its buttons on a small screen.
-QString help_on_metric() { return "<p><b>Metric</b>: lengths, or a cost of paths; its tip says more.</p>"; }
+QString help_on_metric() {
+  return "<p><b>Metric</b>: lengths, or a cost of paths; its tooltip explains.</p>";
+}
 
 LayerMetric metric_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
@@ -138,10 +137,9 @@ SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays)
     }
   }
   if (shortened > 0) {
-    call.log(
-        "Metric: " + std::to_string(shortened) +
-        " edges cost more than the way by the third corner of a face and got its length; the mesh is coarse "
-        "for this metric");
+    call.log("Metric: " + std::to_string(shortened) +
+             " edges would cost more than the other two sides of a face together, and cost as much as these; "
+             "the mesh is coarse for this metric");
   }
   return sides;
 }

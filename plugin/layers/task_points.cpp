@@ -45,10 +45,9 @@ SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QS
     weights[i - 1] = words[i].toDouble(&is_number);
   }
   if (!is_number || (words.size() != 1 && words.size() != 4)) {
-    throw InvalidInput(
-        entry +
-        " is not a surface point. Give the number of a vertex, or the number of a face and three "
-        "weights, such as 17; 203 0.2 0.3 0.5.");
+    throw InvalidInput(entry +
+                       " is not a surface point. Give the number of a vertex, or the number of a face and "
+                       "three weights, such as 17; 203 0.2 0.3 0.5.");
   }
   if (words.size() == 1) return SurfacePoint::at_vertex(layer_mesh.core_vertex(number, entry));
   try {
