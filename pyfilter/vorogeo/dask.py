@@ -54,6 +54,8 @@ def write_files(
     mesh: Mesh | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
     metric: Metric | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
 ) -> IndexFiles:
     """Put what workers need into a folder that all of them see.
 
@@ -71,7 +73,7 @@ def write_files(
             )
         vertices, faces = read_mesh(mesh) if isinstance(mesh, (str, os.PathLike)) else mesh
         file = os.path.abspath(check.file_path(index))
-        index = GeodesicIndex.load(file, vertices, faces, mask=mask, metric=metric)
+        index = GeodesicIndex.load(file, vertices, faces, None, mask, metric, gap, bridge_folds)
     else:
         file = os.path.join(folder, "index.vgi")
         index.save(file)
@@ -107,6 +109,8 @@ def matrix(
     exact: bool = False,
     rows: int | None = None,
     folder: str | os.PathLike[str] | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
 ) -> Any:
     """Distances between all vertices, or chosen ones, as a lazy dask array.
 
@@ -120,7 +124,7 @@ def matrix(
         Vertex ids of the rows and columns; None is all vertices.
     mesh : (vertices, faces) or a file that `read_mesh` reads, optional
         Needed with an index file.
-    mask, metric
+    mask, metric, gap, bridge_folds
         Those that the index of the file was built with.
     exact : bool, default False
         Exact propagation instead of the index.
@@ -153,7 +157,7 @@ def matrix(
     place = tempfile.mkdtemp(prefix="vorogeo-") if folder is None else os.path.abspath(folder)
     try:
         os.makedirs(place, exist_ok=True)
-        files = write_files(index, place, mesh, mask, metric)
+        files = write_files(index, place, mesh, mask, metric, gap, bridge_folds)
         count = len(np.load(os.path.join(place, "vertices.npy"), mmap_mode="r"))
         ids = np.arange(count, dtype=np.int32) if points is None else check.id_list("points", points, count)
         columns = None if points is None else ids

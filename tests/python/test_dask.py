@@ -12,7 +12,7 @@ import pytest
 import vorogeo
 from vorogeo.cli.main import main
 
-from sample_meshes import bent_grid, write_off
+from sample_meshes import bent_grid, plane_grid, write_off
 
 dask = pytest.importorskip("dask")
 distributed = pytest.importorskip("distributed")
@@ -100,6 +100,28 @@ def test_temporary_files_go_with_the_array(index, tmp_path, monkeypatch):
     assert len(list(tmp_path.iterdir())) == 1
     del lazy
     assert list(tmp_path.iterdir()) == []
+
+
+def test_gaps_are_bridged_as_in_the_index_file(tmp_path):
+    vertices, faces = plane_grid(9, 9)
+    apart = np.vstack([vertices, vertices + np.array([1.01, 0, 0])]), np.vstack([faces, faces + 81])
+    index = vorogeo.GeodesicIndex(*apart, patches=(2, 2), gap=0.02)
+    index.save(tmp_path / "m.vgi")
+    lazy = vorogeo_dask.matrix(tmp_path / "m.vgi", points=[0, 81 + 8], mesh=apart, gap=0.02)
+    np.testing.assert_allclose(lazy.compute(scheduler="sync"), [[0, 2.01], [2.01, 0]], rtol=0.01)
+
+
+def test_workers_map_one_index_file(cluster, index, tmp_path):
+    files = vorogeo_dask.write_files(index, str(tmp_path))
+
+    def mapped(files):
+        return files.open().statistics.mapped_bytes
+
+    with distributed.Client(cluster[0]) as client:
+        found = client.run(mapped, files)
+    assert len(found) >= 2
+    tables = (tmp_path / "index.vgi").stat().st_size / 2
+    assert all(size > tables for size in found.values())
 
 
 def test_one_of_three_workers_is_killed_and_the_result_in_zarr_is_complete_and_equal(cluster, index, tmp_path):
