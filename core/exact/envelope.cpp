@@ -91,12 +91,12 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     std::array<double, 2> x{};
     if (const int found = crossings(fresh, old, l, r, x); found > 0) {
       const double cut = tied_r ? x[found - 1] : x[0];
-      const double beside = 0.5 * (cut + (tied_r ? r : l));
-      const double at_old = old.distance(beside);
-      const double gain_beside = at_old - fresh.distance(beside);
-      const double gain_there = tied_r ? gain_l : gain_r;
-      if (std::abs(gain_beside) > tie * at_old && (gain_beside > 0.0) != (gain_there > 0.0)) {
-        division.new_first = (tied_r ? gain_there : gain_beside) > 0.0;
+      const double probe = 0.5 * (cut + (tied_r ? r : l));
+      const double at_old = old.distance(probe);
+      const double gain_at_probe = at_old - fresh.distance(probe);
+      const double gain_at_end = tied_r ? gain_l : gain_r;
+      if (std::abs(gain_at_probe) > tie * at_old && (gain_at_probe > 0.0) != (gain_at_end > 0.0)) {
+        division.new_first = (tied_r ? gain_at_end : gain_at_probe) > 0.0;
         division.cuts = 1;
         division.at[0] = cut;
         return division;

@@ -25,13 +25,13 @@ class WindowEnvelope {
   std::span<Window> windows(Index edge) { return {pool_.data() + lists_[edge].offset, lists_[edge].size}; }
 
   /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a
-  /// length) where the edge begins, growing with the position and the distance there up to `most`.
+  /// length) where the edge begins, growing with the position and the distance there up to `greatest`.
   struct Sliver {
     double at_begin;
-    double most;
-    double slope;  ///< 0: `most` is `at_begin`
+    double greatest;
+    double slope;  ///< 0: `greatest` is `at_begin`
     double at(double x, double distance) const {
-      return slope == 0.0 ? most : std::min(most, at_begin + slope * (x + distance));
+      return slope == 0.0 ? greatest : std::min(greatest, at_begin + slope * (x + distance));
     }
   };
   void open(Index edge, const Sliver& sliver);

@@ -54,7 +54,7 @@ void ExactSolver::State::merge_crossing(double length) {
   // Windows travel on from long faces to short ones, whose edges may be shorter than the tolerance on a long
   // edge.
   const double tolerance = merge_tolerance * std::min(length, mesh.typical_edge_length());
-  const double gap = 1e-9 * length;
+  const double end_rounding = 1e-9 * length;
   std::size_t last = 0;
   double deviated = 0.0;  // largest deviation from the windows that the last one replaces
   for (std::size_t i = 1; i < crossing.size(); ++i) {
@@ -62,7 +62,7 @@ void ExactSolver::State::merge_crossing(double length) {
     Window& window = crossing[last].window;
     Window joint;
     if (next.source == window.source && next.came_from == window.came_from &&
-        std::abs(next.begin - window.end) <= gap && joined(window, next, joint)) {
+        std::abs(next.begin - window.end) <= end_rounding && joined(window, next, joint)) {
       const double sum = deviated + deviation(joint, window, next);
       if (sum <= tolerance) {
         window = joint;

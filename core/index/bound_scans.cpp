@@ -115,8 +115,8 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
   if (seeds.distance[best] < infinite) take(best);
   float farthest = 0.0f;
   for (Index k = first; k < end; ++k) farthest = found[k] > farthest ? found[k] : farthest;
-  const float most = limit < farthest ? limit : farthest;
-  const float in_units = bound_unit > 0.0f ? most / bound_unit : 255.0f;
+  const float max_sum = limit < farthest ? limit : farthest;
+  const float in_units = bound_unit > 0.0f ? max_sum / bound_unit : 255.0f;
   const auto max_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
   for (Index begin = 0; begin < seeds.lanes; begin += byte_lanes) {
     Bytes sum;

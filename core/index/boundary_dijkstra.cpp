@@ -50,9 +50,9 @@ double BoundaryDijkstra::across(Index patch, Index row, Index column, double sum
   const NodeState& at = state_[nodes[row]];
   if (at.patch == patch) return sum;
   const double source = distance_[nodes[row]];
-  const double beyond = layer_.distance(patch, row, column);
+  const double target = layer_.distance(patch, row, column);
   // Where more borders meet, the neighbours beyond the first few are left out.
-  std::array<BorderSample, 4> beside{};
+  std::array<BorderSample, 4> neighbours{};
   std::size_t known = 0;
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
     const NodeState& other = state_[nodes[next.row]];
@@ -60,10 +60,10 @@ double BoundaryDijkstra::across(Index patch, Index row, Index column, double sum
     if (other_source == unreachable || other.patch == patch ||
         !may_share_wave(predecessor(nodes[row]), predecessor(nodes[next.row])))
       continue;
-    if (known == beside.size()) break;
-    beside[known++] = {other_source, layer_.distance(patch, next.row, column), next.length};
+    if (known == neighbours.size()) break;
+    neighbours[known++] = {other_source, layer_.distance(patch, next.row, column), next.length};
   }
-  return std::min(sum, crossing_distance(source, beyond, {beside.data(), known}));
+  return std::min(sum, crossing_distance(source, target, {neighbours.data(), known}));
 }
 
 double BoundaryDijkstra::sum(Index node) const {

@@ -123,9 +123,9 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float lowest_point = -0.5f * slope / curvature;
     const float away = lowest + source;
     const float longest = before > after ? before : after;
-    const float most = steepest * longest * longest * ((away + target) / (away * target));
+    const float max_gain = steepest * longest * longest * ((away + target) / (away * target));
     const float free = -0.5f * slope * lowest_point;
-    const float parabola = free < most ? free : most;
+    const float parabola = free < max_gain ? free : max_gain;
     // By the triangle inequality no gain is more than twice the nearer distance; rounding of distances that
     // are much longer than their edges could make it more, and the distance negative.
     const float nearer = away < target ? away : target;

@@ -27,9 +27,9 @@ Index first_lower(const float* line, double base, const double* distance, Index 
   constexpr Index block = 16;
   Index i = begin;
   for (; i + block <= count; i += block) {
-    int lower = 0;
-    for (Index k = 0; k < block; ++k) lower |= base + line[i + k] < distance[i + k] ? 1 : 0;
-    if (lower == 0) continue;
+    int found = 0;
+    for (Index k = 0; k < block; ++k) found |= base + line[i + k] < distance[i + k] ? 1 : 0;
+    if (found == 0) continue;
     for (Index k = 0; k < block; ++k) {
       if (base + line[i + k] < distance[i + k]) return i + k;
     }
@@ -67,9 +67,9 @@ void relax_by_line(const std::uint16_t* entries, float unit, float base, Index n
                    float* least, Index* best) {
   for (Index i = 0; i < count; ++i) {
     const float through = base + unit * static_cast<float>(entries[i]);
-    const bool lower = (entries[i] != infinite_entry_15) & (through < least[i]);
-    least[i] = lower ? through : least[i];
-    best[i] = lower ? name : best[i];
+    const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
+    least[i] = is_less ? through : least[i];
+    best[i] = is_less ? name : best[i];
   }
 }
 
@@ -90,9 +90,9 @@ float relax_by_cell(const std::uint16_t* cell, Index rows, Index columns, const 
     const float start = base[row] + offset;
     for (Index i = 0; i < columns; ++i) {
       const float through = start + unit * static_cast<float>(entries[i]);
-      const bool lower = (entries[i] != infinite_entry_16) & (through < least[i]);
-      least[i] = lower ? through : least[i];
-      best[i] = lower ? first_name + row : best[i];
+      const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
+      least[i] = is_less ? through : least[i];
+      best[i] = is_less ? first_name + row : best[i];
     }
   }
   for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
@@ -190,9 +190,9 @@ void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index 
     const std::uint16_t* entries = tile + static_cast<std::size_t>(row) * width;
     for (Index k = 0; k < width; ++k) {
       const auto sum = static_cast<std::int16_t>(base[row] + entries[k]);
-      const bool lower = sum < lowest[k];
-      lowest[k] = lower ? sum : lowest[k];
-      at[k] = lower ? static_cast<std::int16_t>(row) : at[k];
+      const bool is_less = sum < lowest[k];
+      lowest[k] = is_less ? sum : lowest[k];
+      at[k] = is_less ? static_cast<std::int16_t>(row) : at[k];
     }
   }
   std::memcpy(least, lowest, sizeof(lowest));
@@ -213,9 +213,9 @@ void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count
     const std::uint16_t* entries = tile + static_cast<std::size_t>(rows[i]) * width;
     for (Index k = 0; k < width; ++k) {
       const auto sum = static_cast<std::int16_t>(base[i] + entries[k]);
-      const bool lower = sum < lowest[k];
-      lowest[k] = lower ? sum : lowest[k];
-      at[k] = lower ? static_cast<std::int16_t>(i) : at[k];
+      const bool is_less = sum < lowest[k];
+      lowest[k] = is_less ? sum : lowest[k];
+      at[k] = is_less ? static_cast<std::int16_t>(i) : at[k];
     }
   }
   std::memcpy(least, lowest, sizeof(lowest));

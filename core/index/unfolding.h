@@ -32,13 +32,14 @@ struct SideAngle {
 };
 
 /// On the side of one neighbour: the angles of both directions with the border edge that leads to it.
-inline SideAngle side_angle(double source, double target, const BorderSample& beside) {
+inline SideAngle side_angle(double source, double target, const BorderSample& neighbour) {
   auto cosine = [&](double own, double other) {
-    const double exact = 0.5 * (beside.length / own + (own - other) / beside.length * ((own + other) / own));
+    const double exact =
+        0.5 * (neighbour.length / own + (own - other) / neighbour.length * ((own + other) / own));
     return std::clamp(exact, -1.0, 1.0);
   };
-  const double to_source = cosine(source, beside.source);
-  const double to_target = cosine(target, beside.target);
+  const double to_source = cosine(source, neighbour.source);
+  const double to_target = cosine(target, neighbour.target);
   const double source_sine = std::sqrt(1.0 - to_source * to_source);
   const double target_sine = std::sqrt(1.0 - to_target * to_target);
   return {to_source * to_target - source_sine * target_sine,
@@ -83,22 +84,23 @@ inline double parabola_distance(double source, double target, const BorderSample
   const double lowest = -0.5 * slope / curvature;
   if (!(lowest > left && lowest < right)) return unreachable;
   const double longest = std::fmax(before.length, after.length);
-  const double most = greatest_gain * longest * longest * (1.0 / source + 1.0 / target);
-  return sum - std::fmin(-0.5 * slope * lowest, most);
+  const double max_gain = greatest_gain * longest * longest * (1.0 / source + 1.0 / target);
+  return sum - std::fmin(-0.5 * slope * lowest, max_gain);
 }
 
 /// Distance across a border at the vertex with the least sum source + target, improved by the neighbours
 /// along the border; at most that sum.
-inline double crossing_distance(double source, double target, std::span<const BorderSample> beside) {
+inline double crossing_distance(double source, double target, std::span<const BorderSample> neighbours) {
   double best = source + target;
-  for (const BorderSample& sample : beside) {
+  for (const BorderSample& sample : neighbours) {
     best = std::min(best, unfolded_distance(sample.length, source, sample.source, target, sample.target));
   }
-  if (beside.size() != 2) return best;
-  if (!may_be_one_path(side_angle(source, target, beside[0]), side_angle(source, target, beside[1]))) {
+  if (neighbours.size() != 2) return best;
+  if (!may_be_one_path(side_angle(source, target, neighbours[0]),
+                       side_angle(source, target, neighbours[1]))) {
     return source + target;
   }
-  return std::min(best, parabola_distance(source, target, beside[0], beside[1]));
+  return std::min(best, parabola_distance(source, target, neighbours[0], neighbours[1]));
 }
 
 }  // namespace vorogeo

@@ -49,9 +49,9 @@ class Walk {
       if (distance > distance_[vertex]) continue;
       for (Index h : mesh_.corners(vertex)) {
         if (++steps > max_steps) return false;
-        const Index before = Mesh::previous_in_face(h);
+        const Index previous = Mesh::previous_in_face(h);
         reach(mesh_.head(h), distance + mesh_.edge_length(mesh_.edge_of(h)));
-        reach(mesh_.tail(before), distance + mesh_.edge_length(mesh_.edge_of(before)));
+        reach(mesh_.tail(previous), distance + mesh_.edge_length(mesh_.edge_of(previous)));
       }
     }
     return true;

@@ -71,10 +71,10 @@ Index BorderSides::next(Index side, Index vertex) const {
   Index h = sides_[side].halfedge;
   for (;;) {
     const Index other = mesh_.head(h) == vertex ? Mesh::next_in_face(h) : Mesh::previous_in_face(h);
-    const Index beyond = mesh_.next_around_edge(other);
-    if (beyond == other) return between(mesh_.tail(other), mesh_.head(other));
-    if (mesh_.next_around_edge(beyond) != other) return no_index;
-    h = beyond;
+    const Index twin = mesh_.next_around_edge(other);
+    if (twin == other) return between(mesh_.tail(other), mesh_.head(other));
+    if (mesh_.next_around_edge(twin) != other) return no_index;
+    h = twin;
   }
 }
 

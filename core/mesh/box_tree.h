@@ -37,9 +37,10 @@ class BoxTree {
   }
 
   /// Calls visit(item) for the items within a distance of a box, nearer halves first: `reach` at first, then
-  /// what visit last returned. Stops after `most` calls. Boxes for which skip(node) holds are passed over.
+  /// what visit last returned. Stops after `max_visits` calls. Boxes for which skip(node) holds are passed
+  /// over.
   template <class Visit, class Skip>
-  void visit_near(const Box& around, double reach, int most, Visit&& visit, Skip&& skip) const {
+  void visit_near(const Box& around, double reach, int max_visits, Visit&& visit, Skip&& skip) const {
     if (order_.empty()) return;
     std::vector<Open> open{{boxes_[0].bounds.distance(around), 0}};
     while (!open.empty()) {
@@ -57,7 +58,7 @@ class BoxTree {
       }
       for (Index i = node.begin; i < node.end; ++i) {
         if (!(items_[order_[i]].distance(around) <= reach)) continue;
-        if (most-- == 0) return;
+        if (max_visits-- == 0) return;
         reach = visit(order_[i]);
       }
     }

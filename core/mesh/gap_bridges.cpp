@@ -54,13 +54,13 @@ std::vector<Index> equal_vertices(const Mesh& mesh) {
   });
   std::vector<Index> same_as;
   for (std::size_t i = 1; i < keyed.size(); ++i) {
-    const Index before = keyed[i - 1].vertex;
-    if (!same_place(mesh.position(before), mesh.position(keyed[i].vertex))) continue;
+    const Index previous = keyed[i - 1].vertex;
+    if (!same_place(mesh.position(previous), mesh.position(keyed[i].vertex))) continue;
     if (same_as.empty()) {
       same_as.resize(mesh.vertex_count());
       for (Index v = 0; v < mesh.vertex_count(); ++v) same_as[v] = v;
     }
-    same_as[keyed[i].vertex] = same_as[before];
+    same_as[keyed[i].vertex] = same_as[previous];
   }
   return same_as;
 }
@@ -88,20 +88,20 @@ void add_starts(const BorderSides& sides, Index side, const GapLimit& limit, Gap
   for (const auto& [apart, other] : nearest) zipper.add_start(apart, side, other);
 }
 
-/// The shortest way between two components: a vertex and the side that it is joined to.
-struct Joint {
+/// The shortest bridge between two components: a vertex and the side that it is joined to.
+struct Link {
   double apart = unreachable;
   Index vertex = no_index;
   Index side = no_index;
 };
 
-/// Joints that make the sets of vertices one where the limit allows it, each the shortest between two of them
+/// Links that make the sets of vertices one where the limit allows it, each the shortest between two of them
 /// (Boruvka's algorithm).
-std::vector<Joint> join_components(const BorderSides& sides, DisjointSets& sets, const GapLimit& limit) {
-  std::vector<Joint> joints;
+std::vector<Link> join_components(const BorderSides& sides, DisjointSets& sets, const GapLimit& limit) {
+  std::vector<Link> links;
   std::vector<Index> root(sides.count());
   std::vector<Index> common;
-  std::vector<Joint> best;
+  std::vector<Link> best;
   std::vector<Index> roots;
   for (bool joined = true; joined;) {
     joined = false;
@@ -114,7 +114,7 @@ std::vector<Joint> join_components(const BorderSides& sides, DisjointSets& sets,
     sides.tree().common_labels(root, common);
     for (Index s = 0; s < sides.count(); ++s) {
       if (s % elements_per_checkpoint == 0) checkpoint();
-      Joint& own = best[std::ranges::lower_bound(roots, root[s]) - roots.begin()];
+      Link& own = best[std::ranges::lower_bound(roots, root[s]) - roots.begin()];
       const auto look_at = [&](Index other) {
         const double reach = std::min(limit.length, own.apart);
         if (root[other] == root[s]) return reach;
@@ -132,14 +132,14 @@ std::vector<Joint> join_components(const BorderSides& sides, DisjointSets& sets,
       sides.tree().visit_near(sides.box(s), std::min(limit.length, own.apart), max_looked_at, look_at,
                               [&](Index node) { return common[node] == root[s]; });
     }
-    for (const Joint& joint : best) {
-      if (joint.side == no_index || sets.root(joint.vertex) == sets.root(sides[joint.side].tail)) continue;
-      sets.join(joint.vertex, sides[joint.side].tail);
-      joints.push_back(joint);
+    for (const Link& link : best) {
+      if (link.side == no_index || sets.root(link.vertex) == sets.root(sides[link.side].tail)) continue;
+      sets.join(link.vertex, sides[link.side].tail);
+      links.push_back(link);
       joined = true;
     }
   }
-  return joints;
+  return links;
 }
 
 std::vector<std::array<Index, 3>> rows_between_borders(const Mesh& mesh, const GapLimit& limit) {
@@ -199,8 +199,8 @@ GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit) {
     sets.join(a, b);
     sets.join(b, c);
   }
-  for (const Joint& joint : join_components(sides, sets, limit)) {
-    bridges.faces.push_back({sides[joint.side].tail, sides[joint.side].head, joint.vertex});
+  for (const Link& link : join_components(sides, sets, limit)) {
+    bridges.faces.push_back({sides[link.side].tail, sides[link.side].head, link.vertex});
   }
   return bridges;
 }
@@ -234,8 +234,8 @@ double gap_to_join_all(const Mesh& mesh, bool folds) {
   const Mesh merged(mesh.positions(), mesh.faces(), equal);
   DisjointSets sets = sets_of(merged);
   double widest = 0.0;
-  for (const Joint& joint : join_components(BorderSides(merged), sets, limit)) {
-    widest = std::max(widest, joint.apart);
+  for (const Link& link : join_components(BorderSides(merged), sets, limit)) {
+    widest = std::max(widest, link.apart);
   }
   Index root = no_index;
   for (const auto& face : merged.faces()) {

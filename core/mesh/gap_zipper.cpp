@@ -11,15 +11,15 @@ namespace vorogeo {
 
 namespace {
 
-/// Holes with more edges are no place where a few gaps meet.
+/// Holes with more edges than this belong to the surface; smaller ones are left where gaps meet.
 constexpr std::size_t max_hole_edges = 16;
-/// A row begins, although others could grow, where the gap is narrower by this factor.
+/// Rather than that a row grows, a new one begins where the gap is narrower by this factor.
 constexpr double begin_early = 2.0;
 
 }  // namespace
 
-/// The two ends of the sides at which the row begins, as far back as the ends of one of them still lie beside
-/// the other: from a vertex in the middle of a long side, triangles to its far end would cover what lies
+/// The ends of the two sides between which a row begins, moved back along their borders as long as each lies
+/// beside the other side: triangles from the middle of a long side to its far end would cover what lies
 /// between.
 GapZipper::Front GapZipper::front_between(Index first, Index second) const {
   const auto direction = [&](Index side) {
@@ -39,12 +39,13 @@ GapZipper::Front GapZipper::front_between(Index first, Index second) const {
     for (;;) {
       const Index back = free_next(side, vertex);
       if (back == no_index || back == opposite_side) return;
-      const Index before = sides_.other_end(back, vertex);
-      if (before == opposite || before == began || !lies_beside(opposite_side, opposite, before)) return;
+      const Index previous = sides_.other_end(back, vertex);
+      if (previous == opposite || previous == began || !lies_beside(opposite_side, opposite, previous))
+        return;
       const Point across =
-          minus(sides_.nearest_on(opposite_side, mesh_.position(before)), mesh_.position(before));
+          minus(sides_.nearest_on(opposite_side, mesh_.position(previous)), mesh_.position(previous));
       if (!sides_.continues(back, opposite_side, across, limit_.folds)) return;
-      vertex = before;
+      vertex = previous;
       side = back;
     }
   };
@@ -97,19 +98,19 @@ void GapZipper::begin_at_corner(Front front) {
   push({p, q, sides_.next(front.from_p, p), sides_.next(front.from_q, q), front.from_p, front.from_q});
 }
 
-double GapZipper::next_width(Index side, Index from, Index opposite, Index ahead, Index last,
+double GapZipper::next_width(Index side, Index from, Index opposite, Index opposite_side, Index last,
                              Index last_own) const {
   if (!is_free(side)) return unreachable;
   const Index to = sides_.other_end(side, from);
   if (to == opposite) return unreachable;
   const Point& at = mesh_.position(to);
-  const Point near = is_free(ahead) ? sides_.nearest_on(ahead, at) : mesh_.position(opposite);
+  const Point near = is_free(opposite_side) ? sides_.nearest_on(opposite_side, at) : mesh_.position(opposite);
   const Point across = minus(near, at);
   const double width = length_of(across);
   if (!(width <= limit_.length)) return unreachable;
   // Ragged borders turn from edge to edge: any two of the edges at both ends may face each other.
   for (const Index own : {side, last_own}) {
-    if (is_free(ahead) && sides_.continues(own, ahead, across, limit_.folds)) return width;
+    if (is_free(opposite_side) && sides_.continues(own, opposite_side, across, limit_.folds)) return width;
     if (sides_.continues(own, last, across, limit_.folds)) return width;
   }
   return unreachable;
@@ -170,13 +171,13 @@ void GapZipper::fill_holes() {
   for (auto& [first, neighbours] : at) {
     if (neighbours.size() != 2) continue;
     ring = {first};
-    Index before = neighbours[1];
+    Index previous = neighbours[1];
     Index here = first;
     for (;;) {
-      auto& beside = at[here];
-      const Index next = beside[0] == before ? beside[1] : beside[0];
+      auto& adjacent = at[here];
+      const Index next = adjacent[0] == previous ? adjacent[1] : adjacent[0];
       if (next == first || ring.size() > max_hole_edges || at[next].size() != 2) break;
-      before = here;
+      previous = here;
       here = next;
       ring.push_back(here);
     }

@@ -55,7 +55,8 @@ class GapZipper {
   void begin(const Start& start);
   void begin_at_corner(Front front);
   /// Width of the gap at the next vertex of one border; `unreachable` if the row may not go on to it.
-  double next_width(Index side, Index from, Index opposite, Index ahead, Index last, Index last_own) const;
+  double next_width(Index side, Index from, Index opposite, Index opposite_side, Index last,
+                    Index last_own) const;
   double next_width_p(const Front& front) const {
     return next_width(front.from_p, front.p, front.q, front.from_q, front.last_q, front.last_p);
   }

@@ -9,9 +9,9 @@ namespace vorogeo {
 
 double factor_to_unit(double mean, double longest) {
   constexpr double least = std::numeric_limits<double>::denorm_min();
-  constexpr double most = std::numeric_limits<double>::max();
-  const double exponent =
-      0.5 * std::log10(std::clamp(mean, least, most)) + 0.5 * std::log10(std::clamp(longest, least, most));
+  constexpr double greatest = std::numeric_limits<double>::max();
+  const double exponent = 0.5 * std::log10(std::clamp(mean, least, greatest)) +
+                          0.5 * std::log10(std::clamp(longest, least, greatest));
   return std::pow(10.0, -std::clamp(std::round(exponent), -300.0, 300.0));
 }
 

@@ -97,8 +97,8 @@ Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>
 Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
            const SideLengths* sides)
     : positions_(std::move(positions)), has_metric_(sides != nullptr) {
-  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
-  if (positions_.size() > most || faces.size() > most / 3) {
+  constexpr auto max_count = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+  if (positions_.size() > max_count || faces.size() > max_count / 3) {
     throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
   }
   has_positions_ = !has_metric_ || positions_.empty() || !std::isnan(positions_[0][0]);

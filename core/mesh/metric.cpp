@@ -37,14 +37,14 @@ void require_cost(double cost, const char* element, std::size_t number) {
 
 /// `element`: "vertex" or "face".
 void require_symmetric(const Tensor& g, const char* element, std::size_t number) {
-  double most = 0.0;
+  double largest = 0.0;
   double skew = 0.0;
   for (int i = 0; i < 9; ++i) {
-    most = std::max(most, std::abs(g[i]));
+    largest = std::max(largest, std::abs(g[i]));
     skew = std::max(skew, std::abs(g[i] - g[3 * (i % 3) + i / 3]));
   }
   const bool finite = std::ranges::all_of(g, [](double entry) { return std::isfinite(entry); });
-  if (finite && skew <= tensor_rounding * most) return;
+  if (finite && skew <= tensor_rounding * largest) return;
   throw InvalidInput(
       "The tensor of " + std::string(element) + " " + std::to_string(number) + " is " +
       (finite ? "not symmetric; give G with G[i][k] = G[k][i]." : "not finite; give nine finite numbers."));
@@ -54,8 +54,8 @@ bool is_usable(const std::array<Index, 3>& face) {
   return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }
 
-/// Where lengths differ much between directions, most digits of the sum cancel in the cheap ones, and they
-/// make the angles of needles: it needs more than a double has.
+/// Where lengths differ much between directions, most digits of the sum cancel in the cheap ones, and needles
+/// get their angles from what is left: a double has too few.
 using Step = std::array<long double, 3>;
 
 Step edge_vector(std::span<const Point> positions, Index a, Index b) {
@@ -198,7 +198,7 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     int corner;
     bool changed;
   };
-  auto before = [](const SideOf& x, const SideOf& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
+  auto by_ends = [](const SideOf& x, const SideOf& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
   std::vector<SideOf> sorted;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (int i = 0; i < 3 && is_usable(faces[f]); ++i) {
@@ -206,8 +206,8 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
       sorted.push_back({a, b, f, i, false});
     }
   }
-  std::ranges::sort(sorted, before);
-  // This loop ends: a length only falls, and is always the length of a path along edges of the beginning.
+  std::ranges::sort(sorted, by_ends);
+  // This loop ends: lengths only decrease, and each is that of a path along the edges as they were given.
   Index count = 0;
   while (!open.empty()) {
     const std::size_t f = open.back();
@@ -217,7 +217,7 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
     const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
     const auto [begin, end] =
-        std::equal_range(sorted.begin(), sorted.end(), SideOf{a, b, 0, 0, false}, before);
+        std::equal_range(sorted.begin(), sorted.end(), SideOf{a, b, 0, 0, false}, by_ends);
     count += !begin->changed;
     for (auto at = begin; at != end; ++at) {
       at->changed = true;

@@ -35,8 +35,8 @@ Point face_normal(std::span<const Point> positions, const std::array<Index, 3>& 
                   step_to(positions[face[0]], positions[face[2]]));
 }
 
-/// Sums of the normals of the faces at each vertex, scaled to length 1. Faces turned over would cancel out,
-/// so each is turned to the side of those before it.
+/// Sums of the normals of the faces at each vertex, scaled to length 1. Flipped faces would cancel out, so
+/// each normal is turned to the side of those before it.
 std::vector<Point> vertex_normals(std::span<const Point> positions,
                                   std::span<const std::array<Index, 3>> faces) {
   std::vector<Point> normals(positions.size());
@@ -51,7 +51,8 @@ std::vector<Point> vertex_normals(std::span<const Point> positions,
   return normals;
 }
 
-/// Adds to both ends of each inner edge: bend times length, across the edge. A symmetric matrix each.
+/// A symmetric matrix for each vertex: the sum over its inner edges of bend times length, in the direction
+/// across the edge.
 std::vector<Tensor> bend_tensors(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces) {
   struct SideOf {
@@ -103,7 +104,7 @@ std::vector<Tensor> bend_tensors(std::span<const Point> positions,
   return sum;
 }
 
-/// Each with those of its neighbours: a single ring of edges has too few directions.
+/// Each matrix with those of its neighbours: a single ring of edges has too few directions.
 std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
                                     std::span<const std::array<Index, 3>> faces) {
   std::vector<Tensor> sum(of);

@@ -15,7 +15,7 @@ namespace vorogeo {
 std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                const Point& up, double penalty);
 
-/// A tensor for each vertex that makes one of the principal directions dearer: I + |weight| a d d', where
+/// A tensor for each vertex that makes one of the principal directions costlier: I + |weight| a d d', where
 /// a = (|k1| - |k2|) / (|k1| + |k2|) of the principal curvatures |k1| >= |k2|. With a weight above 0, d is
 /// the direction of k1: paths follow ridges, valleys and limbs. Below 0 it is that of k2: paths run around
 /// them. Where the curvature has no direction (planes, spheres), lengths stay as they are.

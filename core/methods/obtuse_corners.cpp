@@ -37,19 +37,19 @@ Split split_of(const Mesh& mesh, Index corner, double to_first, double to_second
   Index crossed = Mesh::next_in_face(corner);
   bool from_right = true;  // whether the crossed half-edge begins at `right`
   for (int i = 0; i < max_unfolded; ++i) {
-    const Index beyond = mesh.next_around_edge(crossed);
-    if (beyond == crossed || mesh.next_around_edge(beyond) != crossed) return {};
-    const bool same = mesh.tail(beyond) == mesh.tail(crossed);
+    const Index twin = mesh.next_around_edge(crossed);
+    if (twin == crossed || mesh.next_around_edge(twin) != crossed) return {};
+    const bool same = mesh.tail(twin) == mesh.tail(crossed);
     const bool begins_right = same == from_right;
-    const Index next = Mesh::next_in_face(beyond);
-    const Index previous = Mesh::previous_in_face(beyond);
+    const Index next = Mesh::next_in_face(twin);
+    const Index previous = Mesh::previous_in_face(twin);
     const double to_right = length_of(mesh, begins_right ? previous : next);
     const double to_left = length_of(mesh, begins_right ? next : previous);
     const Flat apex = beside(right, left, to_right, to_left);
     const double with_right = apex.x;  // its sign is that of the cosine
     const double with_left = apex.x * cosine + apex.y * sine;
     if (with_right > 0.0 && with_left > 0.0) {
-      return {mesh.apex(beyond), std::hypot(apex.x, apex.y), apex.x, apex.y};
+      return {mesh.apex(twin), std::hypot(apex.x, apex.y), apex.x, apex.y};
     }
     // Beyond the sector on the left: it goes on through the side at the right, and the other way round.
     if (with_right <= 0.0) {

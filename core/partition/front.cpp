@@ -47,10 +47,10 @@ void Front::pass(Index vertex, Index halfedge) {
   if (source_[other] == source_[vertex]) {
     // The edge opposite to the target leads from the vertex to the other one.
     const Index across = forth ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
-    const Index beside = forth ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
+    const Index third = forth ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
     const double straight =
         unfolded_distance(mesh_.edge_length(mesh_.edge_of(across)), distance_[vertex], distance_[other],
-                          length, mesh_.edge_length(mesh_.edge_of(beside)));
+                          length, mesh_.edge_length(mesh_.edge_of(third)));
     // A front only advances: values that rounding on needles makes smaller than at both ends are not used.
     if (straight >= std::fmin(distance_[vertex], distance_[other])) distance = std::fmin(distance, straight);
   }

@@ -51,9 +51,9 @@ void keep_outliers_inside(const Mesh& mesh, const Outliers& outliers, std::span<
   for (const auto& [group, own_faces] : star) {
     std::map<Index, Index> uses;
     for (Index f : own_faces) ++uses[label[f]];
-    const auto most = std::max_element(uses.begin(), uses.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    for (Index f : own_faces) label[f] = most->first;
+    const auto most_used = std::max_element(uses.begin(), uses.end(),
+                                            [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (Index f : own_faces) label[f] = most_used->first;
   }
 }
 

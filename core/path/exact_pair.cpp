@@ -26,7 +26,7 @@ void RemainingBounds::allow_patches(const RouteEnd& source, const RouteEnd& targ
         at_end[side][l] = std::min(at_end[side][l], landmark[l] + seed.distance);
     }
   }
-  const double most = length * (1.0 + 2.0 * index_margin);
+  const double max_length = length * (1.0 + 2.0 * index_margin);
   for (Index p = 0; p < data_.second.patch_count; ++p) {
     allowed_[p] = 0;
     for (const Index node : data_.second.nodes(p)) {
@@ -36,7 +36,7 @@ void RemainingBounds::allow_patches(const RouteEnd& source, const RouteEnd& targ
         for (int l = 0; l < count; ++l)
           bound[side] = std::max(bound[side], std::abs(landmark[l] - at_end[side][l]));
       }
-      if (bound[0] + bound[1] <= most) {
+      if (bound[0] + bound[1] <= max_length) {
         allowed_[p] = 1;
         break;
       }
@@ -59,8 +59,8 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
   // The patches around the target, and those that touch them.
   std::vector<Index> near(target_patches.begin(), target_patches.end());
   for (Index p : target_patches) {
-    const auto beside = second.touching.of(p);
-    near.insert(near.end(), beside.begin(), beside.end());
+    const auto touching = second.touching.of(p);
+    near.insert(near.end(), touching.begin(), touching.end());
   }
   for (Index p : near) is_near_[p] = 1;
   const double margin = index_margin_in_edges * data_.work.mesh->typical_edge_length();

@@ -27,9 +27,9 @@ void PathLine::push(const UnfoldedCrossing& crossing) {
 
 void PathLine::copy(Index begin, Index end) {
   for (; begin < end; ++begin) {
-    const Index before = size_of(next_);
+    const Index old_size = size_of(next_);
     push(crossings_[begin]);
-    if (size_of(next_) > before) {
+    if (size_of(next_) > old_size) {
       next_.insert(next_.end(), crossings_.begin() + begin + 1, crossings_.begin() + end);
       return;
     }
@@ -123,9 +123,9 @@ int PathLine::rebuild(std::vector<Change>& changes) {
 
 /// Updates a joint that stays after rebuild(), as it may have more crossings.
 void PathLine::extend(Joint& joint) {
-  const Index before = joint.last;
-  find_range(before, joint);
-  for (Index i = before + 1; i <= joint.last; ++i) {
+  const Index old_last = joint.last;
+  find_range(old_last, joint);
+  for (Index i = old_last + 1; i <= joint.last; ++i) {
     UnfoldedCrossing& crossing = crossings_[i];
     const UnfoldedCrossing& previous = crossings_[i - 1];
     const PlanePoint apex = previous.apex();

@@ -38,13 +38,13 @@ bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<Ha
   struct Visit {
     Index face;
     HalfedgePair by;
-    std::size_t before;
+    std::size_t predecessor;
   };
   // Each face of the fan is visited once.
   std::vector<Visit> visited{{from, {no_index, no_index}, 0}};
   for (std::size_t i = 0; i < visited.size(); ++i) {
     if (visited[i].face == to) {
-      for (std::size_t at = i; at != 0; at = visited[at].before)
+      for (std::size_t at = i; at != 0; at = visited[at].predecessor)
         passed.insert(passed.begin(), visited[at].by);
       return true;
     }
@@ -80,7 +80,7 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
   const Index from = strip.faces.back();
   if (from == face) return true;
   // Both ways round are added to the end of the strip; the longer one is removed again.
-  const std::size_t before = strip.entry.size();
+  const std::size_t old_size = strip.entry.size();
   double least = unreachable;
   auto cut = [&](std::size_t begin, std::size_t end) {
     for (std::vector<Index>* list : {&strip.exit, &strip.entry}) {
@@ -95,7 +95,7 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
     const double angle = walk(mesh, vertex, exit, face, strip);
     if (angle < least) {
       least = angle;
-      cut(before, middle);
+      cut(old_size, middle);
     } else {
       cut(middle, strip.entry.size());
     }
@@ -108,7 +108,7 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
       strip.entry.push_back(crossing.entry);
     }
   }
-  for (std::size_t i = before; i < strip.entry.size(); ++i) {
+  for (std::size_t i = old_size; i < strip.entry.size(); ++i) {
     strip.faces.push_back(Mesh::face_of(strip.entry[i]));
   }
   return true;

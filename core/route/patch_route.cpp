@@ -66,11 +66,11 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.lower_bound = 0.0f;
   if (data_.work.mesh->has_metric()) {
     const double* landmark = data_.graph.landmarks(node);
-    double most = 0.0;
+    double bound = 0.0;
     for (std::size_t l = 0; l < target_landmark_.size(); ++l) {
-      most = std::max(most, std::abs(landmark[l] - target_landmark_[l]));
+      bound = std::max(bound, std::abs(landmark[l] - target_landmark_[l]));
     }
-    state.lower_bound = static_cast<float>(line_slack * most);
+    state.lower_bound = static_cast<float>(line_slack * bound);
   } else if (target_vertex_ != no_index) {
     const Point& a = data_.node_position[node];
     const Point& b = data_.work.mesh->position(target_vertex_);
@@ -135,14 +135,14 @@ void PatchRouter::scan_patch(Index patch) {
   // more than any entry. In an incomplete one such a row may be the only access, so it waits for a scan
   // in which it fits.
   const bool complete = second.complete[patch] != 0;
-  const float most = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
+  const float max_above = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
   base_.clear();
   std::size_t kept = 0;
   for (Index row : rows_) {
     const NodeState& at = node_[nodes[row]];
     const float above = at.distance - lowest;
-    if (above > most && complete) continue;
-    if (above > most || kept == max_rows) {
+    if (above > max_above && complete) continue;
+    if (above > max_above || kept == max_rows) {
       wait(patch, row, at.distance + at.lower_bound);
       continue;
     }

@@ -98,9 +98,9 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   within_.resize(width);
   least_short_sums(to_low, between, to_high, rows, width, low_least_.data(), high_least_.data());
   const auto lowest = static_cast<Index>(std::ranges::min_element(low_least_) - low_least_.begin());
-  std::int16_t most = in_bounds(best.length);
-  if (low_least_[lowest] > most) return best;
-  // Calls visit(column, bound) where a row has a sum of at most `most`.
+  std::int16_t max_bound = in_bounds(best.length);
+  if (low_least_[lowest] > max_bound) return best;
+  // Calls visit(column, bound) where a row has a sum of at most `max_bound`.
   const auto for_each_within = [&](Index row, std::int16_t limit, auto&& visit) {
     const std::int16_t* of_row = between + static_cast<std::size_t>(row) * width;
     short_sums_within(of_row, to_high, width, static_cast<std::int16_t>(limit - to_low[row]), within_.data());
@@ -116,10 +116,10 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   });
   look_into(low, high, likely, best);
   candidates_.clear();
-  most = in_bounds(best.length);
+  max_bound = in_bounds(best.length);
   for (Index row = 0; row < rows; ++row) {
-    if (low_least_[row] > most) continue;
-    for_each_within(row, most, [&](std::int16_t column, std::int16_t bound) {
+    if (low_least_[row] > max_bound) continue;
+    for_each_within(row, max_bound, [&](std::int16_t column, std::int16_t bound) {
       candidates_.push_back({bound, {static_cast<std::int16_t>(row), column}});
       // A row of a cell has 16 bytes, so that a full cell lies in three cache lines at most.
       const auto* cell =
@@ -129,15 +129,16 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   }
   const float limit = best.length * rounding_slack;
   for (Index row = 0; row < rows; ++row) {
-    if (low_least_[row] <= most) low.prefetch(row, limit - rest(low, row, low_least_[row]));
+    if (low_least_[row] <= max_bound) low.prefetch(row, limit - rest(low, row, low_least_[row]));
   }
   for (Index column = 0; column < columns; ++column) {
-    if (high_least_[column] <= most) high.prefetch(column, limit - rest(high, column, high_least_[column]));
+    if (high_least_[column] <= max_bound)
+      high.prefetch(column, limit - rest(high, column, high_least_[column]));
   }
   // The most promising cells first: they exclude others.
-  const auto lower = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
+  const auto by_bound = [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; };
   const std::size_t promising = std::min<std::size_t>(candidates_.size(), first_cells);
-  std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), lower);
+  std::partial_sort(candidates_.begin(), candidates_.begin() + promising, candidates_.end(), by_bound);
   for (const Candidate& candidate : candidates_) {
     if (candidate.bound <= in_bounds(best.length)) look_into(low, high, candidate, best);
   }

@@ -52,9 +52,9 @@ fs::path end_of_links(fs::path file) {
 
 /// Writes all bytes at an offset, or at the end if it is negative. \return errno, or 0.
 int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset) {
-  constexpr std::size_t most = std::size_t{1} << 30;  // a call takes less than 2 GiB
+  constexpr std::size_t max_bytes = std::size_t{1} << 30;  // a call takes less than 2 GiB
   while (!bytes.empty()) {
-    const std::size_t size = std::min(bytes.size(), most);
+    const std::size_t size = std::min(bytes.size(), max_bytes);
     const ssize_t done = offset < 0 ? ::write(descriptor, bytes.data(), size)
                                     : ::pwrite(descriptor, bytes.data(), size, offset);
     if (done < 0 && errno == EINTR) continue;

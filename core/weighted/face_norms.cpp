@@ -29,8 +29,8 @@ void require_triangle(const std::array<double, 3>& side, Index row) {
 
 FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides, Index points_per_edge)
     : mesh_(std::move(mesh)), per_edge_(points_per_edge) {
-  constexpr Index most = 1000;
-  if (per_edge_ < 1 || per_edge_ > most) {
+  constexpr Index max_points = 1000;
+  if (per_edge_ < 1 || per_edge_ > max_points) {
     throw InvalidInput("The number of points on each edge is " + std::to_string(per_edge_) +
                        "; give 1 to 1000.");
   }
@@ -43,7 +43,7 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides,
     const Index row = mesh_->input_face(f);
     if (static_cast<std::size_t>(row) >= sides.size()) {
       throw InvalidInput("There are " + std::to_string(sides.size()) +
-                         " rows of side lengths, fewer than faces; give one row for each.");
+                         " rows of side lengths, fewer than faces; give one row for each face.");
     }
     const auto& side = sides[row];
     require_triangle(side, row);

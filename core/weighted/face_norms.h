@@ -1,4 +1,4 @@
-// Faces with a norm each: laid into the plane by their own sides, and points along their edges.
+// Faces laid into the plane by sides of their own, and points along their edges.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@ namespace vorogeo {
 
 namespace {
 
-constexpr int most_steps = 100;
+constexpr int max_rounds = 100;
 constexpr double least_decrease = 1e-15;
 
 using Vector = PathPiece::Vector;
@@ -29,9 +29,9 @@ double length_of_chain(std::span<const PathPiece> pieces, const std::vector<doub
   return sum;
 }
 
-/// Gradient and second derivatives: diagonal, and with the next crossing.
+/// Gradient and second derivatives; off the diagonal, those with the next crossing.
 struct Derivatives {
-  std::vector<double> first, diagonal, beside;
+  std::vector<double> first, diagonal, off_diagonal;
 };
 
 Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<double>& crossing,
@@ -42,7 +42,7 @@ Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const PathPiece& piece = pieces[i];
     const Vector step = step_of(piece, i > 0 ? crossing[i - 1] : 0.0, i < count ? crossing[i] : 0.0);
-    // A piece without length has no direction; its length is rounded off there.
+    // A piece without length has no direction: it counts as a little longer.
     const double length = std::max(std::hypot(step[0], step[1]), 1e-12 * scale);
     const Vector unit{step[0] / length, step[1] / length};
     const Vector begin{-piece.begin_along[0], -piece.begin_along[1]};
@@ -58,7 +58,7 @@ Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<
       d.first[i] += dot(end, unit);
       d.diagonal[i] += bend(end, end);
     }
-    if (i > 0 && i < count) d.beside[i - 1] += bend(begin, end);
+    if (i > 0 && i < count) d.off_diagonal[i - 1] += bend(begin, end);
   }
   return d;
 }
@@ -73,9 +73,9 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
   std::vector<double> factor(count);
   std::vector<double> next(count);
   const double scale = length / static_cast<double>(pieces.size());
-  for (int round = 0; round < most_steps; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     Derivatives d = derivatives_of(pieces, crossing, scale);
-    // A crossing at an end of its edge stays there while the length would only fall beyond it.
+    // A crossing at an end of its edge stays there while the path would be shorter beyond the edge only.
     auto is_held = [&](std::size_t i) {
       return (crossing[i] <= 0.0 && d.first[i] >= 0.0) || (crossing[i] >= 1.0 && d.first[i] <= 0.0);
     };
@@ -84,20 +84,20 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
       if (!is_held(i)) continue;
       d.first[i] = 0.0;
       d.diagonal[i] = 1.0;
-      d.beside[i] = 0.0;
-      if (i > 0) d.beside[i - 1] = 0.0;
+      d.off_diagonal[i] = 0.0;
+      if (i > 0) d.off_diagonal[i - 1] = 0.0;
     }
     // Elimination in a symmetric tridiagonal matrix.
     for (std::size_t i = 0; i < count; ++i) {
       factor[i] = d.diagonal[i];
       step[i] = -d.first[i];
       if (i == 0) continue;
-      const double ratio = d.beside[i - 1] / factor[i - 1];
-      factor[i] -= ratio * d.beside[i - 1];
+      const double ratio = d.off_diagonal[i - 1] / factor[i - 1];
+      factor[i] -= ratio * d.off_diagonal[i - 1];
       step[i] -= ratio * step[i - 1];
     }
     for (std::size_t i = count; i-- > 0;) {
-      if (i + 1 < count) step[i] -= d.beside[i] * step[i + 1];
+      if (i + 1 < count) step[i] -= d.off_diagonal[i] * step[i + 1];
       step[i] /= factor[i];
     }
     double share = 1.0;

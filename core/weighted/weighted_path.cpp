@@ -9,8 +9,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Times that a path may go on from a point at a greater distance than the one before.
-constexpr int most_setbacks = 1000;
+/// Times that a path may continue from a point at a greater distance than the last one.
+constexpr int max_setbacks = 1000;
 
 /// A crossing is a vertex if it is this near.
 constexpr double at_vertex = 1e-9;
@@ -78,21 +78,21 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
     Index face, edge;
   };
   std::vector<Passed> passed;
-  // This loop ends: each step but a limited number leads to a point of a smaller distance.
-  double left = unreachable;
+  // This loop ends: all steps but a limited number lead to a point at a smaller distance.
+  double limit = unreachable;
   int setbacks = 0;
   for (;;) {
     const SurfacePoint here = joints.back().point;
     if (here.is_vertex() && distance_[here.vertex] == 0.0) break;
-    BackStep step = best_step(here, left);
+    BackStep step = best_step(here, limit);
     if (!(step.distance < unreachable)) {
       // Between two points of an edge, distances are estimates, and all around may be greater: the path goes
       // on from one of the two.
       const Joint& joint = joints.back();
-      if (joint.edge == no_index || ++setbacks > most_setbacks) return path;
+      if (joint.edge == no_index || ++setbacks > max_setbacks) return path;
       step = step_along(joint.edge, joint.fraction, unreachable);
     }
-    left = step.before;
+    limit = step.begin_distance;
     passed.push_back({step.face, step.edge});
     if (step.source != no_index) {
       joints.push_back({sources_[step.source]});

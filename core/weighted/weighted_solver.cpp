@@ -10,7 +10,7 @@ namespace vorogeo {
 
 namespace {
 
-/// A distance that falls by less is rounding.
+/// Gains below this, relative to the distance, are rounding.
 constexpr double least_gain = 1e-12;
 
 double apart(const FaceNorms::Place& a, const FaceNorms::Place& b) {
@@ -69,7 +69,7 @@ void WeightedSolver::run(std::span<const SurfacePoint> sources, double max_dista
   constexpr std::size_t points_per_report = 4096;
   std::size_t settled = 0;
   // This loop ends: a point enters the queue only with a distance that is smaller by more than rounding, and
-  // distances do not fall below those of the straight pieces they are made of.
+  // no distance is smaller than the sum of the straight pieces that it is made of.
   while (!queue_.empty()) {
     const auto [distance, point] = queue_.top();
     queue_.pop();
@@ -119,7 +119,7 @@ void WeightedSolver::settle(Index point) {
   }
 }
 
-/// From between two points of a side to the points of the other two.
+/// Crosses a face from between two points of a side to the points of its other two sides.
 void WeightedSolver::cross_from(Index halfedge, Index first, Index second) {
   const auto corner = norms_->corners(Mesh::face_of(halfedge));
   const Index edge = mesh_.edge_of(halfedge);
@@ -214,14 +214,14 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
     const double distance = std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
     if (distance < best.distance) best = {distance, 0.0, static_cast<Index>(s), edge, 0.0, no_index};
   }
-  const auto lower = static_cast<Index>(std::ceil(fraction * (norms_->points_per_edge() + 1))) - 1;
-  const auto upper = static_cast<Index>(std::floor(fraction * (norms_->points_per_edge() + 1))) + 1;
-  for (Index k : {lower, upper}) {
+  const auto previous = static_cast<Index>(std::ceil(fraction * (norms_->points_per_edge() + 1))) - 1;
+  const auto next = static_cast<Index>(std::floor(fraction * (norms_->points_per_edge() + 1))) + 1;
+  for (Index k : {previous, next}) {
     if (k < 0 || k > norms_->points_per_edge() + 1) continue;
-    const double before = distance_[norms_->point(edge, k)];
-    const double distance = before + std::abs(norms_->fraction(k) - fraction) * cost;
-    if (!(distance < best.distance && before < below)) continue;
-    best = {distance, before, no_index, edge, norms_->fraction(k), no_index};
+    const double at_point = distance_[norms_->point(edge, k)];
+    const double distance = at_point + std::abs(norms_->fraction(k) - fraction) * cost;
+    if (!(distance < best.distance && at_point < below)) continue;
+    best = {distance, at_point, no_index, edge, norms_->fraction(k), no_index};
   }
   return best;
 }

@@ -39,12 +39,12 @@ class WeightedSolver {
  private:
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
-    double distance = unreachable;  ///< of the point
-    double before = unreachable;    ///< of where the piece begins
-    Index source = no_index;        ///< a source in the face, or
-    Index edge = no_index;          ///< an edge,
-    double fraction = 0.0;          ///< where on it, from its first vertex,
-    Index face = no_index;          ///< and the face of the piece; no_index: along the edge
+    double distance = unreachable;        ///< of the point
+    double begin_distance = unreachable;  ///< of where the piece begins
+    Index source = no_index;              ///< the piece begins at a source in the face, or
+    Index edge = no_index;                ///< on an edge,
+    double fraction = 0.0;                ///< here, from the edge's first vertex;
+    Index face = no_index;                ///< it crosses this face; no_index: it runs along the edge
   };
 
   void start_at(const SurfacePoint& source);
