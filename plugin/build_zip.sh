@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds vorogeo-meshlab-VERSION-linux.zip: the plugin for MeshLab's window, for each version of MeshLab, and where to put it.
+# Builds vorogeo-meshlab-VERSION-linux.zip: the plugin for the window of each MeshLab version, and a page on installing it.
 #
 # Usage: plugin/build_zip.sh
 #   It is left in build/wheels/dist, made around the core of pyfilter/build_wheels.sh (run before, or by this script) and with

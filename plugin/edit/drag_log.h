@@ -1,4 +1,4 @@
-// What one drag was like: answers shown in a second, and the time that computing them took.
+// Statistics of one drag: answers shown in a second, and the time of computing them.
 #pragma once
 
 #include <chrono>

@@ -23,7 +23,7 @@ constexpr int digits_shown = 7;
 constexpr int digits_of_ratio = 5;
 constexpr int all_digits = std::numeric_limits<double>::max_digits10;
 
-/// Infinite where a path is longer than no distance at all.
+/// Infinite where both ends are at one place in space, on two sheets of the surface.
 double ratio_of(const Measurement& measurement) {
   const double straight = measurement.straight();
   return measurement.length == straight ? 1.0 : measurement.length / straight;

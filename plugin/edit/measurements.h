@@ -23,7 +23,7 @@ struct Measurement {
   double straight() const { return distance_between(from, to); }
 };
 
-/// The list of a tool, and what it looks like as text. Lengths have seven digits, as in the log; files have
+/// The measurements of a ruler, and their text. Lengths have seven digits, as in the log; files have
 /// all digits. Numbers are written with a point in every language.
 class Measurements {
  public:
@@ -33,7 +33,7 @@ class Measurements {
   int add(Measurement measurement);
   /// \return false if there is no measurement of that number.
   bool remove(int number);
-  /// The layer is no longer what it was: its measurements are kept, but say so.
+  /// The layer was edited: its measurements are kept, but say so.
   void mesh_has_changed(int layer);
 
   static std::vector<std::string> columns();

@@ -43,7 +43,7 @@ class NewestRequest {
     wake();
   }
 
-  /// A request that is answered in any case, in place of the one that waits, and before later ones.
+  /// A request that will be answered, before later ones; it replaces the one that waits.
   void post_kept(Request request) {
     {
       const std::lock_guard lock(mutex_);

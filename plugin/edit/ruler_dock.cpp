@@ -16,7 +16,7 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   auto* body = new QWidget(this);
   auto* rows = new QVBoxLayout(body);
   auto* hint = new QLabel(
-      "Drag on the surface: shortest path. With Shift: distances from the point. Esc: turn the camera, and "
+      "Drag on the surface: shortest path. With Shift: distances from the point. Esc: move the camera, and "
       "back.",
       body);
   hint->setWordWrap(true);

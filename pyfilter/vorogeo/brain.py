@@ -15,7 +15,7 @@ from .errors import FileError, InvalidInput
 from .index import GeodesicIndex
 from .points import SurfacePoints
 
-#: Names of labels that are no cortex, in lower case without spaces and underscores.
+#: Names of labels that are not cortex, in lower case without spaces and underscores.
 OUTSIDE = frozenset(("???", "unknown", "medialwall", "corpuscallosum", "mask", "background"))
 
 

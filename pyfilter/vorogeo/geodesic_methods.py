@@ -19,7 +19,7 @@ from .progress import ProgressFunction, reporter
 
 
 class MethodWarning(UserWarning):
-    """A method that will work long, or badly, on this mesh."""
+    """A method that will be slow, or inaccurate, on this mesh."""
 
 
 class MethodOption(NamedTuple):
@@ -28,7 +28,7 @@ class MethodOption(NamedTuple):
     Attributes
     ----------
     standard : float
-        Taken where none is given.
+        The default.
     least, greatest : float
         The range.
     whole : bool
@@ -75,7 +75,7 @@ class MethodInfo:
     Attributes
     ----------
     name, title, paper : str
-        By which it is chosen, for people, and where it was published.
+        The name by which it is chosen, a title for people, and where it was published.
     options : dict of str to MethodOption
         Keywords that it takes.
     claims : MethodClaims

@@ -69,10 +69,10 @@ class MeshReport:
     near_border_gaps : (float, float)
         The least and the greatest distance of such vertices from their nearest neighbour across the gap.
     gap_to_join_all : float
-        The least `gap` with which all components are one; 0 if they are or their borders touch, infinity if none would
-        do.
+        The least `gap` with which all components become one; 0 if they are one or their borders touch, infinity if no
+        gap is enough.
     joined_borders : int
-        How many border loops have an edge that is none once gaps up to `gap` are bridged.
+        How many border loops have an edge that is no border once gaps up to `gap` are bridged.
     components_after_bridging : int
         Connected parts that are left then.
     mean_edge_length, longest_edge_length : float

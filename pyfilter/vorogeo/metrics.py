@@ -21,8 +21,8 @@ class MetricLengths(NamedTuple):
     lengths : ndarray of float64, shape (m, 3)
         Of the side opposite each corner; 0 in a face that names a vertex twice.
     shortened_edges : int
-        Edges that would have been longer than the way by the third corner of one of their faces. No shortest path
-        follows them, and they have the length of that way.
+        Edges that would have been longer than the other two sides of a face together. No shortest path follows them,
+        and they have the length of these two sides.
     """
 
     lengths: NDArray[np.float64]
@@ -169,7 +169,7 @@ def slope_cost(
 
 
 def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0) -> VertexTensor:
-    """A tensor that makes one of the principal directions of a surface dearer.
+    """A tensor that makes one of the principal directions of a surface costlier.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0)
         Triangles.
     weight : float, default 3
         Above 0, paths follow ridges, valleys and limbs: where the surface is curved in one direction only, a step in
-        that direction counts ``sqrt(1 + weight)``. Below 0 it is the other direction that becomes dearer.
+        that direction counts ``sqrt(1 + weight)``. Below 0 it is the other direction that becomes costlier.
 
     Returns
     -------
@@ -197,7 +197,7 @@ def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0)
 
 
 def positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDArray[np.float64]:
-    """Checked positions; NaN without any, which is possible with edge lengths only."""
+    """Checked positions; all NaN where none are given, which only edge lengths allow."""
     if vertices is not None:
         return check.vertices(vertices)
     if not isinstance(metric, EdgeLengths):

@@ -207,7 +207,7 @@ class IndexStatistics:
     seed : int
         Seed of the random numbers that placed the patches.
     shortened_edges : int
-        With a metric, edges that got the length of the way by the third corner of a face, which is shorter; 0 without.
+        With a metric, edges that got the length of the other two sides of a face, which are shorter; 0 without.
     """
 
     vertices: int

@@ -28,7 +28,7 @@ if [ "$(cat "$root/etc/vorogeo-root" 2>/dev/null)" = "$input" ]; then
 fi
 
 base="$bases/base-$suite"
-# What is made anew is made beside its place and moved there whole.
+# A root is made beside its place and moved there when it is complete.
 work="$(mktemp -d "$bases/.making-XXXXXX")"
 trap 'rm -rf --one-file-system "$work"' EXIT
 echo "making a Debian root ($suite) in $root, some minutes (log: $log)" >&2

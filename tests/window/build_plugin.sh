@@ -10,8 +10,8 @@ headers="$(plugin/host/obtain_headers.sh "$version")"
 jobs="${VOROGEO_JOBS:-$(nproc)}"
 build="build/window/$version/plugin"  # not build/plugin-VERSION-float: that one is compiled against this system's Qt
 mkdir -p "$build"
-# The core knows nothing of the host, and an older compiler's library serves a newer system: what set-up has made of these
-# sources is used, and compiled anew only where there is none.
+# The core does not depend on the host, and a library of an older compiler works on a newer system: the one that set-up made of
+# these sources is used, and compiled only where there is none.
 core=""
 for made in build/release build/core; do
   library="$made/core/libvorogeo_core.a"

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Tests the plugin in the real MeshLab window, on a virtual display: MeshLab of the right Debian in its own root.
+# Tests the plugin in the real MeshLab window, on a virtual display: the MeshLab of a Debian in a root of its own.
 #
 # Usage: tests/window/run.sh [--million] [--zip FILE] [2022.02|2025.07]... [-- PYTEST OPTIONS]
 #   --million: instead of the tests, work on a mesh of a million vertices, some ten minutes on two idle cores; prints the
 #     time of each filter and the longest time in which the window did not answer (tests/window/million.py).
 #   --zip: test the plugin in this archive (plugin/build_zip.sh) instead of one that is built here.
-#   Without a version: both, 2022.02 only through what differs between the two. The first time it downloads some 700 MB and takes several minutes; later it takes about
-#   one per version. Pictures: build/window/VERSION/seen/shots. Needs what samples/setup.sh sets up, and the rights of root.
+#   Without a version: both, 2022.02 only through what differs between the two. The first time it downloads some 700 MB and
+#   takes several minutes; later it takes about one per version. Pictures: build/window/VERSION/seen/shots. Needs what
+#   samples/setup.sh sets up, and root's rights.
 # Exit status 77 where no root can be made; the reason stands on the standard error.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

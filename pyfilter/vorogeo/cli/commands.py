@@ -39,7 +39,7 @@ def field(task: MeshTask) -> Result:
 
 
 def distance(task: MeshTask) -> Result:
-    """Distances of pairs; one source may have many targets, and the other way round."""
+    """Distances of pairs; one source may have many targets, or one target many sources."""
     sources, targets = _pairs(task)
     values = task.index.distances(sources, targets, progress=task.progress, exact=task.exact, dtype=task.dtype)
     text = "\n".join(f"{value:.12g}" for value in values.tolist())

@@ -100,7 +100,7 @@ def parser() -> argparse.ArgumentParser:
     ):
         pairs = _command(commands, name, text)
         _points(pairs, "--from", True, "where they begin")
-        _points(pairs, "--to", True, "where they end; one beginning may have many ends, and the other way round")
+        _points(pairs, "--to", True, "where they end; one start may have many ends, or one end many starts")
 
     matrix = _command(commands, "matrix", "Distances between all vertices, or between chosen points.")
     _points(matrix, "--points", False, "rows, and columns without --to; default: all vertices")
@@ -235,6 +235,6 @@ def _command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
         metavar="ADDRESS",
         help="tcp://HOST:PORT of a dask.distributed scheduler whose workers see the same files, or 'local'",
     )
-    command.add_argument("--overwrite", action="store_true", help="make again what is there")
+    command.add_argument("--overwrite", action="store_true", help="compute results again that are already there")
     command.add_argument("--quiet", action="store_true", help="print errors only, and no progress")
     return command
