@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -42,7 +43,10 @@ std::vector<Index> equal_vertices(const Mesh& mesh) {
     if (!mesh.is_border(v)) continue;
     std::uint64_t key = 0;
     for (const double x : mesh.position(v)) {
-      key = (std::rotl(key, 29) ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15;
+      const double positive = x + 0.0;  // there are two zeros
+      std::uint64_t bits;
+      std::memcpy(&bits, &positive, sizeof(bits));
+      key = (std::rotl(key, 29) ^ bits) * 0x9e3779b97f4a7c15;
     }
     keyed.push_back({key, v});
   }

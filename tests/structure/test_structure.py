@@ -55,6 +55,15 @@ def test_the_core_includes_nothing_of_the_hosts() -> None:
     none(found)
 
 
+def test_the_wheels_library_has_what_is_used() -> None:
+    newer = re.compile(r"std::(bit_cast|format|expected|source_location|barrier)\b")  # libstdc++ 10 is that of Debian 11
+    found = {}
+    for file in tree.sources(".cpp", ".h"):
+        if file.parts[0] in ("core", "plugin", "pyfilter") and (used := newer.search(tree.text(file))):
+            found[str(file)] = f"uses {used.group()}, which the C++ library of the wheels lacks (docs/releasing.md)"
+    none(found)
+
+
 def test_plugin_and_python_package_do_not_know_each_other() -> None:
     for file in tree.sources(".cpp", ".h"):
         for other in tree.included(file):
