@@ -56,7 +56,7 @@ def test_the_core_includes_nothing_of_the_hosts() -> None:
 
 
 def test_the_wheels_library_has_what_is_used() -> None:
-    newer = re.compile(r"std::(bit_cast|format|expected|source_location|barrier)\b")  # libstdc++ 10 is that of Debian 11
+    newer = re.compile(r"std::(bit_cast|format|expected|source_location|barrier)\b")  # than Debian 11
     found = {}
     for file in tree.sources(".cpp", ".h"):
         if file.parts[0] in ("core", "plugin", "pyfilter") and (used := newer.search(tree.text(file))):
