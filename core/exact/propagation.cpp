@@ -210,7 +210,7 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
 }
 
 void ExactSolver::State::pass_through(const Window& window) {
-  // Each face is crossed at a place that its corner touches, so more than this many are one heap of faces
+  // Each face is crossed at a place that its corner touches, so more than this many are a heap of faces
   // without width, whose vertices pass on what they are reached by themselves.
   constexpr std::size_t max_edges = 64;
   passes_through = true;

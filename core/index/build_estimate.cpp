@@ -24,7 +24,7 @@ constexpr const char* estimate_phase = "Estimating what an index costs";
 
 /// Larger meshes are judged by parts with about this many faces together.
 constexpr Index max_faces = 60000;
-/// Parts of a large mesh, evenly by the numbers of their first faces.
+/// Parts of a large mesh, whose first faces are evenly spaced by number.
 constexpr int parts = 2;
 /// An exact field is timed for so long, and then extrapolated.
 constexpr double max_field_seconds = 0.5;
@@ -103,7 +103,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double layout_seconds = seconds_since(start) * scale;
   const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
 
-  // The borders of n1 round patches on n vertices are as long as the square root of both.
+  // The borders of n1 round patches on n vertices grow in length with the square roots of both.
   const double first_patches = planned_first_layer(*data.mesh, vertices, patches);
   const double longer = std::sqrt(scale * first_patches / std::max<Index>(1, data.first.patch_count));
   const double transit = static_cast<double>(transit_table_bytes(data.first)) * longer * longer;

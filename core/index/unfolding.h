@@ -47,8 +47,8 @@ inline SideAngle side_angle(double source, double target, const BorderSample& ne
 }
 
 /// Whether both neighbours may have been reached by one wave: a path passes a vertex on one side only, so
-/// what one side falls short of pi the other one has more than that. Together they are at least 1.5 pi: less
-/// is no matter of curvature.
+/// where one side has less than pi, the other has more. Together they are at least 1.5 pi: curvature does not
+/// make them less.
 inline bool may_be_one_path(const SideAngle& before, const SideAngle& after) {
   const double sine = before.sine * after.cosine + before.cosine * after.sine;
   if (sine < 0.0) return before.cosine * after.cosine - before.sine * after.sine >= 0.0;

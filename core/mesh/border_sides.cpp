@@ -11,7 +11,7 @@ namespace {
 
 /// Sides face each other if their directions out of the surface differ by at least 60 degrees.
 constexpr double max_cosine = 0.5;
-/// Faces may overlap by this part of their height: what rounding and jitter leave of a joint.
+/// Faces may overlap by this part of their height, as rounding and noise make borders that meet overlap.
 constexpr double max_overlap = 0.1;
 
 std::uint64_t key_of(Index a, Index b) {

@@ -23,11 +23,11 @@ namespace {
 
 /// Sides that run beside each other for less than this part of the shorter one only meet at a corner.
 constexpr double least_overlap = 0.1;
-/// Partners kept for each side, the nearest ones, and sides looked at for them: borders that lie in heaps
-/// cost time proportional to their number.
+/// Partners kept for each side, the nearest ones, and sides looked at for them: many borders at one place
+/// then cost time proportional to their number.
 constexpr std::size_t max_partners = 8;
 constexpr int max_looked_at = 256;
-/// Where gaps meet, holes with edges of two and more of them are left, which the next round closes like gaps.
+/// Where gaps meet, holes are left between their bridges, which the next round closes like gaps.
 constexpr int max_rounds = 4;
 
 bool same_place(const Point& a, const Point& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }

@@ -25,7 +25,7 @@ inline double distance_between(const Point& a, const Point& b) {
 /// Lengths of the sides of faces: each opposite the corner of the same number.
 using SideLengths = std::vector<std::array<double, 3>>;
 
-/// The position of vertices of a surface that is nowhere in space.
+/// The position of all vertices of a surface that was given none.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN()};
@@ -67,8 +67,8 @@ class Mesh {
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
        const SideLengths& sides);
   /// The same with its gaps closed: vertices keep their numbers, but faces name only the first of those that
-  /// are one, and the bridges follow the other faces. The rest of the vertices that are one have no face and
-  /// stand for the first wherever a point, a distance or a component is asked for.
+  /// are one, and the bridges follow the other faces. The others of these have no face; wherever a
+  /// point, a distance or a component is asked for, the first stands for them.
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
        const GapBridges& bridges);
 
@@ -88,7 +88,7 @@ class Mesh {
   Index first_bridge() const { return first_bridge_ == no_index ? face_count() : first_bridge_; }
   bool is_bridge(Index face) const { return face >= first_bridge(); }
   bool has_merged_vertices() const { return !same_as_.empty(); }
-  /// The vertex that faces name for it: itself, but for vertices that became one over a gap.
+  /// The vertex that faces name for it: itself, except for vertices that became one over a gap.
   Index representative(Index vertex) const { return same_as_.empty() ? vertex : same_as_[vertex]; }
   double face_area(Index face) const;
 

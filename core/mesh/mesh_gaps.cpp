@@ -1,5 +1,5 @@
-// A mesh whose gaps are closed by bridges: faces renamed to the vertices that stand for others, bridges
-// behind them.
+// A mesh whose gaps are closed by bridges: its faces name the vertices that stand for others, and the bridges
+// follow them.
 #include <algorithm>
 
 #include "mesh/mesh.h"

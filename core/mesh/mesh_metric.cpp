@@ -1,4 +1,4 @@
-// A mesh whose edges have other lengths than in space: taking them over, and what replaces positions.
+// A mesh whose edges have other lengths than in space: checks of the lengths, and what replaces positions.
 #include <algorithm>
 #include <array>
 #include <cmath>

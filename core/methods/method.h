@@ -16,7 +16,7 @@ namespace vorogeo {
 /// A number that a method takes.
 struct MethodOption {
   std::string name;
-  double standard;  ///< taken where none is given
+  double standard;  ///< the default
   double least, greatest;
   bool whole;  ///< only whole numbers
   std::string meaning;

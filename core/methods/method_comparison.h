@@ -35,7 +35,7 @@ struct MethodMeasure {
   int compared = 0;  ///< distances that were compared
 };
 
-/// `count` vertices with a face, evenly by their numbers. Fewer where there are not so many.
+/// `count` vertices with a face, evenly spaced by number; all of them if there are fewer.
 std::vector<Index> spread_vertices(const Mesh& mesh, int count);
 
 /// Runs each method from each source on its own (wall time), and compares with exact distances.

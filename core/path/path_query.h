@@ -44,8 +44,7 @@ class PathQuery {
   /// answers are too long.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
 
-  /// From this call on, landmarks (landmark_fields.h) narrow certified
-  /// corridors.
+  /// From this call on, landmarks (landmark_fields.h) narrow the corridors of certified paths.
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
 
   const GeodesicIndex& index() const;

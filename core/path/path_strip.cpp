@@ -14,7 +14,7 @@ Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
 
 /// Walks around a vertex from the face of `exit` across that half-edge, until `face` is entered, and adds the
 /// crossings to the strip, but not the faces. \return the angle between the two faces; infinity if a border
-/// of the mesh of the mesh or a non-manifold edge is met.
+/// of the mesh or a non-manifold edge is met.
 double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& strip) {
   double angle = 0.0;
   const Index begin = Mesh::face_of(exit);

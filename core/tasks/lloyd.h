@@ -23,9 +23,8 @@ struct RelaxedPoints {
 /// far along the line there; it moves if that lowers the integral of squared geodesic distances over its
 /// region, so the energy never rises (beyond the errors of the fields). Ends after `rounds`, or when no point
 /// finds a better vertex. A point that repeats an earlier one owns no region and waits until that one
-/// has moved. \throw InvalidInput for no point or one that
-/// is not on the mesh, or negative rounds; Cancelled. Complexity: two fields for each point and round,
-/// bounded by the regions' size.
+/// has moved. \throw InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled.
+/// Complexity: two fields for each point and round, bounded by the regions' size.
 RelaxedPoints relax_points(FieldTeam& team, const PointList& points, Index rounds,
                            const Progress& progress = {});
 

@@ -29,10 +29,9 @@ struct FarthestSamples {
 /// Farthest point sampling (Gonzalez 1985; on surfaces Moenning, Dodgson 2003): each sample is the vertex
 /// farthest from the previous ones, of equally far ones the first; vertices without a face are never taken.
 /// So samples are at least the covering radius apart. Begins with the points of `start`, which may lie
-/// anywhere, or with one random vertex. There are fewer than `count` samples if no vertex is left at a
-/// distance above
-/// 0. \throw InvalidInput for a start that is not on the mesh, or if neither a count nor a radius above 0 is
-/// given; Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
+/// anywhere, or with one random vertex. There are fewer than `count` samples if all vertices left have
+/// distance zero. \throw InvalidInput for a start that is not on the mesh, or if neither a count nor a radius
+/// above 0 is given; Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
 FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& start = {},
                                 std::uint64_t seed = 0, const Progress& progress = {});
 

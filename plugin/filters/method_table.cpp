@@ -19,7 +19,7 @@ RichParameterList table_parameters(const MeshDocument&) {
                            "Names with commas between, options in parentheses: vorogeo, svg(K=100), "
                            "heat(delaunay=1). all: every method but ch, which is for small meshes."));
   list.addParam(RichInt("sources", 3, "Sources",
-                        "Vertices from which each method computes a field, evenly by their numbers."));
+                        "Vertices from which each method computes a field, evenly spaced by number."));
   list.addParam(RichFileToWrite("csv_file", "", "*.csv", "CSV file",
                                 "File to write the table to. Empty: nothing is written."));
   return list;
