@@ -34,7 +34,7 @@ double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
 }
 
 /// Moves points from the frame of one half-edge into that of another one of the same face.
-struct Turn {
+struct FrameChange {
   PlanePoint origin;     ///< the tail of the other half-edge
   PlanePoint direction;  ///< from there to its head, of length 1
 
@@ -123,7 +123,7 @@ void VirtualSources::take(const FaceSource& found) {
   if (found.distance - reach <= max_distance_) queue_.push(face, found.distance);
 }
 
-/// Into all faces that hold the point.
+/// Starts in all faces that hold the point.
 void VirtualSources::start_at(const SurfacePoint& point, double offset, Index id) {
   if (point.is_vertex()) reach_vertex(point.vertex, offset, id);
   for_each_face_at(*mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
@@ -144,7 +144,7 @@ void VirtualSources::start_at(const SurfacePoint& point, double offset, Index id
   });
 }
 
-/// Into all faces around, except through the edge by which the source came.
+/// Hands the source of a face to all faces around it, except through the edge by which it came.
 void VirtualSources::hand_on(Index face) {
   const FaceSource own = faces_[face];
   const double edge = length(own.base);
@@ -157,38 +157,38 @@ void VirtualSources::hand_on(Index face) {
     exit = Mesh::next_in_face(exit);
     const double exit_length = between(from, to);
     if ((h == own.base && !is_start) || !(exit_length > 0.0)) continue;
-    const Turn turn{from, {(to[0] - from[0]) / exit_length, (to[1] - from[1]) / exit_length}};
+    const FrameChange to_exit{from, {(to[0] - from[0]) / exit_length, (to[1] - from[1]) / exit_length}};
     FaceSource seen = own;
-    seen.at = turn(own.at);
-    seen.left.at = turn(own.left.at);
-    seen.right.at = turn(own.right.at);
+    seen.at = to_exit(own.at);
+    seen.left.at = to_exit(own.left.at);
+    seen.right.at = to_exit(own.right.at);
     for (Index g = mesh_->next_around_edge(h); g != h; g = mesh_->next_around_edge(g)) {
       if (own.distance >= faces_[Mesh::face_of(g)].distance) continue;
       // Half a turn, or a reflection where both faces run along the edge in one direction.
       const bool same = mesh_->tail(g) == mesh_->tail(h);
       auto moved = [&](const PlanePoint& p) { return PlanePoint{same ? p[0] : exit_length - p[0], -p[1]}; };
-      FaceSource beyond = seen;
-      beyond.at = moved(seen.at);
-      beyond.left.at = moved(same ? seen.right.at : seen.left.at);
-      beyond.left.vertex = same ? own.right.vertex : own.left.vertex;
-      beyond.right.at = moved(same ? seen.left.at : seen.right.at);
-      beyond.right.vertex = same ? own.left.vertex : own.right.vertex;
-      enter(beyond, g);
+      FaceSource across = seen;
+      across.at = moved(seen.at);
+      across.left.at = moved(same ? seen.right.at : seen.left.at);
+      across.left.vertex = same ? own.right.vertex : own.left.vertex;
+      across.right.at = moved(same ? seen.left.at : seen.right.at);
+      across.right.vertex = same ? own.left.vertex : own.right.vertex;
+      enter(across, g);
     }
   }
 }
 
-/// Into the face over the half-edge `base`, in whose frame `seen` is, with the bounds that it had before.
-void VirtualSources::enter(const FaceSource& before, Index base) {
+/// Enters the face of the half-edge `base`, in whose frame the source and its bounds are given.
+void VirtualSources::enter(const FaceSource& crossing, Index base) {
   const PlanePoint head{length(base), 0.0};
   const PlanePoint apex{apexes_[base].x, apexes_[base].y};
-  FaceSource seen = before;
+  FaceSource seen = crossing;
   seen.base = base;
   // The ends of the edge bound the sector where they lie inside it.
-  if (before.left.vertex == no_index || side(seen.at, before.left.at, {}) <= 0.0) {
+  if (crossing.left.vertex == no_index || side(seen.at, crossing.left.at, {}) <= 0.0) {
     seen.left = {{}, mesh_->tail(base)};
   }
-  if (before.right.vertex == no_index || side(seen.at, before.right.at, head) >= 0.0) {
+  if (crossing.right.vertex == no_index || side(seen.at, crossing.right.at, head) >= 0.0) {
     seen.right = {head, mesh_->head(base)};
   }
   const FaceSource of_apex = source_of(seen, apex);
@@ -215,10 +215,10 @@ VirtualSources::FaceSource VirtualSources::beyond_bound(const FaceSource& seen, 
   FaceSource found = seen;
   const auto [cosine, sine] = defect_[bound.vertex];
   if (cosine <= 1.0 && !at_end) {
-    const double turn = left ? -sine : sine;
+    const double signed_sine = left ? -sine : sine;
     const double x = seen.at[0] - bound.at[0];
     const double y = seen.at[1] - bound.at[1];
-    found.at = {bound.at[0] + cosine * x - turn * y, bound.at[1] + turn * x + cosine * y};
+    found.at = {bound.at[0] + cosine * x - signed_sine * y, bound.at[1] + signed_sine * x + cosine * y};
     const double aside = side(found.at, bound.at, point) * (left ? 1.0 : -1.0);
     const bool is_close = aside > 0.0 && aside <= max_aside * head.at[0] * between(found.at, bound.at);
     if (is_close && side(found.at, tail.at, point) <= 0.0 && side(found.at, head.at, point) >= 0.0) {

@@ -14,9 +14,9 @@ namespace vorogeo {
 /// Virtual source propagation (Trettner, Bommes, Kobbelt, "Geodesic distance computation via virtual source
 /// propagation", Computer Graphics Forum 40(5), 2021): each face keeps one source, unfolded into its plane,
 /// and hands it to the next face. Unlike there, the source comes with the sector in which it is seen through
-/// all edges that were crossed. Beyond the vertex that bounds it, the source is turned about that vertex by
-/// its angle defect, which is how it looks when passing on the other side, and the path bends at the vertex
-/// only where it is in shadow from there, too. There is no bound of the error.
+/// all edges that were crossed. Outside the sector, the source is rotated about the vertex that bounds it by
+/// the vertex's angle defect, to where it is seen past the other side; only in the shadow of both sides does
+/// the path bend at the vertex. There is no bound of the error.
 ///
 /// Keeps its memory between runs; one object belongs to one thread.
 class VirtualSources {
@@ -60,7 +60,7 @@ class VirtualSources {
   void start_at(const SurfacePoint& point, double offset, Index id);
   void reach_vertex(Index vertex, double distance, Index source);
   void hand_on(Index face);
-  void enter(const FaceSource& seen, Index base);
+  void enter(const FaceSource& crossing, Index base);
   FaceSource beyond_bound(const FaceSource& seen, bool left, const PlanePoint& point) const;
   FaceSource source_of(const FaceSource& seen, const PlanePoint& point) const;
   void take(const FaceSource& found);

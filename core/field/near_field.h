@@ -31,7 +31,7 @@ class NearField {
 
   /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
   /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
-  static constexpr double beside = 0.5;
+  static constexpr double near_border_edge = 0.5;
 
   explicit NearField(const IndexData& data);
 
