@@ -58,7 +58,7 @@ for plain, cheap in zip(shortest, cheapest, strict=True):
     print(f"terrain: length {plain.length:.3f}, cheapest {steps:.3f} at the cost {cheap.length:.3f}")
 picture.draw("samples/out/metric_terrain.png", ground, faces, slope.cost, lines=joined(shortest + cheapest))
 
-# A cost painted on the bunny, in PyMeshLab: ten times as dear on one side.
+# A cost painted on the bunny, in PyMeshLab: ten times as expensive on one side.
 mesh_set = mesh_input.load(mesh_input.BUNNY)
 x = mesh_set.current_mesh().vertex_matrix()[:, 0]
 middle, steep = x.mean(), 40 / np.ptp(x)
@@ -93,7 +93,7 @@ fan = joined(index.path([24 * 81 + 40] * 7, [80 * 81 + 13 * k for k in range(7)]
 lines = both(fan, index.isolines(field, LINES))
 picture.draw("samples/out/metric_lengths.png", plane, faces, field, lines=lines)
 
-# Costs that jump at edges: a lake that is five times as dear, and layers that are cheap in different directions.
+# Costs that jump at edges: a lake that is five times as expensive, and layers that are cheap in different directions.
 flat, faces = square(61)
 middle = flat[faces].mean(axis=1)
 lake = np.hypot(middle[:, 0] - 0.5, middle[:, 1] - 0.5) < 0.25

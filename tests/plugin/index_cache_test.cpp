@@ -43,16 +43,16 @@ std::vector<bool> kept(IndexCache& cache, const std::vector<Cached>& all) {
 
 TEST(IndexCache, KnowsTheMetric) {
   const auto all = indexes(1);
-  VcgMeshArrays dear = all[0].arrays;
-  dear.sides.assign(dear.faces.size(), {1.0, 1.0, 1.0});
+  VcgMeshArrays costly = all[0].arrays;
+  costly.sides.assign(costly.faces.size(), {1.0, 1.0, 1.0});
   IndexCache cache;
   cache.put(all[0].arrays, {}, all[0].index);
-  EXPECT_EQ(cache.find(dear, {}), nullptr);
-  cache.put(dear, {}, all[0].index);
-  EXPECT_EQ(cache.find(dear, {}), all[0].index);
+  EXPECT_EQ(cache.find(costly, {}), nullptr);
+  cache.put(costly, {}, all[0].index);
+  EXPECT_EQ(cache.find(costly, {}), all[0].index);
   EXPECT_EQ(cache.find(all[0].arrays, {}), all[0].index);
-  dear.sides.back()[2] = 1.5;
-  EXPECT_EQ(cache.find(dear, {}), nullptr);
+  costly.sides.back()[2] = 1.5;
+  EXPECT_EQ(cache.find(costly, {}), nullptr);
 }
 
 TEST(IndexCache, KeepsTheFourUsedLast) {

@@ -131,8 +131,8 @@ def test_all_floors_hold_in_a_metric(wavy):
     refined = np.array([p.length for p in index.path(ids[:-1], ids[1:])])
     assert (refined >= lengths * (1 - 1e-9)).all()
     assert (refined / lengths).max() < 1.01
-    dear = vorogeo.GeodesicIndex(vertices, faces, patches=(6, 3), metric=vorogeo.VertexCost(2 * cost.cost))
-    np.testing.assert_allclose(dear.distance_field(5, exact=True), 2 * index.distance_field(5, exact=True), rtol=1e-12)
+    twice = vorogeo.GeodesicIndex(vertices, faces, patches=(6, 3), metric=vorogeo.VertexCost(2 * cost.cost))
+    np.testing.assert_allclose(twice.distance_field(5, exact=True), 2 * index.distance_field(5, exact=True), rtol=1e-12)
 
 
 def test_index_file_and_pickle_know_the_metric(wavy, tmp_path):

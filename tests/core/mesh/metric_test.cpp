@@ -78,8 +78,8 @@ TEST(Metric, LengthsAreIntegrals) {
   }
 }
 
-TEST(Metric, LongSidesGetTheLengthOfTheWayAround) {
-  // Between two dear corners, a cheap one that is hardly off the line: two faces share the long side.
+TEST(Metric, LongSidesGetTheLengthOfTheOtherTwo) {
+  // Between two expensive corners, a cheap one that is hardly off the line: two faces share the long side.
   const std::vector<Point> position{{0, 0, 0}, {2, 0, 0}, {1, 0.1, 0}, {1, -1, 0}};
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {1, 0, 3}};
   const std::vector<double> cost{5, 5, 1, 5};

@@ -1,5 +1,5 @@
 // Tasks where different vertices lie at one place: on both sides of a slit, and on two copies of a surface.
-// What counts is the way over the surface, never the place.
+// What counts is the path over the surface, not the position.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -72,7 +72,7 @@ TEST(WeightedSolver, MorePointsAreMoreExact) {
   EXPECT_LT(before, 1e-4);
 }
 
-TEST(WeightedSolver, DearDiscsAreGoneAround) {
+TEST(WeightedSolver, PathsGoAroundExpensiveDiscs) {
   const Layers layers(30, [](double x, double y) { return std::hypot(x - 1.0, y) < 0.5 ? 50.0 : 1.0; });
   WeightedSolver solver = layers.solver();
   const Index source = layers.nearest(0.2, 0.0);
