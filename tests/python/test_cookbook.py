@@ -94,7 +94,7 @@ def test_a_speed_that_grows_with_the_height_is_the_hyperbolic_plane(page):
     expected = np.arccosh(1 + (aside**2 + (above - 1) ** 2) / (2 * above))
     np.testing.assert_allclose(page["seconds"], expected, rtol=0.01)
     assert page["quickest"].length == pytest.approx(expected[12], rel=0.01)
-    # A circle around the middle of the way, at height 0 of that plane.
+    # A circle around the middle of the path, at height 0 of that plane.
     assert page["quickest"].points[:, 2].max() == pytest.approx(np.hypot(6 * width, 1) - 1, abs=0.2)
 
 
