@@ -198,7 +198,7 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["sample", "plane.off", "--method", "poisson"], 1, "--radius: is missing"),
         (["field", "text.off", "--from", "0"], 1, "text.off: cannot be read as a mesh"),
         (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
-        (["field", "plane.off"], 2, "the following arguments are required: --from"),
+        (["field", "plane.off"], 2, "vorogeo field: error: the following arguments are required: --from"),
         (["neighbours", "plane.off", "--radius", "-1"], 2, "'-1' is not a length of 0 or more"),
         (["field", "plane.off", "--from", "0", "--metric", "no.npy"], 1, "--metric no.npy: there is no such file"),
         (["field", "plane.off", "--from", "0", "--metric", "text.off"], 1, "cannot be read"),
@@ -239,5 +239,7 @@ def test_program_and_module_are_one(mesh):
         ]:
             assert f"  {command}  " in done.stdout
         assert max(map(len, done.stdout.splitlines())) <= 120
+    done = subprocess.run([*script, "field", "--help"], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("usage: vorogeo field MESH... --from POINT... [options]\n")
     done = subprocess.run([*script, "field", mesh, "--from", "999"], capture_output=True, text=True, check=False)
     assert (done.returncode, len(done.stderr.splitlines())) == (1, 1)

@@ -87,10 +87,10 @@ def parser() -> argparse.ArgumentParser:
     )
     whole.add_argument("--version", action="store_true", help="print the version")
     commands = whole.add_subparsers(
-        dest="command", metavar="COMMAND", help=argparse.SUPPRESS, parser_class=_OneLineErrors
+        dest="command", metavar="COMMAND", prog="vorogeo", help=argparse.SUPPRESS, parser_class=_OneLineErrors
     )
 
-    field = _command(commands, "field", "Distance of every vertex from the nearest source.")
+    field = _command(commands, "field", "Distance of every vertex from the nearest source.", "--from POINT...")
     _points(field, "--from", True, "the sources")
     field.add_argument("--max-distance", type=_LENGTH, metavar="L", help="distances above it become infinite")
 
@@ -98,7 +98,7 @@ def parser() -> argparse.ArgumentParser:
         ("distance", "Distances of pairs of points; without --out they are printed."),
         ("path", "Shortest paths between points; without --out their lengths are printed."),
     ):
-        pairs = _command(commands, name, text)
+        pairs = _command(commands, name, text, "--from POINT... --to POINT...")
         _points(pairs, "--from", True, "where they begin")
         _points(pairs, "--to", True, "where they end; one start may have many ends, or one end many starts")
 
@@ -107,11 +107,15 @@ def parser() -> argparse.ArgumentParser:
     _points(matrix, "--to", False, "columns")
     matrix.add_argument("--method", choices=("auto", "pairs", "fields"), default="auto", help="how it is filled")
 
-    near = _command(commands, "neighbours", "All pairs of points within a radius, as a sparse matrix (.npz of scipy).")
+    near = _command(
+        commands, "neighbours", "All pairs of points within a radius, as a sparse matrix (.npz of scipy).", "--radius L"
+    )
     near.add_argument("--radius", type=_LENGTH, required=True, metavar="L", help="in the unit of the mesh")
     _points(near, "--points", False, "the points; default: all vertices")
 
-    regions = _command(commands, "voronoi", "The nearest source of every vertex and face, areas and borders.")
+    regions = _command(
+        commands, "voronoi", "The nearest source of every vertex and face, areas and borders.", "--from POINT..."
+    )
     _points(regions, "--from", True, "the sources")
 
     sample = _command(commands, "sample", "Vertices spread evenly over the surface.")
@@ -130,6 +134,7 @@ def parser() -> argparse.ArgumentParser:
         commands,
         "compare",
         "Errors and times of the index, of other methods, or of a field made elsewhere, against the exact field.",
+        "--from POINT...",
     )
     _points(compare, "--from", True, "the sources")
     what = compare.add_mutually_exclusive_group()
@@ -150,9 +155,12 @@ def _points(command: argparse.ArgumentParser, name: str, needed: bool, text: str
     command.add_argument(name, nargs="+", action="extend", required=needed, metavar="POINT", help=text)
 
 
-def _command(commands: Any, name: str, text: str) -> argparse.ArgumentParser:
+def _command(commands: Any, name: str, text: str, needed: str = "") -> argparse.ArgumentParser:
     command: argparse.ArgumentParser = commands.add_parser(
-        name, description=text, epilog="Meshes, points, results and exit status: vorogeo --help"
+        name,
+        usage=" ".join(filter(None, [f"vorogeo {name} MESH...", needed, "[options]"])),
+        description=text,
+        epilog="Meshes, points, metrics, results and exit status: vorogeo --help",
     )
     command.add_argument("mesh", nargs="+", metavar="MESH", help="files, patterns or folders")
     command.add_argument(
