@@ -10,7 +10,7 @@ namespace {
 
 /// The window with the distances of `a` where that begins and of `b` where that ends, whose rays stay between
 /// those of the two. False if there is none.
-bool joined(const Window& a, const Window& b, Window& result) {
+bool merge(const Window& a, const Window& b, Window& result) {
   const double at_begin = a.distance(a.begin);
   const double at_end = b.distance(b.end);
   const double width = b.end - a.begin;
@@ -39,13 +39,13 @@ bool joined(const Window& a, const Window& b, Window& result) {
   return true;
 }
 
-/// Largest deviation of `joint` from `a` and `b`, where they meet and halfway to their other ends.
-double deviation(const Window& joint, const Window& a, const Window& b) {
+/// Largest deviation of `merged` from `a` and `b`, where they meet and halfway to their other ends.
+double deviation(const Window& merged, const Window& a, const Window& b) {
   const double in_a = 0.5 * (a.begin + a.end);
   const double in_b = 0.5 * (b.begin + b.end);
-  return std::max({std::abs(joint.distance(in_a) - a.distance(in_a)),
-                   std::abs(joint.distance(b.begin) - b.distance(b.begin)),
-                   std::abs(joint.distance(in_b) - b.distance(in_b))});
+  return std::max({std::abs(merged.distance(in_a) - a.distance(in_a)),
+                   std::abs(merged.distance(b.begin) - b.distance(b.begin)),
+                   std::abs(merged.distance(in_b) - b.distance(in_b))});
 }
 
 }  // namespace
@@ -60,12 +60,12 @@ void ExactSolver::State::merge_crossing(double length) {
   for (std::size_t i = 1; i < crossing.size(); ++i) {
     const Window& next = crossing[i].window;
     Window& window = crossing[last].window;
-    Window joint;
+    Window merged;
     if (next.source == window.source && next.came_from == window.came_from &&
-        std::abs(next.begin - window.end) <= end_rounding && joined(window, next, joint)) {
-      const double sum = deviated + deviation(joint, window, next);
+        std::abs(next.begin - window.end) <= end_rounding && merge(window, next, merged)) {
+      const double sum = deviated + deviation(merged, window, next);
       if (sum <= tolerance) {
-        window = joint;
+        window = merged;
         deviated = sum;
         continue;
       }

@@ -19,8 +19,7 @@ struct BorderLoops {
 };
 
 /// Border vertices that have another border vertex nearer than a tenth of the border edges at both, but no
-/// path along edges to it shorter than one and a half of these: gaps of seams that a program left open, or
-/// slits.
+/// path along edges to it shorter than one and a half of these: gaps that a program left open, or slits.
 struct NearBorders {
   Index count = 0;  ///< vertices with such a neighbour
   Index first = no_index;

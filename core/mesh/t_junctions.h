@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-/// One side of such a crack is split at a vertex, the other is not, so no path crosses it.
+/// A gap without width: one side of it is split at a vertex, the other is not, so no path crosses it.
 struct TJunctions {
   Index count = 0;                                      ///< vertices inside a border edge
   Index first = no_index;                               ///< the first of them

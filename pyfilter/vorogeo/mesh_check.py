@@ -49,7 +49,7 @@ class MeshReport:
     first_non_manifold_edge : (int, int)
         Its vertices, or (-1, -1).
     t_junctions : MeshFinding
-        Vertices inside a border edge of a face to which they do not belong: cracks that no path crosses.
+        Vertices inside a border edge of a face to which they do not belong: gaps without width, which no path crosses.
     first_t_junction_edge : (int, int)
         The ends of the edge in which the first of them lies, or (-1, -1).
     border_edges, border_loops : int
