@@ -146,13 +146,17 @@ sources() {
     sort -z | xargs -0 sha256sum | sha256sum
 }
 
-# Usage: install_vorogeo VENV VERSION [CORE]
+# Usage: install_vorogeo VENV VERSION CORE BUILDER
+# BUILDER is the venv whose Python builds the package: with one builder for all, its extension is compiled once.
 install_vorogeo() {
-  CMAKE_BUILD_PARALLEL_LEVEL="$jobs" "$1/bin/pip" install --disable-pip-version-check --no-build-isolation \
-    --no-deps --force-reinstall "--config-settings=cmake.define.VOROGEO_PLUGIN_DIR=$PWD/build/plugins" \
-    "--config-settings=cmake.define.VOROGEO_CORE_LIBRARY=${3:-}" "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter
+  local wheels="$PWD/build/pyfilter/wheels-$2"
+  rm -rf "$wheels"
+  CMAKE_BUILD_PARALLEL_LEVEL="$jobs" "$4/bin/pip" wheel --disable-pip-version-check --no-build-isolation \
+    --no-deps --wheel-dir "$wheels" "--config-settings=cmake.define.VOROGEO_PLUGIN_DIR=$PWD/build/plugins" \
+    "--config-settings=cmake.define.VOROGEO_CORE_LIBRARY=$3" "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter &&
+    "$1/bin/pip" install --disable-pip-version-check --no-deps --force-reinstall "$wheels"/*.whl
 }
-vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library"; }
+vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library" .venv; }
 
 # Usage: install_peers VENV REQUIREMENTS
 # A line each, so that one package that cannot be obtained does not prevent the others.
@@ -173,7 +177,7 @@ if [ "$for_bench" = yes ]; then
   venv venv-bench "$bench" tests/bench/requirements.txt
   peers=tests/bench/requirements-peers.txt
   once venv-bench-peers "$bench/.stamp-peers" "$(cat "$peers" "$bench/.stamp")" install_peers "$bench" "$peers"
-  once vorogeo-bench "$bench/.stamp-vorogeo" "$(sources core pyfilter)" install_vorogeo "$bench" ""
+  once vorogeo-bench "$bench/.stamp-vorogeo" "$(sources core pyfilter)" install_vorogeo "$bench" "" "" "$bench"
   once bench build/bench/.stamp "$(sources core tests/bench)" build_bench
   grep -h '^left out' "$logs/venv-bench-peers.log" "$logs/bench.log" || true
   say "ready"

@@ -50,14 +50,10 @@ class MeshLabWindow(Screen):
         """The visible window with this title."""
         tops = (self.application.get_child_at_index(i) for i in range(self.application.get_child_count()))
         for top in tops:
-            if top and top.get_role() in WINDOWS and top.get_name() == title and self._is_showing(top):
+            if top and top.get_role() in WINDOWS and top.get_name() == title and self.is_showing(top):
                 return top
         docks = self.find(Atspi.Role.FRAME, title)
         return docks[0] if docks else None
-
-    @staticmethod
-    def _is_showing(node: Atspi.Accessible) -> bool:
-        return node.get_state_set().contains(Atspi.StateType.SHOWING)
 
     def search(self, text: str, down: int) -> None:
         """Type into the search box and choose the entry so many steps down; on a busy machine a key may be missed."""
@@ -179,7 +175,7 @@ class MeshLabWindow(Screen):
         """A box with a message and a button OK."""
         for i in range(self.application.get_child_count()):
             top = self.application.get_child_at_index(i)
-            if top and self._is_showing(top) and top.get_role() in (Atspi.Role.ALERT, Atspi.Role.DIALOG):
+            if top and self.is_showing(top) and top.get_role() in (Atspi.Role.ALERT, Atspi.Role.DIALOG):
                 return top
         return None
 

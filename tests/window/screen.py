@@ -174,17 +174,22 @@ class Screen:
     # What is on the screen
 
     def nodes(
-        self, top: Atspi.Accessible | None = None, skip: tuple[Atspi.Role, ...] = ()
+        self, top: Atspi.Accessible | None = None, skip: tuple[Atspi.Role, ...] = (), hidden: bool = True
     ) -> Iterator[Atspi.Accessible]:
-        """Widget by widget, parents first."""
+        """Widget by widget, parents first; without hidden ones if they are not wanted: theirs are hidden, too."""
         node = top or self.application
-        if node.get_role() in skip:
+        if node.get_role() in skip or not (hidden or node == self.application or self.is_showing(node)):
             return
         yield node
         for i in range(node.get_child_count()):
             child = node.get_child_at_index(i)
             if child is not None:
-                yield from self.nodes(child, skip)
+                yield from self.nodes(child, skip, hidden)
+
+    @staticmethod
+    def is_showing(node: Atspi.Accessible) -> bool:
+        """Whether it is to be seen on the screen."""
+        return node.get_state_set().contains(Atspi.StateType.SHOWING)
 
     def find(
         self, roles: Atspi.Role | tuple[Atspi.Role, ...], name: str | None = None, top: Atspi.Accessible | None = None
@@ -193,10 +198,8 @@ class Screen:
         roles = roles if isinstance(roles, tuple) else (roles,)
         return [
             node
-            for node in self.nodes(top, skip=(Atspi.Role.MENU_BAR, Atspi.Role.TOOL_BAR))
-            if node.get_role() in roles
-            and (name is None or node.get_name() == name)
-            and node.get_state_set().contains(Atspi.StateType.SHOWING)
+            for node in self.nodes(top, skip=(Atspi.Role.MENU_BAR, Atspi.Role.TOOL_BAR), hidden=False)
+            if node.get_role() in roles and (name is None or node.get_name() == name)
         ]
 
     def menu_items(self, menu: str) -> list[str]:
