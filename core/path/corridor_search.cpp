@@ -14,6 +14,11 @@ void FoundPath::join(FoundPath other) {
   distance = std::min(distance, other.distance);
 }
 
+FoundPath FoundPath::unproven() && {
+  distance = unreachable;
+  return std::move(*this);
+}
+
 void set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last, SurfacePath& path) {
   if (path.points.empty()) return;
   if (is_same_point(mesh, path.points.front(), first)) path.points.front() = first;

@@ -16,6 +16,8 @@ struct FoundPath {
 
   /// Keeps the shorter of both paths, and the distance that either of them knows.
   void join(FoundPath other);
+  /// The same path, of which nothing is proven.
+  FoundPath unproven() &&;
 };
 
 /// Makes a path begin and end with exactly these points where it does so up to rounding, and corrects a

@@ -61,9 +61,7 @@ FoundPath ExactSearch::by_index(const PathEnd& from, const PathEnd& to, double m
     }
     limits.least_remaining = user_bound_;
   }
-  FoundPath found = run(from, to, limits);
-  found.distance = unreachable;
-  return found;
+  return run(from, to, limits).unproven();
 }
 
 FoundPath ExactSearch::nearby(const PathEnd& from, const PathEnd& to, double estimate) {

@@ -135,7 +135,7 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
   if (found.path.length > expected * (1.0 + doubtful)) {
     // Within a few rings the shortest path may be missed, so this search proves nothing.
     const auto nearby = surroundings.surround(refiner.line(), rings_beside);
-    found.join({exact.within(from, to, found.path.length, nearby).path, unreachable});
+    found.join(exact.within(from, to, found.path.length, nearby).unproven());
   }
   if (found.path.length > expected * (1.0 + suspicious)) {
     found.join(data.has_branches ? exact.between_landmarks(from, to, found.path.length)

@@ -49,6 +49,16 @@ TEST(CorridorSearch, JoinsTheShorterPathAndWhatIsProven) {
   found.join({{{}, unreachable}, 2.5});
   EXPECT_EQ(found.path.length, 3.0);
   EXPECT_EQ(found.distance, 2.5);
+  EXPECT_FALSE(found.on_user_mesh);
+}
+
+TEST(CorridorSearch, AnUnprovenPathKeepsItsMesh) {
+  FoundPath found{{{SurfacePoint::at_vertex(1)}, 3.0}, unreachable};
+  FoundPath shorter{{{SurfacePoint::at_vertex(2)}, 2.0}, 2.0, true};
+  found.join(std::move(shorter).unproven());
+  EXPECT_EQ(found.path.length, 2.0);
+  EXPECT_EQ(found.distance, unreachable);
+  EXPECT_TRUE(found.on_user_mesh);
 }
 
 TEST(CorridorSearch, SetsEndsAndMeasuresALengthThatIsOff) {
