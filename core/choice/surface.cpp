@@ -85,8 +85,14 @@ std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progre
   return built;
 }
 
+AnswerMethod Surface::at_once(bool is_field) const {
+  if (index()) return AnswerMethod::index;
+  const bool is_quick = is_field && mesh_->vertex_count() > max_vertices_at_once;
+  return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
+}
+
 std::shared_ptr<const ExactGeometry> Surface::geometry() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(geometry_mutex_);
   if (!geometry_) geometry_ = std::make_shared<const ExactGeometry>(mesh_);
   return geometry_;
 }
@@ -139,20 +145,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   answered.by = choose(method, true, answered, progress);
   const auto start = Clock::now();
   const Progress rest = answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress;
-  const Index count = mesh_->vertex_count();
   LabelledField found;
-  auto read = [&](const auto& solver) {
-    found.distance.resize(count);
-    found.source.resize(count);
-    for (Index v = 0; v < count; ++v) {
-      const Index same = mesh_->representative(v);
-      const double distance = solver.distance(same);
-      const bool reached = distance <= max_distance && distance != unreachable;
-      found.distance[v] = reached ? distance : unreachable;
-      found.source[v] = reached ? solver.nearest_source(same) : no_index;
-    }
-    return true;
-  };
   if (answered.by == AnswerMethod::index) {
     const Watch watch(rest, "Geodesic distances");
     found = lend(
@@ -160,14 +153,14 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
         [&](GeodesicQuery& query) { return query.labelled_field(sources, max_distance); });
   } else if (answered.by == AnswerMethod::quick) {
     const Watch watch(rest, "Quick geodesic distances");
-    lend(
+    found = lend(
         mutex_, quick_, [&] { return std::make_unique<VirtualSources>(mesh_); },
         [&](VirtualSources& solver) {
           solver.run(sources, max_distance);
-          return read(solver);
+          return labelled_field_of(solver, max_distance);
         });
   } else {
-    lend(
+    found = lend(
         mutex_, solvers_, [&] { return std::make_unique<ExactSolver>(geometry()); },
         [&](ExactSolver& solver) {
           ExactLimits limits;
@@ -175,7 +168,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
           limits.progress = &rest;
           limits.distances_only = true;
           solver.run(sources, limits);
-          return read(solver);
+          return labelled_field_of(solver, max_distance);
         });
   }
   answered.seconds = seconds_since(start);

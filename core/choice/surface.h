@@ -31,6 +31,9 @@ const char* to_string(AnswerMethod method);
 /// exact one takes more than some ten seconds.
 inline constexpr Index max_vertices_exact = 2000000;
 
+/// The same for an answer that is wanted at once, while a mouse moves.
+inline constexpr Index max_vertices_at_once = 50000;
+
 /// What answered, and what that took.
 struct Answered {
   AnswerMethod by = AnswerMethod::exact;  ///< never automatic
@@ -53,7 +56,12 @@ class Surface {
   std::shared_ptr<const GeodesicIndex> index() const;
   /// The index, built now if there is none. \throw as GeodesicIndex::build.
   std::shared_ptr<const GeodesicIndex> build_index(const Progress& progress = {});
+  /// What all exact solvers on this mesh share, made when it is first asked for.
+  std::shared_ptr<const ExactGeometry> geometry();
   RentOrBuy spent() const;
+  /// What answers without a wait to speak of, and builds nothing: the index if there is one, otherwise paths
+  /// exactly, and fields exactly or, on meshes of more than max_vertices_at_once vertices, quickly.
+  AnswerMethod at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;
   /// see GeodesicQuery::labelled_field. \throw InvalidInput also for no source; Cancelled.
@@ -74,16 +82,16 @@ class Surface {
   AnswerMethod choose(AnswerMethod method, bool is_field, Answered& answered, const Progress& progress);
   ExactPath path_by(const SurfacePoint& source, const SurfacePoint& target, bool exact, bool certify,
                     Answered& answered, const Progress& progress);
-  std::shared_ptr<const ExactGeometry> geometry();
   void pay(double seconds);
 
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
-  mutable std::mutex mutex_;  ///< of everything below
-  std::mutex build_mutex_;    ///< one build at a time
+  mutable std::mutex mutex_;   ///< of everything below, held for moments
+  std::mutex build_mutex_;     ///< one build at a time
+  std::mutex geometry_mutex_;  ///< likewise
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
-  std::shared_ptr<const ExactGeometry> geometry_;
+  std::shared_ptr<const ExactGeometry> geometry_;  ///< by geometry_mutex_
   // Solvers that no thread uses now.
   std::vector<std::unique_ptr<ExactSolver>> solvers_;
   std::vector<std::unique_ptr<MeshPathQuery>> path_solvers_;

@@ -20,7 +20,8 @@ Index component_of(const Mesh& mesh, const SurfacePoint& point) {
 
 }  // namespace
 
-PathsFromPoint::PathsFromPoint(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), solver_(mesh_) {}
+PathsFromPoint::PathsFromPoint(std::shared_ptr<const ExactGeometry> geometry)
+    : mesh_(geometry->mesh), solver_(std::move(geometry)) {}
 
 void PathsFromPoint::reset(const SurfacePoint& source) {
   source_ = validated(*mesh_, source);

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
 
 namespace vorogeo {
@@ -12,7 +13,7 @@ namespace vorogeo {
 /// object belongs to one thread.
 class PathsFromPoint {
  public:
-  explicit PathsFromPoint(std::shared_ptr<const Mesh> mesh);
+  explicit PathsFromPoint(std::shared_ptr<const ExactGeometry> geometry);
 
   /// Later paths begin here. \throw InvalidInput for a point that is not on the mesh.
   void reset(const SurfacePoint& source);

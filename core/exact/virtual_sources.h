@@ -29,9 +29,9 @@ class VirtualSources {
   /// \throw Cancelled at a checkpoint, InvalidInput for a bad source.
   void run(std::span<const ExactSource> sources, double max_distance = unreachable);
 
-  double distance(Index vertex) const { return distance_[vertex]; }
+  double distance(Index vertex) const { return distance_[mesh_->representative(vertex)]; }
   /// Which source (position in the list given to run) a vertex belongs to; no_index if unreachable.
-  Index nearest_source(Index vertex) const { return label_[vertex]; }
+  Index nearest_source(Index vertex) const { return label_[mesh_->representative(vertex)]; }
   std::size_t memory_bytes() const;
 
  private:

@@ -28,17 +28,6 @@ NearVertex near_vertex(const Mesh& mesh, const SurfacePoint& point) {
   return {mesh.face_vertices(point.face)[nearest - distances.begin()], *nearest};
 }
 
-/// Length of the edge of a step, which ends at `to`.
-double step_length(const Mesh& mesh, const EdgeStep& step, Index to) {
-  for (Index h = 3 * step.face; h < 3 * step.face + 3; ++h) {
-    if ((mesh.tail(h) == step.from && mesh.head(h) == to) ||
-        (mesh.tail(h) == to && mesh.head(h) == step.from)) {
-      return mesh.edge_length(mesh.edge_of(h));
-    }
-  }
-  return unreachable;
-}
-
 bool is_on_surface(const Mesh& mesh, const SurfacePoint& point) {
   return !point.is_vertex() || !mesh.corners(point.vertex).empty();
 }
@@ -56,18 +45,16 @@ bool MeshPathQuery::lay_strip(const SurfacePoint& source, const SurfacePoint& ta
   std::vector<EdgeStep> steps;
   if (!path_along_edges(mesh_, first.vertex, last.vertex, steps)) return false;
   length = first.distance + last.distance;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Index to = i + 1 < steps.size() ? steps[i + 1].from : last.vertex;
-    length += step_length(mesh_, steps[i], to);
-  }
+  for (const EdgeStep& step : steps) length += mesh_.edge_length(mesh_.edge_of(step.halfedge));
   strip_.clear();
   strip_.source = source;
   strip_.target = target;
   if (!source.is_vertex()) strip_.faces.push_back(source.face);
   for (const EdgeStep& step : steps) {
+    const Index face = Mesh::face_of(step.halfedge);
     if (strip_.faces.empty()) {
-      strip_.faces.push_back(step.face);
-    } else if (!turn_around(mesh_, strip_, step.from, step.face)) {
+      strip_.faces.push_back(face);
+    } else if (!turn_around(mesh_, strip_, step.from, face)) {
       return false;
     }
   }

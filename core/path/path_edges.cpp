@@ -42,7 +42,7 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
     for (Index corner : mesh.corners(vertex)) {
       for (Index side : {corner, Mesh::previous_in_face(corner)}) {
         const Index other = side == corner ? mesh.head(side) : mesh.tail(side);
-        const Reached found{at + mesh.edge_length(mesh.edge_of(side)), {Mesh::face_of(side), vertex}};
+        const Reached found{at + mesh.edge_length(mesh.edge_of(side)), {side, vertex}};
         const auto [known, is_new] = reached.try_emplace(other, found);
         if (!is_new) {
           if (known->second.distance <= found.distance) continue;

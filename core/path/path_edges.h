@@ -7,9 +7,9 @@
 
 namespace vorogeo {
 
-/// An edge on the path: the vertex it leaves, and an adjacent face.
+/// An edge on the path, as the half-edge of an adjacent face, and the vertex it leaves: its tail or its head.
 struct EdgeStep {
-  Index face;
+  Index halfedge;
   Index from;
 };
 

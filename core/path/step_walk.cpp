@@ -133,7 +133,9 @@ void StepWalk::take_move(const PassedFace& face) {
 void StepWalk::walk_along_edges() {
   std::vector<EdgeStep> path;
   if (path_along_edges(mesh_, vertex_, goal_, path)) vertex_ = goal_;
-  for (const EdgeStep& step : path) passed_.push_back({step.face, no_index, no_index, step.from});
+  for (const EdgeStep& step : path) {
+    passed_.push_back({Mesh::face_of(step.halfedge), no_index, no_index, step.from});
+  }
   next_ = Next::nothing;
 }
 

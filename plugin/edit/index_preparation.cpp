@@ -21,12 +21,12 @@ double expected_build_seconds(Index vertices, int threads) {
   return core_seconds_per_vertex * vertices / (threads > 1 ? threads : 1);
 }
 
-void IndexPreparation::start(std::function<std::shared_ptr<const Mesh>()> mesh, Done done) {
+void IndexPreparation::start(Build build, Done done) {
   cancel();
   cancel_ = false;
   fraction_ = 0.0;
   is_running_ = true;
-  thread_ = std::thread([this, mesh = std::move(mesh), done = std::move(done)] {
+  thread_ = std::thread([this, build = std::move(build), done = std::move(done)] {
     const Progress progress([this](double fraction, const std::string&) {
       fraction_ = fraction;
       return !cancel_;
@@ -36,7 +36,7 @@ void IndexPreparation::start(std::function<std::shared_ptr<const Mesh>()> mesh, 
       const Watch watch([this] {
         if (cancel_) throw Cancelled();
       });
-      result.index = GeodesicIndex::build(mesh(), {}, progress);
+      result.index = build(progress);
     } catch (const Cancelled&) {  // neither an index nor an error
     } catch (const std::bad_alloc&) {
       result.error = "There is not enough memory for the index of this mesh.";

@@ -1,4 +1,4 @@
-// Builds the index of a mesh on a thread of its own, while the window goes on.
+// Lets the index of a mesh be built on a thread of its own, while the window goes on.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "index/geodesic_index.h"
-#include "mesh/mesh.h"
 
 namespace vorogeo::plugin {
 
@@ -32,8 +31,11 @@ class IndexPreparation {
   IndexPreparation(const IndexPreparation&) = delete;
   IndexPreparation& operator=(const IndexPreparation&) = delete;
 
-  /// Builds with default options; a build that runs is cancelled before.
-  void start(std::function<std::shared_ptr<const Mesh>()> mesh, Done done);
+  /// Builds, on its own thread; may be cancelled where it reports to the progress or has a checkpoint.
+  using Build = std::function<std::shared_ptr<const GeodesicIndex>(const Progress&)>;
+
+  /// A build that runs is cancelled before.
+  void start(Build build, Done done);
   /// Returns when the build has ended, which takes a fraction of a second.
   void cancel();
   bool is_running() const { return is_running_; }

@@ -86,7 +86,7 @@ void RulerTool::show_status() {
   }
   const auto vertices = static_cast<Index>(surface_->arrays().positions.size());
   const bool has_index = surface_->index() != nullptr;
-  const char* fields = has_index ? "index" : vertices <= max_exact_vertices ? "exact" : "quick";
+  const char* fields = has_index ? "index" : vertices <= max_vertices_at_once ? "exact" : "quick";
   dock_->show_status(QString("Paths: %1. Distances: %2.%3")
                          .arg(has_index ? "refined, from the index" : "exact, without an index", fields,
                               has_index ? "" : " Prepare an index to have both at once."));
@@ -103,12 +103,13 @@ void RulerTool::prepare() {
   read_layer();
   if (!surface_ || surface_->index()) return show_status();
   const auto surface = surface_;
-  preparation_.start([surface] { return surface->mesh(); },
-                     [this, surface](IndexPreparation::Result result) {
-                       QMetaObject::invokeMethod(
-                           this, [this, surface, result = std::move(result)] { prepared(surface, result); },
-                           Qt::QueuedConnection);
-                     });
+  preparation_.start(
+      [surface](const Progress& progress) { return surface->surface()->build_index(progress); },
+      [this, surface](IndexPreparation::Result result) {
+        QMetaObject::invokeMethod(
+            this, [this, surface, result = std::move(result)] { prepared(surface, result); },
+            Qt::QueuedConnection);
+      });
   ticks_.start();
   show_status();
 }
@@ -117,8 +118,7 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
                          const IndexPreparation::Result& result) {
   if (document_ == nullptr) return;
   if (result.index) {
-    indexes_.put(surface->arrays(), {}, result.index, document_);
-    surface->use(result.index);
+    indexes_.put(surface->arrays(), surface->gap(), result.index, document_);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");

@@ -1,13 +1,10 @@
-// Which part of the core answers: the index if there is one, else exact propagation or virtual sources.
+// From picked points to points of the surface, and from answers of the core to what is drawn.
 #include "edit/ruler_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include "exact/exact_solver.h"
-#include "methods/method_table.h"
 
 namespace vorogeo::plugin {
 
@@ -16,18 +13,10 @@ namespace {
 /// About how many isolines there are.
 constexpr double isolines_wanted = 15.0;
 
-Index nearest_corner(const Mesh& mesh, const SurfacePoint& point) {
-  if (point.is_vertex()) return point.vertex;
-  const auto heaviest = std::max_element(point.barycentric.begin(), point.barycentric.end());
-  return mesh.face_vertices(point.face)[heaviest - point.barycentric.begin()];
-}
-
 }  // namespace
 
-const char* name_of(Answered how, bool is_path) {
-  if (how == Answered::exactly) return "exact";
-  if (how == Answered::quickly) return "quick";
-  return is_path ? "refined" : "index";
+const char* name_of(AnswerMethod how, bool is_path) {
+  return how == AnswerMethod::index && is_path ? "refined" : to_string(how);
 }
 
 std::vector<double> round_values(double largest) {
@@ -43,25 +32,34 @@ std::vector<double> round_values(double largest) {
   return values;
 }
 
-RulerSurface::RulerSurface(VcgMeshArrays arrays, std::shared_ptr<const GeodesicIndex> index)
-    : arrays_(std::move(arrays)), index_(std::move(index)) {}
-
-std::shared_ptr<const Mesh> RulerSurface::mesh() const {
-  const std::lock_guard lock(mutex_);
-  if (!mesh_) {
-    mesh_ = index_ ? index_->mesh() : std::make_shared<const Mesh>(arrays_.positions, arrays_.faces);
-  }
-  return mesh_;
+RulerSurface::RulerSurface(VcgMeshArrays arrays, const GapLimit& gap,
+                           const std::shared_ptr<const GeodesicIndex>& index)
+    : arrays_(std::move(arrays)), gap_(gap) {
+  if (index) use(index);
 }
 
 std::shared_ptr<const GeodesicIndex> RulerSurface::index() const {
   const std::lock_guard lock(mutex_);
-  return index_;
+  return surface_ ? surface_->index() : nullptr;
 }
 
-void RulerSurface::use(std::shared_ptr<const GeodesicIndex> index) {
+void RulerSurface::use(const std::shared_ptr<const GeodesicIndex>& index) {
+  auto with_index = std::make_shared<Surface>(index->mesh(), index, RentOrBuy(index->mesh()->vertex_count()));
   const std::lock_guard lock(mutex_);
-  index_ = std::move(index);
+  surface_ = std::move(with_index);
+}
+
+std::shared_ptr<Surface> RulerSurface::surface() {
+  auto known = [this] {
+    const std::lock_guard lock(mutex_);
+    return surface_;
+  };
+  const std::lock_guard one(making_);
+  if (auto surface = known()) return surface;
+  auto made = std::make_shared<Surface>(measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_));
+  const std::lock_guard lock(mutex_);
+  if (!surface_) surface_ = std::move(made);
+  return surface_;
 }
 
 bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
@@ -71,6 +69,16 @@ bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
   return found.distance <= picked.tolerance;
 }
 
+SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePoint& target,
+                                     const Progress& progress) {
+  if (!exact_paths_) exact_paths_ = std::make_unique<PathsFromPoint>(surface()->geometry());
+  if (exact_source_ != source) {
+    exact_paths_->reset(source);
+    exact_source_ = source;
+  }
+  return exact_paths_->path_to(target, progress);
+}
+
 PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progress& progress) {
   PathAnswer answer;
   SurfacePoint source;
@@ -78,21 +86,17 @@ PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progre
   answer.starts_on_surface = snap(from, source);
   answer.ends_on_surface = snap(to, target);
   if (!answer.starts_on_surface || !answer.ends_on_surface) return answer;
-  const auto surface = mesh();
-  answer.from = position_of(*surface, source);
-  answer.to = position_of(*surface, target);
-  if (const auto found = index()) {
-    if (!index_paths_) index_paths_ = std::make_unique<PathQuery>(found);
-    answer.how = Answered::by_index;
-    answer.path = index_paths_->path(source, target);
-    return answer;
+  const auto surface = this->surface();
+  answer.from = position_of(*surface->mesh(), source);
+  answer.to = position_of(*surface->mesh(), target);
+  answer.how = surface->at_once(false);
+  if (answer.how == AnswerMethod::exact) {
+    answer.path = exact_path(source, target, progress);
+  } else {
+    exact_paths_.reset();
+    Answered answered;
+    answer.path = surface->path(source, target, answer.how, false, answered, progress).path;
   }
-  if (!exact_paths_) exact_paths_ = std::make_unique<PathsFromPoint>(surface);
-  if (exact_source_ != source) {
-    exact_paths_->reset(source);
-    exact_source_ = source;
-  }
-  answer.path = exact_paths_->path_to(target, progress);
   return answer;
 }
 
@@ -101,29 +105,17 @@ FieldAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
   SurfacePoint source;
   answer.starts_on_surface = snap(from, source);
   if (!answer.starts_on_surface) return answer;
-  const auto surface = mesh();
+  const auto surface = this->surface();
   const std::array sources{ExactSource{source}};
-  if (const auto found = index()) {
-    if (!index_fields_) index_fields_ = std::make_unique<GeodesicQuery>(found);
-    answer.how = Answered::by_index;
-    answer.distances = index_fields_->distance_field(sources);
-  } else if (surface->vertex_count() <= max_exact_vertices) {
-    ExactSolver solver(surface);
-    ExactLimits limits;
-    limits.distances_only = true;
-    limits.progress = &progress;
-    solver.run(sources, limits);
-    for (Index v = 0; v < surface->vertex_count(); ++v) answer.distances.push_back(solver.distance(v));
-  } else {
-    if (!quick_fields_) quick_fields_ = prepare_method("gsp", surface, {}, progress);
-    answer.how = Answered::quickly;
-    const std::array vertex{nearest_corner(*surface, source)};
-    answer.distances = quick_fields_->field(vertex, progress);
-  }
+  Answered answered;
+  answer.distances =
+      surface->field(sources, unreachable, surface->at_once(true), answered, progress).distance;
+  answer.how = answered.by;
   for (double distance : answer.distances) {
     if (std::isfinite(distance)) answer.largest = std::max(answer.largest, distance);
   }
-  answer.lines = isolines(*surface, answer.distances, round_values(answer.largest), Interpolation::distance);
+  answer.lines =
+      isolines(*surface->mesh(), answer.distances, round_values(answer.largest), Interpolation::distance);
   return answer;
 }
 

@@ -1,4 +1,4 @@
-// A mesh that is measured: paths and fields between points that were picked, by whatever answers them now.
+// A mesh that is measured: paths and fields between points that were picked, by what answers at once.
 #pragma once
 
 #include <memory>
@@ -6,31 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "choice/surface.h"
 #include "edit/picked.h"
 #include "exact/paths_from_point.h"
-#include "exact/surface_path.h"
-#include "field/geodesic_query.h"
-#include "index/geodesic_index.h"
+#include "mesh/gap_bridges.h"
 #include "mesh/surface_locator.h"
 #include "mesh/vcg_adapter.h"
-#include "methods/method.h"
-#include "path/path_query.h"
 #include "support/progress.h"
 #include "tasks/isolines.h"
 
 namespace vorogeo::plugin {
 
-/// How an answer was found.
-enum class Answered {
-  exactly,   ///< the shortest paths, by propagation
-  by_index,  ///< refined paths, and distances from the index
-  quickly    ///< distances by virtual sources, from the nearest vertex
-};
-/// As the dock and tables say it: "exact", "refined" for paths of the index, ...
-const char* name_of(Answered how, bool is_path);
-
-/// Without an index, fields of meshes with more vertices than this are computed quickly, not exactly.
-inline constexpr Index max_exact_vertices = 50000;
+/// What answered, as the dock and tables say it: "exact", "quick"; "refined" for paths of the index, which is
+/// named for its fields.
+const char* name_of(AnswerMethod how, bool is_path);
 
 /// Values for isolines: multiples of a round step, 1, 2 or 5 times a power of ten, some ten to twenty of
 /// them.
@@ -43,7 +32,7 @@ struct PathAnswer {
   Point from{};
   Point to{};
   SurfacePath path;  ///< without points if the ends lie in different components
-  Answered how = Answered::exactly;
+  AnswerMethod how = AnswerMethod::exact;
 };
 
 struct FieldAnswer {
@@ -51,42 +40,47 @@ struct FieldAnswer {
   std::vector<double> distances;  ///< of all vertices
   double largest = 0.0;           ///< of those that a path leads to
   Isolines lines;
-  Answered how = Answered::exactly;
+  AnswerMethod how = AnswerMethod::exact;
 };
 
-/// The mesh of a layer as it was when it was read. The answers and what they need are made by the worker when
-/// they are first asked for. Holds no algorithm: it chooses among those of the core.
+/// The mesh of a layer as it was when it was read. The worker makes all that answers need when it is first
+/// asked. Holds no algorithm: a Surface of the core answers.
 class RulerSurface {
  public:
-  /// `index`: of exactly this mesh, or nothing.
-  RulerSurface(VcgMeshArrays arrays, std::shared_ptr<const GeodesicIndex> index);
+  /// `index`: of exactly this mesh with these gaps bridged, or null.
+  RulerSurface(VcgMeshArrays arrays, const GapLimit& gap, const std::shared_ptr<const GeodesicIndex>& index);
 
   const VcgMeshArrays& arrays() const { return arrays_; }
-  /// May be called by any thread.
-  std::shared_ptr<const Mesh> mesh() const;
+  const GapLimit& gap() const { return gap_; }
+
+  // By any thread, without a wait:
+  /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const;
   /// From now on answers come from it.
-  void use(std::shared_ptr<const GeodesicIndex> index);
+  void use(const std::shared_ptr<const GeodesicIndex>& index);
 
-  /// Both only by the worker. \throw Cancelled, InvalidInput for a mesh that cannot be used.
+  // By any thread, which makes the mesh if no other one has:
+  std::shared_ptr<Surface> surface();
+  std::shared_ptr<const Mesh> mesh() { return surface()->mesh(); }
+
+  // By the worker only. \throw Cancelled, InvalidInput for a mesh that cannot be used.
   PathAnswer path(const Picked& from, const Picked& to, const Progress& progress);
   FieldAnswer field(const Picked& from, const Progress& progress);
 
  private:
   bool snap(const Picked& picked, SurfacePoint& point);
+  SurfacePath exact_path(const SurfacePoint& source, const SurfacePoint& target, const Progress& progress);
 
   const VcgMeshArrays arrays_;
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const Mesh> mesh_;
-  std::shared_ptr<const GeodesicIndex> index_;
+  const GapLimit gap_;
+  std::mutex making_;         ///< held while the mesh is made
+  mutable std::mutex mutex_;  ///< of the pointer, held for moments
+  std::shared_ptr<Surface> surface_;
 
   // The worker's.
   std::unique_ptr<SurfaceLocator> locator_;
   std::unique_ptr<PathsFromPoint> exact_paths_;
   SurfacePoint exact_source_;
-  std::unique_ptr<PathQuery> index_paths_;
-  std::unique_ptr<GeodesicQuery> index_fields_;
-  std::unique_ptr<GeodesicMethod> quick_fields_;
 };
 
 }  // namespace vorogeo::plugin

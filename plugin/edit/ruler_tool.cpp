@@ -129,11 +129,12 @@ void RulerTool::read_layer() {
         measurements_.mesh_has_changed(layer->id());
         measured_.erase(measured);
       }
+      const auto index = indexes_.find(arrays, mesh.gap(), document_);
       if (surface_ && layer_ == layer->id() && is_same(surface_->arrays())) {
         now = surface_;
-        if (!surface_->index()) surface_->use(indexes_.find(arrays, {}, document_));
+        if (index && !surface_->index()) surface_->use(index);
       } else {
-        now = std::make_shared<RulerSurface>(arrays, indexes_.find(arrays, {}, document_));
+        now = std::make_shared<RulerSurface>(arrays, mesh.gap(), index);
       }
     } catch (const Error& error) {
       why_not_ = QString::fromUtf8(error.what());

@@ -99,13 +99,7 @@ class Paths {
       limits.progress = &progress;
       limits.distances_only = true;
       solver.run(sources, limits);
-      LabelledField field;
-      for (Index v = 0; v < mesh().vertex_count(); ++v) {
-        const bool reached = solver.distance(v) <= max_distance && solver.distance(v) != unreachable;
-        field.distance.push_back(reached ? solver.distance(v) : unreachable);
-        field.source.push_back(reached ? solver.nearest_source(v) : no_index);
-      }
-      return field;
+      return labelled_field_of(solver, max_distance);
     });
   }
 

@@ -5,9 +5,11 @@
 #include <map>
 
 #include "arrays.h"
-#include "exact/exact_solver.h"
+#include "exact/exact_geometry.h"
+#include "exact/paths_from_point.h"
 #include "mesh/metric.h"
-#include "path_arrays.h"
+#include "mesh_points.h"
+#include "path/mesh_path.h"
 #include "progress_bridge.h"
 #include "support/checkpoint.h"
 #include "weighted/weighted_solver.h"
@@ -15,8 +17,6 @@
 namespace vorogeo::python {
 
 namespace {
-
-using ValueArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 DoubleArray flattened(const SideLengths& rows) {
   std::vector<double> values;
@@ -57,22 +57,56 @@ DoubleArray weighted_field(const VertexArray& vertices, const FaceArray& faces, 
   }));
 }
 
-/// For each pair the path that `solve` (from a source) and `find` (to a target) give; pairs with one source
-/// after the other.
-template <class Solve, class Find>
-std::vector<SurfacePath> paths_of_pairs(const PointList& sources, const PointList& targets, Solve&& solve,
-                                        Find&& find) {
+/// The number of targets of one source from which one propagation over the mesh, which serves them all, is
+/// usually faster than a corridor for each.
+constexpr std::size_t targets_worth_propagation = 100;
+
+/// Calls solve(source, pairs) for each different source, with the numbers of its pairs.
+template <class Solve>
+void for_each_source(const PointList& sources, Solve&& solve) {
   std::map<SurfacePoint, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < sources.size(); ++i) pairs[sources[i]].push_back(i);
-  std::vector<SurfacePath> found(sources.size());
-  for (const auto& [source, ones] : pairs) {
-    solve(source);
-    for (const std::size_t i : ones) {
-      found[i] = find(targets[i]);
-      if (found[i].points.empty()) found[i].length = unreachable;
-      std::ranges::reverse(found[i].points);
+  for (const auto& [source, ones] : pairs) solve(source, ones);
+}
+
+std::vector<ExactPath> exact_paths(const std::shared_ptr<const Mesh>& mesh, const PointList& sources,
+                                   const PointList& targets, const Progress& progress) {
+  std::vector<ExactPath> found(sources.size());
+  const auto geometry = std::make_shared<const ExactGeometry>(mesh);
+  MeshPathQuery corridors(geometry);
+  std::unique_ptr<PathsFromPoint> propagation;
+  Watch watch(progress, "Shortest paths");
+  std::size_t done = 0;
+  for_each_source(sources, [&](const SurfacePoint& source, const std::vector<std::size_t>& pairs) {
+    const bool together = pairs.size() >= targets_worth_propagation;
+    if (together && !propagation) propagation = std::make_unique<PathsFromPoint>(geometry);
+    if (together) propagation->reset(source);
+    for (const std::size_t i : pairs) {
+      if (together) {
+        found[i].path = propagation->path_to(targets[i]);
+        found[i].certified = true;
+      } else {
+        found[i] = corridors.exact_path(source, targets[i]);
+      }
+      watch.reach(static_cast<double>(++done) / static_cast<double>(sources.size()));
     }
-  }
+  });
+  return found;
+}
+
+std::vector<ExactPath> weighted_paths(const std::shared_ptr<const FaceNorms>& norms, const PointList& sources,
+                                      const PointList& targets, const Progress& progress) {
+  std::vector<ExactPath> found(sources.size());
+  WeightedSolver solver(norms);
+  for_each_source(sources, [&](const SurfacePoint& source, const std::vector<std::size_t>& pairs) {
+    solver.run(std::span(&source, 1), unreachable, progress);
+    for (const std::size_t i : pairs) {
+      SurfacePath& path = found[i].path;
+      path = solver.path_to_source(targets[i]);
+      if (path.points.empty()) path.length = unreachable;
+      std::ranges::reverse(path.points);
+    }
+  });
   return found;
 }
 
@@ -85,27 +119,11 @@ nb::tuple paths_without_index(const VertexArray& vertices, const FaceArray& face
   const PointList targets = points_on(*mesh, points_from(*mesh, target), "Target");
   ProgressBridge bridge(progress);
   const auto found = bridge.run([&](const Progress& report) {
-    if (points > 0) {
-      WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points_of(*sides), points));
-      return paths_of_pairs(
-          sources, targets,
-          [&](const SurfacePoint& from) { solver.run(std::span(&from, 1), unreachable, report); },
-          [&](const SurfacePoint& to) { return solver.path_to_source(to); });
-    }
-    ExactSolver solver(mesh);
-    return paths_of_pairs(
-        sources, targets,
-        [&](const SurfacePoint& from) {
-          const ExactSource one{from};
-          ExactLimits limits;
-          limits.progress = &report;
-          solver.run(std::span(&one, 1), limits);
-        },
-        [&](const SurfacePoint& to) { return solver.path_to_source(to); });
+    if (points == 0) return exact_paths(mesh, sources, targets, report);
+    const auto norms = std::make_shared<const FaceNorms>(mesh, points_of(*sides), points);
+    return weighted_paths(norms, sources, targets, report);
   });
-  PathArrays arrays(*mesh);
-  for (const SurfacePath& path : found) arrays.add(path, points == 0 && !path.points.empty());
-  return arrays.take();
+  return MeshPoints(mesh).path_arrays(found);
 }
 
 }  // namespace

@@ -85,8 +85,6 @@ class GeodesicIndex(Queries):
 
     _handle: _core.Index
     _statistics: IndexStatistics
-    _vertices: NDArray[np.float64]
-    _faces: NDArray[np.int32]
     _mask: NDArray[np.bool_] | None
     _metric: Metric | None
     _gap: GapLimit
@@ -202,16 +200,6 @@ class GeodesicIndex(Queries):
     def __reduce__(self) -> tuple[Any, ...]:
         mesh = self._vertices, self._faces, self._mask, self._metric, self._gap
         return _restored, (type(self), saved(self._handle), *mesh, self._threads)
-
-    @property
-    def vertices(self) -> NDArray[np.float64]:
-        """Positions of the mesh, of shape (n, 3), read-only; NaN if it was given none."""
-        return self._vertices
-
-    @property
-    def faces(self) -> NDArray[np.int32]:
-        """Triangles of the mesh as they were given, of shape (m, 3); read-only."""
-        return self._faces
 
     @property
     def mask(self) -> NDArray[np.bool_] | None:

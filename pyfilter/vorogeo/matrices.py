@@ -12,14 +12,14 @@ from . import _core
 from . import points as point_lists
 from ._output import Output, matrix, releasing
 from .errors import InvalidInput
+from .on_mesh import OnMesh
 from .points import Points, Rows
 from .progress import ProgressFunction, reporter
-from .results import IndexStatistics
 
 _METHODS = ("auto", "pairs", "fields")
 
 
-class Matrices:
+class Matrices(OnMesh):
     """The methods of `GeodesicIndex` for matrices of distances.
 
     Points are vertex ids, `SurfacePoints` or lists of both, possibly empty; ``k`` is how many there are. With
@@ -31,10 +31,9 @@ class Matrices:
 
     _handle: _core.Index
     _paths: _core.Paths
-    _statistics: IndexStatistics
 
     def _rows(self, name: str, value: Points) -> Rows:
-        return point_lists.rows(name, value, self._statistics.vertices)
+        return point_lists.rows(name, value, self._vertex_count)
 
     def distances(
         self,
@@ -186,7 +185,7 @@ class Matrices:
         """
         rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
         with (
-            matrix(len(rows[0]), self._statistics.vertices, out, max_bytes, dtype) as result,
+            matrix(len(rows[0]), self._vertex_count, out, max_bytes, dtype) as result,
             reporter(progress) as told,
         ):
             if result.size:

@@ -1,9 +1,9 @@
-"""Points anywhere on a surface, the shortest paths between them, and fields from sources of every kind."""
+"""Shortest paths between points anywhere on a surface, and fields from sources of every kind."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,14 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as check
 from . import _core
 from . import points as point_lists
-from .errors import InvalidInput
-from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints
+from .on_mesh import OnMesh
+from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-from .results import IndexStatistics
-
-#: Beyond it, a distance from the surface may be more than a float can hold.
-_GREATEST_COORDINATE = 1e307
-
 
 @dataclass(frozen=True, repr=False)
 class GeodesicPath:
@@ -83,98 +78,16 @@ def from_core(found: Any) -> list[GeodesicPath]:
     ]
 
 
-class PointsOnMesh:
-    """Points and curves of a mesh, for every class that answers questions on one."""
-
-    __slots__ = ()
-
-    @property
-    def _points_on_mesh(self) -> _core.Paths | _core.Surface:
-        raise NotImplementedError
-
-    @property
-    def _vertex_count(self) -> int:
-        raise NotImplementedError
-
-    def snap(self, points: ArrayLike, max_distance: float | None = None) -> SurfacePoints:
-        """Move points in space to the nearest points of the surface.
-
-        Parameters
-        ----------
-        points : array_like, shape (3,) or (k, 3)
-            Finite positions, of at most 1e307.
-        max_distance : float, optional
-            How far a point may be from the surface; None for any distance.
-
-        Returns
-        -------
-        SurfacePoints
-            With `snap_distance`.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If a point is not finite, above 1e307 or farther away than `max_distance`; names the point.
-        """
-        positions = check.positions("points", points)
-        too_far = np.abs(positions).max(axis=1, initial=0) > _GREATEST_COORDINATE
-        if too_far.any():
-            row = int(np.flatnonzero(too_far)[0])
-            raise InvalidInput(
-                f"points[{row}]: {positions[row].tolist()} is too far away for its distance to be a number; give "
-                f"coordinates of at most {_GREATEST_COORDINATE:g}."
-            )
-        limit = check.max_distance(max_distance)
-        faces, weights, distance = self._points_on_mesh.snap(positions)
-        if (distance > limit).any():
-            row = int(np.flatnonzero(distance > limit)[0])
-            raise InvalidInput(
-                f"points[{row}]: is {distance[row]:g} away from the surface, more than max_distance {limit:g}; "
-                "move the point or raise the limit."
-            )
-        return SurfacePoints(faces, weights.reshape(-1, 3), distance)
-
-    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
-        """Sources as points, and for each the position of its source in the list; a curve is one source."""
-        count = self._vertex_count
-        if not point_lists.holds(sources, EdgeCurve):
-            found = point_lists.rows("sources", sources, count)
-            number = np.arange(len(found[0]), dtype=np.int32)
-        else:
-            parts, numbers, places = [], [], 0
-            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
-                name = f"sources[{i}]"
-                if isinstance(part, EdgeCurve):
-                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
-                    parts.append(self._points_on_mesh.along_edges(part.edges(count, name), spacing))
-                    numbers.append(np.full(len(parts[-1][0]), places))
-                    places += 1
-                else:
-                    parts.append(point_lists.rows(name, part, count))
-                    numbers.append(places + np.arange(len(parts[-1][0])))
-                    places += len(parts[-1][0])
-            found = point_lists.joined([(p[0], p[1], p[2].reshape(-1, 3)) for p in parts])
-            number = np.concatenate(numbers).astype(np.int32)
-        if not len(found[0]):
-            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
-        return found, number
-
-
-class Paths(PointsOnMesh):
+class Paths(OnMesh):
     """The methods of `GeodesicIndex` for paths and for points that need not be vertices."""
 
     __slots__ = ()
 
     _paths: _core.Paths
-    _statistics: IndexStatistics
 
     @property
     def _points_on_mesh(self) -> _core.Paths:
         return self._paths
-
-    @property
-    def _vertex_count(self) -> int:
-        return self._statistics.vertices
 
     def path(
         self,
@@ -272,16 +185,11 @@ class Paths(PointsOnMesh):
     def _find_paths(
         self, source: Any, target: Any, exact: bool, certify: bool, progress: ProgressFunction | bool | None
     ) -> GeodesicPath | list[GeodesicPath]:
-        count = self._statistics.vertices
-        sources, targets = point_lists.rows("source", source, count), point_lists.rows("target", target, count)
-        if len(sources[0]) != len(targets[0]):
-            raise InvalidInput(
-                f"source has {len(sources[0])} points, target {len(targets[0])}; give as many of one as of the other."
-            )
+        ends = point_lists.pairs(source, target, self._vertex_count)
         with reporter(progress) as report:
-            found = self._paths.paths(_core.Points(*sources), _core.Points(*targets), exact, certify, report)
+            found = self._paths.paths(*ends, exact, certify, report)
         paths = from_core(found)
-        return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
+        return paths[0] if point_lists.is_pair(source, target) else paths
 
     def _labelled_field(
         self, sources: Sources, offsets: ArrayLike | None, limit: float, exact: bool

@@ -165,6 +165,21 @@ def is_single(value: Any) -> bool:
     return not holds(value, SurfacePoints) and np.ndim(value) == 0
 
 
+def is_pair(source: Any, target: Any) -> bool:
+    """Whether both ends are one point each."""
+    return is_single(source) and is_single(target)
+
+
+def pairs(source: Any, target: Any, vertex_count: int) -> tuple[_core.Points, _core.Points]:
+    """Both ends of k pairs as the core takes them."""
+    sources, targets = rows("source", source, vertex_count), rows("target", target, vertex_count)
+    if len(sources[0]) != len(targets[0]):
+        raise InvalidInput(
+            f"source has {len(sources[0])} points, target {len(targets[0])}; give as many of one as of the other."
+        )
+    return handed_over(sources), handed_over(targets)
+
+
 def handed_over(found: Rows) -> _core.Points:
     """Points as the core takes them."""
     return _core.Points(*found)

@@ -42,7 +42,7 @@ class Queries(Neighbours, SurfaceTasks):
         InvalidInput
             (a ValueError) If an id is not an integer or out of range, or if the lengths differ.
         """
-        count = self._statistics.vertices
+        count = self._vertex_count
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:
             return self._handle.distance(source, target)
         if holds(source, SurfacePoints) or holds(target, SurfacePoints):
@@ -126,7 +126,7 @@ class Queries(Neighbours, SurfaceTasks):
         limit, entry = check.max_distance(max_distance), check.real_type(dtype)
         plain = not exact and not holds(sources, (SurfacePoints, EdgeCurve))
         if plain and offsets is None and not return_labels:
-            ids = check.source_ids(cast(ArrayLike, sources), self._statistics.vertices)
+            ids = check.source_ids(cast(ArrayLike, sources), self._vertex_count)
             return self._handle.distance_field(ids, limit).astype(entry, copy=False)
         distance, label = self._labelled_field(sources, offsets, limit, exact)
         distance = distance.astype(entry, copy=False)

@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import _core, metrics
 from . import points as point_lists
-from .errors import InvalidInput
 from .gaps import gap_limit
 from .index import GeodesicIndex
 from .masks import face_mask, without_masked
 from .metrics import Metric
-from .paths import GeodesicPath, PointsOnMesh, from_core
+from .on_mesh import OnMesh
+from .paths import GeodesicPath, from_core
 from .points import Points, Sources
 from .progress import ProgressFunction, reporter
 from .results import Answered
@@ -23,7 +23,7 @@ from .results import Answered
 _METHODS = ("automatic", "index", "exact", "quick")
 
 
-class Surface(PointsOnMesh):
+class Surface(OnMesh):
     """A triangle mesh for any number of questions: it reads the mesh once and chooses what answers.
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,
@@ -92,20 +92,6 @@ class Surface(PointsOnMesh):
     @property
     def _points_on_mesh(self) -> _core.Surface:
         return self._handle
-
-    @property
-    def _vertex_count(self) -> int:
-        return len(self._vertices)
-
-    @property
-    def vertices(self) -> NDArray[np.float64]:
-        """Positions of the mesh, of shape (n, 3); read-only."""
-        return self._vertices
-
-    @property
-    def faces(self) -> NDArray[np.int32]:
-        """Triangles of the mesh as they were given, of shape (m, 3); read-only."""
-        return self._faces
 
     @property
     def index(self) -> GeodesicIndex | None:
@@ -228,11 +214,11 @@ class Surface(PointsOnMesh):
             If `progress` returned False.
         """
         how = check.choice("method", method, _METHODS[:3])
-        ends = self._ends(source, target)
+        ends = point_lists.pairs(source, target, self._vertex_count)
         with reporter(progress) as report:
             found, answered = self._handle.distances(*ends, how, report)
         self.last = Answered(*answered)
-        return float(found[0]) if _is_pair(source, target) else found
+        return float(found[0]) if point_lists.is_pair(source, target) else found
 
     def path(
         self,
@@ -270,30 +256,17 @@ class Surface(PointsOnMesh):
         """
         return self._find_paths(source, target, method, True, progress)
 
-    def _ends(self, source: Any, target: Any) -> tuple[_core.Points, _core.Points]:
-        sources = point_lists.rows("source", source, self._vertex_count)
-        targets = point_lists.rows("target", target, self._vertex_count)
-        if len(sources[0]) != len(targets[0]):
-            raise InvalidInput(
-                f"source has {len(sources[0])} points, target {len(targets[0])}; give as many of one as of the other."
-            )
-        return _core.Points(*sources), _core.Points(*targets)
-
     def _find_paths(
         self, source: Any, target: Any, method: str, exact: bool, progress: ProgressFunction | bool | None
     ) -> GeodesicPath | list[GeodesicPath]:
         how = check.choice("method", method, _METHODS[:3])
-        ends = self._ends(source, target)
+        ends = point_lists.pairs(source, target, self._vertex_count)
         with reporter(progress) as report:
             found, answered = self._handle.paths(*ends, how, exact, report)
         self.last = Answered(*answered)
         paths = from_core(found)
-        return paths[0] if _is_pair(source, target) else paths
+        return paths[0] if point_lists.is_pair(source, target) else paths
 
     def __repr__(self) -> str:
         held = "with an index" if self._handle.index() is not None else "no index yet"
         return f"Surface({len(self._vertices)} vertices, {len(self._faces)} faces, {held})"
-
-
-def _is_pair(source: Any, target: Any) -> bool:
-    return point_lists.is_single(source) and point_lists.is_single(target)

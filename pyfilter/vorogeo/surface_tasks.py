@@ -51,7 +51,7 @@ class SurfaceTasks(Paths):
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point.
         """
-        chosen = point_lists.some("points", points, self._statistics.vertices)
+        chosen = point_lists.some("points", points, self._vertex_count)
         with reporter(progress) as report:
             found = _core.voronoi(self._handle, chosen, exact, report)
         borders = Polylines(found[4].reshape(-1, 3), found[5].reshape(-1, 2))
@@ -76,9 +76,9 @@ class SurfaceTasks(Paths):
             Edges join points of one level.
         """
         values = check.real_values("field", field)
-        if values.size != self._statistics.vertices:
+        if values.size != self._vertex_count:
             raise InvalidInput(
-                f"field: has {values.size} values; give one for each of the {self._statistics.vertices} vertices."
+                f"field: has {values.size} values; give one for each of the {self._vertex_count} vertices."
             )
         how = check.choice("interpolation", interpolation, _INTERPOLATIONS)
         if isinstance(levels, (int, np.integer)):
@@ -128,7 +128,7 @@ class SurfaceTasks(Paths):
         reach = check.length("radius", radius)
         if count is None and reach == 0:
             raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
-        first = point_lists.given("start", start, self._statistics.vertices)
+        first = point_lists.given("start", start, self._vertex_count)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         with reporter(progress) as report:
             found = _core.sample_farthest(self._handle, limit, reach, first, seed, exact, report)
@@ -200,7 +200,7 @@ class SurfaceTasks(Paths):
         distances : ndarray of float64, shape (k,)
         farthest : ndarray of int32, shape (k,)
         """
-        chosen = point_lists.given("points", points, self._statistics.vertices)
+        chosen = point_lists.given("points", points, self._vertex_count)
         with reporter(progress) as report:
             return _core.eccentricity(self._handle, chosen, exact, report)
 
@@ -230,7 +230,7 @@ class SurfaceTasks(Paths):
         -----
         A double sweep, then vertices chosen by the bounds that the triangle inequality gives (Takes, Kosters 2011).
         """
-        last = max(self._statistics.vertices - 1, 0)
+        last = max(self._vertex_count - 1, 0)
         first = -1 if start is None else check.integer("start", start, 0, last)
         limit = check.integer("fields", fields, 2, 2**31 - 1)
         with reporter(progress) as report:
@@ -263,7 +263,7 @@ class SurfaceTasks(Paths):
         A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
         fields for each point and round, bounded by the size of the regions.
         """
-        chosen = point_lists.some("points", points, self._statistics.vertices)
+        chosen = point_lists.some("points", points, self._vertex_count)
         limit = check.integer("rounds", rounds, 0, 2**31 - 1)
         with reporter(progress) as report:
             rows, energy = _core.relax(self._handle, chosen, limit, exact, report)

@@ -68,3 +68,23 @@ def test_result_belongs_to_the_caller():
     assert field.shape == (8,)
     assert field.flags.writeable
     field[:] = 1.0
+
+
+def test_paths_of_pairs_and_of_many_targets_from_one_source_are_exact():
+    vertices, faces = prism(12, 9, 3.0)
+    sources = np.r_[np.full(len(vertices), 7), [0, 45]]
+    targets = np.r_[np.arange(len(vertices)), [60, 3]]
+    expected = [prism_distances(12, 9, 3.0, s)[t] for s, t in zip(sources, targets, strict=True)]
+    paths = vorogeo.exact_path(vertices, faces, sources, targets)
+    np.testing.assert_allclose([path.length for path in paths], expected, rtol=1e-9, atol=1e-12)
+    for path, source, target in zip(paths, sources, targets, strict=True):
+        assert path.certified
+        assert (path.vertices[0], path.vertices[-1]) == (source, target)
+        steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1)
+        assert steps.sum() == pytest.approx(path.length, rel=1e-12, abs=1e-14)
+
+
+def test_a_path_to_another_component_has_no_points():
+    vertices, faces = side_by_side(cube(), cube())
+    none = vorogeo.exact_path(vertices, faces, 0, len(vertices) - 1)
+    assert (none.length, len(none.points)) == (np.inf, 0)

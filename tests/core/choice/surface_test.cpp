@@ -111,6 +111,20 @@ TEST(Surface, FindsPathsAndDistancesWithAndWithoutAnIndex) {
   EXPECT_THROW(surface.distance(a, b, AnswerMethod::quick, answered), InvalidInput);
 }
 
+TEST(Surface, NamesWhatAnswersAtOnce) {
+  Surface small(test::make_mesh(test::icosphere(2)));
+  EXPECT_EQ(small.at_once(true), AnswerMethod::exact);
+  EXPECT_EQ(small.at_once(false), AnswerMethod::exact);
+  small.build_index();
+  EXPECT_EQ(small.at_once(true), AnswerMethod::index);
+  EXPECT_EQ(small.at_once(false), AnswerMethod::index);
+  const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
+  ASSERT_GT(static_cast<Index>(plate.positions.size()), max_vertices_at_once);
+  const Surface large(test::make_mesh(plate));
+  EXPECT_EQ(large.at_once(true), AnswerMethod::quick);
+  EXPECT_EQ(large.at_once(false), AnswerMethod::exact);
+}
+
 TEST(Surface, GivesTheSameDistanceFromAnIndexBuiltForItAndLater) {
   Surface surface(test::make_mesh(test::icosphere(3)));
   Answered answered;

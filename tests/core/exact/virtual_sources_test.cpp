@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "mesh/gap_bridges.h"
 #include "support/error.h"
+#include "support/gaps.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -102,6 +104,19 @@ TEST(VirtualSources, PassVerticesInWhichFacesMeetAndLeaveOtherComponentsOut) {
   apart.run({&first, 1});
   EXPECT_LT(apart.distance(1), unreachable);
   EXPECT_EQ(apart.distance(two->vertex_count() - 1), unreachable);
+}
+
+TEST(VirtualSources, GiveVerticesThatAGapMadeOneTheSameDistance) {
+  const test::Shape shape = test::plane_grid(6, 5, 1.0, 0.8);
+  const test::Cut loose = test::exploded(shape.soup);
+  VirtualSources runs(measured_mesh(loose.soup.positions, loose.soup.faces, {}, {1e-9}));
+  const ExactSource source{SurfacePoint::at_vertex(0)};
+  runs.run({&source, 1});
+  for (Index v = 0; v < runs.mesh().vertex_count(); ++v) {
+    const double straight = distance_between(loose.soup.positions[0], loose.soup.positions[v]);
+    EXPECT_NEAR(runs.distance(v), straight, 0.01 * straight);
+    EXPECT_EQ(runs.nearest_source(v), 0);
+  }
 }
 
 TEST(VirtualSources, RefuseWhatIsNoSource) {

@@ -13,19 +13,22 @@ namespace vorogeo::plugin {
 namespace {
 
 /// Starts a build; the future has its result.
-std::future<IndexPreparation::Result> start(IndexPreparation& preparation,
-                                            std::function<std::shared_ptr<const Mesh>()> mesh) {
+std::future<IndexPreparation::Result> start(IndexPreparation& preparation, IndexPreparation::Build build) {
   auto promise = std::make_shared<std::promise<IndexPreparation::Result>>();
   auto future = promise->get_future();
-  preparation.start(std::move(mesh),
+  preparation.start(std::move(build),
                     [promise](IndexPreparation::Result result) { promise->set_value(std::move(result)); });
   return future;
+}
+
+IndexPreparation::Build build_of(std::shared_ptr<const Mesh> mesh) {
+  return [mesh](const Progress& progress) { return GeodesicIndex::build(mesh, {}, progress); };
 }
 
 TEST(IndexPreparation, BuildsAnIndexOfTheMesh) {
   const auto mesh = test::make_mesh(test::icosphere(2));
   IndexPreparation preparation;
-  const auto result = start(preparation, [mesh] { return mesh; }).get();
+  const auto result = start(preparation, build_of(mesh)).get();
   ASSERT_NE(result.index, nullptr);
   EXPECT_EQ(result.index->mesh(), mesh);
   EXPECT_EQ(result.error, "");
@@ -35,7 +38,7 @@ TEST(IndexPreparation, BuildsAnIndexOfTheMesh) {
 TEST(IndexPreparation, CancelledInTheMiddleItGivesNeitherIndexNorError) {
   const auto mesh = test::make_mesh(test::icosphere(5));
   IndexPreparation preparation;
-  auto result = start(preparation, [mesh] { return mesh; });
+  auto result = start(preparation, build_of(mesh));
   while (preparation.is_running() && preparation.fraction() == 0.0) std::this_thread::yield();
   preparation.cancel();
   EXPECT_FALSE(preparation.is_running());
@@ -46,7 +49,9 @@ TEST(IndexPreparation, CancelledInTheMiddleItGivesNeitherIndexNorError) {
 
 TEST(IndexPreparation, AnErrorIsASentence) {
   IndexPreparation preparation;
-  const auto bad = []() -> std::shared_ptr<const Mesh> { throw InvalidInput("Face 7 is bad; remove it."); };
+  const auto bad = [](const Progress&) -> std::shared_ptr<const GeodesicIndex> {
+    throw InvalidInput("Face 7 is bad; remove it.");
+  };
   const auto result = start(preparation, bad).get();
   EXPECT_EQ(result.index, nullptr);
   EXPECT_EQ(result.error, "Face 7 is bad; remove it.");

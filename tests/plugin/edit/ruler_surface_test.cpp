@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "edit/ruler_requests.h"
+#include "support/gaps.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -26,11 +28,11 @@ constexpr double tolerance = 1e-6;
 
 TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
-  RulerSurface surface(arrays_of(plate), nullptr);
+  RulerSurface surface(arrays_of(plate), {}, nullptr);
   const Picked from{{0.31, 0.22, 1e-8}, tolerance};
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
-  for (Answered how : {Answered::exactly, Answered::by_index}) {
+  for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
     const PathAnswer answer = surface.path(from, to, {});
     EXPECT_TRUE(answer.starts_on_surface && answer.ends_on_surface);
     EXPECT_EQ(answer.how, how);
@@ -43,7 +45,7 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
 
 TEST(RulerSurface, ManyTargetsFromManySources) {
   const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
-  RulerSurface surface(arrays_of(plate), nullptr);
+  RulerSurface surface(arrays_of(plate), {}, nullptr);
   for (double x : {0.5, 3.5, 0.5}) {
     for (double y : {0.1, 2.9, 1.0}) {
       const PathAnswer answer = surface.path({{x, 1.5, 0.0}, tolerance}, {{2.0, y, 0.0}, tolerance}, {});
@@ -53,7 +55,7 @@ TEST(RulerSurface, ManyTargetsFromManySources) {
 }
 
 TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
-  RulerSurface surface(arrays_of(test::plane_grid(4, 4, 1.0, 1.0).soup), nullptr);
+  RulerSurface surface(arrays_of(test::plane_grid(4, 4, 1.0, 1.0).soup), {}, nullptr);
   const Picked on{{0.5, 0.5, 0.0}, tolerance};
   const Picked above{{0.5, 0.5, 0.1}, tolerance};
   EXPECT_FALSE(surface.path(above, on, {}).starts_on_surface);
@@ -66,7 +68,7 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
   test::Soup far = test::plane_grid(4, 4, 1.0, 1.0).soup;
   for (Point& p : far.positions) p[0] += 3.0;
   const test::Soup both = test::two_components(test::plane_grid(4, 4, 1.0, 1.0).soup, far);
-  RulerSurface surface(arrays_of(both), nullptr);
+  RulerSurface surface(arrays_of(both), {}, nullptr);
   const Picked from{{0.5, 0.5, 0.0}, tolerance};
   for (int i = 0; i < 2; ++i) {
     const PathAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance}, {});
@@ -82,9 +84,9 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
 
 TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
   const test::Soup sphere = test::icosphere(3);
-  RulerSurface surface(arrays_of(sphere), nullptr);
+  RulerSurface surface(arrays_of(sphere), {}, nullptr);
   const Picked pole{sphere.positions[0], tolerance};
-  for (Answered how : {Answered::exactly, Answered::by_index}) {
+  for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
     const FieldAnswer field = surface.field(pole, {});
     EXPECT_EQ(field.how, how);
     // An inscribed polyhedron: shorter by about a third of a percent here.
@@ -98,13 +100,40 @@ TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
   }
 }
 
-TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromTheNearestVertex) {
+TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromThePointItself) {
   const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
-  ASSERT_GT(plate.positions.size(), static_cast<std::size_t>(max_exact_vertices));
-  RulerSurface surface(arrays_of(plate), nullptr);
-  const FieldAnswer field = surface.field({{1.002, 1.001, 0.0}, tolerance}, {});
-  EXPECT_EQ(field.how, Answered::quickly);
-  EXPECT_NEAR(field.distances[0], std::sqrt(2.0), 1e-3 * std::sqrt(2.0));
+  ASSERT_GT(plate.positions.size(), static_cast<std::size_t>(max_vertices_at_once));
+  RulerSurface surface(arrays_of(plate), {}, nullptr);
+  const Picked from{{1.005, 1.003, 0.0}, tolerance};  // half a cell from all vertices
+  const FieldAnswer field = surface.field(from, {});
+  EXPECT_EQ(field.how, AnswerMethod::quick);
+  double largest = 0.0;
+  for (std::size_t v = 0; v < plate.positions.size(); ++v) {
+    const double straight = distance_between(plate.positions[v], from.at);
+    largest = std::max(largest, std::abs(field.distances[v] / straight - 1.0));
+  }
+  EXPECT_LT(largest, 0.01);
+}
+
+TEST(RulerSurface, MeasuresOverTheGapsThatItBridges) {
+  const test::Shape plates = test::two_plates(4, 5, 0.01);
+  const Picked from{{0.4, 0.2, 0.0}, tolerance};
+  const Picked to{{1.7, 0.9, 0.0}, tolerance};
+  RulerSurface apart(arrays_of(plates.soup), {}, nullptr);
+  EXPECT_EQ(apart.path(from, to, {}).path.length, unreachable);
+  RulerSurface bridged(arrays_of(plates.soup), {0.02}, nullptr);
+  EXPECT_NEAR(bridged.path(from, to, {}).path.length, distance_between(from.at, to.at), 1e-9);
+  const FieldAnswer field = bridged.field(from, {});
+  const auto corner = plates.soup.positions.size() - 1;
+  EXPECT_NEAR(field.distances[corner], distance_between(from.at, plates.soup.positions[corner]), 1e-9);
+}
+
+TEST(RulerSurface, AnIndexThatIsBuiltForItAnswersFromThenOn) {
+  RulerSurface surface(arrays_of(test::icosphere(2)), {}, nullptr);
+  EXPECT_EQ(surface.index(), nullptr);
+  const auto index = surface.surface()->build_index();
+  EXPECT_EQ(surface.index(), index);
+  EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}, {}).how, AnswerMethod::index);
 }
 
 TEST(RulerSurface, ValuesOfIsolinesAreRound) {
@@ -122,7 +151,7 @@ TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
   VcgMeshArrays bad = arrays_of(test::plane_grid(2, 2, 1.0, 1.0).soup);
   bad.faces[0][1] = 77;
   RulerRequest request;
-  request.surface = std::make_shared<RulerSurface>(bad, nullptr);
+  request.surface = std::make_shared<RulerSurface>(bad, GapLimit{}, nullptr);
   for (bool is_field : {false, true}) {
     request.is_field = is_field;
     const RulerAnswer found = answer(request, {});
@@ -133,7 +162,8 @@ TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
 
 TEST(RulerRequests, APathComesAsALineOfItsLength) {
   RulerRequest request;
-  request.surface = std::make_shared<RulerSurface>(arrays_of(test::plane_grid(5, 5, 1.0, 1.0).soup), nullptr);
+  request.surface =
+      std::make_shared<RulerSurface>(arrays_of(test::plane_grid(5, 5, 1.0, 1.0).soup), GapLimit{}, nullptr);
   request.from = {{0.1, 0.1, 0.0}, tolerance};
   request.to = {{0.9, 0.7, 0.0}, tolerance};
   const RulerAnswer found = answer(request, {});
