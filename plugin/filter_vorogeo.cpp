@@ -108,7 +108,7 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
       log(GLLogStream::WARNING, sentence);
       return true;
     };
-    FilterCall call{document, *document.mm(), parameters, indexes_, progress_to(callback, warning), to_log};
+    FilterCall call{document, *document.mm(), parameters, *indexes_, progress_to(callback, warning), to_log};
     free_indexes_with(document);
     const FilterRow& applied = row(action);
     const vorogeo::plugin::KeptCost kept(call, applied);
@@ -133,15 +133,20 @@ void FilterVorogeo::free_indexes_with(MeshDocument& document) {
   connect(
       &document, &QObject::destroyed, this,
       [this, gone] {
-        indexes_.forget(gone);
+        indexes_->forget(gone);
         documents_.erase(gone);
       },
       Qt::DirectConnection);
 }
 
 EditTool* FilterVorogeo::make_ruler() {
-  return new vorogeo::plugin::RulerTool(indexes_,
-                                        [this](MeshDocument& document) { free_indexes_with(document); });
+  if (!rulers_) {
+    rulers_ = std::make_shared<vorogeo::plugin::RulerShared>(
+        indexes_, [plugin = QPointer<FilterVorogeo>(this)](MeshDocument& document) {
+          if (plugin) plugin->free_indexes_with(document);
+        });
+  }
+  return new vorogeo::plugin::RulerTool(rulers_);
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterVorogeo)

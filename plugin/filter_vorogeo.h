@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "host/filter_row.h"
 #include "host/host_api.h"
 #include "layers/index_cache.h"
+
+namespace vorogeo::plugin {
+class RulerShared;
+}
 
 /// All filters of VoroGeo. Nothing happens before a filter is applied: the host loads and unloads the library
 /// several times just to inspect it.
@@ -46,6 +51,7 @@ class FilterVorogeo : public QObject, public FilterPlugin, public vorogeo::plugi
   void free_indexes_with(MeshDocument& document);
 
   std::vector<vorogeo::plugin::FilterRow> rows_;
-  vorogeo::plugin::IndexCache indexes_;
-  std::set<const void*> documents_;  ///< documents whose destruction frees indexes
+  std::shared_ptr<vorogeo::plugin::IndexCache> indexes_ = std::make_shared<vorogeo::plugin::IndexCache>();
+  std::shared_ptr<vorogeo::plugin::RulerShared> rulers_;  ///< null as long as there is no ruler
+  std::set<const void*> documents_;                       ///< documents whose destruction frees indexes
 };

@@ -48,6 +48,16 @@ SurfacePath PathsFromPoint::path_to(const SurfacePoint& target, const Progress& 
   return path;
 }
 
+bool PathsFromPoint::reaches(const SurfacePoint& target) const {
+  const SurfacePoint end = validated(*mesh_, target);
+  if (component_of(*mesh_, source_) != component_of(*mesh_, end)) return true;
+  return reach_ > 0.0 && solver_.distance(end) <= reach_;
+}
+
+void PathsFromPoint::propagate_to(double distance, const Progress& progress) {
+  if (distance > reach_) extend(std::max(growth * reach_, beyond * distance), progress);
+}
+
 /// \return false if the reach was without bounds already.
 bool PathsFromPoint::extend(double reach, const Progress& progress) {
   if (reach_ == unreachable) return false;

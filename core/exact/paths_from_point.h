@@ -23,6 +23,12 @@ class PathsFromPoint {
   /// constant factor beyond the target.
   SurfacePath path_to(const SurfacePoint& target, const Progress& progress = {});
 
+  /// Whether path_to(target) needs no propagation. \throw InvalidInput for a point that is not on the mesh.
+  bool reaches(const SurfacePoint& target) const;
+  /// Propagates, if need be, so that targets up to this distance are reached. \throw Cancelled; nothing is
+  /// reached then.
+  void propagate_to(double distance, const Progress& progress = {});
+
   /// Distances up to this one are known.
   double reach() const { return reach_; }
 

@@ -7,6 +7,10 @@
 
 namespace vorogeo::plugin {
 
+void DragLog::asked(Time now) {
+  if (!asked_) asked_ = now;
+}
+
 void DragLog::computed(double seconds) {
   ++computed_;
   sum_ += seconds;
@@ -26,8 +30,11 @@ std::string DragLog::sentence(const std::string& what, const std::string& method
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << "Ruler: " << shown_ << ' ' << what << " shown in " << std::setprecision(3) << seconds << " s, "
-       << (shown_ - 1) / seconds << " a second, " << 1e3 * longest_ << " ms at most between two; " << method
-       << ", computed in " << 1e3 * sum_ / computed_ << " ms on average, " << 1e3 * slowest_ << " ms at most";
+       << (shown_ - 1) / seconds << " a second, " << 1e3 * longest_ << " ms at most between two";
+  if (asked_)
+    text << ", the first after " << 1e3 * std::chrono::duration<double>(first_ - *asked_).count() << " ms";
+  text << "; " << method << ", " << computed_ << " computed in " << 1e3 * sum_ / computed_
+       << " ms on average, " << 1e3 * slowest_ << " ms at most";
   return text.str();
 }
 

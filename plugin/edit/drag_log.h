@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace vorogeo::plugin {
@@ -12,6 +13,8 @@ class DragLog {
   using Time = std::chrono::steady_clock::time_point;
 
   void begin() { *this = {}; }
+  /// An answer is asked for.
+  void asked(Time now);
   /// An answer was computed; `seconds` of the worker.
   void computed(double seconds);
   /// The window shows an answer that it did not show before.
@@ -24,7 +27,8 @@ class DragLog {
   int shown_ = 0;
   double sum_ = 0.0;
   double slowest_ = 0.0;
-  double longest_ = 0.0;  ///< time between two frames
+  double longest_ = 0.0;       ///< time between two frames
+  std::optional<Time> asked_;  ///< the first time
   Time first_;
   Time last_;
 };

@@ -51,9 +51,7 @@ void RulerTool::keep_path(const RulerRequest& request, const RulerAnswer& found)
   measurement.to = found.path.to;
   measurement.method = method;
   measurement.path = found.lines;
-  measured_[layer_] = surface_->arrays();
-  const int number = measurements_.add(std::move(measurement));
-  if (dock_ != nullptr) dock_->show_measurements(measurements_);
+  const int number = measurements_->add(std::move(measurement), surface_->arrays());
   log(GLLogStream::FILTER, "Ruler: path " + std::to_string(number) +
                                (found.lines.lines.points.empty()
                                     ? ": no path, the points lie in different components"
@@ -118,7 +116,7 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
                          const IndexPreparation::Result& result) {
   if (document_ == nullptr) return;
   if (result.index) {
-    indexes_.put(surface->arrays(), surface->gap(), result.index, document_);
+    shared_->indexes().put(surface->arrays(), surface->gap(), result.index, document_);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");
@@ -131,18 +129,14 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
 }
 
 void RulerTool::copy() const {
-  QApplication::clipboard()->setText(QString::fromStdString(measurements_.table()));
+  QApplication::clipboard()->setText(QString::fromStdString(measurements_->list().table()));
 }
 
-void RulerTool::remove(const std::vector<int>& numbers) {
-  for (int number : numbers) measurements_.remove(number);
-  if (dock_ != nullptr) dock_->show_measurements(measurements_);
-  repaint();
-}
+void RulerTool::remove(const std::vector<int>& numbers) { measurements_->remove(numbers); }
 
 /// The file first: if it cannot be written, no layer is added.
 void RulerTool::save() {
-  if (document_ == nullptr || document_->mm() == nullptr || measurements_.all().empty()) return;
+  if (document_ == nullptr || document_->mm() == nullptr || measurements_->list().all().empty()) return;
   const MeshModel& layer = *document_->mm();
   const QFileInfo mesh_file(layer.fullName());
   const QString name = QFileDialog::getSaveFileName(
@@ -151,7 +145,7 @@ void RulerTool::save() {
       "Comma-separated values (*.csv)");
   if (name.isEmpty() || document_ == nullptr || document_->mm() != &layer) return;
   QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_.csv());
+  const QByteArray text = QByteArray::fromStdString(measurements_->list().csv());
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
     QMessageBox::warning(
         area_, "Geodesic ruler",
@@ -159,8 +153,8 @@ void RulerTool::save() {
     return;
   }
   log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
-  if (measurements_.has_path_on(layer_)) {
-    const PathLines paths = measurements_.lines_on(layer_);
+  if (measurements_->list().has_path_on(layer_)) {
+    const PathLines paths = measurements_->list().lines_on(layer_);
     add_polyline_layer(*document_, layer, "Geodesic measurements", paths.lines, paths.along, false);
     QMetaObject::invokeMethod(area_, "updateLayerTable");
   }

@@ -69,14 +69,14 @@ bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
   return found.distance <= picked.tolerance;
 }
 
-SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePoint& target,
-                                     const Progress& progress) {
-  if (!exact_paths_) exact_paths_ = std::make_unique<PathsFromPoint>(surface()->geometry());
-  if (exact_source_ != source) {
-    exact_paths_->reset(source);
-    exact_source_ = source;
+SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
+  if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(surface()->geometry());
+  try {
+    return exact_paths_->path(source, target);
+  } catch (...) {
+    exact_paths_.reset();  // what was interrupted is not used again
+    throw;
   }
-  return exact_paths_->path_to(target, progress);
 }
 
 PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progress& progress) {
@@ -91,7 +91,7 @@ PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progre
   answer.to = position_of(*surface->mesh(), target);
   answer.how = surface->at_once(false);
   if (answer.how == AnswerMethod::exact) {
-    answer.path = exact_path(source, target, progress);
+    answer.path = exact_path(source, target);
   } else {
     exact_paths_.reset();
     Answered answered;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "choice/surface.h"
+#include "edit/drag_paths.h"
 #include "edit/picked.h"
-#include "exact/paths_from_point.h"
 #include "mesh/gap_bridges.h"
 #include "mesh/surface_locator.h"
 #include "mesh/vcg_adapter.h"
@@ -67,9 +67,12 @@ class RulerSurface {
   PathAnswer path(const Picked& from, const Picked& to, const Progress& progress);
   FieldAnswer field(const Picked& from, const Progress& progress);
 
+  /// Ends what goes on between answers. Only while no answer is being computed.
+  void rest() { exact_paths_.reset(); }
+
  private:
   bool snap(const Picked& picked, SurfacePoint& point);
-  SurfacePath exact_path(const SurfacePoint& source, const SurfacePoint& target, const Progress& progress);
+  SurfacePath exact_path(const SurfacePoint& source, const SurfacePoint& target);
 
   const VcgMeshArrays arrays_;
   const GapLimit gap_;
@@ -79,8 +82,7 @@ class RulerSurface {
 
   // The worker's.
   std::unique_ptr<SurfaceLocator> locator_;
-  std::unique_ptr<PathsFromPoint> exact_paths_;
-  SurfacePoint exact_source_;
+  std::unique_ptr<DragPaths> exact_paths_;
 };
 
 }  // namespace vorogeo::plugin

@@ -37,9 +37,8 @@ SurfaceLines shown_lines(const SurfaceLines& path, const Point& from, const Poin
 
 }  // namespace
 
-RulerTool::RulerTool(IndexCache& indexes, std::function<void(MeshDocument&)> keep_indexes_with)
-    : indexes_(indexes),
-      keep_indexes_with_(std::move(keep_indexes_with)),
+RulerTool::RulerTool(std::shared_ptr<RulerShared> shared)
+    : shared_(std::move(shared)),
       worker_([](const RulerRequest& request, const Progress& progress) { return answer(request, progress); },
               [this](RulerRequest request, RulerAnswer found) {
                 QMetaObject::invokeMethod(
@@ -55,6 +54,7 @@ RulerTool::RulerTool(IndexCache& indexes, std::function<void(MeshDocument&)> kee
 
 RulerTool::~RulerTool() {
   stop();
+  if (measurements_) measurements_->unwatch(this);
   delete dock_;
 }
 
@@ -65,7 +65,8 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   document_ = &document;
   context_ = context;
   setLog(&document.Log);
-  keep_indexes_with_(document);
+  shared_->keep_indexes_with(document);
+  measurements_ = shared_->measurements_of(document);
   if (dock_ == nullptr) {
     dock_ = new RulerDock(area_->window(), {[this] { prepare(); },
                                             [this] {
@@ -82,13 +83,17 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   area_->installEventFilter(dock_);
   area_->setCursor(Qt::CrossCursor);
   read_layer();
-  dock_->show_measurements(measurements_);
+  measurements_->watch(this, [this] {
+    if (dock_ != nullptr) dock_->show_measurements(measurements_->list());
+    repaint();
+  });
   show_status();
   return true;
 }
 
 void RulerTool::endEdit(MeshDocument&, GLArea*, MLSceneGLSharedDataContext*) {
   stop();
+  if (measurements_) measurements_->unwatch(this);
   if (dock_ != nullptr) dock_->hide();
   if (area_ == nullptr) return;
   area_->removeEventFilter(dock_);
@@ -110,6 +115,7 @@ void RulerTool::stop() {
   ticks_.stop();
   preparation_.cancel();
   worker_.stop();
+  if (surface_) surface_->rest();
 }
 
 /// The current layer as it is now. If it is not the one that was read last, nothing of that is used any more.
@@ -121,16 +127,9 @@ void RulerTool::read_layer() {
     try {
       const LayerMesh mesh(layer->cm);
       const VcgMeshArrays& arrays = mesh.arrays();
-      auto is_same = [&](const VcgMeshArrays& other) {
-        return other.positions == arrays.positions && other.faces == arrays.faces;
-      };
-      const auto measured = measured_.find(layer->id());
-      if (measured != measured_.end() && !is_same(measured->second)) {
-        measurements_.mesh_has_changed(layer->id());
-        measured_.erase(measured);
-      }
-      const auto index = indexes_.find(arrays, mesh.gap(), document_);
-      if (surface_ && layer_ == layer->id() && is_same(surface_->arrays())) {
+      measurements_->compare(layer->id(), arrays);
+      const auto index = shared_->indexes().find(arrays, mesh.gap(), document_);
+      if (surface_ && layer_ == layer->id() && is_same_mesh(surface_->arrays(), arrays)) {
         now = surface_;
         if (index && !surface_->index()) surface_->use(index);
       } else {
@@ -152,7 +151,6 @@ void RulerTool::read_layer() {
     const Picked anywhere{surface_->arrays().positions.front(), unreachable};
     worker_.post({surface_, -1, false, false, anywhere, anywhere});
   }
-  if (dock_ != nullptr) dock_->show_measurements(measurements_);
 }
 
 void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
@@ -201,6 +199,7 @@ void RulerTool::ask() {
   if (is_asked) {
     RulerRequest request{surface_, drag.number, drag.is_field, is_last, drag.is_field ? *drag.to : *drag.from,
                          *drag.to};
+    log_.asked(std::chrono::steady_clock::now());
     if (is_last) {
       worker_.post_kept(std::move(request));
     } else {
@@ -255,7 +254,7 @@ void RulerTool::draw(const Transform& transform) {
     overlay.surface(field_);
     overlay.lines(live_->field.lines.lines, isoline_color, isoline_width, false);
   }
-  for (const Measurement& measurement : measurements_.all()) {
+  for (const Measurement& measurement : measurements_->list().all()) {
     if (measurement.layer != layer_) continue;
     const SurfaceLines& path = measurement.path.lines;
     overlay.lines(shown_lines(path, measurement.from, measurement.to),
@@ -274,7 +273,7 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
   auto add = [&](const Point& at, const QString& text) {
     if (const auto pixel = view.pixel_of(at)) found.push_back({*pixel, text});
   };
-  for (const Measurement& measurement : measurements_.all()) {
+  for (const Measurement& measurement : measurements_->list().all()) {
     if (measurement.layer != layer_) continue;
     const auto cells = Measurements::row(measurement);
     add(measurement.to, QString("%1: %2").arg(measurement.number).arg(QString::fromStdString(cells[1])));

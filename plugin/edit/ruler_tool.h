@@ -4,20 +4,17 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "edit/drag_log.h"
 #include "edit/index_preparation.h"
-#include "edit/measurements.h"
 #include "edit/newest_request.h"
 #include "edit/overlay.h"
 #include "edit/ruler_dock.h"
 #include "edit/ruler_requests.h"
+#include "edit/ruler_shared.h"
 #include "host/edit_host.h"
-#include "layers/index_cache.h"
 
 namespace vorogeo::plugin {
 
@@ -25,8 +22,7 @@ namespace vorogeo::plugin {
 /// and computes nothing. Belongs to the view in which it was first started.
 class RulerTool : public QObject, public EditTool {
  public:
-  /// `keep_indexes_with`: indexes are freed with that document. Both outlive the tool.
-  RulerTool(IndexCache& indexes, std::function<void(MeshDocument&)> keep_indexes_with);
+  explicit RulerTool(std::shared_ptr<RulerShared> shared);
   ~RulerTool() override;
 
   using EditTool::decorate;
@@ -74,8 +70,7 @@ class RulerTool : public QObject, public EditTool {
   void show_status();
   void repaint();
 
-  IndexCache& indexes_;
-  const std::function<void(MeshDocument&)> keep_indexes_with_;
+  const std::shared_ptr<RulerShared> shared_;
   QPointer<QWidget> area_;
   QPointer<MeshDocument> document_;
   MLSceneGLSharedDataContext* context_ = nullptr;
@@ -84,9 +79,8 @@ class RulerTool : public QObject, public EditTool {
 
   int layer_ = -1;  ///< the host's number of the layer that is measured
   std::shared_ptr<RulerSurface> surface_;
-  QString why_not_;  ///< without a surface
-  Measurements measurements_;
-  std::map<int, VcgMeshArrays> measured_;  ///< by layer, the mesh of its measurements
+  QString why_not_;                                     ///< without a surface
+  std::shared_ptr<DocumentMeasurements> measurements_;  ///< not null once the tool was started
 
   int drags_ = 0;
   std::optional<Drag> drag_;

@@ -15,6 +15,7 @@ from .on_mesh import OnMesh
 from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
 
+
 @dataclass(frozen=True, repr=False)
 class GeodesicPath:
     """A shortest path over the surface.

@@ -58,6 +58,26 @@ TEST(PathsFromPoint, ReachCoversTheTargetAndStaysUntilTheSourceChanges) {
   EXPECT_EQ(paths.reach(), 0.0);
 }
 
+TEST(PathsFromPoint, IsPropagatedAsFarAsAskedFor) {
+  const auto mesh = test::make_mesh(test::plane_grid(20, 20, 10.0, 10.0).soup);
+  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  const auto near = SurfacePoint::at_vertex(4);  // 2 away
+  const auto far = SurfacePoint::at_vertex(20);  // 10 away
+  paths.reset(SurfacePoint::at_vertex(0));
+  EXPECT_FALSE(paths.reaches(near));
+  paths.propagate_to(3.0);
+  EXPECT_TRUE(paths.reaches(near));
+  EXPECT_FALSE(paths.reaches(far));
+  const double reach = paths.reach();
+  paths.propagate_to(2.0);
+  EXPECT_NEAR(paths.path_to(near).length, 2.0, 1e-12);
+  EXPECT_EQ(paths.reach(), reach);
+  paths.propagate_to(unreachable);
+  EXPECT_TRUE(paths.reaches(far));
+  paths.reset(SurfacePoint::at_vertex(7));
+  EXPECT_FALSE(paths.reaches(near));
+}
+
 TEST(PathsFromPoint, SourceItselfAndOtherComponent) {
   const auto grid = test::plane_grid(3, 3, 1.0, 1.0).soup;
   test::Soup far = grid;

@@ -12,14 +12,15 @@ TEST(DragLog, FramesASecondAreThoseBetweenTheFirstAndTheLast) {
   DragLog log;
   log.begin();
   const DragLog::Time start{};
+  log.asked(start - milliseconds(85));
+  log.asked(start);
   for (int i = 0; i <= 20; ++i) {
     log.computed(i == 3 ? 0.011 : 0.001);
     log.shown(start + milliseconds(i < 20 ? 20 * i : 500));
   }
   EXPECT_EQ(log.sentence("paths", "exact"),
-            "Ruler: 21 paths shown in 0.5 s, 40 a second, 120 ms at most between two; exact, computed in "
-            "1.48 ms on "
-            "average, 11 ms at most");
+            "Ruler: 21 paths shown in 0.5 s, 40 a second, 120 ms at most between two, the first after 85 ms; "
+            "exact, 21 computed in 1.48 ms on average, 11 ms at most");
 }
 
 TEST(DragLog, OneFrameSaysNothing) {
