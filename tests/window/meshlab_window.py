@@ -194,6 +194,13 @@ class MeshLabWindow(Screen):
         text = "\n".join(node.get_name() for node in self.find(Atspi.Role.LABEL, top=box) if node.get_name())
         return text
 
+    def apply_at_once(self, name: str) -> None:
+        """Apply a filter without parameters, or with those that it begins with."""
+        dialog = self.open_filter(name)
+        if dialog is not None:
+            self.apply(dialog)
+            self.close(dialog)
+
     def dismiss(self) -> None:
         """Close a message box with Return."""
         self.keys("Return")
@@ -213,14 +220,16 @@ class MeshLabWindow(Screen):
         self.click(wait_for(f"the layer {name}", cell))
         wait_for(f"the layer {name} to be current", lambda: cell().get_state_set().contains(Atspi.StateType.SELECTED))
 
-    def choose_in_menu(self, menu: str, entry: str) -> None:
-        """Click an entry of a menu of the menu bar."""
+    def choose_in_menu(self, menu: str, *entries: str) -> None:
+        """Click an entry of a menu of the menu bar, or of the menus below it."""
         before = self.windows()
         bar = next(node for node in self.nodes() if node.get_role() == Atspi.Role.MENU_BAR)
         top = next(node for node in self.nodes(bar) if node.get_name() == menu)
         self.click(top)
         wait_for(f"the menu {menu}", lambda: self.windows() - before)
-        self.click(next(node for node in self.nodes(top) if node.get_name() == entry))
+        for entry in entries:
+            named = [node for node in self.nodes(top) if node.get_name() == entry]
+            self.click(wait_for(f"the entry {entry}", lambda named=named: next(filter(self._is_showing, named), None)))
 
     def give_file(self, title: str, file: Path) -> None:
         """Type the name of a file into the dialog of this title that asks for one."""

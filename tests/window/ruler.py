@@ -100,13 +100,6 @@ class RulerWindow(MeshLabWindow):
         """Wait until the table has so many rows."""
         wait_for(f"{count} measurements", lambda: len(self.rows()) == count, 60, self.is_alive)
 
-    def apply_at_once(self, name: str) -> None:
-        """Apply a filter without parameters, or with those that it begins with."""
-        dialog = self.open_filter(name)
-        if dialog is not None:
-            self.apply(dialog)
-            self.close(dialog)
-
     def pasted(self, title: str) -> str:
         """What the clipboard holds, seen in a dialog that asks for a file; its field shows line ends as other signs."""
         wait_for(f"the dialog {title}", lambda: self.dialog(title))
@@ -250,6 +243,12 @@ class Ruler:
         window.toggle()
         self.note(window, "layer deleted")
         window.drag(SPHERE_LEFT, SPHERE_RIGHT)
+        window.wait_for_rows(3)
+        window.toggle()
+        window.choose_in_menu("Windows", "Split current view", "Vertically")
+        window.drag(PLATE_RIGHT, PLATE_RIGHT)  # makes the second view the current one
+        window.toggle()
+        self.note(window, "second view")
         window.choose_in_menu("File", "Close Project")
         window.close_without_saving()
         time.sleep(2.0)
@@ -263,10 +262,12 @@ class Ruler:
             window.toggle()
             there_and_back = (LARGE_LEFT, LARGE_RIGHT, LARGE_LEFT, LARGE_RIGHT)
             for key in ("exact", "with index"):
-                for _ in range(2):  # the first drag also reads the mesh
-                    already = len(window.ruler_lines())
+                for _ in range(2):
+                    already, before = len(window.ruler_lines()), window.processor_seconds()
                     window.drag(*there_and_back, pause=0.015)
                     window.wait_for_line("path", already)
+                after = window.processor_seconds()
+                self.seen[f"processor seconds {key}"] = {kind: after[kind] - before[kind] for kind in after}
                 self.note(window, f"large {key}")
                 self.seen[f"status {key}"] = window.status()
                 if key == "exact":

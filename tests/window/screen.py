@@ -171,6 +171,17 @@ class Screen:
         """Whether the program still runs."""
         return self.process.poll() is None
 
+    def processor_seconds(self) -> dict[str, float]:
+        """Time that the program has taken of the processor: the window's thread, those that draw, all others."""
+        seconds = {"window": 0.0, "drawing": 0.0, "others": 0.0}
+        for task in Path(f"/proc/{self.process.pid}/task").iterdir():
+            name, _, fields = (task / "stat").read_text().partition("(")[2].rpartition(")")
+            kind = "drawing" if name.startswith("llvmpipe") else "others"
+            kind = "window" if task.name == str(self.process.pid) else kind
+            ticks = sum(int(fields.split()[i]) for i in (11, 12))
+            seconds[kind] += ticks / os.sysconf("SC_CLK_TCK")
+        return seconds
+
     # What is on the screen
 
     def nodes(

@@ -125,6 +125,12 @@ def test_measurements_are_kept_and_removed_one_by_one(seen):
     assert tables["deleted"] == tables["sphere"][:2]
 
 
+def test_all_views_of_a_document_share_one_list(seen):
+    tables = seen["tables"]
+    assert [row[0] for row in tables["second view"]] == ["1", "2", "4"]
+    assert tables["second view"][:2] == tables["layer deleted"][:2]
+
+
 def test_the_table_is_copied(seen):
     assert all(name in seen["copied"] for name in ("No.", "Length", "Straight", "Ratio", "Method"))
     assert all(cell in seen["copied"] for row in seen["tables"]["sphere"] for cell in row)
