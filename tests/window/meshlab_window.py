@@ -229,7 +229,7 @@ class MeshLabWindow(Screen):
         wait_for(f"the menu {menu}", lambda: self.windows() - before)
         for entry in entries:
             named = [node for node in self.nodes(top) if node.get_name() == entry]
-            self.click(wait_for(f"the entry {entry}", lambda named=named: next(filter(self._is_showing, named), None)))
+            self.click(wait_for(f"the entry {entry}", lambda named=named: next(filter(self.is_showing, named), None)))
 
     def give_file(self, title: str, file: Path) -> None:
         """Type the name of a file into the dialog of this title that asks for one."""
