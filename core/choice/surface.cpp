@@ -128,7 +128,8 @@ AnswerMethod Surface::choose(AnswerMethod method, bool is_field, Answered& answe
       spent_.give_up();
       return AnswerMethod::exact;
     }
-    answered.remark = "Exact answers have taken as long as building an index, which now answers.";
+    answered.remark =
+        "Exact answers have taken as long as building an index: it was built and gives all further answers.";
   } else if (method == AnswerMethod::index && !index()) {
     build_index(progress.part(0.0, 0.9));
   } else {

@@ -18,7 +18,7 @@ namespace vorogeo {
 
 /// How an answer is found.
 enum class AnswerMethod : std::uint8_t {
-  automatic,  ///< as a request: the index if there is one, else what RentOrBuy says
+  automatic,  ///< a request only: the index if there is one, else what RentOrBuy says
   index,      ///< the index, built if there is none
   exact,      ///< exact propagation
   quick       ///< virtual sources; fields only
@@ -27,8 +27,8 @@ enum class AnswerMethod : std::uint8_t {
 /// "automatic", "index", "exact" or "quick".
 const char* to_string(AnswerMethod method);
 
-/// Above this number of vertices, a field that is left to choose is a quick one where there is no index: an
-/// exact one takes more than some ten seconds.
+/// Above this number of vertices, an automatic field is a quick one where there is no index: an exact one
+/// takes more than some ten seconds.
 inline constexpr Index max_vertices_exact = 2000000;
 
 /// The same for an answer that is wanted at once, while a mouse moves.
@@ -47,7 +47,7 @@ class Surface {
  public:
   /// `options`: of the index, if one is built. Its threads are also those of a field from it.
   explicit Surface(std::shared_ptr<const Mesh> mesh, const IndexOptions& options = {});
-  /// With an index that exists already, or null; and what was spent on this mesh before.
+  /// With an index that exists already, or null, and what exact answers on this mesh have taken before.
   Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,
           const RentOrBuy& spent, const IndexOptions& options = {});
 
@@ -59,8 +59,8 @@ class Surface {
   /// What all exact solvers on this mesh share, made when it is first asked for.
   std::shared_ptr<const ExactGeometry> geometry();
   RentOrBuy spent() const;
-  /// What answers without a wait to speak of, and builds nothing: the index if there is one, otherwise paths
-  /// exactly, and fields exactly or, on meshes of more than max_vertices_at_once vertices, quickly.
+  /// What answers without a noticeable wait and builds nothing: the index if there is one; otherwise paths
+  /// and fields are exact, and on meshes of more than max_vertices_at_once vertices fields are quick.
   AnswerMethod at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;

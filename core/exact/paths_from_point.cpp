@@ -11,8 +11,8 @@ namespace {
 
 /// The reach grows at least by this factor.
 constexpr double growth = 1.5;
-/// The reach around a target is larger than its straight distance by this factor: targets move on.
-constexpr double beyond = 1.25;
+/// The reach is larger than the distance of the target by this factor, as the next one may be farther away.
+constexpr double reach_slack = 1.25;
 
 Index component_of(const Mesh& mesh, const SurfacePoint& point) {
   return mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0]);
@@ -38,7 +38,7 @@ SurfacePath PathsFromPoint::path_to(const SurfacePoint& target, const Progress& 
   while (!(distance <= reach_)) {
     // A distance beyond the reach is an upper bound, so that this much suffices.
     const double enough = distance < unreachable ? distance : straight;
-    if (!extend(std::max(growth * reach_, beyond * enough), progress)) break;
+    if (!extend(std::max(growth * reach_, reach_slack * enough), progress)) break;
     distance = solver_.distance(end);
   }
   path = solver_.path_to_source(end);
@@ -55,7 +55,7 @@ bool PathsFromPoint::reaches(const SurfacePoint& target) const {
 }
 
 void PathsFromPoint::propagate_to(double distance, const Progress& progress) {
-  if (distance > reach_) extend(std::max(growth * reach_, beyond * distance), progress);
+  if (distance > reach_) extend(std::max(growth * reach_, reach_slack * distance), progress);
 }
 
 /// \return false if the reach was without bounds already.

@@ -42,7 +42,7 @@ class DragPaths {
   SurfacePoint source_;
   std::thread thread_;
   std::atomic<bool> is_propagating_ = false;
-  std::atomic<bool> has_failed_ = false;  ///< for want of memory: corridors go on
+  std::atomic<bool> has_failed_ = false;  ///< no memory was left: all paths are searched in corridors
   std::atomic<bool> cancel_ = false;
 };
 

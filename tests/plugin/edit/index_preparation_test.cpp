@@ -1,4 +1,4 @@
-// Building an index on the side: its result, cancelling, and errors as sentences.
+// Building an index in the background: its result, cancelling, and errors as sentences.
 #include "edit/index_preparation.h"
 
 #include <gtest/gtest.h>
