@@ -14,6 +14,7 @@ import sample_meshes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
 pytest.importorskip("scipy")
+pytest.importorskip("matplotlib")
 import bench
 import choosing
 import measure

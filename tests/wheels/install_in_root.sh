@@ -20,9 +20,10 @@ wheel="$(ls "$dist"/*"$tag"*.whl)"
 "$venv/bin/pip" install "$wheel"
 "$venv/bin/python" -c "import vorogeo; print(vorogeo.__version__, vorogeo.__file__)"  # with nothing but numpy
 "$venv/bin/vorogeo" --version
-numpy_bound=numpy
+numpy_bound=numpy extras=test
+[ "$part" != numpy ] || extras=test,dask
 [ "$pymeshlab" != 2022.2.post4 ] || numpy_bound='numpy<2'
-"$venv/bin/pip" install --only-binary :all: "$wheel[test]" "$numpy_bound"
+"$venv/bin/pip" install --only-binary :all: "$wheel[$extras]" "$numpy_bound"
 if [ "$part" = numpy ]; then
   "$venv/bin/python" -m pytest -q -rs -p no:cacheprovider /project/tests/python
   exit
