@@ -27,6 +27,8 @@ double along_segment(const Point& p, const Point& a, const Point& b) {
   return square > 0.0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0.0;
 }
 
+}  // namespace
+
 std::array<double, 3> nearest_weights(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point ab = minus(b, a);
   const Point ac = minus(c, a);
@@ -65,6 +67,8 @@ std::array<double, 3> nearest_weights(const Point& p, const Point& a, const Poin
   }
   return best;
 }
+
+namespace {
 
 double square_to_box(const Point& p, const Point& low, const Point& high) {
   double sum = 0.0;

@@ -8,6 +8,9 @@
 
 namespace vorogeo {
 
+/// Weights of the corners a, b, c in the point of their triangle that is nearest to p.
+std::array<double, 3> nearest_weights(const Point& p, const Point& a, const Point& b, const Point& c);
+
 /// A surface point and how far it is from the point it was found for.
 struct SnappedPoint {
   SurfacePoint point;

@@ -1,10 +1,11 @@
 // Fast marching on triangles: a plane wave through each triangle, in order of arrival.
+#include "methods/fast_marching.h"
+
 #include <cmath>
 #include <queue>
 #include <utility>
 
 #include "methods/method_table.h"
-#include "methods/obtuse_corners.h"
 #include "support/checkpoint.h"
 
 namespace vorogeo {
@@ -32,79 +33,70 @@ double arrival(double low, double high, double to_low, double to_high, double co
   return std::fmin(low + t, along_edges);
 }
 
-class FastMarching final : public GeodesicMethod {
- public:
-  explicit FastMarching(const std::shared_ptr<const Mesh>& mesh)
-      : mesh_(mesh), triangles_(marching_triangles(*mesh)) {
-    // The triangles in which a vertex is one of those with a value.
-    const Index count = mesh->vertex_count();
-    begin_.assign(static_cast<std::size_t>(count) + 1, 0);
-    for (const auto& t : triangles_) {
-      ++begin_[t.first + 1];
-      ++begin_[t.second + 1];
-    }
-    for (Index v = 0; v < count; ++v) begin_[v + 1] += begin_[v];
-    seen_from_.resize(begin_.back());
-    std::vector<std::size_t> place(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      seen_from_[place[triangles_[i].first]++] = i;
-      seen_from_[place[triangles_[i].second]++] = i;
-    }
+/// The value that a triangle gives its corner, by the accepted ones of its other vertices.
+double through(const MarchingTriangle& t, const std::vector<double>& value,
+               const std::vector<std::uint8_t>& accepted) {
+  if (accepted[t.first] == 0) return value[t.second] + t.to_second;
+  if (accepted[t.second] == 0) return value[t.first] + t.to_first;
+  if (value[t.first] <= value[t.second]) {
+    return arrival(value[t.first], value[t.second], t.to_first, t.to_second, t.cosine);
   }
-
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Fast marching");
-    const auto count = static_cast<std::size_t>(mesh_->vertex_count());
-    std::vector<double> value(count, unreachable);
-    std::vector<std::uint8_t> accepted(count, 0);
-    using Item = std::pair<double, Index>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    for (Index source : sources) {
-      value[source] = 0.0;
-      queue.push({0.0, source});
-    }
-    Index taken = 0;
-    while (!queue.empty()) {
-      const Index vertex = queue.top().second;
-      queue.pop();
-      if (accepted[vertex] != 0) continue;
-      accepted[vertex] = 1;
-      if (++taken % elements_per_checkpoint == 0) checkpoint();
-      for (std::size_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
-        const MarchingTriangle& t = triangles_[seen_from_[i]];
-        if (accepted[t.vertex] != 0) continue;
-        const double found = through(t, value, accepted);
-        if (found < value[t.vertex]) {
-          value[t.vertex] = found;
-          queue.push({found, t.vertex});
-        }
-      }
-    }
-    return value;
-  }
-  std::size_t bytes() const override {
-    return bytes_of(triangles_) + bytes_of(begin_) + bytes_of(seen_from_) +
-           static_cast<std::size_t>(mesh_->vertex_count()) * (sizeof(double) + 1);
-  }
-
- private:
-  static double through(const MarchingTriangle& t, const std::vector<double>& value,
-                        const std::vector<std::uint8_t>& accepted) {
-    if (accepted[t.first] == 0) return value[t.second] + t.to_second;
-    if (accepted[t.second] == 0) return value[t.first] + t.to_first;
-    if (value[t.first] <= value[t.second]) {
-      return arrival(value[t.first], value[t.second], t.to_first, t.to_second, t.cosine);
-    }
-    return arrival(value[t.second], value[t.first], t.to_second, t.to_first, t.cosine);
-  }
-
-  std::shared_ptr<const Mesh> mesh_;
-  std::vector<MarchingTriangle> triangles_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::size_t> seen_from_;
-};
+  return arrival(value[t.second], value[t.first], t.to_second, t.to_first, t.cosine);
+}
 
 }  // namespace
+
+FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh)
+    : vertices_(mesh->vertex_count()), triangles_(marching_triangles(*mesh)) {
+  // The triangles in which a vertex is one of those with a value.
+  begin_.assign(static_cast<std::size_t>(vertices_) + 1, 0);
+  for (const auto& t : triangles_) {
+    ++begin_[t.first + 1];
+    ++begin_[t.second + 1];
+  }
+  for (Index v = 0; v < vertices_; ++v) begin_[v + 1] += begin_[v];
+  seen_from_.resize(begin_.back());
+  std::vector<std::size_t> place(begin_.begin(), begin_.end() - 1);
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    seen_from_[place[triangles_[i].first]++] = i;
+    seen_from_[place[triangles_[i].second]++] = i;
+  }
+}
+
+std::vector<double> FastMarching::field(std::span<const Index> sources, const Progress& progress) {
+  const Watch watch(progress, "Fast marching");
+  std::vector<double> value(vertices_, unreachable);
+  std::vector<std::uint8_t> accepted(vertices_, 0);
+  using Item = std::pair<double, Index>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  for (Index source : sources) {
+    value[source] = 0.0;
+    queue.push({0.0, source});
+  }
+  Index taken = 0;
+  while (!queue.empty()) {
+    const Index vertex = queue.top().second;
+    queue.pop();
+    if (accepted[vertex] != 0) continue;
+    accepted[vertex] = 1;
+    if (++taken % elements_per_checkpoint == 0) checkpoint();
+    for (std::size_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
+      const MarchingTriangle& t = triangles_[seen_from_[i]];
+      if (accepted[t.vertex] != 0) continue;
+      const double found = through(t, value, accepted);
+      if (found < value[t.vertex]) {
+        value[t.vertex] = found;
+        queue.push({found, t.vertex});
+      }
+    }
+  }
+  return value;
+}
+
+std::size_t FastMarching::bytes() const {
+  return bytes_of(triangles_) + bytes_of(begin_) + bytes_of(seen_from_) +
+         static_cast<std::size_t>(vertices_) * (sizeof(double) + 1);
+}
 
 MethodEntry fast_marching_entry() {
   return {{"fast_marching",

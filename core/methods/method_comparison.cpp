@@ -150,6 +150,14 @@ std::string MethodRequest::text() const {
   return list.empty() ? name : name + "(" + list + ")";
 }
 
+MethodRequest with_gap(MethodRequest request, const GapLimit& limit) {
+  const auto& options = method_named(request.name).info.options;
+  if (std::ranges::find(options, "gap", &MethodOption::name) != options.end() && limit.length > 0.0) {
+    request.options.try_emplace("gap", limit.length);
+  }
+  return request;
+}
+
 std::vector<MethodRequest> parse_methods(const std::string& text) {
   std::vector<MethodRequest> requests;
   if (trimmed(text) == "all") {

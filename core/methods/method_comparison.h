@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/gap_bridges.h"
 #include "methods/method_table.h"
 
 namespace vorogeo {
@@ -16,6 +17,10 @@ struct MethodRequest {
   /// As it is written: svg(K=100).
   std::string text() const;
 };
+
+/// The request, where the method finds its own ways across gaps (an option `gap`) and was not told which: of
+/// those that the mesh was bridged with.
+MethodRequest with_gap(MethodRequest request, const GapLimit& limit);
 
 /// Reads a list such as "vorogeo, svg(K=100), heat(time_step=2, delaunay=1)"; "all" stands for all methods
 /// but those that warn. \throw InvalidInput for what cannot be read, an unknown name or option, a value out

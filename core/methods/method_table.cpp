@@ -52,8 +52,9 @@ MethodOptions completed_options(const MethodInfo& info, const MethodOptions& giv
 
 const std::vector<MethodEntry>& all_methods() {
   static const std::vector<MethodEntry> methods{
-      vorogeo_entry(), mmp_entry(), ch_entry(),  ich_entry(), ammp_entry(), fast_marching_entry(),
-      heat_entry(),    svg_entry(), dgg_entry(), gsp_entry(), stvd_entry(), dijkstra_entry()};
+      vorogeo_entry(), mmp_entry(),     ch_entry(),  ich_entry(), ammp_entry(), fast_marching_entry(),
+      heat_entry(),    svg_entry(),     dgg_entry(), gsp_entry(), gtu_entry(),  campen_kobbelt_entry(),
+      stvd_entry(),    dijkstra_entry()};
   return methods;
 }
 

@@ -15,6 +15,8 @@ MethodEntry heat_entry();
 MethodEntry svg_entry();
 MethodEntry dgg_entry();
 MethodEntry gsp_entry();
+MethodEntry gtu_entry();
+MethodEntry campen_kobbelt_entry();
 MethodEntry stvd_entry();
 MethodEntry dijkstra_entry();
 MethodEntry vorogeo_entry();

@@ -1,4 +1,6 @@
 // Filter: where and by how much two geodesic methods differ, from one source, as a signed error map.
+#include "methods/method_comparison.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -16,7 +18,6 @@
 #include "layers/index_of_layer.h"
 #include "layers/parameters.h"
 #include "layers/start_vertex.h"
-#include "methods/method_table.h"
 #include "support/error.h"
 #include "tasks/field_difference.h"
 
@@ -108,11 +109,11 @@ MethodField exact_field(const std::shared_ptr<const Mesh>& mesh, Index source, c
   return field;
 }
 
-MethodField further_field(const MethodInfo& info, const std::shared_ptr<const Mesh>& mesh, Index source,
+MethodField further_field(const MethodRequest& request, const std::shared_ptr<const Mesh>& mesh, Index source,
                           const Progress& progress) {
   MethodField field;
   auto start = Clock::now();
-  const auto method = prepare_method(info.name, mesh, {}, progress.part(0.0, 0.5));
+  const auto method = prepare_method(request.name, mesh, request.options, progress.part(0.0, 0.5));
   field.build_seconds = seconds_since(start);
   start = Clock::now();
   field.distances = method->field(std::array{source}, progress.part(0.5, 1.0));
@@ -141,8 +142,9 @@ MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::s
   }
   const MethodEntry& entry = method_named(further_methods()[int(method) - own_methods].name);
   if (entry.warning && !entry.warning(*mesh).empty()) call.log(entry.warning(*mesh));
+  const MethodRequest request = with_gap({entry.info.name, {}}, layer_mesh.gap());
   return run_ticking(progress, activity,
-                     [&](const Progress& inner) { return further_field(entry.info, mesh, source, inner); });
+                     [&](const Progress& inner) { return further_field(request, mesh, source, inner); });
 }
 
 /// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
@@ -239,7 +241,7 @@ FilterRow method_comparison_row() {
           "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
           "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "
           "limit of distance; the methods after them are VoroGeo's code, with the options that "
-          "docs/methods.md names.</p>"
+          "docs/methods.md names; <i>Waves across gaps</i> takes <b>Bridge gaps up to</b> as its own gap.</p>"
           "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on "
           "triangular meshes\"</b><br/>WSCG 2002.<br/>"
           "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "

@@ -35,7 +35,7 @@ QVariant column(const std::vector<MethodMeasure>& measures, Value&& value) {
 }
 
 Results measure_methods(FilterCall& call) {
-  const auto requests = parse_methods(call.parameters.getString("methods").toStdString());
+  auto requests = parse_methods(call.parameters.getString("methods").toStdString());
   const int count = call.parameters.getInt("sources");
   if (count < 1) refuse(call, "sources", count, ". Give 1 or more.");
   const std::filesystem::path file =
@@ -43,7 +43,8 @@ Results measure_methods(FilterCall& call) {
   if (!file.empty()) output_target(file, "The CSV file");
   const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
-  for (const MethodRequest& request : requests) {
+  for (MethodRequest& request : requests) {
+    request = with_gap(request, layer_mesh.gap());
     const auto& warning = method_named(request.name).warning;
     if (warning && !warning(*mesh).empty()) call.log(warning(*mesh));
   }

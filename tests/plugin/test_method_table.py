@@ -14,7 +14,9 @@ from support import (
     fails_and_changes_nothing,
     field,
     grid,
+    length,
     mesh_set,
+    side_by_side,
     sphere,
 )
 
@@ -67,3 +69,14 @@ def test_the_comparison_offers_the_methods_of_the_literature():
     result = ms.apply_filter(COMPARISON, vertex_index=7, method="Virtual sources (GSP)")
     assert 1e-6 < result["mean_error"] < 0.02
     assert exact_distances(vertices, faces, [7]).shape == field(ms).shape
+
+
+def test_waves_across_gaps_take_the_gap_of_the_filter():
+    ms = mesh_set(*side_by_side(grid(5, 5), grid(5, 5)))
+    vertices = arrays(ms)[0]
+    gap = vertices[36:, 0].min() - vertices[:36, 0].max()
+    result = ms.apply_filter(
+        COMPARISON, vertex_index=0, method="Waves across gaps (Campen, Kobbelt)", gap=length(1.5 * gap)
+    )
+    assert result["compared_vertices"] == 71
+    assert 1e-6 < result["mean_error"] < 0.1

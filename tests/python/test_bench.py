@@ -17,6 +17,7 @@ pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
 import bench
 import choosing
+import literature
 import measure
 import meshes
 import methods
@@ -132,3 +133,20 @@ def test_automatic_choice_is_measured():
     assert 0 < result["rented"] <= choosing.FIELDS
     assert result["exact"] > 0
     assert result["build"] > 0
+
+
+def test_methods_stand_beside_public_code_of_them(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(literature, "PEERS", {"mmp": ("no_such_package", "pygeodesic")})
+    monkeypatch.setitem(methods.METHODS, "no_such_package", methods.Description("none", "no_such_package"))
+    lines = literature.compared(sample_meshes.bent_grid(10, 10), ["mmp", "svg(K=20)"], 2)
+    assert len({line.count("|") for line in lines}) == 1
+    assert lines[2].startswith("mmp | ")
+    assert lines[-1].startswith("svg(K=20) | ")
+
+
+def test_cracks_are_bridged_again():
+    mesh = sample_meshes.bent_grid(30, 30)
+    cut = literature.with_cracks(mesh, 1e-3)
+    assert vorogeo.check_mesh(*cut).components == 4
+    lines = literature.bridging(mesh)
+    assert [line.rpartition(" | ")[2] for line in lines[1:]] == ["1, 1", "4, 1", f"{len(mesh[1]):,}, 1"]

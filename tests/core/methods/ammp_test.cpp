@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "methods/window_runs.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 #include "support/ply.h"
@@ -38,6 +39,18 @@ TEST(AmmpMethod, WithoutToleranceIsExact) {
   const auto errors =
       test::errors_against_exact("ammp", test::make_mesh(test::hills(30, 0.4)), 7, {{"eps", 0.0}});
   EXPECT_EQ(errors.greatest, 0.0);
+}
+
+TEST(AmmpMethod, ReusesNothingForTheNextSource) {
+  // The weakness that the literature names: what a source costs is paid for every source.
+  WindowRuns runs(test::make_mesh(test::icosphere(4)), 3e-4);
+  runs.field(std::vector<Index>{7}, {});
+  const std::size_t windows = runs.window_count();
+  for (const Index source : {8, 100, 7}) {
+    runs.field(std::vector<Index>{source}, {});
+    EXPECT_GT(runs.window_count(), windows / 2) << source;
+  }
+  EXPECT_EQ(runs.window_count(), windows);
 }
 
 TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {

@@ -2,6 +2,7 @@
 // slow.
 #include <gtest/gtest.h>
 
+#include "methods/graph_method.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 
@@ -29,6 +30,32 @@ TEST(DggMethod, IsMoreAccurateThanSvgWithAsManyArcs) {
   EXPECT_LT(dgg->bytes(), svg->bytes());
   EXPECT_LT(test::errors_of(dgg->field(source, {}), exact).mean,
             test::errors_of(svg->field(source, {}), exact).mean);
+}
+
+TEST(DggMethod, EpsilonIsExpectedAndNoBoundAndItsArcsCostSetUp) {
+  // The weaknesses that the literature names: single distances err by more than epsilon, and the graph grows
+  // by the square root of its reciprocal, its set-up by a higher power.
+  const auto mesh = test::make_mesh(test::hills(40, 0.3));
+  EXPECT_GT(test::errors_against_exact("dgg", mesh, 100, {{"epsilon", 0.001}}).greatest, 0.001);
+  const auto graph_of = [&](double epsilon) {
+    TreeRules rules;
+    rules.bends = false;
+    rules.epsilon = epsilon;
+    return direct_geodesics(mesh, rules, {})->arc_count();
+  };
+  const double growth = static_cast<double>(graph_of(0.001)) / static_cast<double>(graph_of(0.004));
+  EXPECT_GT(growth, 1.5);
+  EXPECT_LT(growth, 2.7);
+  const auto windows_of = [&](double epsilon) {
+    TreeRules rules;
+    rules.bends = false;
+    rules.epsilon = epsilon;
+    WindowTree tree(std::make_shared<const ExactGeometry>(mesh));
+    const Index source = 840;
+    tree.run({&source, 1}, rules);
+    return tree.window_count();
+  };
+  EXPECT_GT(static_cast<double>(windows_of(0.001)), 1.5 * static_cast<double>(windows_of(0.004)));
 }
 
 }  // namespace

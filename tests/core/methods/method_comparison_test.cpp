@@ -26,6 +26,13 @@ TEST(MethodComparison, RefusesWhatCannotBeRead) {
   }
 }
 
+TEST(MethodComparison, AMethodWithAGapOfItsOwnTakesThatOfTheMeshUnlessToldAnother) {
+  EXPECT_EQ(with_gap({"campen_kobbelt", {}}, {0.5}).options, (MethodOptions{{"gap", 0.5}}));
+  EXPECT_EQ(with_gap({"campen_kobbelt", {{"gap", 2.0}}}, {0.5}).options, (MethodOptions{{"gap", 2.0}}));
+  EXPECT_TRUE(with_gap({"campen_kobbelt", {}}, {}).options.empty());
+  EXPECT_TRUE(with_gap({"fast_marching", {}}, {0.5}).options.empty());
+}
+
 TEST(MethodComparison, MeasuresWhatTheMethodsDo) {
   const auto mesh = test::make_mesh(test::with_isolated_vertex(test::icosphere(3), {5, 5, 5}));
   const auto sources = spread_vertices(*mesh, 3);
