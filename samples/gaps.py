@@ -49,7 +49,9 @@ def panels(mesh: tuple[np.ndarray, np.ndarray], gap: float, source: int) -> list
     return [("without", fields[0]), (f"gaps up to {gap:g} bridged", fields[1])]
 
 
-def draw(axis: pyplot.Axes, mesh: tuple[np.ndarray, np.ndarray], field: np.ndarray, highest: float, title: str) -> None:
+def draw(
+    axis: pyplot.Axes, mesh: tuple[np.ndarray, np.ndarray], field: np.ndarray, highest: float, title: str, zoom: float
+) -> None:
     """Bands of distance on the surface, seen from above or obliquely; grey where no path leads."""
     vertices, faces = mesh
     shown = np.where(np.isfinite(field), field, -1.0)
@@ -57,12 +59,12 @@ def draw(axis: pyplot.Axes, mesh: tuple[np.ndarray, np.ndarray], field: np.ndarr
     colors[shown[faces].min(axis=1) < 0] = 0.7
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-    axis.add_collection3d(Poly3DCollection(vertices[faces], facecolors=colors, edgecolors="k", linewidths=0.15))
+    axis.add_collection3d(Poly3DCollection(vertices[faces], facecolors=colors, edgecolors="k", linewidths=0.15 / zoom))
     axis.set(xlim=np.ptp(vertices[:, 0]) * np.array([-0.0, 1]) + vertices[:, 0].min(), title=title)
     axis.set(
         ylim=(vertices[:, 1].min(), vertices[:, 1].max()), zlim=(vertices[:, 2].min(), vertices[:, 2].max() + 1e-9)
     )
-    axis.set_box_aspect(np.ptp(vertices, axis=0) + 1e-3)
+    axis.set_box_aspect(np.ptp(vertices, axis=0) + 1e-3, zoom=zoom)
     axis.axis("off")
 
 
@@ -74,17 +76,17 @@ def main() -> None:
     parser.add_argument("--picture", type=Path, default=Path("gaps.png"))
     given = parser.parse_args()
     if given.mesh is None:
-        rows = [(cracked_plate(), 0.03, 16 * 17, (60, -90)), (roll(), 0.12, 0, (35, -60))]
+        rows = [(cracked_plate(), 0.03, 16 * 17, (60, -90), 1.0), (roll(), 0.12, 0, (35, -60), 1.0)]
     else:
-        rows = [(vorogeo.read_mesh(given.mesh), given.gap or 0.0, 0, (20, -60))]
+        rows = [(vorogeo.read_mesh(given.mesh), given.gap or 0.0, 0, (20, -60), 1.3)]
     figure = pyplot.figure(figsize=(5 * 2 * len(rows), 4.2))
-    for row, (mesh, gap, source, view) in enumerate(rows):
+    for row, (mesh, gap, source, view, zoom) in enumerate(rows):
         fields = panels(mesh, gap, source)
         highest = max(field[np.isfinite(field)].max() for _, field in fields)
         for column, (title, field) in enumerate(fields):
             axis = figure.add_subplot(1, 2 * len(rows), 2 * row + column + 1, projection="3d")
             axis.view_init(*view)
-            draw(axis, mesh, field, highest, title)
+            draw(axis, mesh, field, highest, title, zoom)
     figure.tight_layout()
     figure.savefig(given.picture, dpi=100)
     print(f"wrote {given.picture}")
