@@ -16,7 +16,7 @@ from .on_mesh import OnMesh
 from .points import Points, Rows
 from .progress import ProgressFunction, reporter
 
-_METHODS = ("auto", "pairs", "fields")
+_METHODS = ("automatic", "pairs", "fields")
 
 
 class Matrices(OnMesh):
@@ -87,7 +87,7 @@ class Matrices(OnMesh):
         self,
         points: Points,
         others: Points | None = None,
-        method: str = "auto",
+        method: str = "automatic",
         out: Output = None,
         max_bytes: int | None = None,
         progress: ProgressFunction | bool | None = None,
@@ -102,10 +102,10 @@ class Matrices(OnMesh):
             Of the rows, and of the columns if there are no `others`; may repeat.
         others : m points, optional
             Of the columns.
-        method : {"auto", "pairs", "fields"}
+        method : {"automatic", "pairs", "fields"}
             "pairs": the values of `distance`. "fields": read from the field of each point; without `others`, from that
             of one point of each pair, so that the matrix is symmetric. Both approximate the same distances; for points
-            in faces "pairs" is more accurate. "auto": whichever should be faster for this size.
+            in faces "pairs" is more accurate. "automatic": whichever should be faster for this size.
         out : str, path or ndarray, optional
             A file to write as .npy, or an array of float64 or float32 and the shape of the result. A file is mapped, so
             it may be larger than the memory; its space is reserved first, and an old file stays until it is complete.
@@ -139,7 +139,7 @@ class Matrices(OnMesh):
         -----
         Complexity: k (k - 1) / 2 distances (k m with `others`), or as many fields as the shorter list is long.
         """
-        how = check.choice("method", method, _METHODS)
+        how = check.choice("method", "automatic" if method == "auto" else method, _METHODS)
         rows = self._rows("points", points)
         columns = rows if others is None else self._rows("others", others)
         with matrix(len(rows[0]), len(columns[0]), out, max_bytes, dtype) as result, reporter(progress) as told:

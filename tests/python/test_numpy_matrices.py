@@ -17,7 +17,7 @@ def index():
     return vorogeo.GeodesicIndex(*MESH, patches=(5, 4))
 
 
-@pytest.mark.parametrize("method", ["auto", "pairs", "fields"])
+@pytest.mark.parametrize("method", ["automatic", "auto", "pairs", "fields"])
 def test_matrix_is_symmetric_and_near_the_exact_fields(index, method):
     matrix = index.distance_matrix(ACROSS, method=method)
     assert matrix.dtype == np.float64

@@ -25,7 +25,7 @@ def straight(a, b):
     return np.linalg.norm(a[:, None] - b[None], axis=2)
 
 
-@pytest.mark.parametrize("method", ["auto", "pairs", "fields"])
+@pytest.mark.parametrize("method", ["automatic", "pairs", "fields"])
 def test_matrix_between_points_in_faces(plane, points, method):
     matrix = plane.distance_matrix(points, method=method)
     np.testing.assert_array_equal(matrix, matrix.T)

@@ -102,7 +102,7 @@ def matrix(task: MeshTask) -> Result:
     values = task.index.distance_matrix(
         points,
         others,
-        method=task.options.get("method") or "auto",
+        method=task.options.get("method") or "automatic",
         out=task.job.out if direct else None,
         progress=task.progress,
         exact=task.exact,

@@ -105,7 +105,9 @@ def parser() -> argparse.ArgumentParser:
     matrix = _command(commands, "matrix", "Distances between all vertices, or between chosen points.")
     _points(matrix, "--points", False, "rows, and columns without --to; default: all vertices")
     _points(matrix, "--to", False, "columns")
-    matrix.add_argument("--method", choices=("auto", "pairs", "fields"), default="auto", help="how it is filled")
+    matrix.add_argument(
+        "--method", choices=("automatic", "pairs", "fields"), default="automatic", help="how it is filled"
+    )
 
     near = _command(
         commands, "neighbours", "All pairs of points within a radius, as a sparse matrix (.npz of scipy).", "--radius L"
