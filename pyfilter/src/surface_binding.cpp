@@ -90,19 +90,20 @@ void bind_surface(nb::module_& module) {
       .def(
           "__init__",
           [](HeldSurface* self, const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-             int threads, std::int64_t memory_budget, double gap, bool folds) {
+             int threads, std::int64_t memory_budget, double gap, bool folds, nb::handle built) {
             const std::size_t rows = faces.shape(0);
+            const auto index = built.is_none() ? nullptr : held_index(built).index;
             nb::gil_scoped_release release;
             IndexOptions options;
             options.threads = threads;
             options.memory_budget = memory_budget;
-            auto mesh = mesh_of(vertices, faces, sides, {gap, folds});
+            auto mesh = index ? index->mesh() : mesh_of(vertices, faces, sides, {gap, folds});
             auto points = std::make_shared<MeshPoints>(mesh);
-            new (self) HeldSurface{std::make_shared<Surface>(std::move(mesh), options), std::move(points),
-                                   threads, rows};
+            auto surface = std::make_shared<Surface>(mesh, index, RentOrBuy(mesh->vertex_count()), options);
+            new (self) HeldSurface{std::move(surface), std::move(points), threads, rows};
           },
           nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(), nb::arg("threads"),
-          nb::arg("memory_budget"), nb::arg("gap"), nb::arg("folds"))
+          nb::arg("memory_budget"), nb::arg("gap"), nb::arg("folds"), nb::arg("index").none())
       .def(
           "snap",
           [](const HeldSurface& self, const VertexArray& points) { return self.points->snap(points); },

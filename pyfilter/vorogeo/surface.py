@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import _core, metrics
 from . import points as point_lists
-from .gaps import gap_limit
+from .gaps import GapLimit, gap_limit
 from .index import GeodesicIndex
 from .masks import face_mask, without_masked
-from .metrics import Metric
+from .metrics import Metric, MetricLengths
 from .on_mesh import OnMesh
 from .paths import GeodesicPath, from_core
 from .points import Points, Sources
@@ -28,7 +28,8 @@ class Surface(OnMesh):
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,
     the index is built and answers from then on; so the time of all answers together is at most about twice that of
-    the better choice, however many questions come. `last` says what answered. May be used by several threads at once.
+    the better choice, however many questions come. `last` says what answered. May be used by several threads at once,
+    and pickled, with the index that it has.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ class Surface(OnMesh):
     'exact'
     """
 
-    __slots__ = ("__weakref__", "_faces", "_handle", "_of_index", "_threads", "_vertices", "last")
+    __slots__ = ("__weakref__", "_budget", "_faces", "_handle", "_of_index", "_threads", "_vertices", "last")
 
     def __init__(
         self,
@@ -76,18 +77,36 @@ class Surface(OnMesh):
         gap: float = 0.0,
         bridge_folds: bool = False,
     ) -> None:
-        self._vertices = check.kept(metrics.positions(vertices, faces, metric), vertices)
-        self._faces = check.kept(check.faces(faces, len(self._vertices)), faces)
-        kept = face_mask(mask, self._faces, len(self._vertices))
-        self._threads = check.threads(threads)
-        surface = without_masked(self._faces, kept)
-        lengths = metrics.lengths(metric, self._vertices, surface)
+        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
+        triangles = check.kept(check.faces(faces, len(points)), faces)
+        kept = face_mask(mask, triangles, len(points))
+        workers, budget = check.threads(threads), check.memory_budget(memory_budget)
+        lengths = metrics.lengths(metric, points, without_masked(triangles, kept))
+        of_index = kept, metric, lengths, gap_limit(gap, bridge_folds)
+        self._adopt(points, triangles, workers, budget, of_index, None)
+
+    def _adopt(
+        self,
+        vertices: NDArray[np.float64],
+        faces: NDArray[np.int32],
+        threads: int,
+        budget: int,
+        of_index: tuple[NDArray[np.bool_] | None, Metric | None, MetricLengths | None, GapLimit],
+        index: GeodesicIndex | None,
+    ) -> Surface:
+        self._vertices, self._faces, self._threads, self._budget = vertices, faces, threads, budget
+        self._of_index = of_index
+        mask, _, lengths, bridged = of_index
         sides = None if lengths is None else lengths.lengths
-        budget = check.memory_budget(memory_budget)
-        bridged = gap_limit(gap, bridge_folds)
-        self._of_index = kept, metric, lengths, bridged
-        self._handle = _core.Surface(self._vertices, surface, sides, self._threads, budget, *bridged)
+        held = None if index is None else index._handle
+        surface = without_masked(faces, mask)
+        self._handle = _core.Surface(vertices, surface, sides, threads, budget, *bridged, held)
         self.last: Answered | None = None
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        mesh = self._vertices, self._faces
+        return _restored, (type(self), *mesh, self._threads, self._budget, self._of_index, self.index)
 
     @property
     def _points_on_mesh(self) -> _core.Surface:
@@ -270,3 +289,8 @@ class Surface(OnMesh):
     def __repr__(self) -> str:
         held = "with an index" if self._handle.index() is not None else "no index yet"
         return f"Surface({len(self._vertices)} vertices, {len(self._faces)} faces, {held})"
+
+
+def _restored(cls: type[Surface], *parts: Any) -> Surface:
+    """The surface that pickle took apart."""
+    return cls.__new__(cls)._adopt(*parts)

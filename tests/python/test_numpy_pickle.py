@@ -67,6 +67,19 @@ def test_a_damaged_pickle_is_refused(index):
         restore(kind, damaged, *mesh)
 
 
+@pytest.mark.parametrize("built", [False, True])
+def test_a_surface_is_pickled_and_copied_with_the_index_that_it_has(built):
+    inside = MESH[0][MESH[1]].mean(axis=1)[:, 0] < 0.8
+    surface = vorogeo.Surface(*MESH, mask=inside, metric=vorogeo.VertexCost(1 + MESH[0][:, 1] ** 2))
+    if built:
+        surface.build_index()
+    for other in (pickle.loads(pickle.dumps(surface)), copy.copy(surface), copy.deepcopy(surface)):
+        assert repr(other) == repr(surface)
+        np.testing.assert_array_equal(other.distance_field([0, 17]), surface.distance_field([0, 17]))
+        assert other.last.by == ("index" if built else "exact")
+        assert other.distance(0, 400) == surface.distance(0, 400)
+
+
 def results(index):
     snapped = index.snap([[0.3, 0.4, 0.1], [1.1, 0.9, 0.0]])
     return {

@@ -128,7 +128,7 @@ def _pairs(points: NDArray[np.float64], faces: NDArray[np.int32], ids: NDArray[n
         from scipy.sparse import csc_matrix
     except ImportError:
         raise ImportError("The result is a matrix of scipy, which is not installed; run 'pip install scipy'.") from None
-    surface = _core.Surface(points, faces, None, 0, 0, 0.0, False)
+    surface = _core.Surface(points, faces, None, 0, 0, 0.0, False, None)
     asked = _core.Points(ids, np.empty(0, np.int32), np.empty((0, 3)))
     begin, columns, distances = _core.pairs_within(surface, asked, _limit(reach), True, 0, None)
     rows = np.repeat(ids, np.diff(begin))
