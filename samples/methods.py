@@ -20,7 +20,7 @@ import numpy as np
 import pymeshlab
 import vorogeo
 
-METHODS = "vorogeo, mmp, ammp, fast_marching, heat, gsp, stvd, dijkstra, svg, dgg(epsilon=0.01)"
+METHODS = "vorogeo, mmp, ammp, fast_marching, heat, gsp, gtu, stvd, dijkstra, svg, dgg(epsilon=0.01)"
 MAPS = ("vorogeo", "gsp", "fast_marching", "heat")
 
 
@@ -68,6 +68,7 @@ def draw_points(axes: plt.Axes, rows: list[dict[str, str]]) -> None:
         axes.annotate(row["method"], (error, time), textcoords="offset points", xytext=(6, 4))
     axes.set(xscale="log", yscale="log", xlabel="mean error in % (at the left edge: exact)", ylabel="field, seconds")
     axes.grid(alpha=0.3)
+    axes.margins(x=0.1)
 
 
 def draw_maps(figure: plt.Figure, mesh: pymeshlab.Mesh) -> None:
