@@ -120,6 +120,7 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");
+    if (surface == surface_) warm_up();
   }
   show_status();
   if (!result.error.empty()) {

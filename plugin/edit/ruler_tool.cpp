@@ -146,11 +146,14 @@ void RulerTool::read_layer() {
   live_.reset();
   field_ = {};
   surface_ = std::move(now);
-  if (surface_ && !surface_->arrays().positions.empty()) {
-    // Of no drag: nobody waits for it, but then everything is made that the first path needs.
-    const Picked anywhere{surface_->arrays().positions.front(), unreachable};
-    worker_.post({surface_, -1, false, false, anywhere, anywhere});
-  }
+  warm_up();
+}
+
+/// A request of no drag: nobody waits for its answer, but then everything is made that the first path needs.
+void RulerTool::warm_up() {
+  if (!surface_ || drag_ || surface_->arrays().positions.empty()) return;
+  const Picked anywhere{surface_->arrays().positions.front(), unreachable};
+  worker_.post({surface_, -1, false, false, anywhere, anywhere});
 }
 
 void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {

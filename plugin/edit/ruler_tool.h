@@ -52,6 +52,7 @@ class RulerTool : public QObject, public EditTool {
   };
 
   void read_layer();
+  void warm_up();
   void stop();
   void ask();
   std::optional<Picked> pick(const QPoint& at) const;

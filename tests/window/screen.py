@@ -173,14 +173,16 @@ class Screen:
 
     def processor_seconds(self) -> dict[str, float]:
         """Time that the program has taken of the processor: the window's thread, those that draw, all others."""
-        seconds = {"window": 0.0, "drawing": 0.0, "others": 0.0}
-        for task in Path(f"/proc/{self.process.pid}/task").iterdir():
-            name, _, fields = (task / "stat").read_text().partition("(")[2].rpartition(")")
-            kind = "drawing" if name.startswith("llvmpipe") else "others"
-            kind = "window" if task.name == str(self.process.pid) else kind
-            ticks = sum(int(fields.split()[i]) for i in (11, 12))
-            seconds[kind] += ticks / os.sysconf("SC_CLK_TCK")
-        return seconds
+
+        def used(folder: Path) -> tuple[str, float]:
+            name, _, fields = (folder / "stat").read_text().partition("(")[2].rpartition(")")
+            return name, sum(int(fields.split()[i]) for i in (11, 12)) / os.sysconf("SC_CLK_TCK")
+
+        program = Path(f"/proc/{self.process.pid}")
+        tasks = [used(task) for task in (program / "task").iterdir()]
+        window = used(program / "task" / program.name)[1]
+        drawing = sum(seconds for name, seconds in tasks if name.startswith("llvmpipe"))
+        return {"window": window, "drawing": drawing, "others": used(program)[1] - window - drawing}
 
     # What is on the screen
 
