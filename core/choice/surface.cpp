@@ -110,13 +110,13 @@ AnswerMethod Surface::choose(AnswerMethod method, bool is_field, Answered& answe
                         "exact or index for a better one.";
       return AnswerMethod::quick;
     }
-    if (spent().wants_price()) {
-      const BuildEstimate estimate = estimate_build(mesh_, options_, false, progress.part(0.0, 0.0));
-      const std::lock_guard lock(mutex_);
-      spent_.set_price(estimate.build_seconds);
-    }
-    if (!spent().should_buy()) return AnswerMethod::exact;
     try {
+      if (spent().wants_price()) {
+        const BuildEstimate estimate = estimate_build(mesh_, options_, false, progress.part(0.0, 0.0));
+        const std::lock_guard lock(mutex_);
+        spent_.set_price(estimate.build_seconds);
+      }
+      if (!spent().should_buy()) return AnswerMethod::exact;
       build_index(progress.part(0.0, 0.9));
     } catch (const InvalidInput& error) {
       answered.remark = std::string("No index is built, answers stay exact: ") + error.what();

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "mesh/length_limits.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 
@@ -49,6 +50,7 @@ struct FrameChange {
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), faces_(mesh_->face_count()) {
+  require_lengths(*mesh_, "quick distances take", exact_lengths.least_mean, exact_lengths.greatest);
   apexes_.resize(3 * faces_.size());
   for (Index f = 0; f < mesh_->face_count(); ++f) {
     if (f % elements_per_checkpoint == 0) checkpoint();

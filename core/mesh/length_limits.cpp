@@ -4,8 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+
+#include "support/error.h"
 
 namespace vorogeo {
+
+void require_lengths(double mean, double longest, const std::string& what, const LengthLimits& limits) {
+  if (limits.allow(mean, longest)) return;
+  std::ostringstream message;
+  message << "The mesh has a mean edge length of " << mean << " and a longest edge of " << longest << "; "
+          << what << " lengths between " << limits.least_mean << " and " << limits.greatest
+          << ": scale the mesh, for example by " << factor_to_unit(mean, longest) << ".";
+  throw InvalidInput(message.str());
+}
 
 double factor_to_unit(double mean, double longest) {
   constexpr double least = std::numeric_limits<double>::denorm_min();

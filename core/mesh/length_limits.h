@@ -2,6 +2,8 @@
 // range.
 #pragma once
 
+#include <string>
+
 namespace vorogeo {
 
 /// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.
@@ -19,6 +21,10 @@ struct LengthLimits {
 inline constexpr LengthLimits exact_lengths{1e-60, 1e60};
 /// Tables hold single precision: distances across the mesh must stay well inside its range.
 inline constexpr LengthLimits index_lengths{1e-28, 1e28};
+
+/// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
+/// accepted lengths: "exact distances take". \throw InvalidInput.
+void require_lengths(double mean, double longest, const std::string& what, const LengthLimits& limits);
 
 /// The power of ten that brings mean and longest edge closest to 1 when coordinates are multiplied by it.
 double factor_to_unit(double mean, double longest);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -286,14 +285,7 @@ std::size_t Mesh::memory_bytes() const {
 }
 
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
-  const double mean = mesh.mean_edge_length();
-  const double longest = mesh.longest_edge_length();
-  if (LengthLimits{least_mean, greatest}.allow(mean, longest)) return;
-  std::ostringstream message;
-  message << "The mesh has a mean edge length of " << mean << " and a longest edge of " << longest << "; "
-          << what << " lengths between " << least_mean << " and " << greatest
-          << ": scale the mesh, for example by " << factor_to_unit(mean, longest) << ".";
-  throw InvalidInput(message.str());
+  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
 }
 
 }  // namespace vorogeo

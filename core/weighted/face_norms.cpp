@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
+#include "mesh/length_limits.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -37,6 +39,7 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides,
   if (static_cast<double>(per_edge_) * mesh_->edge_count() + mesh_->vertex_count() > 2e9) {
     throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
   }
+  double longest = 0.0;
   layout_.reserve(mesh_->face_count());
   edge_cost_.assign(mesh_->edge_count(), unreachable);
   for (Index f = 0; f < mesh_->face_count(); ++f) {
@@ -55,11 +58,15 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides,
       y = std::sqrt(std::max(0.0, (side[1] - x) * (side[1] + x)));
     }
     layout_.push_back({along, x, y});
+    longest = std::max({longest, side[0], side[1], side[2]});
     for (int i = 0; i < 3; ++i) {
       double& cost = edge_cost_[mesh_->edge_of(3 * f + i)];
       cost = std::min(cost, side[(i + 2) % 3]);
     }
   }
+  const double total = std::accumulate(edge_cost_.begin(), edge_cost_.end(), 0.0);
+  require_lengths(edge_cost_.empty() ? 0.0 : total / static_cast<double>(edge_cost_.size()), longest,
+                  "metrics of faces take", exact_lengths);
 }
 
 }  // namespace vorogeo

@@ -20,8 +20,8 @@ class FaceNorms {
   using Place = std::array<double, 2>;
 
   /// `sides`: by row of the faces given to the mesh, each opposite its corner. \throw InvalidInput for sides
-  /// that are negative, not finite or break the triangle inequality, fewer rows than faces, or a number of
-  /// points per edge outside 1 to 1000.
+  /// that are negative, not finite, break the triangle inequality or lie outside `exact_lengths`, fewer rows
+  /// than faces, or a number of points per edge outside 1 to 1000.
   FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides, Index points_per_edge);
 
   const Mesh& mesh() const { return *mesh_; }

@@ -89,6 +89,23 @@ TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
   EXPECT_THROW(surface.field(sources, 0.1, AnswerMethod::index, answered), InvalidInput);
 }
 
+TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
+  test::Soup soup = test::icosphere(3);
+  for (Point& p : soup.positions) {
+    for (double& x : p) x *= 1e-40;
+  }
+  const auto mesh = test::make_mesh(soup);
+  RentOrBuy spent(mesh->vertex_count());
+  for (int i = 0; i < 10; ++i) spent.pay(360.0);
+  Surface surface(mesh, nullptr, spent);
+  Answered answered;
+  const LabelledField field =
+      surface.field(from_vertices({5}), unreachable, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_NE(answered.remark.find("an index takes lengths between"), std::string::npos);
+  EXPECT_EQ(field.distance, exact_distance_field(mesh, std::vector<Index>{5}));
+}
+
 TEST(Surface, FindsPathsAndDistancesWithAndWithoutAnIndex) {
   const test::Shape shape = test::box({1.0, 2.0, 1.5}, 5);
   const auto mesh = test::make_mesh(shape.soup);

@@ -120,6 +120,8 @@ TEST(VirtualSources, GiveVerticesThatAGapMadeOneTheSameDistance) {
 }
 
 TEST(VirtualSources, RefuseWhatIsNoSource) {
+  const test::Soup vast = test::plane_grid(2, 2, 1e150, 1e150).soup;
+  EXPECT_THROW(VirtualSources(test::make_mesh(vast)), InvalidInput) << "products would overflow";
   VirtualSources runs(test::make_mesh(test::icosphere(1)));
   const ExactSource negative{SurfacePoint::at_vertex(0), -1.0};
   EXPECT_THROW(runs.run({&negative, 1}), InvalidInput);

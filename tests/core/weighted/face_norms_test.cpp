@@ -50,6 +50,9 @@ TEST(FaceNorms, RefusesWhatIsNoTriangle) {
   EXPECT_THROW(FaceNorms(mesh, {{1, 1, 3}}, 2), InvalidInput);
   EXPECT_THROW(FaceNorms(mesh, {{1, -1, 1}}, 2), InvalidInput);
   EXPECT_THROW(FaceNorms(mesh, {}, 2), InvalidInput);
+  EXPECT_THROW(FaceNorms(mesh, {{1e-200, 1e-200, 1e-200}}, 2), InvalidInput) << "products would underflow";
+  EXPECT_THROW(FaceNorms(mesh, {{1e200, 1e200, 1e200}}, 2), InvalidInput);
+  EXPECT_EQ(FaceNorms(mesh, {{0, 0, 0}}, 2).edge_cost(0), 0.0);
   EXPECT_THROW(FaceNorms(mesh, {{1, 1, 1}}, 0), InvalidInput);
 }
 
