@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/unfolded_distance.h"
+#include "weighted/edge_crossing.h"
 
 namespace vorogeo {
 
@@ -25,10 +25,27 @@ WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
     : norms_(std::move(norms)), mesh_(norms_->mesh()), distance_(norms_->point_count(), unreachable) {}
 
 void WeightedSolver::reach(Index point, double distance) {
-  if (!(distance < distance_[point] * (1.0 - least_gain)) || distance > max_distance_) return;
+  if (!(distance < distance_[point] * (1.0 - least_gain))) return;
   if (distance_[point] == unreachable) touched_.push_back(point);
   distance_[point] = distance;
   queue_.push({distance, point});
+}
+
+/// Whether a point is so far beyond the limit that no distance within it depends on this one. Faces are
+/// crossed from between two points of an edge, of which one may be farther than what is reached from them.
+bool WeightedSolver::is_beyond_limit(Index point) const {
+  if (distance_[point] <= max_distance_) return false;
+  double longest = 0.0;
+  if (norms_->is_vertex(point)) {
+    for (const Index corner : mesh_.corners(point)) {
+      for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
+        longest = std::max(longest, norms_->edge_cost(mesh_.edge_of(side)));
+      }
+    }
+  } else {
+    longest = norms_->edge_cost(norms_->edge_of(point));
+  }
+  return distance_[point] - longest * norms_->fraction(1) > max_distance_;
 }
 
 void WeightedSolver::start_at(const SurfacePoint& source) {
@@ -73,7 +90,7 @@ void WeightedSolver::run(std::span<const SurfacePoint> sources, double max_dista
   while (!queue_.empty()) {
     const auto [distance, point] = queue_.top();
     queue_.pop();
-    if (distance > distance_[point]) continue;
+    if (distance > distance_[point] || is_beyond_limit(point)) continue;
     if (++settled % points_per_report == 0) {
       progress.report(std::min(1.0, static_cast<double>(settled) / norms_->point_count()),
                       "Computing distances over weighted faces");
@@ -127,15 +144,13 @@ void WeightedSolver::cross_from(Index halfedge, Index first, Index second) {
   const double at_second = distance_[norms_->point(edge, second)];
   const auto a = norms_->on_edge(corner, halfedge, norms_->fraction(first));
   const auto b = norms_->on_edge(corner, halfedge, norms_->fraction(second));
-  const double length = apart(a, b);
+  const EdgePiece piece{apart(a, b), norms_->edge_cost(edge) * norms_->fraction(1), at_first, at_second};
   auto look = [&](Index point, const FaceNorms::Place& target) {
     const double to_first = apart(a, target);
     const double to_second = apart(b, target);
-    double distance = std::min(at_first + to_first, at_second + to_second);
-    if (at_first < unreachable && at_second < unreachable && length > 0.0) {
-      distance = std::min(distance, unfolded_distance(length, at_first, at_second, to_first, to_second));
-    }
-    reach(point, distance);
+    const double by_ends = std::min(at_first + to_first, at_second + to_second);
+    const double below = std::min(by_ends, distance_[point]);
+    reach(point, std::min(by_ends, cross_piece(piece, to_first, to_second, below).distance));
   };
   look(mesh_.apex(halfedge), corner[Mesh::previous_in_face(halfedge) % 3]);
   for (Index side : {Mesh::next_in_face(halfedge), Mesh::previous_in_face(halfedge)}) {
@@ -145,11 +160,13 @@ void WeightedSolver::cross_from(Index halfedge, Index first, Index second) {
   }
 }
 
-double WeightedSolver::distance(Index vertex) const { return distance_[vertex]; }
+double WeightedSolver::distance(Index vertex) const {
+  return distance_[vertex] <= max_distance_ ? distance_[vertex] : unreachable;
+}
 
 double WeightedSolver::distance(const SurfacePoint& point) const {
   const SurfacePoint target = validated(mesh_, point);
-  if (target.is_vertex()) return distance_[target.vertex];
+  if (target.is_vertex()) return distance(target.vertex);
   const double found = best_step(target, unreachable).distance;
   return found <= max_distance_ ? found : unreachable;
 }
@@ -174,7 +191,6 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
       const double second = distance_[norms_->point(edge, k + 1)];
       const auto a = norms_->on_edge(corner, h, norms_->fraction(k));
       const auto b = norms_->on_edge(corner, h, norms_->fraction(k + 1));
-      const double length = apart(a, b);
       const double to_first = apart(a, target);
       const double to_second = apart(b, target);
       auto take = [&](double distance, double piece, double share) {
@@ -184,19 +200,11 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
       };
       take(first + to_first, to_first, 0.0);
       take(second + to_second, to_second, 1.0);
-      if (!(first < unreachable && second < unreachable && length > 0.0)) continue;
-      const double across = unfolded_distance(length, first, second, to_first, to_second);
-      if (!(across < best.distance)) continue;
-      // Where the line from the placed source crosses the side.
-      auto foot = [&](double from_a, double from_b) {
-        return 0.5 * (length + (from_a - from_b) * (from_a + from_b) / length);
-      };
-      const double x = foot(first, second);
-      const double y = std::sqrt(std::max(0.0, (first - x) * (first + x)));
-      const double tx = foot(to_first, to_second);
-      const double ty = std::sqrt(std::max(0.0, (to_first - tx) * (to_first + tx)));
-      const double at = y + ty > 0.0 ? x + (tx - x) * y / (y + ty) : x;
-      take(across, std::hypot(tx - at, ty), std::clamp(at / length, 0.0, 1.0));
+      const auto [across, share] =
+          cross_piece({apart(a, b), norms_->edge_cost(edge) * norms_->fraction(1), first, second}, to_first,
+                      to_second, best.distance);
+      const FaceNorms::Place at{std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share)};
+      take(across, apart(at, target), share);
     }
   }
   return best;

@@ -49,6 +49,7 @@ class WeightedSolver {
 
   void start_at(const SurfacePoint& source);
   void reach(Index point, double distance);
+  bool is_beyond_limit(Index point) const;
   void settle(Index point);
   void cross_from(Index halfedge, Index first, Index second);
   BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;

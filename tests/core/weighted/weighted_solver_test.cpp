@@ -59,6 +59,19 @@ TEST(WeightedSolver, TwoHalfPlanesRefractAndRunAlongTheBorder) {
   EXPECT_LT(errors.greatest, 5e-3);
 }
 
+TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
+  const Layers layers(24, [](double, double y) { return y > 0.0 ? 1.0 : 30.0; });
+  WeightedSolver solver = layers.solver();
+  const Index source = layers.nearest(0.9, 0.1);
+  // The formula is for the dearer half-plane below and a source there; paths go both ways.
+  const auto exact = [](const Point& p, const Point& q) {
+    return q[1] > -1e-12 ? distance_between(p, q) : two_half_planes(q, p, 1.0, 30.0);
+  };
+  const auto errors = errors_of(layers, solver, source, exact);
+  EXPECT_LT(errors.mean, 2e-3);
+  EXPECT_LT(errors.greatest, 0.04);
+}
+
 TEST(WeightedSolver, MorePointsAreMoreExact) {
   const Layers layers(10, [](double, double y) { return y > 0.0 ? 1.0 : 2.0; });
   const auto exact = [](const Point& p, const Point& q) { return two_half_planes(p, q, 1.0, 2.0); };
@@ -111,6 +124,27 @@ TEST(WeightedSolver, TensorsOfLayers) {
     const double exact = least_of(
         [&](double at) { return norm(below, at - p[0], -p[1]) + norm(above, q[0] - at, q[1]); }, 0.0, 2.0);
     EXPECT_NEAR(solver.distance(target), exact, 1e-3 * exact);
+  }
+}
+
+TEST(WeightedSolver, LimitsDoNotChangeWhatLiesWithin) {
+  // Costs without order and few points: neighbours on an edge differ much.
+  for (const Index points : {1, 6}) {
+    const Layers layers(
+        8, [](double x, double y) { return std::fmod(1e3 * (x + 7.0 * y + 9.0), 2.0) < 1.0 ? 1.0 : 30.0; },
+        0.3);
+    WeightedSolver without = layers.solver(points);
+    WeightedSolver with = layers.solver(points);
+    const auto from = std::array{SurfacePoint::at_vertex(40)};
+    without.run(from);
+    for (Index farthest = 0; farthest < layers.mesh->vertex_count(); farthest += 4) {
+      const double limit = without.distance(farthest) * (1.0 + 1e-9);
+      with.run(from, limit);
+      for (Index v = 0; v < layers.mesh->vertex_count(); ++v) {
+        const double exact = without.distance(v);
+        EXPECT_EQ(with.distance(v), exact <= limit ? exact : unreachable);
+      }
+    }
   }
 }
 
