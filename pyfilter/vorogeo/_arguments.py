@@ -16,7 +16,8 @@ MAX_THREADS = 1024
 _INT32 = np.iinfo(np.int32)
 
 
-def _array(name: str, value: Any, wanted: str) -> NDArray[Any]:
+def numbers(name: str, value: Any, wanted: str) -> NDArray[Any]:
+    """An array of integers, real numbers or bools."""
     try:
         array = np.asarray(value)
     except (TypeError, ValueError) as error:
@@ -45,7 +46,7 @@ def _integers(name: str, array: NDArray[Any], wanted: str) -> None:
 def vertices(value: ArrayLike, finite: bool = True) -> NDArray[np.float64]:
     """Vertex positions as contiguous float64 of shape (n, 3); finite unless told otherwise."""
     wanted = "the positions as real numbers of shape (n, 3)"
-    array = _array("vertices", value, wanted)
+    array = numbers("vertices", value, wanted)
     _triples("vertices", array, wanted)
     if array.dtype.kind == "b":
         raise InvalidInput(f"vertices: has type bool; give {wanted}.")
@@ -90,7 +91,7 @@ def unchecked_faces(value: ArrayLike) -> NDArray[np.int32]:
 
 def _face_array(value: ArrayLike) -> NDArray[Any]:
     wanted = "the vertex ids of the triangles as integers of shape (m, 3)"
-    array = _array("faces", value, wanted)
+    array = numbers("faces", value, wanted)
     _triples("faces", array, wanted)
     _integers("faces", array, wanted)
     if len(array) > _INT32.max // 3:
@@ -107,7 +108,7 @@ def _vertex_range(vertex_count: int) -> str:
 def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
     """Vertex ids as contiguous int32 of shape () or (k,), each in [0, vertex_count)."""
     wanted = "a vertex id or a one-dimensional array of vertex ids (integers)"
-    array = _array(name, value, wanted)
+    array = numbers(name, value, wanted)
     if array.ndim > 1:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     if array.size == 0:
@@ -255,7 +256,7 @@ def choice(name: str, value: str, choices: tuple[str, ...]) -> int:
 def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Real numbers as contiguous float64 of shape (k,); a single one as shape (1,)."""
     wanted = "a one-dimensional array of real numbers"
-    array = np.atleast_1d(_array(name, value, wanted))
+    array = np.atleast_1d(numbers(name, value, wanted))
     if array.ndim != 1 or array.dtype.kind == "b":
         raise InvalidInput(f"{name}: has shape {array.shape} and type {array.dtype}; give {wanted}.")
     return np.ascontiguousarray(array, dtype=np.float64)
@@ -264,7 +265,7 @@ def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
 def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Finite triples of real numbers as contiguous float64 of shape (k, 3); a single triple is treated as k = 1."""
     wanted = "finite real numbers of shape (3,) or (k, 3)"
-    array = np.atleast_2d(_array(name, value, wanted))
+    array = np.atleast_2d(numbers(name, value, wanted))
     if array.size == 0:
         return np.empty((0, 3))
     _triples(name, array, wanted)
@@ -280,7 +281,7 @@ def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:
     if value is None:
         return np.zeros(count)
     wanted = f"{count} lengths of 0 or more, one for each source"
-    array = np.atleast_1d(_array("offsets", value, wanted))
+    array = np.atleast_1d(numbers("offsets", value, wanted))
     if array.shape != (count,):
         raise InvalidInput(f"offsets: has shape {array.shape}; give {wanted}.")
     lengths = np.ascontiguousarray(array, dtype=np.float64)

@@ -202,9 +202,11 @@ def positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDAr
         return check.vertices(vertices)
     if not isinstance(metric, EdgeLengths):
         raise InvalidInput("vertices: is None; give positions of shape (n, 3), or the metric EdgeLengths.")
-    given = np.asarray(faces)
-    count = int(given.max()) + 1 if given.dtype.kind in "iu" and given.size else 0
-    return np.full((count, 3), np.nan)
+    ids = check.unchecked_faces(faces)
+    beyond = np.flatnonzero((ids == np.iinfo(np.int32).max).any(axis=1))
+    if beyond.size:
+        raise InvalidInput(f"faces[{beyond[0]}]: names a vertex beyond {np.iinfo(np.int32).max - 1}; give smaller ids.")
+    return np.full((ids.max(initial=-1) + 1, 3), np.nan)
 
 
 def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> MetricLengths | None:
@@ -232,10 +234,7 @@ def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) 
 
 def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
     """A read-only copy of an array of real numbers."""
-    try:
-        array = np.array(value, dtype=np.float64, order="C")
-    except (TypeError, ValueError) as error:
-        raise InvalidInput(f"{name}: cannot be read as numbers ({error}); give {wanted}.") from None
+    array = np.array(check.numbers(name, value, wanted), dtype=np.float64, order="C")
     if array.ndim != ndim or array.shape[1:] != tail:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     array.flags.writeable = False

@@ -120,7 +120,7 @@ def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
 def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
     """Rows of faces as contiguous int32 of shape (k,), none negative; the core checks the upper limit."""
     wanted = "rows of the faces (integers)"
-    array = np.atleast_1d(check._array(name, value, wanted))
+    array = np.atleast_1d(check.numbers(name, value, wanted))
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
     check._integers(name, array, wanted)

@@ -203,6 +203,7 @@ def test_what_is_no_metric_is_refused(wavy):
             vorogeo.exact_distance_field(vertices, faces, 0, metric=metric() if callable(metric) else metric)
 
     refused(1.0, "metric: is a float")
+    refused(lambda: vorogeo.VertexCost(np.full(len(vertices), 1 + 2j)), "VertexCost: is not an array of numbers")
     refused(lambda: vorogeo.VertexCost(np.ones((3, 2))), r"VertexCost: has shape \(3, 2\)")
     refused(vorogeo.VertexCost(np.ones(5)), "There are 5 costs")
     refused(vorogeo.VertexCost(np.where(np.arange(len(vertices)) == 9, 0, 1.0)), "Vertex 9 has the cost 0")
@@ -216,3 +217,10 @@ def test_what_is_no_metric_is_refused(wavy):
     torn[5] *= 1.1
     refused(vorogeo.EdgeLengths(torn), "disagree on the length of their edge")
     refused(vorogeo.VertexCost(np.ones(len(vertices))), "vertices: is None", vertices=None)
+    for bad, match in ((2**40, r"faces\[3\]: names a vertex beyond"), (-5, r"faces\[3\]: names vertex -5")):
+        named = faces.astype(np.int64)
+        named[3, 1] = bad
+        with pytest.raises(vorogeo.InvalidInput, match=match):
+            vorogeo.exact_distance_field(None, named, 0, metric=vorogeo.EdgeLengths(lengths))
+    with pytest.raises(vorogeo.InvalidInput, match="faces: cannot be read as an array"):
+        vorogeo.exact_distance_field(None, [[0, 1, 2], [1, 2]], 0, metric=vorogeo.EdgeLengths(lengths))
