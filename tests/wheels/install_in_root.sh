@@ -9,7 +9,7 @@ venv=/tmp/venv
 python3 -m venv "$venv"
 cd /tmp  # the package must come from the environment, not from the project
 if [ "$part" = sdist ]; then
-  "$venv/bin/pip" install "$dist"/vorogeo-*.tar.gz
+  CXX=g++-12 "$venv/bin/pip" install "$dist"/vorogeo-*.tar.gz  # the root has no compiler by its short name
   "$venv/bin/python" -c "import vorogeo; print(vorogeo.exact_distance_field([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], 1))"
   exit
 fi
