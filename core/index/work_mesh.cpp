@@ -4,73 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
-#include "mesh/outliers.h"
+#include "index/border_pieces.h"
 #include "support/checkpoint.h"
 
 namespace vorogeo {
 
 namespace {
-
-/// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
-/// patch of a regular mesh with 350 vertices has 0.06.
-constexpr double longest_border_edge = 0.1;
-/// On coarse meshes.
-constexpr double coarse_border_edge = 0.065;
-constexpr Index max_pieces = 32;
-/// Most points that are added: this many for each vertex of the mesh, and some more on tiny meshes. Meshes as
-/// people have them take up to 0.1; patches of a few needles each would take any number, and tables and runs
-/// grow with its square.
-constexpr double added_per_vertex = 2.0;
-constexpr double added_anyway = 128.0;
-
-/// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
-void limit_pieces(std::vector<Index>& pieces, Index vertices) {
-  std::array<std::int64_t, max_pieces + 1> edges_with{};
-  for (Index count : pieces) ++edges_with[count];
-  const double most = added_per_vertex * vertices + added_anyway;
-  Index limit = 1;
-  std::int64_t added = 0;
-  std::int64_t longer = std::accumulate(edges_with.begin() + 2, edges_with.end(), std::int64_t{0});
-  // With one piece more, each edge that wants it has one more point.
-  for (; limit < max_pieces && static_cast<double>(added + longer) <= most; ++limit) {
-    added += longer;
-    longer -= edges_with[limit + 1];
-  }
-  for (Index& count : pieces) count = std::min(count, limit);
-}
-
-/// Number of pieces of each edge: 1 unless it is a long border edge.
-std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
-  // Faces at outliers say nothing about the size of a patch: they may have more area than all others.
-  const Outliers outliers = find_outliers(mesh);
-  std::vector<double> area(partition.second_layer_count, 0.0);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const bool far =
-        std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
-    if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
-  }
-  const double longest = is_coarse(mesh) ? coarse_border_edge : longest_border_edge;
-  std::vector<Index> pieces(mesh.edge_count(), 1);
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
-    const Index first = mesh.edge_halfedge(e);
-    double least = area[partition.second_layer[Mesh::face_of(first)]];
-    bool border = false;
-    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
-      const Index patch = partition.second_layer[Mesh::face_of(h)];
-      border |= patch != partition.second_layer[Mesh::face_of(first)];
-      least = std::min(least, area[patch]);
-    }
-    if (!border || least <= 0.0) continue;
-    const double wanted = std::ceil(mesh.edge_length(e) / (longest * std::sqrt(least)));
-    pieces[e] = static_cast<Index>(std::clamp(wanted, 1.0, static_cast<double>(max_pieces)));
-  }
-  limit_pieces(pieces, mesh.vertex_count());
-  return pieces;
-}
 
 /// A face while its edges are being split: triangles so far, with the one that still holds each edge.
 class FaceSplitter {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "partition/border_cut.h"
 #include "partition/voronoi.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
@@ -35,9 +36,13 @@ constexpr double ordinary_patches_per_parent = 24.0;
 /// and the first-layer tables grow alike, by the cube root per vertex.
 constexpr double ordinary_vertices =
     ordinary_patches * ordinary_patches_per_parent * usual_sizes.second_layer_vertices;
-/// Mean angle defect, in radians, from which on a mesh is coarse. Scans have 0.006 to 0.035, simplified ones
-/// 0.04 to 0.09, CAD parts and buildings up to 0.4.
+/// Mean angle defect, in radians, from which on a mesh is coarse: its edges are long for the shape of its
+/// surface. Scans have 0.006 to 0.035, simplified ones 0.04 to 0.09, CAD parts and buildings up to 0.4.
 constexpr double coarse_defect = 0.04;
+
+const PatchSizes& sizes_for(const Mesh& mesh) {
+  return mesh.mean_angle_defect() >= coarse_defect ? coarse_sizes : usual_sizes;
+}
 
 Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round(value))); }
 
@@ -46,7 +51,7 @@ Index first_layer_count(double vertices, const PatchSizes& sizes, const Partitio
   if (options.second_layer_patches) {
     return rounded(vertices / (options.second_layer_patches * sizes.second_layer_vertices));
   }
-  const double wanted = ordinary_patches * std::cbrt(std::max(1.0, vertices / ordinary_vertices));
+  const double wanted = ordinary_patches * first_layer_growth(vertices);
   return rounded(std::min(wanted, vertices / (sizes.least_patches_per_parent * sizes.second_layer_vertices)));
 }
 
@@ -82,11 +87,11 @@ void check_patches(const char* which, Index requested, Index faces) {
 
 }  // namespace
 
-bool is_coarse(const Mesh& mesh) { return mesh.mean_angle_defect() >= coarse_defect; }
+double first_layer_growth(double vertices) { return std::cbrt(std::max(1.0, vertices / ordinary_vertices)); }
 
 Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options) {
   if (options.first_layer_patches) return options.first_layer_patches;
-  return first_layer_count(vertices, is_coarse(mesh) ? coarse_sizes : usual_sizes, options);
+  return first_layer_count(vertices, sizes_for(mesh), options);
 }
 
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
@@ -100,8 +105,12 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
   const auto all_vertices = vertices_of(mesh, all_faces);
   const auto vertices = static_cast<double>(all_vertices.size());
-  const PatchSizes& sizes = is_coarse(mesh) ? coarse_sizes : usual_sizes;
+  const PatchSizes& sizes = sizes_for(mesh);
   const Index first_count = planned_first_layer(mesh, vertices, options);
+  const double faces_per_patch =
+      options.second_layer_patches
+          ? static_cast<double>(faces) / (static_cast<double>(first_count) * options.second_layer_patches)
+          : 2.0 * sizes.second_layer_vertices;
 
   const MeshPart whole{all_vertices, {}};
   partition.first_layer.assign(faces, 0);
@@ -114,6 +123,8 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
     const Watch watch(progress.part(0.3, 0.5), "Growing first-layer patches");
     Front front(mesh);
     label_voronoi_faces(front, mesh, whole, all_faces, samples, outliers, partition.first_layer);
+    BorderCut(mesh).shorten(all_faces, static_cast<Index>(samples.size()), faces_per_patch, outliers,
+                            partition.first_layer);
   }
   partition.first_layer_count = compact(partition.first_layer, all_faces, static_cast<Index>(samples.size()));
 
@@ -124,9 +135,11 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
 
   const int threads = std::min<int>(resolve_thread_count(options.threads), partition.first_layer_count);
   struct Scratch {
-    explicit Scratch(const Mesh& mesh) : sampler(mesh), front(mesh), allowed(mesh.face_count(), 0) {}
+    explicit Scratch(const Mesh& mesh)
+        : sampler(mesh), front(mesh), cut(mesh), allowed(mesh.face_count(), 0) {}
     Sampler sampler;
     Front front;
+    BorderCut cut;
     std::vector<std::uint8_t> allowed;
   };
   PerWorker<Scratch> scratch(threads);
@@ -143,6 +156,8 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
                          : rounded(static_cast<double>(patch_vertices.size()) / sizes.second_layer_vertices);
                  const auto inner = own.sampler.spread(part, count, options.seed + 1 + patch);
                  label_voronoi_faces(own.front, mesh, part, list, inner, outliers, partition.second_layer);
+                 own.cut.shorten(list, static_cast<Index>(inner.size()), faces_per_patch, outliers,
+                                 partition.second_layer);
                  children[patch] = compact(partition.second_layer, list, static_cast<Index>(inner.size()));
                  for (Index f : list) own.allowed[f] = 0;
                });

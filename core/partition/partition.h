@@ -27,13 +27,12 @@ struct Partition {
   Index second_layer_count = 0;
 };
 
-/// Whether the edges of a mesh are long for the shape of its surface, as on simplified meshes and CAD parts:
-/// by its mean angle defect. Distances between its vertices then tell little of those beside them, and an
-/// index needs closer points on borders and fewer borders to cross.
-bool is_coarse(const Mesh& mesh);
-
 /// First-layer patches that make_partition() aims at on a mesh, or on one like it with so many vertices.
 Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options);
+
+/// How much more the tables of the first layer take for each vertex of a mesh than on meshes of ordinary size
+/// (1): its patches become more and larger, both with the cube root of the mesh.
+double first_layer_growth(double vertices);
 
 /// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
 /// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.

@@ -1,0 +1,164 @@
+// The finest pieces for which the tables have room.
+#include "index/border_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <span>
+
+#include "mesh/outliers.h"
+#include "support/checkpoint.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
+/// patch of a regular mesh with 350 vertices has 0.06.
+constexpr double longest_border_edge = 0.1;
+/// No limit on their length is shorter than this.
+constexpr double finest_border_edge = 0.03;
+/// Between these, the fraction times the root of the mesh's mean angle defect.
+constexpr double edge_by_defect = 0.013;
+/// Edges may be longer where the tables would have more entries than this for each vertex of the mesh:
+/// memory, and the work to fill them, grow with that number.
+constexpr double entries_per_vertex = 250.0;
+/// More for the first layer, its tables and the one between its borders; this many on a mesh of ordinary
+/// size.
+constexpr double first_entries_per_vertex = 110.0;
+/// By how much longer in a step, and in how many steps at most.
+constexpr double longer_per_step = 1.1;
+constexpr int max_steps = 16;
+constexpr Index max_pieces = 32;
+/// Most points that are added: this many for each vertex of the mesh, and some more on tiny meshes. Meshes as
+/// people have them take up to 0.2; patches of a few needles each would take any number, and tables and runs
+/// grow with its square.
+constexpr double added_per_vertex = 2.0;
+constexpr double added_anyway = 128.0;
+
+/// A border edge, and its length in roots of the area of the smallest adjacent patch.
+struct BorderEdge {
+  Index edge;
+  double length;
+};
+
+Index pieces_of(const BorderEdge& border, double longest) {
+  return static_cast<Index>(
+      std::clamp(std::ceil(border.length / longest), 1.0, static_cast<double>(max_pieces)));
+}
+
+/// The border edges between patches that have an area.
+std::vector<BorderEdge> border_edges(const Mesh& mesh, const Partition& partition) {
+  // Faces at outliers say nothing about the size of a patch: they may have more area than all others.
+  const Outliers outliers = find_outliers(mesh);
+  std::vector<double> area(partition.second_layer_count, 0.0);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const bool far =
+        std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
+    if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
+  }
+  std::vector<BorderEdge> result;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
+    const Index first = mesh.edge_halfedge(e);
+    double least = area[partition.second_layer[Mesh::face_of(first)]];
+    bool border = false;
+    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      const Index patch = partition.second_layer[Mesh::face_of(h)];
+      border |= patch != partition.second_layer[Mesh::face_of(first)];
+      least = std::min(least, area[patch]);
+    }
+    if (border && least > 0.0) result.push_back({e, mesh.edge_length(e) / std::sqrt(least)});
+  }
+  return result;
+}
+
+/// Faces, border edges and points added to these, of a patch.
+struct PatchCounts {
+  double faces = 0.0;
+  double border = 0.0;
+  double added = 0.0;
+};
+
+/// About how many entries all tables have if no piece is longer than `longest`.
+double expected_entries(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders,
+                        double longest) {
+  std::vector<PatchCounts> patches(partition.second_layer_count);
+  for (Index patch : partition.second_layer) patches[patch].faces += 1.0;
+  // Nodes of both layers, by first-layer patch.
+  std::vector<double> members(partition.first_layer_count, 0.0);
+  std::vector<double> nodes(partition.first_layer_count, 0.0);
+  double all_nodes = 0.0;
+  for (const BorderEdge& border : borders) {
+    const Index pieces = pieces_of(border, longest);
+    const Index first = mesh.edge_halfedge(border.edge);
+    const Index parent = partition.first_layer[Mesh::face_of(first)];
+    bool between_parents = false;
+    Index h = first;
+    do {
+      PatchCounts& patch = patches[partition.second_layer[Mesh::face_of(h)]];
+      patch.border += 1.0;
+      patch.added += pieces - 1;
+      between_parents |= partition.first_layer[Mesh::face_of(h)] != parent;
+      h = mesh.next_around_edge(h);
+    } while (h != first);
+    members[parent] += pieces;
+    if (!between_parents) continue;
+    all_nodes += pieces;
+    nodes[parent] += pieces;
+    for (h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      const Index other = partition.first_layer[Mesh::face_of(h)];
+      if (other == parent) continue;
+      members[other] += pieces;
+      nodes[other] += pieces;
+    }
+  }
+  double entries = all_nodes * all_nodes;
+  for (std::size_t p = 0; p < nodes.size(); ++p) entries += nodes[p] * members[p];
+  // A disc has half as many vertices as faces and border edges together, and as many on its border as it has
+  // border edges.
+  for (const PatchCounts& patch : patches) {
+    entries += (patch.border + patch.added) * (0.5 * (patch.faces + patch.border) + patch.added);
+  }
+  return entries;
+}
+
+/// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
+void limit_pieces(std::vector<Index>& pieces, Index vertices) {
+  std::array<std::int64_t, max_pieces + 1> edges_with{};
+  for (Index count : pieces) ++edges_with[count];
+  const double most = added_per_vertex * vertices + added_anyway;
+  Index limit = 1;
+  std::int64_t added = 0;
+  std::int64_t longer = std::accumulate(edges_with.begin() + 2, edges_with.end(), std::int64_t{0});
+  // With one piece more, each edge that wants it has one more point.
+  for (; limit < max_pieces && static_cast<double>(added + longer) <= most; ++limit) {
+    added += longer;
+    longer -= edges_with[limit + 1];
+  }
+  for (Index& count : pieces) count = std::min(count, limit);
+}
+
+}  // namespace
+
+std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
+  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  const double defect = mesh.mean_angle_defect();
+  double longest =
+      defect > 0.0 ? std::clamp(edge_by_defect / std::sqrt(defect), finest_border_edge, longest_border_edge)
+                   : longest_border_edge;
+  const auto vertices = static_cast<double>(mesh.vertex_count());
+  const double most =
+      (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+  for (int step = 0; step < max_steps && expected_entries(mesh, partition, borders, longest) > most; ++step) {
+    longest *= longer_per_step;
+  }
+  std::vector<Index> pieces(mesh.edge_count(), 1);
+  for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, longest);
+  limit_pieces(pieces, mesh.vertex_count());
+  return pieces;
+}
+
+}  // namespace vorogeo

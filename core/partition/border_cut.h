@@ -1,0 +1,48 @@
+// Borders between patches with few nodes, by minimum cuts.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/outliers.h"
+#include "partition/min_cut.h"
+
+namespace vorogeo {
+
+/// Moves the border between each two patches to where it is short and has few vertices: round needles rather
+/// than along them, straight rather than ragged. The number of exact runs is that of border vertices, and
+/// tables grow with their square. An edge costs the points it takes (one, or more where it is long) and its
+/// length. Most faces of a patch stay, so that none vanishes.
+///
+/// Keeps its memory between calls; one object belongs to one thread. The mesh must outlive it.
+class BorderCut {
+ public:
+  explicit BorderCut(const Mesh& mesh);
+
+  /// Changes label[f], a number below `labels`, for some of the faces f in `faces`, from one patch to a patch
+  /// beside it; other faces are not looked at. `faces_per_patch`: of a patch of the second layer, whose size
+  /// says from which length on an edge takes several points. Complexity: about O(faces) for patches of some
+  /// hundred faces.
+  void shorten(std::span<const Index> faces, Index labels, double faces_per_patch, const Outliers& outliers,
+               std::span<Index> label);
+
+ private:
+  /// Place of a face that is in no band.
+  static constexpr Index no_place = -2;
+  struct Patch {
+    std::vector<Index> faces;
+    double area = 0.0;     ///< without the faces at outliers
+    double counted = 0.0;  ///< faces in that area
+  };
+  void cut(Index p, Index q, double faces_per_patch, std::span<Index> label);
+  void take_band(Index patch, Index other, std::span<const Index> label);
+
+  const Mesh& mesh_;
+  std::vector<Patch> patches_;
+  std::vector<Index> place_;  ///< by face: its node in the cut; no_place; no_index outside the part
+  std::vector<Index> band_;
+  MinCut flow_;
+};
+
+}  // namespace vorogeo
