@@ -45,7 +45,7 @@ std::string trimmed(const std::string& text) {
 
 MethodRequest parse_one(const std::string& text) {
   const auto open = text.find('(');
-  MethodRequest request{trimmed(text.substr(0, open)), {}};
+  MethodRequest request{trimmed(text.substr(0, open)), {}, false};
   if (request.name.empty()) refuse_list(text);
   if (open != std::string::npos) {
     const auto close = text.find(')', open);
@@ -162,7 +162,7 @@ std::vector<MethodRequest> parse_methods(const std::string& text) {
   std::vector<MethodRequest> requests;
   if (trimmed(text) == "all") {
     for (const MethodEntry& entry : all_methods()) {
-      if (!entry.warning) requests.push_back({entry.info.name, {}});
+      if (!entry.warning) requests.push_back({entry.info.name, {}, true});
     }
     return requests;
   }
@@ -203,7 +203,12 @@ std::vector<MethodMeasure> compare_methods(const std::shared_ptr<const Mesh>& me
     return 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(requests.size());
   };
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    measures.push_back(measure(mesh, requests[i], sources, exact, progress.part(part(i), part(i + 1))));
+    try {
+      measures.push_back(measure(mesh, requests[i], sources, exact, progress.part(part(i), part(i + 1))));
+    } catch (const InvalidInput& error) {
+      if (!requests[i].is_optional) throw;
+      progress.warn(std::string("Left out: ") + error.what());
+    }
   }
   return measures;
 }

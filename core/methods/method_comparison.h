@@ -14,6 +14,8 @@ namespace vorogeo {
 struct MethodRequest {
   std::string name;
   MethodOptions options;
+  /// Left out of a comparison if it cannot work on the mesh; otherwise that stops the comparison.
+  bool is_optional = false;
   /// As it is written: svg(K=100).
   std::string text() const;
 };
@@ -23,8 +25,8 @@ struct MethodRequest {
 MethodRequest with_gap(MethodRequest request, const GapLimit& limit);
 
 /// Reads a list such as "vorogeo, svg(K=100), heat(time_step=2, delaunay=1)"; "all" stands for all methods
-/// but those that warn. \throw InvalidInput for what cannot be read, an unknown name or option, a value out
-/// of range.
+/// but those that warn, as far as they work on the mesh. \throw InvalidInput for what cannot be read, an
+/// unknown name or option, a value out of range.
 std::vector<MethodRequest> parse_methods(const std::string& text);
 
 /// What was measured of a method. Errors are relative and without sign: 0.01 is 1 %.
@@ -43,8 +45,9 @@ struct MethodMeasure {
 /// `count` vertices with a face, evenly spaced by number; all of them if there are fewer.
 std::vector<Index> spread_vertices(const Mesh& mesh, int count);
 
-/// Runs each method from each source on its own (wall time), and compares with exact distances.
-/// \throw InvalidInput for a method that cannot work on this mesh; Cancelled.
+/// Runs each method from each source on its own (wall time), and compares with exact distances. An optional
+/// one that cannot work on this mesh is left out with a warning. \throw InvalidInput for another one that
+/// cannot; Cancelled.
 std::vector<MethodMeasure> compare_methods(const std::shared_ptr<const Mesh>& mesh,
                                            const std::vector<MethodRequest>& requests,
                                            const std::vector<Index>& sources, const Progress& progress);

@@ -15,9 +15,10 @@ namespace {
 
 RichParameterList table_parameters(const MeshDocument&) {
   RichParameterList list;
-  list.addParam(RichString("methods", "all", "Methods",
-                           "Names with commas between, options in parentheses: vorogeo, svg(K=100), "
-                           "heat(delaunay=1). all: every method but ch, which is for small meshes."));
+  list.addParam(RichString(
+      "methods", "all", "Methods",
+      "Names with commas between, options in parentheses: vorogeo, svg(K=100), "
+      "heat(delaunay=1). all: every method that works on this mesh, but ch, which is for small ones."));
   list.addParam(RichInt("sources", 3, "Sources",
                         "Vertices from which each method computes a field, evenly spaced by number."));
   list.addParam(RichFileToWrite("csv_file", "", "*.csv", "CSV file",

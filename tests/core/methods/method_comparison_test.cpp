@@ -27,10 +27,11 @@ TEST(MethodComparison, RefusesWhatCannotBeRead) {
 }
 
 TEST(MethodComparison, AMethodWithAGapOfItsOwnTakesThatOfTheMeshUnlessToldAnother) {
-  EXPECT_EQ(with_gap({"campen_kobbelt", {}}, {0.5}).options, (MethodOptions{{"gap", 0.5}}));
-  EXPECT_EQ(with_gap({"campen_kobbelt", {{"gap", 2.0}}}, {0.5}).options, (MethodOptions{{"gap", 2.0}}));
-  EXPECT_TRUE(with_gap({"campen_kobbelt", {}}, {}).options.empty());
-  EXPECT_TRUE(with_gap({"fast_marching", {}}, {0.5}).options.empty());
+  EXPECT_EQ(with_gap({"campen_kobbelt", {}, false}, {0.5}).options, (MethodOptions{{"gap", 0.5}}));
+  EXPECT_EQ(with_gap({"campen_kobbelt", {{"gap", 2.0}}, false}, {0.5}).options,
+            (MethodOptions{{"gap", 2.0}}));
+  EXPECT_TRUE(with_gap({"campen_kobbelt", {}, false}, {}).options.empty());
+  EXPECT_TRUE(with_gap({"fast_marching", {}, false}, {0.5}).options.empty());
 }
 
 TEST(MethodComparison, MeasuresWhatTheMethodsDo) {
@@ -50,9 +51,34 @@ TEST(MethodComparison, MeasuresWhatTheMethodsDo) {
   EXPECT_LE(measures[1].p99_error, measures[1].max_error);
 }
 
+TEST(MethodComparison, OfAllMethodsOnesThatRefuseTheMeshAreLeftOut) {
+  // More components than GTU takes samples.
+  test::Soup triangles;
+  for (Index i = 0; i < 120; ++i) {
+    triangles.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    for (const Point& corner : {Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}}) {
+      triangles.positions.push_back({corner[0] + 2.0 * i, corner[1], corner[2]});
+    }
+  }
+  const auto mesh = test::make_mesh(triangles);
+  std::vector<std::string> warnings;
+  const Progress progress({}, [&](const std::string& sentence) {
+    warnings.push_back(sentence);
+    return true;
+  });
+  auto all = parse_methods("all");
+  std::erase_if(all, [](const MethodRequest& one) { return one.name != "gtu" && one.name != "dijkstra"; });
+  const auto measures = compare_methods(mesh, all, {0}, progress);
+  ASSERT_EQ(measures.size(), 1u);
+  EXPECT_EQ(measures[0].request.name, "dijkstra");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("gtu"), std::string::npos);
+  EXPECT_THROW(compare_methods(mesh, parse_methods("dijkstra, gtu"), {0}, progress), InvalidInput);
+}
+
 TEST(MethodComparison, IsWrittenAsTextAndAsCsv) {
   MethodMeasure measure;
-  measure.request = {"svg", {{"K", 20.0}}};
+  measure.request = {"svg", {{"K", 20.0}}, false};
   measure.setup_seconds = 1.5;
   measure.field_seconds = 0.0125;
   measure.pair_seconds = std::nan("");
