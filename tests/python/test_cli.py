@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import meshio
 import numpy as np
 import pytest
 import vorogeo
@@ -26,7 +27,6 @@ def mesh(tmp_path, monkeypatch):
 
 
 def test_field_in_every_format(mesh, tmp_path):
-    import meshio
     import nibabel
     from scipy.io import loadmat
 
@@ -142,6 +142,11 @@ def test_compare_shows_all_methods_in_one_table(mesh, capsys):
     assert head.split()[0] == "method"
     assert [row.split()[0] for row in rows] == ["mmp", "gsp"]
     assert float(rows[0].split()[3]) <= 1e-9
+    # More components than GTU takes samples.
+    corners = np.arange(120)[:, None, None] * [2, 0, 0] + [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    meshio.Mesh(corners.reshape(-1, 3), [("triangle", np.arange(360).reshape(-1, 3))]).write("loose.ply")
+    assert main(["compare", "loose.ply", "--from", "0", "--methods", "all"]) == 0
+    assert "left out: The method gtu" in capsys.readouterr().out
     assert main(["compare", mesh, "--from", "0.1,0.2,0", "--methods", "heat"]) == 1
     assert "--from: heat begins at vertices" in capsys.readouterr().err
 

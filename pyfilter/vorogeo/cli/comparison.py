@@ -55,7 +55,8 @@ def compare(task: MeshTask) -> Result:
     else:
         lines += [*_table(fields, exact), *left_out]
     values = np.stack([one.values for one in fields]) if len(fields) > 1 else fields[0].values
-    arrays: dict[str, NDArray[Any]] = {"distance": values, "exact": exact, "error": values - exact}
+    with np.errstate(invalid="ignore"):  # not a number where neither reaches
+        arrays: dict[str, NDArray[Any]] = {"distance": values, "exact": exact, "error": values - exact}
     if len(fields) > 1:
         arrays["method"] = np.array([one.name for one in fields])
     per_vertex = "error" if len(fields) == 1 else ""
