@@ -64,8 +64,11 @@ def draw_points(axes: plt.Axes, rows: list[dict[str, str]]) -> None:
     least = 0.3 * errors[errors > 1e-7].min(initial=1.0)
     errors = np.maximum(errors, least)
     axes.scatter(errors, times)
-    for row, error, time in zip(rows, errors, times, strict=True):
-        axes.annotate(row["method"], (error, time), textcoords="offset points", xytext=(6, 4))
+    for place, i in enumerate(np.argsort(errors)):  # neighbours have their names above and below in turn
+        below = place % 2
+        axes.annotate(
+            rows[i]["method"], (errors[i], times[i]), textcoords="offset points", xytext=(6, -12 if below else 4)
+        )
     axes.set(xscale="log", yscale="log", xlabel="mean error in % (at the left edge: exact)", ylabel="field, seconds")
     axes.grid(alpha=0.3)
     axes.margins(x=0.1)
