@@ -28,9 +28,10 @@ constexpr double entries_per_vertex = 250.0;
 /// More for the first layer, its tables and the one between its borders; this many on a mesh of ordinary
 /// size.
 constexpr double first_entries_per_vertex = 110.0;
-/// By how much longer in a step, and in how many steps at most.
+/// By how much longer in a step, and in how many steps at most: beside a border edge that is far longer than
+/// its share, single vertices would be off by tens of percent.
 constexpr double longer_per_step = 1.1;
-constexpr int max_steps = 16;
+constexpr int max_steps = 8;
 constexpr Index max_pieces = 32;
 /// Most points that are added: this many for each vertex of the mesh, and some more on tiny meshes. Meshes as
 /// people have them take up to 0.2; patches of a few needles each would take any number, and tables and runs
