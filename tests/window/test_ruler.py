@@ -69,6 +69,12 @@ def test_path_around_the_hole_has_the_length_of_tangents_and_arc(seen, saved):
     assert float(ratio) == pytest.approx(row["length"] / row["straight"], rel=1e-4)
 
 
+def test_lengths_are_those_of_the_vertices_whatever_the_layers_matrix():
+    before, scaled = written_down("ruler_layer")
+    # The same two places of the view: scaled up, less of the layer lies between them.
+    assert float(before[2]) / float(scaled[2]) == pytest.approx(1.1, rel=1e-4)
+
+
 def test_path_on_the_sphere_is_a_great_circle(seen, saved):
     row = saved[3]
     a, b = (end(row, i) / np.linalg.norm(end(row, i)) for i in (0, 1))

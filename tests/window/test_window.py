@@ -6,6 +6,7 @@ import json
 import os
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pymeshlab
@@ -16,7 +17,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = Path(os.environ.get("VOROGEO_WINDOW_RESULTS", PROJECT / "build" / "window" / "2025.07" / "seen"))
 
 
-def written_down(name: str) -> dict:
+def written_down(name: str) -> Any:
     """Everything that a script of this name wrote down."""
     file = FOLDER / f"{name}.json"
     if not file.is_file():
