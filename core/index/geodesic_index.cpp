@@ -7,10 +7,12 @@
 #include <new>
 #include <string>
 
+#include "index/build_file.h"
 #include "index/index_data.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
 #include "index/overlay.h"
+#include "index/saved_index.h"
 #include "index/table_draft.h"
 #include "mesh/length_limits.h"
 #include "support/checkpoint.h"
@@ -103,17 +105,28 @@ namespace {
 constexpr const char* memory_advice =
     "Close other programs, use fewer threads, or build the index of a smaller mesh.";
 
-/// While they are computed, tables hold single precision, twice as large as in the end.
-void require_memory_for_tables(const IndexData& data) {
-  const std::int64_t second = table_bytes(data.second);
-  const std::int64_t first = table_bytes(data.first);
-  require_memory(static_cast<double>(second + first + 2 * std::max(second, first)), 0,
-                 "Building the tables of this index", memory_advice);
+/// What a vertex of the mesh takes while patches and work mesh are laid out, in bytes: 500 to 600 were
+/// measured.
+constexpr double layout_bytes = 600.0;
+
+void require_memory_for_layout(const Mesh& mesh) {
+  require_memory(layout_bytes * mesh.vertex_count(), 0, "Laying out the patches of this mesh", memory_advice);
 }
 
-std::unique_ptr<IndexData> build_data(std::shared_ptr<const Mesh> mesh, const IndexOptions& options,
+/// Tables that are not in a file, and those that are not yet written.
+void require_memory_for_tables(const IndexData& data, IndexForm form, bool in_file) {
+  std::int64_t bytes = std::max(local_draft_bytes(data.second), composed_draft_bytes(data.first));
+  if (!in_file) {
+    bytes += table_bytes(data.second) + table_bytes(data.first);
+    if (form == IndexForm::tables) bytes += transit_table_bytes(data.first);
+  }
+  if (form == IndexForm::tables) bytes += access_bounds_bytes(data);
+  require_memory(static_cast<double>(bytes), 0, "Building the tables of this index", memory_advice);
+}
+
+/// The mesh and what is asked for, checked.
+std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const IndexOptions& options,
                                       const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
   if (!(options.delta >= 0.0 && options.delta < 1.0)) {
     throw InvalidInput("delta is " + std::to_string(options.delta) +
                        "; it must be at least 0 (nothing lost) and below 1.");
@@ -126,37 +139,82 @@ std::unique_ptr<IndexData> build_data(std::shared_ptr<const Mesh> mesh, const In
   require_lengths(*mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
-  {
-    const Watch watch(progress.part(0.0, 0.01), "Reading the mesh");
-    data->fingerprint = fingerprint_of(*data->mesh);
-  }
+  const Watch watch(progress, "Reading the mesh");
+  data->fingerprint = fingerprint_of(*data->mesh);
   data->statistics.delta = options.delta;
   data->statistics.seed = options.seed;
-  data->partition = make_partition(
-      *data->mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
+  data->requested_patches = {options.first_layer_patches, options.second_layer_patches};
+  return data;
+}
+
+/// Everything but the first steps. `file`: where the tables are filled; null: in memory.
+void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const double filled = file != nullptr ? 0.99 : 1.0;  // what is left is to be written
+  require_memory_for_layout(*data.mesh);
+  data.partition = make_partition(
+      *data.mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
       progress.part(0.01, 0.07));
-  data->lay_out(options.threads, progress.part(0.07, 0.1));
-  const MemoryBudget budget(options);
-  const IndexForm form = budget.form_of(*data);
-  require_memory_for_tables(*data);
-  data->statistics.expected_fields =
-      fill_local_tables(make_table_surface(*data->mesh, data->work, data->geometry), data->work, data->second,
-                        options.threads, progress.part(0.1, 0.8));
-  compose_tables(data->second, data->partition.parent, data->first, options.threads,
+  data.lay_out(options.threads, progress.part(0.07, 0.1));
+  const MemoryBudget budget(options, file != nullptr);
+  const IndexForm form = budget.form_of(data);
+  require_memory_for_tables(data, form, file != nullptr);
+  TableRooms rooms;
+  {
+    const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
+    rooms = file != nullptr ? file->rooms(data, form) : rooms_in_memory(data, form);
+  }
+  data.statistics.expected_fields =
+      fill_local_tables(make_table_surface(*data.mesh, data.work, data.geometry), data.work, data.second,
+                        rooms.second, options.threads, progress.part(0.1, 0.8));
+  compose_tables(data.second, data.partition.parent, data.first, rooms.first, options.threads,
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
-    data->transit_table = make_transit_table(data->first, options.threads, progress.part(0.85, 0.98));
-    data->access_bounds = make_access_bounds(*data);
-    data->graph = make_landmarks(data->second, data->first, progress.part(0.98, 1.0));
+    data.transit_table =
+        make_transit_table(data.first, rooms.transit, options.threads, progress.part(0.85, 0.98));
+    data.access_bounds = make_access_bounds(data);
+    data.graph = make_landmarks(data.second, data.first, progress.part(0.98, filled));
   } else {
-    data->graph = make_search_graph(data->second, data->first, data->partition.parent, options.delta,
-                                    options.threads, progress.part(0.85, 1.0));
-    drop_tables(data->first);
-    budget.require(data->bytes());
+    data.graph = make_search_graph(data.second, data.first, data.partition.parent, options.delta,
+                                   options.threads, progress.part(0.85, filled));
+    drop_tables(data.first);
+    rooms = {};
+    budget.require(data.bytes() - (file != nullptr ? table_bytes(data.second) : 0));
   }
-  data->count();
-  data->statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return data;
+  if (file != nullptr) {
+    const Watch watch(progress.part(filled, 1.0), "Writing the index file");
+    file->finish(data);
+    note_mapped_bytes(data);
+  }
+  data.count();
+  data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Refuses an index of another mesh or of other options, which a build must not replace.
+void require_same(const std::filesystem::path& file, const IndexData& data) {
+  IndexFileReader in(file);
+  const auto words = in.block<std::uint64_t>(2);
+  const bool same_mesh = std::ranges::equal(words, data.fingerprint.words);
+  const double delta = in.block<double>(1)[0];
+  const auto numbers = in.block<std::uint64_t>(5);
+  const bool same_options = delta == data.statistics.delta && numbers[0] == data.statistics.seed &&
+                            numbers[3] == static_cast<std::uint64_t>(data.requested_patches[0]) &&
+                            numbers[4] == static_cast<std::uint64_t>(data.requested_patches[1]);
+  if (same_mesh && same_options) return;
+  throw IndexFileError(
+      "The index file " + file.string() +
+      (same_mesh ? " has other options" : " is of another mesh, or this mesh was edited since") +
+      "; remove it or name another file.");
+}
+
+/// Any failed allocation as an error that says what to do.
+template <class Build>
+std::shared_ptr<const GeodesicIndex> building(Build&& build) {
+  try {
+    return build();
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(std::string("There is not enough memory to build this index. ") + memory_advice);
+  }
 }
 
 }  // namespace
@@ -164,11 +222,38 @@ std::unique_ptr<IndexData> build_data(std::shared_ptr<const Mesh> mesh, const In
 std::shared_ptr<const GeodesicIndex> GeodesicIndex::build(std::shared_ptr<const Mesh> mesh,
                                                           const IndexOptions& options,
                                                           const Progress& progress) {
-  try {
-    return std::make_shared<const GeodesicIndex>(build_data(std::move(mesh), options, progress));
-  } catch (const std::bad_alloc&) {
-    throw NotEnoughMemory(std::string("There is not enough memory to build this index. ") + memory_advice);
-  }
+  return building([&] {
+    auto data = begin_data(std::move(mesh), options, progress.part(0.0, 0.01));
+    fill_data(*data, options, nullptr, progress);
+    return std::make_shared<const GeodesicIndex>(std::move(data));
+  });
+}
+
+std::shared_ptr<const GeodesicIndex> GeodesicIndex::build_in_file(const std::filesystem::path& file,
+                                                                  std::shared_ptr<const Mesh> mesh,
+                                                                  const IndexOptions& options,
+                                                                  const Progress& progress) {
+  return building([&]() -> std::shared_ptr<const GeodesicIndex> {
+    auto data = begin_data(mesh, options, progress.part(0.0, 0.01));
+    if (std::filesystem::exists(file)) {
+      const Watch watch(progress.part(0.01, 1.0), "Loading the index");
+      require_same(file, *data);
+      return load(file, std::move(mesh));
+    }
+    BuildFile out(file, *data);
+    if (out.is_complete()) {
+      require_same(out.unfinished(), *data);
+      try {
+        auto index = load(out.unfinished(), mesh);
+        out.put_in_place();
+        return index;
+      } catch (const IndexFileError&) {
+        out.start_anew();
+      }
+    }
+    fill_data(*data, options, &out, progress);
+    return std::make_shared<const GeodesicIndex>(std::move(data));
+  });
 }
 
 GeodesicIndex::GeodesicIndex(std::unique_ptr<IndexData> data) : data_(std::move(data)) {}

@@ -28,6 +28,19 @@ class GeodesicIndex {
                                                     const IndexOptions& options = {},
                                                     const Progress& progress = {});
 
+  /// The index of a mesh in a file, to which its tables are written as they are filled, and from which they
+  /// are read: their memory is that of the system's file cache, and the memory budget does not count them. If
+  /// the file has the index of this mesh, it is loaded. If a build was stopped, whatever stopped it, this one
+  /// goes on from the parts that were filled; until then they are in NAME.unfinished. The file equals one
+  /// that save() writes, to the last bit.
+  ///
+  /// \throw as build(), and IndexFileError if the file cannot be written, or if it or the unfinished one is
+  /// of another mesh or has other options.
+  static std::shared_ptr<const GeodesicIndex> build_in_file(const std::filesystem::path& file,
+                                                            std::shared_ptr<const Mesh> mesh,
+                                                            const IndexOptions& options = {},
+                                                            const Progress& progress = {});
+
   /// Writes the index (not the mesh) to a file, which appears complete or not at all.
   /// \throw IndexFileError if it cannot be written.
   void save(const std::filesystem::path& file) const;

@@ -1,6 +1,7 @@
 // What an index consists of; read by the queries, written by the builder and the index file.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <ranges>
@@ -23,7 +24,8 @@ struct IndexData {
   std::shared_ptr<const Mesh> mesh;  ///< the user's
   Fingerprint fingerprint;
   IndexStatistics statistics;
-  Partition partition;  ///< of the user's faces
+  std::array<Index, 2> requested_patches{};  ///< as in the options: of the first layer, of the second
+  Partition partition;                       ///< of the user's faces
   WorkMesh work;
   std::shared_ptr<const ExactGeometry> geometry;  ///< of the work mesh
   PatchLayer first;

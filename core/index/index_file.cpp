@@ -9,14 +9,20 @@
 #include <cstring>
 #include <system_error>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
 
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
-constexpr std::uint32_t version = 8;
+constexpr std::uint32_t version = 9;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
+
+constexpr std::size_t block_head_size = 24;
+/// Bytes of a checksum between two checkpoints.
+constexpr std::size_t bytes_per_checkpoint = std::size_t{1} << 24;
 
 /// Bytes from a place in a file to the next at which contents may begin.
 std::size_t padding_at(std::size_t place) {
@@ -48,6 +54,7 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
   };
   std::size_t i = 0;
   for (; i + 8 <= bytes.size(); i += 8) {
+    if (i % bytes_per_checkpoint == 0) checkpoint();
     std::uint64_t word;
     std::memcpy(&word, bytes.data() + i, 8);
     add(word);
@@ -58,13 +65,9 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes) {
   return sum ^ (sum >> 32);
 }
 
-namespace {
-
-/// Runs a step of the writing; any failure becomes an IndexFileError.
-template <class Do>
-auto writing(Do&& body) {
+void writing_index(const std::function<void()>& step) {
   try {
-    return body();
+    step();
   } catch (const InvalidInput& error) {
     throw IndexFileError(error.what());
   } catch (const FileError& error) {
@@ -72,32 +75,44 @@ auto writing(Do&& body) {
   }
 }
 
-}  // namespace
+SavedIndexBytes::SavedIndexBytes(const std::filesystem::path& file) {
+  writing_index([&] { out_ = std::make_unique<OutputFile>(file, "The index file"); });
+}
 
-IndexFileWriter::IndexFileWriter(const std::filesystem::path& file)
-    : out_(writing([&] { return std::make_unique<OutputFile>(file, "The index file"); })) {
-  writing([&] {
-    out_->write(std::as_bytes(std::span(magic)));
-    for (std::uint32_t number : {version, byte_order})
-      out_->write(std::as_bytes(std::span<const std::uint32_t, 1>(&number, 1)));
-  });
-  written_ = magic.size() + sizeof(version) + sizeof(byte_order);
+void SavedIndexBytes::write(std::span<const std::byte> bytes) {
+  writing_index([&] { out_->write(bytes); });
+}
+
+void SavedIndexBytes::finish() {
+  writing_index([&] { out_->finish(); });
+}
+
+bool begins_as_index(std::string_view head) {
+  return head.starts_with(std::string_view(magic.data(), magic.size()));
+}
+
+std::uint64_t BlockPlaces::next(std::uint64_t bytes) {
+  const std::uint64_t head_end = end_ + block_head_size;
+  const std::uint64_t contents = head_end + padding_at(head_end);
+  end_ = contents + bytes;
+  return contents;
+}
+
+IndexFileWriter::IndexFileWriter(IndexBytes& out) : out_(out) {
+  out_.write(std::as_bytes(std::span(magic)));
+  for (std::uint32_t number : {version, byte_order})
+    out_.write(std::as_bytes(std::span<const std::uint32_t, 1>(&number, 1)));
 }
 
 void IndexFileWriter::write(std::span<const std::byte> bytes, std::size_t element_size) {
   const std::array<std::uint64_t, 3> head{element_size, bytes.size() / element_size, block_checksum(bytes)};
+  static_assert(sizeof(head) == block_head_size);
   const std::array<std::byte, block_alignment> zeros{};
-  const std::size_t padding = padding_at(written_ + sizeof(head));
-  writing([&] {
-    out_->write(std::as_bytes(std::span(head)));
-    out_->write(std::span(zeros).first(padding));
-    out_->write(bytes);
-  });
-  written_ += sizeof(head) + padding + bytes.size();
-}
-
-void IndexFileWriter::finish() {
-  writing([&] { out_->finish(); });
+  const std::uint64_t begin = places_.end() + sizeof(head);
+  const std::uint64_t contents = places_.next(bytes.size());
+  out_.write(std::as_bytes(std::span(head)));
+  out_.write(std::span(zeros).first(contents - begin));
+  out_.write(bytes);
 }
 
 IndexFileReader::IndexFileReader(const std::filesystem::path& file) : file_(file) {

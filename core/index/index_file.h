@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -18,17 +20,48 @@
 namespace vorogeo {
 
 /// Checksum of the contents of a block, at the speed of memory: every bit of the input changes it (multiply,
-/// rotate, add).
+/// rotate, add). Passes checkpoints.
 std::uint64_t block_checksum(std::span<const std::byte> bytes);
 
 /// The contents of blocks begin at multiples of this in a file, as cache lines do in memory.
 inline constexpr std::size_t block_alignment = 64;
 
-/// Writes an OutputFile, so that the target is either the old file or the complete new one. All its functions
-/// throw IndexFileError if the file cannot be written: a folder, a device, no permission, a full disk.
+/// Where the bytes of an index file go, one after the other.
+class IndexBytes {
+ public:
+  virtual ~IndexBytes() = default;
+  virtual void write(std::span<const std::byte> bytes) = 0;
+};
+
+/// Those of an OutputFile, so that the target is either the old file or the complete new one. All its
+/// functions throw IndexFileError if the file cannot be written.
+class SavedIndexBytes : public IndexBytes {
+ public:
+  explicit SavedIndexBytes(const std::filesystem::path& file);
+  void write(std::span<const std::byte> bytes) override;
+  /// Moves the file to its place.
+  void finish();
+
+ private:
+  std::unique_ptr<OutputFile> out_;
+};
+
+/// The places of blocks in a file, by their sizes alone.
+class BlockPlaces {
+ public:
+  /// Where the contents of the next block begin.
+  std::uint64_t next(std::uint64_t bytes);
+  /// Where the blocks so far end.
+  std::uint64_t end() const { return end_; }
+
+ private:
+  std::uint64_t end_ = 16;  ///< behind the head of the file
+};
+
+/// Writes the head of a file and its blocks.
 class IndexFileWriter {
  public:
-  explicit IndexFileWriter(const std::filesystem::path& file);
+  explicit IndexFileWriter(IndexBytes& out);
 
   template <class T>
   void block(std::span<const T> values) {
@@ -43,15 +76,20 @@ class IndexFileWriter {
   void block(const SharedArray<T>& values) {
     block(std::span<const T>(values));
   }
-  /// Moves the file to its place.
-  void finish();
 
  private:
   void write(std::span<const std::byte> bytes, std::size_t element_size);
 
-  std::unique_ptr<OutputFile> out_;
-  std::size_t written_ = 0;
+  IndexBytes& out_;
+  BlockPlaces places_;
 };
+
+/// Runs a step that writes an index file. \throw IndexFileError for a folder, a device, no permission, a full
+/// disk.
+void writing_index(const std::function<void()>& step);
+
+/// Whether a file of this beginning is an index file, of whatever version.
+bool begins_as_index(std::string_view head);
 
 /// Reads the blocks in the order in which they were written.
 class IndexFileReader {

@@ -12,7 +12,7 @@
 #include "exact/exact_solver.h"
 #include "exact/field_timing.h"
 #include "index/index_options.h"
-#include "index/table_draft.h"
+#include "index/table_filler.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/parallel.h"
@@ -65,7 +65,7 @@ class GroupSolver {
     }
   }
 
-  void solve(Index node, TableDraft& tables) {
+  void solve(Index node) {
     const ExactSource source = source_at(layer_.node_vertex[node]);
     ExactLimits limits;
     limits.face_allowed = halo_.mask();
@@ -74,13 +74,22 @@ class GroupSolver {
     // Windows behind the front are kept: dropping them takes 3 to 7 % longer on the few faces of a patch.
     limits.merge_tolerance = merge_tolerance;
     solver_.run(std::span(&source, 1), limits);
+  }
+
+  /// Writes the distances from the node that was solved last.
+  void put_rows(Index node, const TableFiller& tables) {
     auto place = place_.begin();
     for (const PatchRow& at : layer_.patches_of(node)) {
       const Index members = layer_.member_count(at.patch);
+      TableDraft* draft = tables.draft(at.patch);
+      if (draft == nullptr) {
+        place += members;
+        continue;
+      }
       for (Index i = 0; i < members; ++i, ++place) {
         const double distance =
             *place >= 0 ? solver_.distance(*place) : solver_.distance(points_[-1 - *place]);
-        tables.line(at.patch, i)[at.row] = static_cast<float>(distance);
+        draft->line(i)[at.row] = static_cast<float>(distance);
       }
     }
   }
@@ -122,7 +131,7 @@ constexpr const char* table_phase = "Computing exact distances inside patches";
 
 /// Seconds of one core that all runs will take, by a few of them. `groups`: as of group_by_patches().
 double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, GroupSolver& solver,
-                        TableDraft& tables, const Progress& progress) {
+                        const Progress& progress) {
   const std::size_t count = groups.size() - 1;
   const std::size_t step = std::max<std::size_t>(1, count / runs_to_estimate);
   double seconds = 0.0;
@@ -131,7 +140,7 @@ double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, 
     progress.report(0.0, table_phase);
     seconds += seconds_of([&] {
       solver.reset(layer.patches_of(groups[group]));
-      solver.solve(groups[group], tables);
+      solver.solve(groups[group]);
     });
   }
   return runs == 0 ? 0.0 : seconds * layer.node_count() / runs;
@@ -160,41 +169,46 @@ double warn_of_dear_tables(const TableSurface& surface, double seconds, const Pr
 
 double expected_table_seconds(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
                               const Progress& progress) {
-  TableDraft tables(layer);
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
   GroupSolver solver(surface, work, layer, face_begin);
-  return expected_seconds(layer, groups, solver, tables, progress);
+  return expected_seconds(layer, groups, solver, progress);
 }
 
-double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
-                         const Progress& progress) {
-  TableDraft tables(layer);
+std::int64_t local_draft_bytes(const PatchLayer& layer) {
+  return greatest_draft_bytes(layer, group_by_patches(layer, nodes_per_group));
+}
+
+double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer,
+                         const TableRoom& room, int threads, const Progress& progress) {
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
-  PerWorker<GroupSolver> solvers(threads);
   const Progress before = progress.part(0.0, 0.0);
-  const double seconds =
-      expected_seconds(layer, groups, solvers.of(0, surface, work, layer, face_begin), tables, before);
-  const double fields = warn_of_dear_tables(surface, seconds, before);
-  parallel_for(groups.size() - 1, threads, progress.part(0.0, 0.98), table_phase,
-               [&](std::size_t group, int worker) {
+  TableFiller tables(layer, room, groups, TableFiller::Closure::closed, threads, before);
+  PerWorker<GroupSolver> solvers(threads);
+  double fields = 0.0;
+  if (!tables.left().empty()) {
+    const double seconds =
+        expected_seconds(layer, groups, solvers.of(0, surface, work, layer, face_begin), before);
+    fields = warn_of_dear_tables(surface, seconds, before);
+  }
+  const double done =
+      1.0 - static_cast<double>(tables.left().size()) / std::max<std::size_t>(1, groups.size() - 1);
+  parallel_for(tables.left().size(), threads, progress.part(done, 1.0), table_phase,
+               [&](std::size_t item, int worker) {
+                 const Index group = tables.left()[item];
                  GroupSolver& solver = solvers.of(worker, surface, work, layer, face_begin);
                  solver.reset(layer.patches_of(groups[group]));
+                 tables.begin(group);
                  for (Index node = groups[group]; node < groups[group + 1]; ++node) {
                    checkpoint();
-                   solver.solve(node, tables);
+                   solver.solve(node);
+                   solver.put_rows(node, tables);
                  }
+                 tables.finish(group);
                });
-  {
-    const Watch watch(progress.part(0.98, 0.98), table_phase);
-    tables.make_symmetric();
-  }
-  parallel_for(layer.patch_count, threads, progress.part(0.98, 1.0), table_phase,
-               [&](std::size_t patch, int) { tables.close(static_cast<Index>(patch)); });
-  const Watch watch(progress.part(1.0, 1.0), table_phase);
-  tables.finish(layer);
+  tables.hand_over();
   return fields;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "index/patch_layer.h"
+#include "index/table_room.h"
 #include "index/table_surface.h"
 #include "partition/halo.h"
 #include "support/progress.h"
@@ -21,8 +22,12 @@ double expected_table_seconds(const TableSurface& surface, const WorkMesh& work,
 
 /// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
 /// halo. If a few runs show that all take as long as many exact fields of the mesh (fields_to_warn), warns
-/// before it begins and returns how many; otherwise returns 0.
-double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer, int threads,
-                         const Progress& progress);
+/// before it begins and returns how many; otherwise returns 0. Patches whose tables the
+/// room holds already are left as they are.
+double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer,
+                         const TableRoom& room, int threads, const Progress& progress);
+
+/// The most memory that tables which are not yet written take while they are filled, in bytes.
+std::int64_t local_draft_bytes(const PatchLayer& layer);
 
 }  // namespace vorogeo

@@ -1,6 +1,7 @@
 // Sizes of both forms from the layout.
 #include "index/memory_budget.h"
 
+#include <limits>
 #include <string>
 
 #include "support/error.h"
@@ -18,30 +19,34 @@ std::int64_t table_bytes(const PatchLayer& layer) {
                                    layer.patch_count * (sizeof(layer.unit[0]) + sizeof(layer.complete[0])));
 }
 
+std::int64_t MemoryBudget::mib() const {
+  if (options_.memory_budget != 0) return options_.memory_budget;
+  return tables_in_file_ ? std::numeric_limits<std::int64_t>::max() : default_memory_budget;
+}
+
 bool MemoryBudget::fits(std::int64_t bytes) const {
-  const std::int64_t mib = options_.memory_budget ? options_.memory_budget : default_memory_budget;
-  return (bytes + bytes_per_mib - 1) / bytes_per_mib <= mib;
+  return (bytes + bytes_per_mib - 1) / bytes_per_mib <= mib();
 }
 
 void MemoryBudget::refuse(std::int64_t bytes, const char* comparison) const {
-  const std::int64_t mib = options_.memory_budget ? options_.memory_budget : default_memory_budget;
   std::string advice = "give a larger memory budget";
   if (options_.form != IndexForm::tables) {
     advice +=
         options_.delta > 0.0 ? " or a larger delta" : ", or a delta above 0, which makes the graph smaller";
   }
   throw InvalidInput(
-      "The memory budget is " + std::to_string(mib) + " MiB, but the index of this mesh takes " + comparison +
-      " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) + " MiB" +
+      "The memory budget is " + std::to_string(mib()) + " MiB, but the index of this mesh takes " +
+      comparison + " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) + " MiB" +
       (options_.form == IndexForm::tables ? "" : " in its smallest form") + ": " + advice + ".");
 }
 
 IndexForm MemoryBudget::form_of(const IndexData& data) const {
   const std::int64_t landmarks =
       static_cast<std::int64_t>(sizeof(double)) * SearchGraph::landmark_count * data.second.node_count();
-  const std::int64_t both = data.bytes() + table_bytes(data.second) + landmarks;
+  auto in_memory = [&](std::int64_t bytes) { return tables_in_file_ ? 0 : bytes; };
+  const std::int64_t both = data.bytes() + in_memory(table_bytes(data.second)) + landmarks;
   const std::int64_t tables =
-      both + table_bytes(data.first) + transit_table_bytes(data.first) + access_bounds_bytes(data);
+      both + in_memory(table_bytes(data.first) + transit_table_bytes(data.first)) + access_bounds_bytes(data);
   if (options_.form == IndexForm::tables) {
     if (!fits(tables)) refuse(tables, "at least");
     return IndexForm::tables;

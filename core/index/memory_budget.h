@@ -7,10 +7,12 @@
 
 namespace vorogeo {
 
-/// The memory an index may take, and the form that suits it.
+/// The memory an index may take, and the form that suits it. Tables in a file take none; then there is no
+/// limit unless one is given.
 class MemoryBudget {
  public:
-  explicit MemoryBudget(const IndexOptions& options) : options_(options) {}
+  explicit MemoryBudget(const IndexOptions& options, bool tables_in_file = false)
+      : options_(options), tables_in_file_(tables_in_file) {}
 
   /// The form for an index that is laid out but has no tables yet: the sizes of all tables follow from the
   /// layout. \throw InvalidInput if not even the tables that both forms need fit, or if those of the
@@ -23,7 +25,10 @@ class MemoryBudget {
  private:
   [[noreturn]] void refuse(std::int64_t bytes, const char* comparison) const;
 
+  std::int64_t mib() const;
+
   const IndexOptions& options_;
+  bool tables_in_file_;
 };
 
 /// Memory that the tables of a laid out layer take, in bytes.

@@ -1,4 +1,6 @@
 // Which parts of an index go into its file, and the checks that tie a file to a mesh.
+#include "index/saved_index.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -12,12 +14,6 @@
 namespace vorogeo {
 
 namespace {
-
-void save_layer(IndexFileWriter& out, const PatchLayer& layer) {
-  out.block(layer.table);
-  out.block(layer.unit);
-  out.block(layer.offset);
-}
 
 /// Distances must be numbers of at least 0; infinity is what a patch cannot reach.
 template <class T>
@@ -34,7 +30,8 @@ Entries read_entries(IndexFileReader& in, TableStorage storage) {
                                          : Entries(in.block<std::uint16_t>());
 }
 
-void load_layer(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
+/// The table of a layer; empty in an index without one.
+void load_table(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
   layer.table = read_entries(in, storage);
   if (layer.table.size() != layer.table_begin.back()) in.fail("is damaged (a block has the wrong size)");
   std::uint16_t bits = 0;
@@ -43,6 +40,10 @@ void load_layer(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
   if (bits > PatchLayer::infinite_entry) {
     in.fail("is damaged (a distance is greater than its table can hold)");
   }
+  note_complete(layer);
+}
+
+void load_units(IndexFileReader& in, PatchLayer& layer) {
   layer.unit = in.block<float>(layer.patch_count);
   require_distances(in, layer.unit);
   if (std::find(layer.unit.begin(), layer.unit.end(), std::numeric_limits<float>::infinity()) !=
@@ -54,12 +55,9 @@ void load_layer(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
     in.fail("is damaged (the offsets of a layer have the wrong size)");
   }
   require_distances(in, layer.offset);
-  note_complete(layer);
 }
 
-void load_transit_table(IndexFileReader& in, TransitTable& table, const PatchLayer& first,
-                        TableStorage storage) {
-  auto entry = read_entries(in, storage);
+void load_transit_units(IndexFileReader& in, TransitTable& table, const PatchLayer& first, Entries entry) {
   auto least = in.block<float>();
   const auto unit = in.block<float>(1);
   require_distances(in, least);
@@ -148,26 +146,42 @@ void load_graph(IndexFileReader& in, SearchGraph& graph, IndexForm form, const P
 
 }  // namespace
 
+void write_index(IndexFileWriter& out, const IndexData& data) {
+  out.block(std::span<const std::uint64_t>(data.fingerprint.words));
+  out.block(std::vector<double>{data.statistics.delta});
+  out.block(std::vector<std::uint64_t>{
+      data.statistics.seed, static_cast<std::uint64_t>(data.graph.arcs_before_pruning),
+      data.form() == IndexForm::graph ? 1U : 0U, static_cast<std::uint64_t>(data.requested_patches[0]),
+      static_cast<std::uint64_t>(data.requested_patches[1])});
+  out.block(data.partition.first_layer);
+  out.block(data.partition.second_layer);
+  out.block(data.partition.parent);
+  out.block(data.second.table);
+  out.block(data.first.table);
+  out.block(data.transit_table.entry);
+  for (const PatchLayer* layer : {&data.second, &data.first}) {
+    out.block(layer->unit);
+    out.block(layer->offset);
+  }
+  out.block(data.transit_table.least);
+  out.block(std::vector<float>{data.transit_table.unit});
+  out.block(data.graph.arc_begin);
+  out.block(data.graph.arc);
+  out.block(data.graph.landmark_distance);
+}
+
+void note_mapped_bytes(IndexData& data) {
+  data.statistics.mapped_bytes = 0;
+  for (const Entries* table : {&data.second.table, &data.first.table, &data.transit_table.entry}) {
+    data.statistics.mapped_bytes += static_cast<std::int64_t>(table->size() * sizeof((*table)[0]));
+  }
+}
+
 void GeodesicIndex::save(const std::filesystem::path& file) const {
-  IndexFileWriter out(file);
-  out.block(std::span<const std::uint64_t>(data_->fingerprint.words));
-  const auto& statistics = data_->statistics;
-  out.block(std::vector<double>{statistics.delta});
-  out.block(std::vector<std::uint64_t>{statistics.seed,
-                                       static_cast<std::uint64_t>(data_->graph.arcs_before_pruning),
-                                       data_->form() == IndexForm::graph ? 1U : 0U});
-  out.block(data_->partition.first_layer);
-  out.block(data_->partition.second_layer);
-  out.block(data_->partition.parent);
-  save_layer(out, data_->second);
-  save_layer(out, data_->first);
-  out.block(data_->transit_table.entry);
-  out.block(data_->transit_table.least);
-  out.block(std::vector<float>{data_->transit_table.unit});
-  out.block(data_->graph.arc_begin);
-  out.block(data_->graph.arc);
-  out.block(data_->graph.landmark_distance);
-  out.finish();
+  SavedIndexBytes bytes(file);
+  IndexFileWriter out(bytes);
+  write_index(out, *data_);
+  bytes.finish();
 }
 
 std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::path& file,
@@ -185,34 +199,42 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
         "build the index again.");
   }
   data->statistics.delta = in.block<double>(1)[0];
-  const auto numbers = in.block<std::uint64_t>(3);
+  const auto numbers = in.block<std::uint64_t>(5);
   data->statistics.seed = numbers[0];
   data->graph.arcs_before_pruning = static_cast<std::int64_t>(numbers[1]);
   if (numbers[2] > 1) in.fail("is damaged (its form is unknown)");
   const IndexForm form = numbers[2] == 1 ? IndexForm::graph : IndexForm::tables;
+  for (std::size_t layer = 0; layer < 2; ++layer) {
+    if (numbers[3 + layer] > static_cast<std::uint64_t>(data->mesh->face_count())) {
+      in.fail("is damaged (more patches than faces)");
+    }
+    data->requested_patches[layer] = static_cast<Index>(numbers[3 + layer]);
+  }
   load_partition(in, data->partition, data->mesh->face_count());
   data->lay_out(0, {});
-  load_layer(in, data->second, storage);
+  load_table(in, data->second, storage);
   if (form == IndexForm::tables) {
-    load_layer(in, data->first, storage);
-    load_transit_table(in, data->transit_table, data->first, storage);
-    data->access_bounds = make_access_bounds(*data);
+    load_table(in, data->first, storage);
   } else {
     in.block<std::uint16_t>(0);
+  }
+  Entries transit =
+      form == IndexForm::tables ? read_entries(in, storage) : Entries(in.block<std::uint16_t>(0));
+  load_units(in, data->second);
+  if (form == IndexForm::tables) {
+    load_units(in, data->first);
+    load_transit_units(in, data->transit_table, data->first, std::move(transit));
+    data->access_bounds = make_access_bounds(*data);
+  } else {
     in.block<float>(0);
     in.block<float>(0);
-    in.block<std::uint16_t>(0);
     in.block<float>(0);
     in.block<float>(1);
   }
   load_graph(in, data->graph, form, data->second, data->first);
   in.finish();
   data->count();
-  if (storage == TableStorage::mapped) {
-    for (const Entries* table : {&data->second.table, &data->first.table, &data->transit_table.entry}) {
-      data->statistics.mapped_bytes += static_cast<std::int64_t>(table->size() * sizeof((*table)[0]));
-    }
-  }
+  if (storage == TableStorage::mapped) note_mapped_bytes(*data);
   return std::make_shared<const GeodesicIndex>(std::move(data));
 }
 

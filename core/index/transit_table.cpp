@@ -36,6 +36,8 @@ TransitTable group_nodes(const PatchLayer& first) {
 namespace {
 
 constexpr const char* phase = "Tabulating distances between first-layer borders";
+constexpr const char* check_phase = "Checking the tables that are there";
+constexpr std::size_t groups_per_square = 32;
 
 std::uint16_t to_entry(double above, double unit) {
   if (above == unreachable_float) return TransitTable::infinite_entry;
@@ -44,8 +46,10 @@ std::uint16_t to_entry(double above, double unit) {
                     : std::uint16_t{0};
 }
 
-/// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. Returns their unit.
-float set_rows(TransitTable& table, std::span<std::uint16_t> entries, Index a, const float* rows) {
+/// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. `least`: by group, of a.
+/// Returns their unit.
+float set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std::span<float> least, Index a,
+               const float* rows) {
   const Index height = table.size(a);
   auto for_each_entry = [&](Index b, auto&& visit) {
     std::size_t at = table.cell_begin(a, b);
@@ -54,7 +58,6 @@ float set_rows(TransitTable& table, std::span<std::uint16_t> entries, Index a, c
       for (Index j = table.group_begin[b]; j < table.group_begin[b + 1]; ++j, ++at) visit(row[j], at);
     }
   };
-  float* least = table.least.data() + static_cast<std::size_t>(a) * table.group_count();
   float widest = 0.0f;
   for (Index b = 0; b < table.group_count(); ++b) {
     float greatest = 0.0f;
@@ -77,15 +80,14 @@ float set_rows(TransitTable& table, std::span<std::uint16_t> entries, Index a, c
 
 /// Makes the distances between two groups equal in both directions, by their mean, as unfolding may err to
 /// either side; in the unit of the whole table.
-void make_symmetric(TransitTable& table, std::span<std::uint16_t> entries, Index a, Index b,
-                    std::span<const float> unit_of_rows) {
-  const Index groups = table.group_count();
+void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index b) {
+  const auto groups = static_cast<std::size_t>(table.group_count());
   const Index height = table.size(a);
   const Index width = table.size(b);
-  std::uint16_t* forth = entries.data() + table.cell_begin(a, b);
-  std::uint16_t* back = entries.data() + table.cell_begin(b, a);
-  float& least_forth = table.least[static_cast<std::size_t>(a) * groups + b];
-  float& least_back = table.least[static_cast<std::size_t>(b) * groups + a];
+  const std::uint16_t* forth = room.rows.entries().data() + table.cell_begin(a, b);
+  const std::uint16_t* back = room.rows.entries().data() + table.cell_begin(b, a);
+  const float least_forth = room.least[a * groups + b];
+  const float least_back = room.least[b * groups + a];
   std::array<double, static_cast<std::size_t>(TransitTable::group_size) * TransitTable::group_size> mean;
   double least = unreachable_float;
   for (Index i = 0; i < height; ++i) {
@@ -95,66 +97,129 @@ void make_symmetric(TransitTable& table, std::span<std::uint16_t> entries, Index
       double& value = mean[i * width + j];
       value = one == TransitTable::infinite_entry || other == TransitTable::infinite_entry
                   ? unreachable_float
-                  : 0.5 * (least_forth + static_cast<double>(unit_of_rows[a]) * one + least_back +
-                           static_cast<double>(unit_of_rows[b]) * other);
+                  : 0.5 * (least_forth + static_cast<double>(room.unit[a]) * one + least_back +
+                           static_cast<double>(room.unit[b]) * other);
       least = std::min(least, value);
     }
   }
-  least_forth = least_back = static_cast<float>(least);
+  table.least[a * groups + b] = table.least[b * groups + a] = static_cast<float>(least);
+  std::uint16_t* forth_to = room.table.entries().data() + table.cell_begin(a, b);
+  std::uint16_t* back_to = room.table.entries().data() + table.cell_begin(b, a);
   for (Index i = 0; i < height; ++i) {
     for (Index j = 0; j < width; ++j) {
       const double value = mean[i * width + j];
       const std::uint16_t entry = value < unreachable_float
                                       ? to_entry(std::max(0.0, value - least), table.unit)
                                       : TransitTable::infinite_entry;
-      forth[i * width + j] = back[j * height + i] = entry;
+      forth_to[i * width + j] = back_to[j * height + i] = entry;
     }
   }
 }
 
+/// The groups of a batch of searches, and what its record covers.
+struct Batch {
+  Index group_begin, group_end;
+  std::span<std::uint16_t> entries;
+  std::span<float> least;
+  std::span<float> unit;
+
+  Batch(const TransitTable& table, const TransitRoom& room, Index node_begin, Index node_end)
+      : group_begin(table.group_of[node_begin]), group_end(table.group_of[node_end - 1] + 1) {
+    const auto groups = static_cast<std::size_t>(table.group_count());
+    const auto count = static_cast<std::size_t>(table.count);
+    const auto height = static_cast<std::size_t>(group_end - group_begin);
+    entries = room.rows.entries().subspan(node_begin * count, (node_end - node_begin) * count);
+    least = room.least.subspan(group_begin * groups, height * groups);
+    unit = room.unit.subspan(group_begin, height);
+  }
+
+  std::array<std::span<const std::byte>, 3> contents() const {
+    return {std::as_bytes(entries), std::as_bytes(least), std::as_bytes(unit)};
+  }
+};
+
 }  // namespace
 
-TransitTable make_transit_table(const PatchLayer& first, int threads, const Progress& progress) {
+TransitRoom::TransitRoom(const PatchLayer& first) {
+  const auto count = static_cast<std::size_t>(first.node_count());
+  const std::size_t groups = group_by_patches(first, TransitTable::group_size).size() - 1;
+  table = rows = TableRoom(count * count, transit_batch_count(first));
+  auto memory = std::make_shared<std::vector<float>>(groups * groups + groups);
+  least = std::span(*memory).first(groups * groups);
+  unit = std::span(*memory).last(groups);
+  owner = std::move(memory);
+}
+
+std::size_t transit_batch_count(const PatchLayer& first) {
+  return group_by_patches(first, nodes_per_leader).size() - 1;
+}
+
+TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
+                                const Progress& progress) {
   if (first.node_count() == 0) return {};
   TransitTable table = group_nodes(first);
   const auto count = static_cast<std::size_t>(table.count);
   const auto groups = static_cast<std::size_t>(table.group_count());
-  std::vector<std::uint16_t> entries(count * count, TransitTable::infinite_entry);
-  table.least.assign(groups * groups, unreachable_float);
-  std::vector<float> unit_of_rows(groups);
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
+  const std::size_t batches = led.size() - 1;
+  std::vector<std::uint8_t> held(batches, 0);
+  parallel_for(room.rows.in_file() ? batches : 0, threads, progress.part(0.0, 0.0), check_phase,
+               [&](std::size_t i, int) {
+                 const Batch batch(table, room, led[i], led[i + 1]);
+                 held[i] = room.rows.holds(i, batch.contents()) ? 1 : 0;
+               });
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < batches; ++i) {
+    if (held[i] == 0) left.push_back(i);
+  }
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : batch(layer) {}
     BatchDijkstra batch;
     std::vector<Index> sources;
     std::vector<float> rows;
   };
-  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), led.size() - 1));
+  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), left.size()));
   PerWorker<Scratch> scratch(workers);
-  parallel_for(led.size() - 1, workers, progress.part(0.0, 0.95), phase, [&](std::size_t leader, int worker) {
-    Scratch& own = scratch.of(worker, first);
-    const Index begin = led[leader];
-    const Index end = led[leader + 1];
-    own.rows.resize((end - begin) * count);
-    own.sources.resize(end - begin);
-    std::iota(own.sources.begin(), own.sources.end(), begin);
-    own.batch.search_from_each(own.sources, {}, [&](std::size_t i) {
-      float* row = own.rows.data() + i * count;
-      for (Index other = 0; other < table.count; ++other) {
-        row[other] = static_cast<float>(own.batch.search().distance(other));
+  const double done = 1.0 - static_cast<double>(left.size()) / static_cast<double>(batches);
+  parallel_for(left.size(), workers, progress.part(0.95 * done, 0.95), phase,
+               [&](std::size_t item, int worker) {
+                 Scratch& own = scratch.of(worker, first);
+                 const Index begin = led[left[item]];
+                 const Index end = led[left[item] + 1];
+                 own.rows.resize((end - begin) * count);
+                 own.sources.resize(end - begin);
+                 std::iota(own.sources.begin(), own.sources.end(), begin);
+                 own.batch.search_from_each(own.sources, {}, [&](std::size_t i) {
+                   float* row = own.rows.data() + i * count;
+                   for (Index other = 0; other < table.count; ++other) {
+                     row[other] = static_cast<float>(own.batch.search().distance(other));
+                   }
+                 });
+                 const Batch batch(table, room, begin, end);
+                 for (Index a = batch.group_begin; a < batch.group_end; ++a) {
+                   checkpoint();
+                   room.unit[a] = set_rows(table, room.rows.entries(), room.least.subspan(a * groups, groups),
+                                           a, own.rows.data() + (table.group_begin[a] - begin) * count);
+                 }
+                 room.rows.note_filled(left[item], batch.contents(), 0.0f, true);
+               });
+  table.unit = *std::max_element(room.unit.begin(), room.unit.end());
+  table.least.resize(groups * groups);
+  // By squares of groups, whose cells in both directions fit the processor's caches.
+  const std::size_t squares = (groups + groups_per_square - 1) / groups_per_square;
+  parallel_for(squares, threads, progress.part(0.95, 1.0), phase, [&](std::size_t row, int) {
+    const std::size_t row_end = std::min(groups, (row + 1) * groups_per_square);
+    for (std::size_t column = 0; column <= row; ++column) {
+      checkpoint();
+      const std::size_t column_end = std::min(groups, (column + 1) * groups_per_square);
+      for (std::size_t a = row * groups_per_square; a < row_end; ++a) {
+        for (std::size_t b = column * groups_per_square; b < std::min(column_end, a + 1); ++b) {
+          make_symmetric(table, room, static_cast<Index>(a), static_cast<Index>(b));
+        }
       }
-    });
-    for (Index a = table.group_of[begin]; a <= table.group_of[end - 1]; ++a) {
-      unit_of_rows[a] = set_rows(table, entries, a, own.rows.data() + (table.group_begin[a] - begin) * count);
     }
   });
-  table.unit = *std::max_element(unit_of_rows.begin(), unit_of_rows.end());
-  parallel_for(groups, threads, progress.part(0.95, 1.0), phase, [&](std::size_t a, int) {
-    for (std::size_t b = 0; b <= a; ++b) {
-      make_symmetric(table, entries, static_cast<Index>(a), static_cast<Index>(b), unit_of_rows);
-    }
-  });
-  table.entry = SharedArray(std::move(entries));
+  table.entry = room.table.shared();
   return table;
 }
 

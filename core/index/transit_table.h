@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "index/patch_layer.h"
+#include "index/table_room.h"
 #include "support/progress.h"
 #include "support/shared_array.h"
 
@@ -61,9 +62,28 @@ std::int64_t transit_table_bytes(const PatchLayer& first);
 /// A table with the groups of the nodes, which follow from the layer alone, and without distances.
 TransitTable group_nodes(const PatchLayer& first);
 
+/// Where the table is filled: first its rows, search by search, then the table of both directions, which may
+/// take their place.
+struct TransitRoom {
+  TransitRoom() = default;
+  /// In memory, in one place.
+  explicit TransitRoom(const PatchLayer& first);
+
+  TableRoom table;         ///< the entries of the finished table; its parts are not used
+  TableRoom rows;          ///< the entries of the rows; by batch of searches
+  std::span<float> least;  ///< least distances of the rows; shape (groups, groups)
+  std::span<float> unit;   ///< of the rows, by group
+  std::shared_ptr<const void> owner;
+};
+
+/// Number of batches of searches.
+std::size_t transit_batch_count(const PatchLayer& first);
+
 /// Fills the table by a search over the first layer from each of its nodes, most of them in batches
-/// (BatchDijkstra). Besides the table, only a few rows take memory. Complexity: O(nodes^2 (w + b / 16)), for
-/// b nodes on the border of a patch, of which w are on its stretches.
-TransitTable make_transit_table(const PatchLayer& first, int threads, const Progress& progress);
+/// (BatchDijkstra). Besides the table, only a few rows take memory. Batches whose rows the room holds already
+/// are left as they are. Complexity: O(nodes^2 (w + b / 16)), for b nodes on the border of a patch, of which
+/// w are on its stretches.
+TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
+                                const Progress& progress);
 
 }  // namespace vorogeo

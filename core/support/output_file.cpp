@@ -1,10 +1,9 @@
-// Temporary files with a lock (flock), space reserved by posix_fallocate, and the rename at the end.
+// Temporary files with a lock (flock), and the rename at the end.
 #include "support/output_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,8 +11,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <random>
+#include <string>
 #include <system_error>
-#include <vector>
+
+#include "support/file_writes.h"
 
 namespace vorogeo {
 
@@ -25,10 +26,6 @@ constexpr const char* mark = ".vorogeo-";
 constexpr const char* ending = ".part";
 constexpr std::size_t longest_name = 255;  ///< in bytes, of every usual file system
 constexpr int max_links = 40;              ///< as in the kernel
-
-std::string reason(int error) { return std::generic_category().message(error); }
-
-std::string named(const fs::path& file, const std::string& what) { return what + " " + file.string(); }
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -50,40 +47,10 @@ fs::path end_of_links(fs::path file) {
   return file;
 }
 
-/// Writes all bytes at an offset, or at the end if it is negative. \return errno, or 0.
-int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset) {
-  constexpr std::size_t max_bytes = std::size_t{1} << 30;  // a call takes less than 2 GiB
-  while (!bytes.empty()) {
-    const std::size_t size = std::min(bytes.size(), max_bytes);
-    const ssize_t done = offset < 0 ? ::write(descriptor, bytes.data(), size)
-                                    : ::pwrite(descriptor, bytes.data(), size, offset);
-    if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) return done == 0 ? ENOSPC : errno;
-    bytes = bytes.subspan(static_cast<std::size_t>(done));
-    if (offset >= 0) offset += done;
-  }
-  return 0;
-}
-
-/// \return errno, or 0.
-int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
-  int error = 0;
-  do error = ::posix_fallocate(descriptor, begin, size);
-  while (error == EINTR);
-  if (error != EOPNOTSUPP && error != EINVAL && error != ENOSYS) return error;
-  const std::vector<std::byte> zeros(std::size_t{1} << 20);
-  for (std::int64_t at = begin; at < begin + size; at += static_cast<std::int64_t>(zeros.size())) {
-    const auto count = std::min<std::int64_t>(static_cast<std::int64_t>(zeros.size()), begin + size - at);
-    error = write_all(descriptor, std::span(zeros).first(static_cast<std::size_t>(count)), at);
-    if (error != 0) return error;
-  }
-  return 0;
-}
-
 }  // namespace
 
 fs::path output_target(const fs::path& file, const std::string& what) {
-  const std::string name = named(file, what);
+  const std::string name = named_file(file, what);
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (is_directory(status)) throw InvalidInput(name + " is a folder; name a file in it.");
@@ -94,7 +61,7 @@ fs::path output_target(const fs::path& file, const std::string& what) {
       throw InvalidInput(name + " is a link to a file without a name; name a plain file.");
     }
     if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
-      throw FileError(name + " cannot be written (" + reason(errno) +
+      throw FileError(name + " cannot be written (" + reason_of(errno) +
                       "); change its permissions or name another file.");
     }
     return target;
@@ -147,7 +114,7 @@ void OutputFile::create() {
     if (descriptor_ < 0) {
       const int error = errno;
       temporary_.clear();
-      throw FileError(named(file_, what_) + " cannot be written (" + reason(error) +
+      throw FileError(named_file(file_, what_) + " cannot be written (" + reason_of(error) +
                       "); check that its folder may be written to, or name another file.");
     }
     ::flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, leftovers stay
@@ -157,30 +124,16 @@ void OutputFile::create() {
     descriptor_ = -1;
   }
   temporary_.clear();
-  throw FileError(named(file_, what_) + " cannot be written: no temporary file can be made; try again.");
+  throw FileError(named_file(file_, what_) + " cannot be written: no temporary file can be made; try again.");
 }
 
 void OutputFile::fail(const std::string& how_far, int error) const {
-  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
-  throw FileError(
-      named(file_, what_) + " cannot be written: " + how_far + " (" + reason(error) + "); " +
-      (full ? "free space or name a file on another disk." : "check the disk or name another file."));
+  fail_writing(file_, what_, how_far, error);
 }
 
 void OutputFile::reserve(std::uint64_t bytes) {
-  const std::string takes = "it takes " + std::to_string(bytes) + " bytes";
-  struct statvfs disk {};
-  if (::fstatvfs(descriptor_, &disk) == 0 && disk.f_blocks > 0) {
-    const auto blocks = ::geteuid() == 0 ? disk.f_bfree : disk.f_bavail;
-    // Checked first, so that a file that cannot fit does not fill the disk for a while.
-    if (bytes / disk.f_frsize > blocks) fail(takes, ENOSPC);
-  }
-  constexpr std::uint64_t piece = std::uint64_t{1} << 30;  // so that a signal does not undo much
-  for (std::uint64_t begin = 0; begin < bytes; begin += piece) {
-    const int error = reserve_piece(descriptor_, static_cast<std::int64_t>(begin),
-                                    static_cast<std::int64_t>(std::min(piece, bytes - begin)));
-    if (error != 0) fail(takes, error);
-  }
+  const int error = reserve_space(descriptor_, 0, bytes);
+  if (error != 0) fail("it takes " + std::to_string(bytes) + " bytes", error);
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
@@ -201,7 +154,7 @@ void OutputFile::finish() {
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) {
-    throw FileError(named(file_, what_) + " cannot be put in its place (" + error.message() +
+    throw FileError(named_file(file_, what_) + " cannot be put in its place (" + error.message() +
                     "); name another file.");
   }
   temporary_.clear();

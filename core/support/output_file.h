@@ -8,14 +8,9 @@
 #include <string>
 
 #include "support/error.h"
+#include "support/file_writes.h"
 
 namespace vorogeo {
-
-/// A file that the system does not let us write: no room, no permission. The message names file and reason.
-class FileError : public Error {
- public:
-  using Error::Error;
-};
 
 /// Where a file of this name is written: the name itself, or what a symbolic link points to, which need not
 /// exist. `what` begins the messages ("The index file").

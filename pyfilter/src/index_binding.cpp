@@ -2,9 +2,11 @@
 #include "index_binding.h"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "arrays.h"
 #include "index/geodesic_index.h"
@@ -116,7 +118,7 @@ class IndexHandle {
 IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
                    Index first_layer_patches, Index second_layer_patches, double delta, int threads,
                    std::uint64_t seed, std::int64_t memory_budget, double gap, bool folds,
-                   nb::object progress) {
+                   const std::optional<std::filesystem::path>& file, nb::object progress) {
   IndexOptions options;
   options.first_layer_patches = first_layer_patches;
   options.second_layer_patches = second_layer_patches;
@@ -131,7 +133,8 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const Si
       const Watch watch(report, "Reading the mesh");
       mesh = mesh_of(vertices, faces, sides, {gap, folds});
     }
-    return GeodesicIndex::build(std::move(mesh), options, report);
+    return file ? GeodesicIndex::build_in_file(*file, std::move(mesh), options, report)
+                : GeodesicIndex::build(std::move(mesh), options, report);
   });
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }
@@ -157,7 +160,7 @@ void bind_index(nb::module_& module) {
       .def_static("build", &build, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
                   nb::arg("first_layer_patches"), nb::arg("second_layer_patches"), nb::arg("delta"),
                   nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"), nb::arg("gap"),
-                  nb::arg("folds"), nb::arg("progress").none())
+                  nb::arg("folds"), nb::arg("file").none(), nb::arg("progress").none())
       .def_static("load", &load, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"),
                   nb::arg("sides").none(), nb::arg("threads"), nb::arg("gap"), nb::arg("folds"),
                   nb::arg("mapped"))

@@ -21,6 +21,7 @@ class Index:
         memory_budget: int,
         gap: float,
         folds: bool,
+        file: str | None,
         progress: Callable[[float, str], object] | None,
     ) -> Index: ...
     @staticmethod

@@ -45,8 +45,8 @@ class GeodesicIndex(Queries):
         Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never decreases; a
         result of False cancels. True shows a tqdm bar.
     memory_budget : int, optional
-        MiB that the index may take; None is 4096. It consists of tables if they fit, otherwise of a pruned graph, which
-        is smaller and slower; `statistics.form` says which.
+        MiB that the index may take; None is 4096, or any with `file`, whose tables are not counted. It consists of
+        tables if they fit, otherwise of a pruned graph, which is smaller and slower; `statistics.form` says which.
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     mask : array_like of bool, shape (m,) or (n,), optional
@@ -56,6 +56,10 @@ class GeodesicIndex(Queries):
     gap, bridge_folds : float and bool, optional
         Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
         the mesh that is measured on (``docs/gaps.md``). Not together with a metric.
+    file : str or path, optional
+        Where the index is built (``docs/index-file.md``): its tables go there as they are filled and are mapped, so
+        that it may be larger than the memory. If the file has the index of this mesh, it is loaded; if a build was
+        stopped, by whatever, this one goes on where that was.
 
     Raises
     ------
@@ -66,6 +70,9 @@ class GeodesicIndex(Queries):
         If `progress` returned False.
     MemoryError
         If the index does not fit into memory.
+    IndexFileError
+        (an OSError) If `file` cannot be written (a full disk is noticed before the long part), or belongs to another
+        mesh or other options, or another process is writing it.
 
     Warns
     -----
@@ -104,6 +111,7 @@ class GeodesicIndex(Queries):
         metric: Metric | None = None,
         gap: float = 0.0,
         bridge_folds: bool = False,
+        file: str | os.PathLike[str] | None = None,
     ) -> None:
         points = check.kept(metrics.positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
@@ -117,8 +125,10 @@ class GeodesicIndex(Queries):
         lengths = metrics.lengths(metric, points, surface)
         sides = None if lengths is None else lengths.lengths
         bridged = gap_limit(gap, bridge_folds)
+        path = None if file is None else check.file_path(file)
+        options = n1, n2, delta, workers, seed, budget
         with reporter(progress) as report:
-            handle = _core.Index.build(points, surface, sides, n1, n2, delta, workers, seed, budget, *bridged, report)
+            handle = _core.Index.build(points, surface, sides, *options, *bridged, path, report)
         self._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
 
     @classmethod

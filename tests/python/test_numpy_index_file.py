@@ -124,3 +124,62 @@ def test_bad_file_names(index, file):
         index.save(file)
     with pytest.raises(ValueError, match="file: "):
         vorogeo.GeodesicIndex.load(file, *MESH)
+
+
+def unfinished(file):
+    return file.with_name(file.name + ".unfinished")
+
+
+def test_built_in_its_file_it_is_the_one_that_is_saved(index, saved, tmp_path):
+    file = tmp_path / "a.vgi"
+    built = vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file)
+    assert file.read_bytes() == saved.read_bytes()
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a.vgi"]
+    assert built.statistics.seconds > 0
+    assert 0 < built.statistics.mapped_bytes < built.statistics.bytes == index.statistics.bytes
+    again = vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=str(file))
+    assert again.statistics.seconds == 0, "it is loaded"
+    for one in (built, again):
+        np.testing.assert_array_equal(one.distance_field([5, 600]), index.distance_field([5, 600]))
+
+
+def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
+    file = tmp_path / "a.vgi"
+    seen = []
+
+    def until(text):
+        def report(fraction, now):
+            seen.append((fraction, now))
+            return not now.startswith(text)
+
+        return report
+
+    for phase in ("Computing", "Composing", "Tabulating", "Placing landmarks"):
+        with pytest.raises(vorogeo.Cancelled):
+            vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until(phase))
+        assert unfinished(file).exists() and not file.exists()
+        with pytest.raises(vorogeo.IndexFileError, match="is not an index file"):
+            vorogeo.GeodesicIndex.load(unfinished(file), *MESH)
+    del seen[:]
+    vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until("nothing"))
+    # All tables were there: each of these phases begins at its end.
+    composing = [fraction for fraction, text in seen if text.startswith("Composing")]
+    assert composing and min(composing) == pytest.approx(0.85)
+    assert file.read_bytes() == saved.read_bytes()
+    assert not unfinished(file).exists()
+
+
+def test_a_build_does_not_go_on_for_another_mesh(tmp_path):
+    file = tmp_path / "a.vgi"
+    with pytest.raises(vorogeo.Cancelled):
+        vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=lambda _, text: "Compos" not in text)
+    begun = unfinished(file).read_bytes()
+    moved = MESH[0].copy()
+    moved[17, 2] = np.nextafter(moved[17, 2], 9)
+    with pytest.raises(vorogeo.IndexFileError, match="unfinished is of another mesh, .*; remove it or name another"):
+        vorogeo.GeodesicIndex(moved, MESH[1], patches=(3, 3), file=file)
+    with pytest.raises(vorogeo.IndexFileError, match="has other options"):
+        vorogeo.GeodesicIndex(*MESH, patches=(3, 3), seed=1, file=file)
+    assert unfinished(file).read_bytes() == begun
+    with pytest.raises(vorogeo.IndexFileError, match="there is no folder"):
+        vorogeo.GeodesicIndex(*MESH, file=tmp_path / "no" / "a.vgi")

@@ -161,9 +161,9 @@ def sample(task: MeshTask) -> Result:
 
 def index(task: MeshTask) -> Result:
     """The index in a file, for --index of other commands."""
-    task.index.save(task.job.out)
     s = task.index.statistics
-    text = f"{s.form}, {s.bytes / 2**20:.1f} MiB, built in {s.seconds:.1f} s"
+    made = f"built in {s.seconds:.1f} s" if s.seconds else "was there"
+    text = f"{s.form}, {s.bytes / 2**20:.1f} MiB, {made}"
     return Result("", {}, task.shown_mesh, text=text)
 
 

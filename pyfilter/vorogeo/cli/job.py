@@ -93,7 +93,7 @@ class MeshTask:
 
     @cached_property
     def index(self) -> GeodesicIndex:
-        """The index: read from the file of --index, or built."""
+        """The index: read from the file of --index, or built, in its file by the command that makes one."""
         threads = self.options.get("threads")
         if self.options.get("index"):
             return GeodesicIndex.load(
@@ -116,6 +116,7 @@ class MeshTask:
             mask=self.mask,
             metric=self.metric,
             gap=self.gap,
+            file=self.job.out if self.job.command == "index" else None,
         )
 
     def points(self, option: str) -> Points:

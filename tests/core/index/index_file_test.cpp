@@ -23,11 +23,12 @@ const std::vector<double> numbers{1.5, -2.0, 1e300};
 const std::vector<std::int32_t> indices{7, 8, 9, 10, 11};
 
 void write_sample(const std::filesystem::path& file) {
-  IndexFileWriter out(file);
+  SavedIndexBytes bytes(file);
+  IndexFileWriter out(bytes);
   out.block(numbers);
   out.block(std::vector<std::uint8_t>{});
   out.block(indices);
-  out.finish();
+  bytes.finish();
 }
 
 /// The message of the error that reading the sample gives, or "read" if there is none.
@@ -102,7 +103,8 @@ TEST(IndexFile, AnUnfinishedFileLeavesTheOldOne) {
   write_sample(folder / "a.index");
   const std::string before = read_bytes(folder / "a.index");
   {
-    IndexFileWriter out(folder / "a.index");
+    SavedIndexBytes bytes(folder / "a.index");
+    IndexFileWriter out(bytes);
     out.block(indices);
   }
   EXPECT_EQ(read_bytes(folder / "a.index"), before);
@@ -161,11 +163,12 @@ TEST(IndexFile, FilesThatMayNotBeRead) {
 
 TEST(IndexFile, AFolderThatAppearsWhileWriting) {
   const TemporaryFolder folder;
-  IndexFileWriter out(folder / "a.index");
+  SavedIndexBytes bytes(folder / "a.index");
+  IndexFileWriter out(bytes);
   out.block(numbers);
   std::filesystem::create_directory(folder / "a.index");
   try {
-    out.finish();
+    bytes.finish();
     FAIL() << "written";
   } catch (const IndexFileError& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -181,7 +184,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   std::string newer = sample.good;
   newer[8] = 99;
   EXPECT_EQ(sample.reading_of(newer),
-            sample.named(" has format version 99, this program reads version 8; build the index again."));
+            sample.named(" has format version 99, this program reads version 9; build the index again."));
   const std::string other_order =
       sample.named(" was written on a machine of the other byte order; build the index again on this one.");
   std::string swapped = sample.good;

@@ -226,9 +226,11 @@ SearchGraph graph_of_table(const std::vector<std::vector<float>>& table, double 
   second.border_begin = {0, k};
   second.member_begin = {0, k};
   second.table_begin = {0, static_cast<std::size_t>(k) * k};
-  TableDraft draft(second);
-  for (Index v = 0; v < k; ++v) std::copy(table[v].begin(), table[v].end(), draft.line(0, v));
-  draft.finish(second);
+  TableDraft draft(second, 0);
+  for (Index v = 0; v < k; ++v) std::copy(table[v].begin(), table[v].end(), draft.line(v));
+  std::vector<std::uint16_t> entries(second.table_begin.back());
+  second.unit = {draft.write(second.order, entries.data()).unit};
+  second.table = SharedArray(std::move(entries));
   PatchLayer first;
   first.patch_count = 1;
   first.border_begin = {0, 0};

@@ -64,10 +64,14 @@ TEST(TransitTable, OtherComponentsAreUnreachable) {
   }
 }
 
+TransitTable table_of(const GeodesicIndex& index, int threads) {
+  return make_transit_table(index.data().first, TransitRoom(index.data().first), threads, {});
+}
+
 TEST(TransitTable, TheSameWhateverTheThreads) {
   const auto index = test::make_index(test::hills(30, 0.2), 4, 4);
-  const TransitTable one = make_transit_table(index->data().first, 1, {});
-  EXPECT_EQ(make_transit_table(index->data().first, 3, {}).entry, one.entry);
+  const TransitTable one = table_of(*index, 1);
+  EXPECT_EQ(table_of(*index, 3).entry, one.entry);
   EXPECT_EQ(index->data().transit_table.entry, one.entry);
 }
 
@@ -104,9 +108,9 @@ TEST(TransitTable, GroupsAreNodesAlongOneBorderAndCellsKeepTheirLeastDistance) {
 
 TEST(TransitTable, CanBeCancelled) {
   const auto index = test::make_index(test::hills(24, 0.2), 4, 4);
-  EXPECT_THROW(
-      make_transit_table(index->data().first, 1, Progress([](double, const std::string&) { return false; })),
-      Cancelled);
+  EXPECT_THROW(make_transit_table(index->data().first, TransitRoom(index->data().first), 1,
+                                  Progress([](double, const std::string&) { return false; })),
+               Cancelled);
 }
 
 }  // namespace

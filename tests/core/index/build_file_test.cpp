@@ -1,0 +1,225 @@
+// Indexes built in a file: the same to the last bit as one that is built in memory and saved, however often
+// the build is stopped; nothing half-made is loaded, and other meshes and options are refused.
+#include "index/build_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "index/geodesic_index.h"
+#include "support/error.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+#include "support/temporary.h"
+
+namespace vorogeo {
+namespace {
+
+using test::read_bytes;
+using test::Soup;
+using test::TemporaryFolder;
+using test::write_bytes;
+
+IndexOptions options_of(Index first, Index second, double delta = 0.0) {
+  IndexOptions options;
+  options.first_layer_patches = first;
+  options.second_layer_patches = second;
+  options.delta = delta;
+  return options;
+}
+
+/// The sentence with which a build is refused, or "built".
+std::string building(const std::filesystem::path& file, const Soup& soup, const IndexOptions& options,
+                     const Progress& progress = {}) {
+  try {
+    GeodesicIndex::build_in_file(file, test::make_mesh(soup), options, progress);
+  } catch (const IndexFileError& error) {
+    return error.what();
+  } catch (const Cancelled&) {
+    return "cancelled";
+  }
+  return "built";
+}
+
+/// Cancels at the report of this number.
+Progress cancelled_at(int report) {
+  return Progress([left = report](double, const std::string&) mutable { return left-- > 0; });
+}
+
+/// The bytes of the index that is built in memory and saved.
+std::string saved_bytes(const Soup& soup, const IndexOptions& options) {
+  const TemporaryFolder folder;
+  GeodesicIndex::build(test::make_mesh(soup), options)->save(folder / "a.vgi");
+  return read_bytes(folder / "a.vgi");
+}
+
+TEST(BuildFile, EqualsASavedIndexInBothForms) {
+  const Soup two = test::two_components(test::icosphere(2), test::hills(12, 0.2));
+  for (const Soup& soup : {test::icosphere(3), test::with_isolated_vertex(two, {9, 9, 9}),
+                           Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}}) {
+    const auto most = static_cast<Index>(soup.faces.size());
+    for (double delta : {0.0, 0.01}) {
+      const TemporaryFolder folder;
+      const IndexOptions options = options_of(std::min(3, most), std::min(4, most), delta);
+      const auto index = GeodesicIndex::build_in_file(folder / "a.vgi", test::make_mesh(soup), options);
+      EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
+      EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+      const auto loaded = GeodesicIndex::load(folder / "a.vgi", test::make_mesh(soup));
+      EXPECT_EQ(index->statistics().bytes, loaded->statistics().bytes);
+      EXPECT_EQ(index->statistics().mapped_bytes, loaded->statistics().mapped_bytes);
+      index->save(folder / "b.vgi");
+      EXPECT_EQ(read_bytes(folder / "b.vgi"), read_bytes(folder / "a.vgi"));
+    }
+  }
+}
+
+TEST(BuildFile, GoesOnAfterItWasCancelled) {
+  const Soup soup = test::hills(40, 0.2);
+  for (double delta : {0.0, 0.01}) {
+    const TemporaryFolder folder;
+    IndexOptions options = options_of(5, 4, delta);
+    options.threads = 2;
+    int stops = 0;
+    while (building(folder / "a.vgi", soup, options, cancelled_at(8 + 6 * stops)) == "cancelled") {
+      ++stops;
+      EXPECT_FALSE(std::filesystem::exists(folder / "a.vgi"));
+      ASSERT_LT(stops, 1000);
+    }
+    EXPECT_GT(stops, 0);
+    EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+  }
+}
+
+TEST(BuildFile, GoesOnAfterKill) {
+  const TemporaryFolder folder;
+  const Soup soup = test::hills(50, 0.2);
+  const IndexOptions options = options_of(5, 4);
+  std::mt19937 random(1);
+  bool left_something = false;
+  for (int kill = 0; kill < 6; ++kill) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      building(folder / "a.vgi", soup, options);
+      ::_exit(0);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 150));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    left_something |= std::filesystem::exists(folder / "a.vgi.unfinished");
+  }
+  EXPECT_TRUE(left_something);
+  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
+  EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+}
+
+TEST(BuildFile, WhatIsThereIsLoadedOrRefused) {
+  const TemporaryFolder folder;
+  const auto file = folder / "a.vgi";
+  const Soup soup = test::icosphere(3);
+  EXPECT_EQ(building(file, soup, options_of(3, 4)), "built");
+  const auto written = std::filesystem::last_write_time(file);
+  const auto index = GeodesicIndex::build_in_file(file, test::make_mesh(soup), options_of(3, 4));
+  EXPECT_EQ(index->statistics().seconds, 0.0) << "loaded";
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+  const std::string name = "The index file " + file.string();
+  Soup moved = soup;
+  moved.positions[17][1] = std::nextafter(moved.positions[17][1], 2.0);
+  EXPECT_EQ(building(file, moved, options_of(3, 4)),
+            name + " is of another mesh, or this mesh was edited since; remove it or name another file.");
+  const std::string other = name + " has other options; remove it or name another file.";
+  IndexOptions seeded = options_of(3, 4);
+  seeded.seed = 1;
+  for (const IndexOptions& options : {options_of(4, 4), options_of(3, 0), options_of(3, 4, 0.01), seeded}) {
+    EXPECT_EQ(building(file, soup, options), other);
+  }
+  write_bytes(file, "something else, longer than the head of an index");
+  EXPECT_EQ(building(file, soup, options_of(3, 4)), file.string() + " is not an index file of VoroGeo.");
+}
+
+TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
+  const TemporaryFolder folder;
+  const auto unfinished = folder / "a.vgi.unfinished";
+  const Soup soup = test::hills(30, 0.2);
+  const IndexOptions options = options_of(4, 4);
+  // Cancelled as soon as tables are being filled.
+  const Progress early([](double, const std::string& what) { return !what.starts_with("Composing"); });
+  ASSERT_EQ(building(folder / "a.vgi", soup, options, early), "cancelled");
+  EXPECT_EQ(test::loading(unfinished, test::make_mesh(soup)),
+            unfinished.string() + " is not an index file of VoroGeo.");
+  const std::string name = "The unfinished index file " + unfinished.string();
+  EXPECT_EQ(building(folder / "a.vgi", test::icosphere(2), options),
+            name + " is of another mesh, or this mesh was edited since; remove it or name another file.");
+  EXPECT_EQ(building(folder / "a.vgi", soup, options_of(4, 5)),
+            name + " has other options; remove it or name another file.");
+  IndexOptions small = options;
+  small.form = IndexForm::graph;
+  EXPECT_EQ(building(folder / "a.vgi", soup, small),
+            name +
+                " was begun with another memory budget or by another version of VoroGeo; remove it or name "
+                "another file.");
+
+  // Damaged parts are filled anew.
+  std::string bytes = read_bytes(unfinished);
+  for (std::size_t at = 1 << 14; at < bytes.size(); at += 1 << 14)
+    bytes[at] = static_cast<char>(bytes[at] ^ 4);
+  write_bytes(unfinished, bytes);
+  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
+  EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
+
+  // Killed after the file was complete, or before it had a head.
+  std::filesystem::rename(folder / "a.vgi", unfinished);
+  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+  std::filesystem::remove(folder / "a.vgi");
+  write_bytes(unfinished, std::string(5000, '\0'));
+  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
+  std::filesystem::remove(folder / "a.vgi");
+  write_bytes(unfinished, std::string(5000, 'x'));
+  EXPECT_EQ(building(folder / "a.vgi", soup, options),
+            name + " is none of VoroGeo's; remove it or name another file.");
+}
+
+TEST(BuildFile, AFullDiskIsNamedBeforeTablesAreFilled) {
+  const TemporaryFolder folder;
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{1 << 14, old.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = building(folder / "a.vgi", test::icosphere(3), options_of(3, 4));
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_TRUE(message.starts_with("The index file " + (folder / "a.vgi").string() +
+                                  " cannot be written: building it takes "))
+      << message;
+  EXPECT_TRUE(message.ends_with("free space or name a file on another disk.")) << message;
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(BuildFile, OneProcessAtATime) {
+  const TemporaryFolder folder;
+  const auto unfinished = folder / "a.vgi.unfinished";
+  write_bytes(unfinished, "");
+  const int other = ::open(unfinished.c_str(), O_RDWR);
+  ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+  EXPECT_EQ(building(folder / "a.vgi", test::icosphere(2), options_of(2, 2)),
+            "The index file " + unfinished.string() +
+                " is being written by another process; wait for it or name another file.");
+  ::close(other);
+  EXPECT_EQ(building(folder / "a.vgi", test::icosphere(2), options_of(2, 2)), "built");
+}
+
+}  // namespace
+}  // namespace vorogeo
