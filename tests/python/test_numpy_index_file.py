@@ -157,14 +157,16 @@ def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
     for phase in ("Computing", "Composing", "Tabulating", "Placing landmarks"):
         with pytest.raises(vorogeo.Cancelled):
             vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until(phase))
-        assert unfinished(file).exists() and not file.exists()
+        assert unfinished(file).exists()
+        assert not file.exists()
         with pytest.raises(vorogeo.IndexFileError, match="is not an index file"):
             vorogeo.GeodesicIndex.load(unfinished(file), *MESH)
     del seen[:]
     vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until("nothing"))
     # All tables were there: each of these phases begins at its end.
     composing = [fraction for fraction, text in seen if text.startswith("Composing")]
-    assert composing and min(composing) == pytest.approx(0.85)
+    assert composing
+    assert min(composing) == pytest.approx(0.85)
     assert file.read_bytes() == saved.read_bytes()
     assert not unfinished(file).exists()
 
@@ -176,7 +178,7 @@ def test_a_build_does_not_go_on_for_another_mesh(tmp_path):
     begun = unfinished(file).read_bytes()
     moved = MESH[0].copy()
     moved[17, 2] = np.nextafter(moved[17, 2], 9)
-    with pytest.raises(vorogeo.IndexFileError, match="unfinished is of another mesh, .*; remove it or name another"):
+    with pytest.raises(vorogeo.IndexFileError, match=r"unfinished is of another mesh, .*; remove it or name another"):
         vorogeo.GeodesicIndex(moved, MESH[1], patches=(3, 3), file=file)
     with pytest.raises(vorogeo.IndexFileError, match="has other options"):
         vorogeo.GeodesicIndex(*MESH, patches=(3, 3), seed=1, file=file)
