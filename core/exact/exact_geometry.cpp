@@ -68,6 +68,7 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
 
   can_bend.assign(mesh->vertex_count(), never);
   for (Index f = 0; f < mesh->face_count(); ++f) {
+    if (f % per_checkpoint == 0) checkpoint();
     std::array<double, 3> side{};
     for (int i = 0; i < 3; ++i) side[i] = mesh->edge_length(mesh->edge_of(3 * f + i));
     for (int i = 0; i < 3; ++i) {
@@ -105,12 +106,14 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
 void ExactGeometry::find_long_edges() {
   std::vector<double> shortest(mesh->vertex_count(), unreachable);
   for (Index e = 0; e < mesh->edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
     const double length = mesh->edge_length(e);
     if (!(length > 0.0)) continue;
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
   const double typical = mesh->typical_edge_length();
   for (Index e = 0; e < mesh->edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh->edge_vertices(e);
     const double length = mesh->edge_length(e);
     const double small = std::min(shortest[a], shortest[b]);

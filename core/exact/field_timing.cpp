@@ -28,7 +28,7 @@ FieldTiming time_exact_field(const std::shared_ptr<const ExactGeometry>& geometr
   };
   FieldTiming timing;
   const Progress until([&](double reached, const std::string&) {
-    progress.report(0.0, activity);
+    progress.report(reached, activity);
     timing.reached = reached;
     timing.is_complete = elapsed() <= max_seconds;
     return timing.is_complete;

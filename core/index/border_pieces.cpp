@@ -56,6 +56,7 @@ std::vector<BorderEdge> border_edges(const Mesh& mesh, const Partition& partitio
   const Outliers outliers = find_outliers(mesh);
   std::vector<double> area(partition.second_layer_count, 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
     const bool far =
         std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
     if (!far) area[partition.second_layer[f]] += mesh.face_area(f);

@@ -147,6 +147,17 @@ std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const In
   return data;
 }
 
+/// The surface of its runs is freed afterwards.
+void fill_second_layer(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
+  TableSurface surface;
+  {
+    const Watch watch(progress.part(0.0, 0.01), "Laying out the patches");
+    surface = make_table_surface(*data.mesh, data.work, data.geometry);
+  }
+  data.statistics.expected_fields =
+      fill_local_tables(surface, data.work, data.second, room, threads, progress.part(0.01, 1.0));
+}
+
 /// Everything but the first steps. `file`: where the tables are filled; null: in memory.
 void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -164,9 +175,7 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
     const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
     rooms = file != nullptr ? file->rooms(data, form) : rooms_in_memory(data, form);
   }
-  data.statistics.expected_fields =
-      fill_local_tables(make_table_surface(*data.mesh, data.work, data.geometry), data.work, data.second,
-                        rooms.second, options.threads, progress.part(0.1, 0.8));
+  fill_second_layer(data, rooms.second, options.threads, progress.part(0.1, 0.8));
   compose_tables(data.second, data.partition.parent, data.first, rooms.first, options.threads,
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {

@@ -2,6 +2,7 @@
 #include "index/index_data.h"
 
 #include "partition/halo.h"
+#include "support/checkpoint.h"
 
 namespace vorogeo {
 
@@ -18,6 +19,7 @@ void IndexData::link_layers() {
   Index last_parent = no_index;
   // Patches of one parent are consecutive.
   for (Index p = 0; p < second.patch_count; ++p) {
+    checkpoint();
     const Index parent = partition.parent[p];
     if (parent != last_parent) {
       const auto members = first.members(parent);
@@ -38,6 +40,7 @@ void IndexData::link_layers() {
   node_position.reserve(second.node_count());
   for (Index vertex : second.node_vertex) node_position.push_back(mesh_of_work.position(vertex));
   for (Index e = 0; e < mesh_of_work.edge_count() && !has_branches; ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
     has_branches = mesh_of_work.edge_face_count(e) > 2;
   }
 }

@@ -184,8 +184,8 @@ double fill_local_tables(const TableSurface& surface, const WorkMesh& work, Patc
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
-  const Progress before = progress.part(0.0, 0.0);
-  TableFiller tables(layer, room, groups, TableFiller::Closure::closed, threads, before);
+  const Progress before = progress.part(0.005, 0.01);
+  TableFiller tables(layer, room, groups, TableFiller::Closure::closed, threads, progress.part(0.0, 0.005));
   PerWorker<GroupSolver> solvers(threads);
   double fields = 0.0;
   if (!tables.left().empty()) {
@@ -195,7 +195,7 @@ double fill_local_tables(const TableSurface& surface, const WorkMesh& work, Patc
   }
   const double done =
       1.0 - static_cast<double>(tables.left().size()) / std::max<std::size_t>(1, groups.size() - 1);
-  parallel_for(tables.left().size(), threads, progress.part(done, 1.0), table_phase,
+  parallel_for(tables.left().size(), threads, progress.part(std::max(done, 0.01), 1.0), table_phase,
                [&](std::size_t item, int worker) {
                  const Index group = tables.left()[item];
                  GroupSolver& solver = solvers.of(worker, surface, work, layer, face_begin);

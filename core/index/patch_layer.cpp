@@ -44,6 +44,7 @@ void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::ve
   std::vector<Index> node_of(mesh.vertex_count(), no_index);
   for (std::size_t i = 0; i < node_vertex.size(); ++i) node_of[node_vertex[i]] = static_cast<Index>(i);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh.edge_vertices(e);
     if (node_of[a] == no_index || node_of[b] == no_index || !same(a, b)) continue;
     const Index first = mesh.edge_halfedge(e);

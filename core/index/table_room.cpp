@@ -16,7 +16,7 @@ namespace {
 /// Memory of a room that is not in a file.
 struct OwnMemory {
   OwnMemory(std::size_t entry_count, std::size_t part_count)
-      : entries(std::make_unique_for_overwrite<std::uint16_t[]>(entry_count)), parts(part_count) {}
+      : entries(new std::uint16_t[entry_count]), parts(part_count) {}
   std::unique_ptr<std::uint16_t[]> entries;
   std::vector<PartRecord> parts;
 };

@@ -163,7 +163,7 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
   const std::size_t batches = led.size() - 1;
   std::vector<std::uint8_t> held(batches, 0);
-  parallel_for(room.rows.in_file() ? batches : 0, threads, progress.part(0.0, 0.0), check_phase,
+  parallel_for(room.rows.in_file() ? batches : 0, threads, progress.part(0.0, 0.02), check_phase,
                [&](std::size_t i, int) {
                  const Batch batch(table, room, led[i], led[i + 1]);
                  held[i] = room.rows.holds(i, batch.contents()) ? 1 : 0;
@@ -181,7 +181,7 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
   const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), left.size()));
   PerWorker<Scratch> scratch(workers);
   const double done = 1.0 - static_cast<double>(left.size()) / static_cast<double>(batches);
-  parallel_for(left.size(), workers, progress.part(0.95 * done, 0.95), phase,
+  parallel_for(left.size(), workers, progress.part(std::max(0.02, 0.95 * done), 0.95), phase,
                [&](std::size_t item, int worker) {
                  Scratch& own = scratch.of(worker, first);
                  const Index begin = led[left[item]];

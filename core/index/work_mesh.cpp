@@ -97,6 +97,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   std::vector<Index> first_point(mesh.edge_count(), no_index);
   std::vector<WorkMesh::EdgePoint> edge_points;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
     if (pieces[e] == 1) continue;
     first_point[e] = static_cast<Index>(positions.size());
     const Point a = mesh.position(mesh.edge_vertices(e)[0]);
@@ -146,8 +147,9 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   std::vector<Index> renamed(positions.size(), no_index);
   std::vector<Point> sorted;
   sorted.reserve(positions.size());
-  for (auto& face : faces) {
-    for (Index& v : face) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    for (Index& v : faces[f]) {
       if (renamed[v] == no_index) {
         renamed[v] = static_cast<Index>(sorted.size());
         sorted.push_back(positions[v]);

@@ -7,9 +7,9 @@
 #include <string>
 #include <tuple>
 
-#include "mesh/length_limits.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/positive_rank.h"
 
 namespace vorogeo {
 
@@ -121,7 +121,10 @@ void Mesh::link_edges() {
   };
   // A counting sort by the smaller vertex, then a short sort within each vertex.
   std::vector<Index> begin(positions_.size() + 1, 0);
-  for (Index h = 0; h < halfedges; ++h) ++begin[std::min(tail(h), head(h)) + 1];
+  for (Index h = 0; h < halfedges; ++h) {
+    checkpoint_at(h);
+    ++begin[std::min(tail(h), head(h)) + 1];
+  }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Keyed> keyed(halfedges);
   auto slot = begin;
@@ -139,6 +142,7 @@ void Mesh::link_edges() {
 
   Index edges = 0;
   for (Index i = 0; i < halfedges; ++i) {
+    checkpoint_at(i);
     edges += i == 0 || keyed[i].a != keyed[i - 1].a || keyed[i].b != keyed[i - 1].b;
   }
   edge_vertices_.reserve(edges);
@@ -165,21 +169,22 @@ void Mesh::link_edges() {
 void Mesh::measure_edges() {
   constexpr double typical_per_median = 10.0;
   double total = 0.0;
-  std::vector<double> positive;
-  positive.reserve(edge_length_.size());
-  for (double length : edge_length_) {
+  std::size_t positive = 0;
+  for (Index e = 0; e < edge_count(); ++e) {
+    checkpoint_at(e);
+    const double length = edge_length_[e];
     total += length;
     longest_edge_length_ = std::max(longest_edge_length_, length);
-    if (length > 0.0) positive.push_back(length);
+    positive += length > 0.0 ? 1 : 0;
   }
-  if (positive.empty()) return;
+  if (positive == 0) return;
   mean_edge_length_ = total / static_cast<double>(edge_length_.size());
-  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
-  std::nth_element(positive.begin(), middle, positive.end());
-  const double greatest = typical_per_median * *middle;
+  const double greatest = typical_per_median * positive_of_rank(edge_length_, positive / 2);
   double typical_total = 0.0;
   std::size_t count = 0;
-  for (double length : edge_length_) {
+  for (Index e = 0; e < edge_count(); ++e) {
+    checkpoint_at(e);
+    const double length = edge_length_[e];
     if (length > greatest) continue;
     typical_total += length;
     ++count;
@@ -190,11 +195,17 @@ void Mesh::measure_edges() {
 void Mesh::sort_fans() {
   const Index vertices = vertex_count();
   corner_begin_.assign(vertices + 1, 0);
-  for (Index h = 0; h < 3 * face_count(); ++h) ++corner_begin_[tail(h) + 1];
+  for (Index h = 0; h < 3 * face_count(); ++h) {
+    checkpoint_at(h);
+    ++corner_begin_[tail(h) + 1];
+  }
   std::partial_sum(corner_begin_.begin(), corner_begin_.end(), corner_begin_.begin());
   corners_.resize(3 * static_cast<std::size_t>(face_count()));
   auto slot = corner_begin_;
-  for (Index h = 0; h < 3 * face_count(); ++h) corners_[slot[tail(h)]++] = h;
+  for (Index h = 0; h < 3 * face_count(); ++h) {
+    checkpoint_at(h);
+    corners_[slot[tail(h)]++] = h;
+  }
 
   fan_.assign(vertices, Fan::isolated);
   border_.assign(vertices, 0);
@@ -261,6 +272,7 @@ void Mesh::find_components() {
   }
   component_.assign(positions_.size(), no_index);
   for (Index v = 0; v < vertex_count(); ++v) {
+    checkpoint_at(v);
     const Index r = root(v);
     component_[v] = r == v ? component_count_++ : component_[r];
   }
@@ -282,10 +294,6 @@ std::size_t Mesh::memory_bytes() const {
          bytes(halfedge_edge_) + bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) +
          bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) +
          bytes(total_angle_) + bytes(component_);
-}
-
-void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
-  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
 }
 
 }  // namespace vorogeo

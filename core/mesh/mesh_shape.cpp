@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/length_limits.h"
 #include "mesh/mesh.h"
 
 namespace vorogeo {
@@ -50,6 +51,10 @@ double Mesh::mean_angle_defect() const {
     ++count;
   }
   return count == 0 ? 0.0 : sum / count;
+}
+
+void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
+  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
 }
 
 }  // namespace vorogeo

@@ -100,7 +100,12 @@ void BorderCut::cut(Index p, Index q, double faces_per_patch, std::span<Index> l
 void BorderCut::shorten(std::span<const Index> faces, Index labels, double faces_per_patch,
                         const Outliers& outliers, std::span<Index> label) {
   patches_.assign(labels, {});
+  Index seen = 0;
+  auto checkpoint_if_due = [&] {
+    if (++seen % elements_per_checkpoint == 0) checkpoint();
+  };
   for (Index f : faces) {
+    checkpoint_if_due();
     Patch& patch = patches_[label[f]];
     patch.faces.push_back(f);
     const bool far =
@@ -112,6 +117,7 @@ void BorderCut::shorten(std::span<const Index> faces, Index labels, double faces
   for (Index f : faces) place_[f] = no_place;
   std::vector<std::pair<Index, Index>> pairs;
   for (Index f : faces) {
+    checkpoint_if_due();
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       for (Index g = mesh_.next_around_edge(h); g != h; g = mesh_.next_around_edge(g)) {
         const Index other = Mesh::face_of(g);

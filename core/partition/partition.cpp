@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "partition/border_cut.h"
@@ -100,10 +101,15 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   check_patches("first-layer patches, n1,", options.first_layer_patches, faces);
   check_patches("second-layer patches, n2,", options.second_layer_patches, faces);
   Partition partition;
+  std::optional<Watch> placing(std::in_place, progress.part(0.0, 0.3), "Placing first-layer patches");
   const Outliers outliers = find_outliers(mesh);
   std::vector<Index> all_faces(faces);
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
-  const auto all_vertices = vertices_of(mesh, all_faces);
+  std::vector<Index> all_vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % elements_per_checkpoint == 0) checkpoint();
+    if (!mesh.corners(v).empty()) all_vertices.push_back(v);
+  }
   const auto vertices = static_cast<double>(all_vertices.size());
   const PatchSizes& sizes = sizes_for(mesh);
   const Index first_count = planned_first_layer(mesh, vertices, options);
@@ -114,11 +120,8 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
 
   const MeshPart whole{all_vertices, {}};
   partition.first_layer.assign(faces, 0);
-  std::vector<Index> samples;
-  {
-    const Watch watch(progress.part(0.0, 0.3), "Placing first-layer patches");
-    samples = Sampler(mesh).spread(whole, first_count, options.seed);
-  }
+  const std::vector<Index> samples = Sampler(mesh).spread(whole, first_count, options.seed);
+  placing.reset();
   {
     const Watch watch(progress.part(0.3, 0.5), "Growing first-layer patches");
     Front front(mesh);

@@ -72,7 +72,9 @@ class Sampler::EdgeCountField {
     for (Index edge_count = 1; !front.empty(); ++edge_count) {
       next.clear();
       checkpoint();
+      Index seen = 0;
       for (Index v : front) {
+        if (++seen % elements_per_checkpoint == 0) checkpoint();
         for_each_neighbour(v, [&](Index u) {
           if (edge_counts_[u] <= edge_count || !enters(v, u)) return;
           edge_counts_[u] = edge_count;
@@ -138,7 +140,9 @@ std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint6
     std::vector<Index> cell_of(part.vertices.size());
     for (std::size_t i = 0; i < part.vertices.size(); ++i) cell_of[i] = field.cell(part.vertices[i]);
     front.clear();
+    Index seen = 0;
     for (Index v : part.vertices) {
+      if (++seen % elements_per_checkpoint == 0) checkpoint();
       bool border = false;
       field.for_each_neighbour(v, [&](Index u) { border |= field.cell(u) != field.cell(v); });
       if (border) front.push_back(v);
@@ -150,6 +154,7 @@ std::vector<Index> Sampler::spread(const MeshPart& part, Index count, std::uint6
     // The vertex deepest inside a cell; the current sample stays if no other vertex is deeper.
     std::vector<Index> deepest(samples);
     for (Index v : part.vertices) {
+      if (++seen % elements_per_checkpoint == 0) checkpoint();
       if (field.edge_count(v) == far) continue;
       Index& best = deepest[field.cell(v)];
       if (field.edge_count(best) == far || field.edge_count(v) > field.edge_count(best)) best = v;

@@ -67,8 +67,9 @@ void label_voronoi_faces(Front& front, const Mesh& mesh, const MeshPart& part, s
   auto allowed = [&](Index f) { return part.face_allowed.empty() || part.face_allowed[f] != 0; };
   for (int round = 0; round < smoothing_rounds; ++round) {
     bool changed = false;
-    checkpoint();
+    Index seen = 0;
     for (Index f : faces) {
+      if (seen++ % elements_per_checkpoint == 0) checkpoint();
       std::array<Index, 3> other{no_index, no_index, no_index};
       for (int i = 0; i < 3; ++i) {
         const Index h = mesh.next_around_edge(3 * f + i);

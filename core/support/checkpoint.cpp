@@ -1,11 +1,16 @@
 // The watches of a thread, innermost first, as a linked list on its stack.
 #include "support/checkpoint.h"
 
+#include <algorithm>
+
 namespace vorogeo {
 
 namespace {
 
 thread_local Watch* innermost = nullptr;
+
+/// Reports after which half of what is left is covered: half a minute.
+constexpr double reports_to_half = 1000.0;
 
 }  // namespace
 
@@ -15,6 +20,7 @@ Watch::Watch(const Progress& progress, std::string activity)
       activity_(std::move(activity)),
       last_(std::chrono::steady_clock::now()) {
   progress_.report(0.0, activity_);
+  reports_ = 1;
   innermost = this;
 }
 
@@ -27,6 +33,7 @@ Watch::~Watch() { innermost = outer_; }
 
 void Watch::reach(double fraction) {
   fraction_ = fraction;
+  reports_ = 0;
   report();
 }
 
@@ -35,7 +42,10 @@ void Watch::report() {
   if (visit_) {
     visit_();
   } else {
-    progress_.report(fraction_, activity_);
+    const double covered = reports_ / (reports_ + reports_to_half);
+    ++reports_;
+    reached_ = std::max(reached_, fraction_ + (1.0 - fraction_) * covered);
+    progress_.report(reached_, activity_);
   }
 }
 

@@ -20,7 +20,9 @@ inline constexpr Index elements_per_checkpoint = 1 << 13;
 /// \throw Cancelled.
 void checkpoint();
 
-/// As long as it lives, checkpoints of this thread report to its Progress. Watches nest; one whose Progress
+/// As long as it lives, checkpoints of this thread report to its Progress, a fraction that always grows: each
+/// report covers a small part of what is left, so that a user sees work that is going on even where nobody
+/// knows how much there is. Watches nest; one whose Progress
 /// has no function passes checkpoints on to the enclosing one.
 class Watch {
  public:
@@ -32,7 +34,7 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// The fraction that checkpoints report from here on. Reports at once.
+  /// The fraction from which reports go on. Reports at once.
   void reach(double fraction);
 
  private:
@@ -44,6 +46,8 @@ class Watch {
   std::string activity_;
   std::function<void()> visit_;
   double fraction_ = 0.0;
+  double reached_ = 0.0;  ///< the last fraction reported
+  int reports_ = 0;       ///< since fraction_ was set
   std::chrono::steady_clock::time_point last_;
 };
 

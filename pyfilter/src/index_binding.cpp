@@ -130,11 +130,12 @@ IndexHandle* build(const VertexArray& vertices, const FaceArray& faces, const Si
   auto index = bridge.run([&](const Progress& report) {
     std::shared_ptr<const Mesh> mesh;
     {
-      const Watch watch(report, "Reading the mesh");
+      const Watch watch(report.part(0.0, 0.01), "Reading the mesh");
       mesh = mesh_of(vertices, faces, sides, {gap, folds});
     }
-    return file ? GeodesicIndex::build_in_file(*file, std::move(mesh), options, report)
-                : GeodesicIndex::build(std::move(mesh), options, report);
+    const Progress rest = report.part(0.01, 1.0);
+    return file ? GeodesicIndex::build_in_file(*file, std::move(mesh), options, rest)
+                : GeodesicIndex::build(std::move(mesh), options, rest);
   });
   return new IndexHandle(std::move(index), faces.shape(0), threads);
 }

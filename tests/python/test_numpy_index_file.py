@@ -166,7 +166,7 @@ def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
     # All tables were there: each of these phases begins at its end.
     composing = [fraction for fraction, text in seen if text.startswith("Composing")]
     assert composing
-    assert min(composing) == pytest.approx(0.85)
+    assert min(composing) > 0.849
     assert file.read_bytes() == saved.read_bytes()
     assert not unfinished(file).exists()
 

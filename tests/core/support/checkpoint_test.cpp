@@ -32,9 +32,14 @@ TEST(Checkpoint, ReportsAtOnceWhenDueAndAtEachFraction) {
   EXPECT_EQ(seen, (std::vector<double>{0.5})) << "not due yet";
   std::this_thread::sleep_for(50ms);
   checkpoint();
-  EXPECT_EQ(seen, (std::vector<double>{0.5, 0.5}));
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_GT(seen[1], 0.5) << "something was done";
+  EXPECT_LT(seen[1], 0.51);
   watch.reach(0.5);
-  EXPECT_EQ(seen, (std::vector<double>{0.5, 0.5, 0.75}));
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[2], 0.75);
+  for (int i = 0; i < 3000; ++i) watch.reach(0.5);
+  EXPECT_EQ(seen.back(), 0.75) << "what is said to be reached decides";
 }
 
 TEST(Checkpoint, ASilentWatchLeavesItToTheOneAround) {
