@@ -87,13 +87,13 @@ std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progre
 
 AnswerMethod Surface::at_once(bool is_field) const {
   if (index()) return AnswerMethod::index;
-  const bool is_quick = is_field && mesh_->vertex_count() > max_vertices_at_once;
+  const bool is_quick = is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_at_once;
   return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
 }
 
-std::shared_ptr<const ExactGeometry> Surface::geometry() {
+std::shared_ptr<const LocalGeometry> Surface::geometry() {
   const std::lock_guard lock(geometry_mutex_);
-  if (!geometry_) geometry_ = std::make_shared<const ExactGeometry>(mesh_);
+  if (!geometry_) geometry_ = std::make_shared<const LocalGeometry>(mesh_);
   return geometry_;
 }
 
@@ -103,7 +103,7 @@ AnswerMethod Surface::choose(AnswerMethod method, bool is_field, Answered& answe
   const auto start = Clock::now();
   if (method == AnswerMethod::automatic) {
     if (index()) return AnswerMethod::index;
-    if (is_field && mesh_->vertex_count() > max_vertices_exact) {
+    if (is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_exact) {
       answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
                         " vertices: the field is a quick one, with an error of some tenths of a percent; ask "
                         "for the method "
@@ -162,8 +162,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
         });
   } else {
     found = lend(
-        mutex_, solvers_, [&] { return std::make_unique<ExactSolver>(geometry()); },
-        [&](ExactSolver& solver) {
+        mutex_, solvers_, [&] { return std::make_unique<LocalSolver>(geometry()); },
+        [&](LocalSolver& solver) {
           ExactLimits limits;
           limits.max_distance = max_distance;
           limits.progress = &rest;

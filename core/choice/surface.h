@@ -56,8 +56,8 @@ class Surface {
   std::shared_ptr<const GeodesicIndex> index() const;
   /// The index, built now if there is none. \throw as GeodesicIndex::build.
   std::shared_ptr<const GeodesicIndex> build_index(const Progress& progress = {});
-  /// What all exact solvers on this mesh share, made when it is first asked for.
-  std::shared_ptr<const ExactGeometry> geometry();
+  /// What all solvers on this mesh share, made when it is first asked for.
+  std::shared_ptr<const LocalGeometry> geometry();
   RentOrBuy spent() const;
   /// What answers without a noticeable wait and builds nothing: the index if there is one; otherwise paths
   /// and fields are exact, and on meshes of more than max_vertices_at_once vertices fields are quick.
@@ -91,9 +91,9 @@ class Surface {
   std::mutex geometry_mutex_;  ///< likewise
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
-  std::shared_ptr<const ExactGeometry> geometry_;  ///< by geometry_mutex_
+  std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
   // Solvers that no thread uses now.
-  std::vector<std::unique_ptr<ExactSolver>> solvers_;
+  std::vector<std::unique_ptr<LocalSolver>> solvers_;
   std::vector<std::unique_ptr<MeshPathQuery>> path_solvers_;
   std::vector<std::unique_ptr<VirtualSources>> quick_;
   std::vector<std::unique_ptr<GeodesicQuery>> queries_;

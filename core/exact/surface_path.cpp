@@ -18,18 +18,39 @@ constexpr double same_weight = 1e-9;
 
 using Weights = std::array<double, 3>;
 
-/// A face that holds both points, with the weights of both. no_index if there is none.
-Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, Weights& at_a,
-                  Weights& at_b) {
-  Index common = no_index;
+/// Calls `visit(face, weights_of_a, weights_of_b)` for the faces that hold both points until it returns
+/// false.
+template <class Visit>
+void for_each_common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b, Visit&& visit) {
+  bool wants_more = true;
   // Start from the point with fewer faces: around a vertex there may be any number.
   const bool swapped = a.is_vertex() && !b.is_vertex();
   for_each_face_at(mesh, swapped ? b : a, [&](Index face, const Weights& weights) {
-    if (common != no_index || !weights_in_face(mesh, swapped ? a : b, face, swapped ? at_a : at_b)) return;
-    common = face;
-    (swapped ? at_b : at_a) = weights;
+    Weights other{};
+    if (!wants_more || !weights_in_face(mesh, swapped ? a : b, face, other)) return;
+    wants_more = visit(face, swapped ? other : weights, swapped ? weights : other);
   });
-  return common;
+}
+
+/// A straight step in a face.
+MeasuredLength step_length(const Mesh& mesh, Index face, const Weights& from, const Weights& to) {
+  // Measured from the nearest corner: the small weights of those far away have all their digits. With a
+  // metric, the corners themselves are rounded.
+  const auto corners = mesh.face_corners(face);
+  int nearest = 0;
+  for (int k : {1, 2}) {
+    if (from[k] + to[k] > from[nearest] + to[nearest]) nearest = k;
+  }
+  Point step{};
+  double weighed = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    if (k == nearest) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      step[axis] += (to[k] - from[k]) * (corners[k][axis] - corners[nearest][axis]);
+    }
+    weighed += (mesh.has_metric() ? 1.0 : from[k] + to[k]) * distance_between(corners[k], corners[nearest]);
+  }
+  return {std::hypot(step[0], step[1], step[2]), step_rounding * weighed};
 }
 
 }  // namespace
@@ -42,45 +63,33 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
   if (points.empty()) return {};
   MeasuredLength sum{0.0, 0.0};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    Weights from{};
-    Weights to{};
-    const Index face = common_face(mesh, points[i], points[i + 1], from, to);
-    if (face == no_index) {
+    MeasuredLength step;
+    for_each_common_face(mesh, points[i], points[i + 1],
+                         [&](Index face, const Weights& from, const Weights& to) {
+                           const MeasuredLength here = step_length(mesh, face, from, to);
+                           if (here.length < step.length) step = here;
+                           return mesh.metric_jumps();  // along an edge, the cheapest of its faces counts
+                         });
+    if (step.length == unreachable) {
       // A step from a vertex to itself has length 0 even if no face holds it.
       if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;
       return {};
     }
-    // Measured from the nearest corner: the small weights of those far away have all their digits. With a
-    // metric, the corners themselves are rounded.
-    const auto corners = mesh.face_corners(face);
-    int nearest = 0;
-    for (int k : {1, 2}) {
-      if (from[k] + to[k] > from[nearest] + to[nearest]) nearest = k;
-    }
-    Point step{};
-    double weighed = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      if (k == nearest) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        step[axis] += (to[k] - from[k]) * (corners[k][axis] - corners[nearest][axis]);
-      }
-      weighed += (mesh.has_metric() ? 1.0 : from[k] + to[k]) * distance_between(corners[k], corners[nearest]);
-    }
-    sum.length += std::hypot(step[0], step[1], step[2]);
-    sum.rounding += step_rounding * weighed;
+    sum.length += step.length;
+    sum.rounding += step.rounding;
   }
   return sum;
 }
 
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   if (a.is_vertex() && b.is_vertex()) return a.vertex == b.vertex;
-  Weights at_a{};
-  Weights at_b{};
-  if (common_face(mesh, a, b, at_a, at_b) == no_index) return false;
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(at_a[k] - at_b[k]) > same_weight) return false;
-  }
-  return true;
+  bool same = false;
+  for_each_common_face(mesh, a, b, [&](Index, const Weights& at_a, const Weights& at_b) {
+    same = true;
+    for (int k = 0; k < 3; ++k) same = same && std::abs(at_a[k] - at_b[k]) <= same_weight;
+    return false;
+  });
+  return same;
 }
 
 std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint> points) {

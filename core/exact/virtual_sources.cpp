@@ -50,6 +50,7 @@ struct FrameChange {
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), faces_(mesh_->face_count()) {
+  require_agreeing_faces(*mesh_, "Quick distances");
   require_lengths(*mesh_, "quick distances take", exact_lengths.least_mean, exact_lengths.greatest);
   apexes_.resize(3 * faces_.size());
   for (Index f = 0; f < mesh_->face_count(); ++f) {

@@ -8,7 +8,7 @@ namespace vorogeo {
 
 NearField::NearField(const IndexData& data) : data_(data), is_near_(data.second.patch_count, 0) {}
 
-ExactSolver& NearField::solver() {
+LocalSolver& NearField::solver() {
   if (!solver_) solver_.emplace(data_.geometry);
   return *solver_;
 }
@@ -36,7 +36,7 @@ void NearField::add_at(const SurfacePoint& point) {
     const double twice_area = 2.0 * mesh.face_area(face);
     for (int i = 0; i < 3; ++i) {
       const Index own = 3 * face + i;
-      const double length = mesh.edge_length(mesh.edge_of(own));
+      const double length = mesh.side_length(own);
       if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * length) continue;
       for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
         add(data_.work.second_layer[Mesh::face_of(h)]);

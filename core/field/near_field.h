@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "exact/exact_solver.h"
 #include "index/index_data.h"
 #include "partition/halo.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -69,15 +69,15 @@ class NearField {
 
   /// The solver and the halo, created when first asked for; other runs may use them between those of the near
   /// field.
-  ExactSolver& solver();
+  LocalSolver& solver();
   Halo& halo();
   /// After run().
-  const ExactSolver& solver() const { return *solver_; }
+  const LocalSolver& solver() const { return *solver_; }
   const Halo& halo() const { return *halo_; }
 
  private:
   const IndexData& data_;
-  std::optional<ExactSolver> solver_;
+  std::optional<LocalSolver> solver_;
   std::optional<Halo> halo_;
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;

@@ -2,6 +2,8 @@
 #include "field/pair_distance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vorogeo {
 
@@ -9,6 +11,11 @@ namespace {
 
 /// A sum of two table entries can be too short by their rounding; multiplied by this it is an upper bound.
 constexpr double bound_slack = 1.001;
+/// The same where the metric jumps: there, propagated distances have errors of their own.
+constexpr double bound_slack_of_jumps = 1.01;
+
+/// Bounds by tables where the metric jumps: their entries have errors as those of points on edges.
+constexpr double rest_slack = 0.99;
 
 /// Calls visit(patch, column) for the second-layer patches of a vertex and its place among their members.
 template <class Visit>
@@ -31,6 +38,7 @@ PairDistance::PairDistance(const IndexData& data, NearField& near)
 double PairDistance::bound_by_tables(Index source, Index target) {
   const PatchLayer& second = data_.second;
   double bound = unreachable;
+  share_patch_ = false;
   patches_.clear();
   auto add = [&](Index patch) {
     if (std::ranges::find(patches_, patch) == patches_.end()) patches_.push_back(patch);
@@ -38,6 +46,7 @@ double PairDistance::bound_by_tables(Index source, Index target) {
   for_each_patch(data_, source, [&](Index p, Index source_at) {
     for_each_patch(data_, target, [&](Index q, Index target_at) {
       if (p != q && !second.touching.touch(p, q)) return;
+      share_patch_ |= p == q;
       add(p);
       add(q);
       source_column_.resize(second.border_size(p));
@@ -61,11 +70,53 @@ double PairDistance::bound_by_tables(Index source, Index target) {
   return bound;
 }
 
+/// Lower bounds of the distances of all members of patches_ from the target, by the triangle inequality over
+/// the border nodes whose distance from the target is in a table. `vertex_of_run`: the vertex of the run's
+/// mesh that a work vertex is, or no_index; empty if it runs on the work mesh.
+void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run) {
+  const PatchLayer& second = data_.second;
+  for (const Index patch : patches_) {
+    from_target_.assign(second.border_size(patch), std::numeric_limits<float>::quiet_NaN());
+    for_each_patch(data_, target, [&](Index p, Index target_at) {
+      const auto nodes = second.nodes(patch);
+      for (std::size_t row = 0; row < nodes.size(); ++row) {
+        const Index other = second.row_of(nodes[row], p);
+        if (other != no_index) from_target_[row] = second.distance(p, other, target_at);
+      }
+    });
+    const auto members = second.members(patch);
+    const float unit = second.unit[patch];
+    for (Index begin = 0; begin < static_cast<Index>(members.size()); begin += PatchLayer::tile_width) {
+      greatest_.assign(PatchLayer::tile_width, 0.0f);
+      const std::uint16_t* entries = second.tile(patch, begin / PatchLayer::tile_width);
+      for (const float from_target : from_target_) {
+        if (from_target < std::numeric_limits<float>::infinity()) {
+          for (Index k = 0; k < PatchLayer::tile_width; ++k) {
+            const float apart = std::abs(unit * static_cast<float>(entries[k]) - from_target);
+            greatest_[k] = std::max(greatest_[k], apart);
+          }
+        }
+        entries += PatchLayer::tile_width;
+      }
+      const Index count = std::min(PatchLayer::tile_width, static_cast<Index>(members.size()) - begin);
+      for (Index k = 0; k < count; ++k) {
+        // Far members have an offset, infinite entries no distance.
+        const bool is_far = second.offset_of(patch, begin + k) > 0.0f || second.complete[patch] == 0;
+        const Index vertex = vertex_of_run.empty() ? members[begin + k] : vertex_of_run[members[begin + k]];
+        if (is_far || vertex == no_index) continue;
+        least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * unit);
+        bounded_.push_back(vertex);
+      }
+    }
+  }
+}
+
 /// Exact distance by propagation around patches_. If a path could have left the allowed faces, a second run
 /// over all faces decides, which the result of the first one keeps in a thin corridor.
 double PairDistance::distance_nearby(Index source, Index target, double bound) {
   // Added points are no vertices of the user's.
   const auto& user = data_.work.user_vertex;
+  const Index target_at = target;
   const bool are_users = user[source] != no_index && user[target] != no_index;
   const UnsplitSurface* unsplit = are_users ? data_.unsplit() : nullptr;
   if (unsplit != nullptr) {
@@ -75,21 +126,40 @@ double PairDistance::distance_nearby(Index source, Index target, double bound) {
     target = user[target];
   }
   Halo& halo = unsplit != nullptr ? *halo_ : near_.halo();
-  ExactSolver& solver = unsplit != nullptr ? *solver_ : near_.solver();
+  LocalSolver& solver = unsplit != nullptr ? *solver_ : near_.solver();
   halo.surround(patches_);
   ExactLimits limits;
   limits.targets = std::span(&target, 1);
   limits.corridor_target = target;
   limits.distances_only = true;
-  limits.max_distance = bound * bound_slack;
+  limits.max_distance = bound * (solver.mesh().metric_jumps() ? bound_slack_of_jumps : bound_slack);
   limits.face_allowed = halo.mask();
+  if (solver.mesh().metric_jumps()) {
+    for (const Index vertex : bounded_) least_rest_[vertex] = 0.0;
+    bounded_.clear();
+    least_rest_.resize(solver.mesh().vertex_count(), 0.0);
+    bound_rest(target_at, unsplit != nullptr ? std::span<const Index>(user) : std::span<const Index>());
+    limits.least_remaining = least_rest_;
+  }
   solver.run_from_vertices(std::span(&source, 1), limits);
   const double found = solver.distance(target);
   if (found < unreachable && found <= solver.barrier_distance()) return found;
   limits.face_allowed = {};
   limits.max_distance = found * (1.0 + 1e-9);
   solver.run_from_vertices(std::span(&source, 1), limits);
-  return solver.distance(target);
+  const double everywhere = solver.distance(target);
+  return everywhere < unreachable ? everywhere : found;
+}
+
+/// Whether near ends are solved by propagation. Over points on edges it takes many times as long as by
+/// windows, so ends in different patches are routed there, unless they are as close as what a near field
+/// solves.
+bool PairDistance::is_solved(double bound) const {
+  if (patches_.empty()) return false;
+  const Mesh& mesh = *data_.work.mesh;
+  if (share_patch_ || !mesh.metric_jumps()) return true;
+  const auto members = static_cast<double>(data_.second.member_count(patches_.front()));
+  return bound <= NearField::reach * std::sqrt(members) * mesh.typical_edge_length();
 }
 
 /// Length of the shortest route of the tables or the graph, unfolded.
@@ -107,7 +177,7 @@ double PairDistance::distance(Index a, Index b) {
   prefetch_end(data_, b);
   const auto [source, target] = std::minmax(a, b);
   const double bound = bound_by_tables(source, target);
-  if (!patches_.empty()) return distance_nearby(source, target, bound);
+  if (is_solved(bound)) return distance_nearby(source, target, bound);
   return route_length(source, target);
 }
 

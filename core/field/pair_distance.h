@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "field/near_field.h"
@@ -23,12 +24,14 @@ class PairDistance {
 
  private:
   double bound_by_tables(Index source, Index target);
+  void bound_rest(Index target, std::span<const Index> vertex_of_run);
+  bool is_solved(double bound) const;
   double distance_nearby(Index source, Index target, double bound);
   double route_length(Index source, Index target);
 
   const IndexData& data_;
   NearField& near_;
-  std::optional<ExactSolver> solver_;  ///< on the unsplit surface, when first needed
+  std::optional<LocalSolver> solver_;  ///< on the unsplit surface, when first needed
   std::optional<Halo> halo_;
   Router router_;
   RouteUnfolder unfolder_;
@@ -36,8 +39,14 @@ class PairDistance {
   RouteEnd to_;
   GraphRoute route_;
   std::vector<Index> patches_;  ///< of both ends, if they touch
+  bool share_patch_ = false;    ///< whether one of them is a patch of both
   std::vector<float> source_column_;
   std::vector<float> target_column_;
+  // Bounds of near pairs, where the metric jumps.
+  std::vector<double> least_rest_;  ///< by vertex of the run's mesh
+  std::vector<Index> bounded_;      ///< where it is not 0
+  std::vector<float> from_target_;  ///< by row of a patch: distance of the node from the target, or NaN
+  std::vector<float> greatest_;     ///< by member of a tile
 };
 
 }  // namespace vorogeo

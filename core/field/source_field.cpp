@@ -44,7 +44,7 @@ void SourceField::take_sources(std::span<const ExactSource> given, double max_di
 
 /// Takes the border nodes that the near field reached as seeds.
 void SourceField::find_seeds() {
-  const ExactSolver& solver = near_.solver();
+  const LocalSolver& solver = near_.solver();
   seeds_.clear();
   for (Index face : near_.halo().faces()) {
     for (Index v : data_.work.mesh->face_vertices(face)) {

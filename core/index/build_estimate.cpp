@@ -7,7 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "exact/field_timing.h"
 #include "index/index_data.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
@@ -15,6 +14,7 @@
 #include "partition/partition.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "weighted/field_timing.h"
 
 namespace vorogeo {
 
@@ -34,6 +34,8 @@ constexpr double seconds_per_first_byte = 2.5e-7;
 constexpr double seconds_per_transit_byte = 1.2e-7;
 /// A field from the index: exact around the source, then over all tables.
 constexpr double seconds_near_source = 2e-3;
+/// The same by points on edges, where the metric jumps.
+constexpr double seconds_near_source_of_jumps = 1.5e-2;
 constexpr double seconds_per_vertex = 1.2e-7;
 
 using Clock = std::chrono::steady_clock;
@@ -80,8 +82,7 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
       v = renamed[v];
     }
   }
-  return mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), corners, sides)
-                           : std::make_shared<const Mesh>(std::move(positions), corners);
+  return mesh_in_metric_of(mesh, std::move(positions), corners, std::move(sides));
 }
 
 }  // namespace
@@ -125,8 +126,9 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
       layout_seconds + run_seconds + seconds_per_first_byte * first + seconds_per_transit_byte * transit;
   estimate.build_seconds = estimate.core_seconds / threads;
   if (with_fields) {
-    estimate.field_seconds = seconds_near_source + seconds_per_vertex * vertices / threads;
-    const auto geometry = std::make_shared<const ExactGeometry>(mesh);
+    estimate.field_seconds = (mesh->metric_jumps() ? seconds_near_source_of_jumps : seconds_near_source) +
+                             seconds_per_vertex * vertices / threads;
+    const auto geometry = std::make_shared<const LocalGeometry>(mesh);
     estimate.exact_field_seconds =
         time_exact_field(geometry, max_field_seconds, still, estimate_phase).expected_seconds();
   }

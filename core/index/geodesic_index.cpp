@@ -30,13 +30,9 @@ void IndexData::lay_out(int threads, const Progress& progress) {
   // What the solver needs and what the tables need, in parallel.
   parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
     if (half == 0) {
-      auto unfolded = std::make_shared<ExactGeometry>(work.mesh);
-      // No path bends at a point inside an edge; as pseudo-sources such points would tie with one another
-      // without end.
-      for (const WorkMesh::EdgePoint& point : work.edge_points) {
-        unfolded->can_bend[point.vertex] = ExactGeometry::never;
-      }
-      geometry = std::move(unfolded);
+      std::vector<Index> added;
+      for (const WorkMesh::EdgePoint& point : work.edge_points) added.push_back(point.vertex);
+      geometry = std::make_shared<const LocalGeometry>(work.mesh, added);
     } else {
       second =
           lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);

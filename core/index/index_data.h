@@ -27,7 +27,7 @@ struct IndexData {
   std::array<Index, 2> requested_patches{};  ///< as in the options: of the first layer, of the second
   Partition partition;                       ///< of the user's faces
   WorkMesh work;
-  std::shared_ptr<const ExactGeometry> geometry;  ///< of the work mesh
+  std::shared_ptr<const LocalGeometry> geometry;  ///< of the work mesh
   PatchLayer first;
   PatchLayer second;
   TransitTable transit_table;  ///< of the first layer

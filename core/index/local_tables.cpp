@@ -9,14 +9,14 @@
 #include <sstream>
 #include <string>
 
-#include "exact/exact_solver.h"
-#include "exact/field_timing.h"
 #include "index/index_options.h"
 #include "index/table_filler.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/parallel.h"
 #include "support/per_worker.h"
+#include "weighted/field_timing.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -112,7 +112,7 @@ class GroupSolver {
   const TableSurface& surface_;
   const WorkMesh& work_;
   const PatchLayer& layer_;
-  ExactSolver solver_;
+  LocalSolver solver_;
   Halo halo_;
   std::vector<Index> patches_;
   std::vector<Index> vertices_;

@@ -14,7 +14,7 @@ Index TableSurface::edge_point_of(const WorkMesh& work, Index work_vertex) {
 }
 
 TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
-                                const std::shared_ptr<const ExactGeometry>& work_geometry) {
+                                const std::shared_ptr<const LocalGeometry>& work_geometry) {
   TableSurface surface;
   surface.vertex.assign(work.user_vertex.size(), no_index);
   if (work.edge_points.empty()) {
@@ -49,8 +49,7 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
     if (mesh.has_metric()) sides.push_back(mesh.side_lengths(user));
     surface.second_layer.push_back(work.second_layer[f]);
   }
-  const auto whole = mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), faces, sides)
-                                       : std::make_shared<const Mesh>(std::move(positions), faces);
+  const auto whole = mesh_in_metric_of(mesh, std::move(positions), faces, std::move(sides));
   surface.edge_point.reserve(work.edge_points.size());
   for (const WorkMesh::EdgePoint& point : work.edge_points) {
     const Index user = mesh.edge_halfedge(point.user_edge);
@@ -59,7 +58,7 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
     surface.edge_point.push_back(
         {edge, whole->edge_length(edge) * (same_first ? point.position : 1.0 - point.position)});
   }
-  surface.geometry = std::make_shared<const ExactGeometry>(whole);
+  surface.geometry = std::make_shared<const LocalGeometry>(whole);
   return surface;
 }
 

@@ -5,16 +5,15 @@
 #include <memory>
 #include <vector>
 
-#include "exact/exact_geometry.h"
-#include "exact/exact_solver.h"
 #include "index/work_mesh.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
 /// Splitting an edge in the work mesh turns the adjacent faces into fans of needles, which every run would
 /// have to cross. Here the faces are whole, and the vertices that the work mesh adds are points on edges.
 struct TableSurface {
-  std::shared_ptr<const ExactGeometry> geometry;
+  std::shared_ptr<const LocalGeometry> geometry;
   std::vector<Index> second_layer;  ///< second-layer patch by face, ascending
   std::vector<Index> vertex;        ///< by work vertex; no_index for a point on an edge
   /// The vertices that the work mesh adds, in the order of WorkMesh::edge_points.
@@ -26,6 +25,6 @@ struct TableSurface {
 
 /// Complexity: O(faces). \throw Cancelled.
 TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
-                                const std::shared_ptr<const ExactGeometry>& work_geometry);
+                                const std::shared_ptr<const LocalGeometry>& work_geometry);
 
 }  // namespace vorogeo

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "exact/exact_geometry.h"
 #include "index/work_mesh.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -23,7 +23,7 @@ struct UnsplitSurface {
   /// Complexity: O(faces).
   UnsplitSurface(std::shared_ptr<const Mesh> mesh, const WorkMesh& work, const Partition& partition);
 
-  std::shared_ptr<const ExactGeometry> geometry;
+  std::shared_ptr<const LocalGeometry> geometry;
   std::vector<Index> faces;       ///< by second-layer patch
   std::vector<Index> first_face;  ///< where those of each patch begin in `faces`; then the number of faces
 };

@@ -48,11 +48,11 @@ class FaceLines {
 
   double length(Index u, Index v) const {
     for (int i = 0; i < 3; ++i) {
-      const Index edge = mesh_.edge_of(3 * face_ + i);
-      const double from = along(edge, u);
-      const double to = along(edge, v);
-      // On a side, both of its faces must get the same number.
-      if (from >= 0.0 && to >= 0.0) return std::abs(to - from) * mesh_.edge_length(edge);
+      const Index side = 3 * face_ + i;
+      const double from = along(mesh_.edge_of(side), u);
+      const double to = along(mesh_.edge_of(side), v);
+      // On a side whose faces agree, both must get the same number.
+      if (from >= 0.0 && to >= 0.0) return std::abs(to - from) * mesh_.side_length(side);
     }
     return distance_between(place(u), place(v));
   }
@@ -171,8 +171,7 @@ WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition) {
   work.second_layer.shrink_to_fit();
   work.user_face.shrink_to_fit();
   work.work_vertex = std::move(renamed);
-  work.mesh = mesh.has_metric() ? std::make_shared<const Mesh>(std::move(sorted), faces, sides)
-                                : std::make_shared<const Mesh>(std::move(sorted), faces);
+  work.mesh = mesh_in_metric_of(mesh, std::move(sorted), faces, std::move(sides));
   return work;
 }
 

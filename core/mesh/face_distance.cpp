@@ -11,7 +11,7 @@ namespace vorogeo {
 double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
                         const std::array<double, 3>& corner_distance) {
   std::array<double, 3> length{};  // of the edge from corner i to the next
-  for (int i = 0; i < 3; ++i) length[i] = mesh.edge_length(mesh.edge_of(3 * face + i));
+  for (int i = 0; i < 3; ++i) length[i] = mesh.side_length(3 * face + i);
   std::array<double, 3> to_corner{};  // distance of the point from corner i, by edge lengths alone
   for (int i = 0; i < 3; ++i) {
     const double next = weights[(i + 1) % 3];

@@ -75,6 +75,16 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
     hash.add(low | static_cast<std::uint64_t>(high) << 32, static_cast<std::uint32_t>(face[2]));
   }
   // A metric with the lengths in space is a metric, too: distances differ by rounding.
+  if (mesh.metric_jumps()) {
+    hash.add(static_cast<std::uint64_t>(mesh.points_per_edge()), 0);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      if (f % per_checkpoint == 0) checkpoint();
+      const auto side = mesh.side_lengths(f);
+      hash.add(bits_of(side[0]), bits_of(side[1]));
+      hash.add(bits_of(side[2]), static_cast<std::uint64_t>(f));
+    }
+    return {hash.finished()};
+  }
   for (Index e = 0; mesh.has_metric() && e < mesh.edge_count(); ++e) {
     if (e % per_checkpoint == 0) checkpoint();
     hash.add(bits_of(mesh.edge_length(e)), static_cast<std::uint64_t>(e));

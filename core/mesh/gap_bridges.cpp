@@ -222,11 +222,15 @@ std::shared_ptr<const Mesh> bridged_mesh(const std::vector<Point>& positions,
 
 std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
                                           const std::vector<std::array<Index, 3>>& faces,
-                                          const SideLengths& sides, const GapLimit& limit) {
+                                          const SideLengths& sides, const GapLimit& limit,
+                                          Index points_per_edge) {
   if (sides.empty()) return bridged_mesh(positions, faces, limit);
   if (limit.length > 0.0) {
     throw InvalidInput(
         "Gaps are bridged by their width in space, so not in a metric; leave out the gap or the metric.");
+  }
+  if (points_per_edge > 0) {
+    return std::make_shared<const Mesh>(positions, faces, FaceSides{sides, points_per_edge});
   }
   return std::make_shared<const Mesh>(positions, faces, sides);
 }

@@ -33,11 +33,13 @@ std::shared_ptr<const Mesh> bridged_mesh(const std::vector<Point>& positions,
                                          const std::vector<std::array<Index, 3>>& faces,
                                          const GapLimit& limit);
 
-/// The mesh that is measured on: in space with its gaps bridged, or with a metric (`sides` not empty). Both
-/// together are refused, as the sides of bridges would have lengths in space. \throw InvalidInput, Cancelled.
+/// The mesh that is measured on: in space with its gaps bridged, or with a metric (`sides` not empty), which
+/// jumps at edges if `points_per_edge` is above 0. Gap and metric together are refused, as the sides of
+/// bridges would have lengths in space. \throw InvalidInput, Cancelled.
 std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
                                           const std::vector<std::array<Index, 3>>& faces,
-                                          const SideLengths& sides, const GapLimit& limit);
+                                          const SideLengths& sides, const GapLimit& limit,
+                                          Index points_per_edge = 0);
 
 /// The least limit with which all faces are one component; `unreachable` if none would do.
 /// Complexity: O(b log b log c) for c components.

@@ -94,8 +94,8 @@ Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>
     : Mesh(std::move(positions), faces, &sides) {}
 
 Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-           const SideLengths* sides)
-    : positions_(std::move(positions)), has_metric_(sides != nullptr) {
+           const SideLengths* sides, Index points_per_edge)
+    : positions_(std::move(positions)), points_per_edge_(points_per_edge), has_metric_(sides != nullptr) {
   constexpr auto max_count = static_cast<std::size_t>(std::numeric_limits<Index>::max());
   if (positions_.size() > max_count || faces.size() > max_count / 3) {
     throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
@@ -292,8 +292,8 @@ std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
          bytes(halfedge_edge_) + bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) +
-         bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) +
-         bytes(total_angle_) + bytes(component_);
+         bytes(face_sides_) + bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) +
+         bytes(border_) + bytes(total_angle_) + bytes(component_);
 }
 
 }  // namespace vorogeo

@@ -25,6 +25,15 @@ inline double distance_between(const Point& a, const Point& b) {
 /// Lengths of the sides of faces: each opposite the corner of the same number.
 using SideLengths = std::vector<std::array<double, 3>>;
 
+/// Sides of faces on which the faces of an edge may disagree: a metric that jumps at edges, where paths
+/// refract. An edge is as long as in the face where it is shortest.
+struct FaceSides {
+  SideLengths sides;
+  /// Points on each edge from which faces are crossed (core/weighted): errors fall with the square of their
+  /// number.
+  Index points_per_edge = 6;
+};
+
 /// The position of all vertices of a surface that was given none.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),
@@ -66,6 +75,9 @@ class Mesh {
   ///        lengths).
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
        const SideLengths& sides);
+  /// The same with a metric that jumps at edges. \throw InvalidInput for the same sides, except that faces
+  /// may disagree, and for a number of points on each edge outside 1 to 1000.
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces, const FaceSides& sides);
   /// The same with its gaps closed: vertices keep their numbers, but faces name only the first of those that
   /// are one, and the bridges follow the other faces. The others of these have no face; wherever a
   /// point, a distance or a component is asked for, the first stands for them.
@@ -95,9 +107,19 @@ class Mesh {
   /// Whether edges have lengths other than those in space.
   bool has_metric() const { return has_metric_; }
   bool has_positions() const { return has_positions_; }
+  /// Whether the faces of an edge may disagree on its length.
+  bool metric_jumps() const { return points_per_edge_ > 0; }
+  /// Of a metric that jumps; 0 in any other.
+  Index points_per_edge() const { return points_per_edge_; }
   /// The corners of a face: in space, or with a metric laid into the plane z = 0 by the lengths of its sides.
   std::array<Point, 3> face_corners(Index face) const;
+  /// Each opposite its corner.
   std::array<double, 3> side_lengths(Index face) const;
+  /// Length of an edge in the face of one of its half-edges.
+  double side_length(Index halfedge) const {
+    return metric_jumps() ? face_sides_[halfedge / 3][(halfedge + 2) % 3]
+                          : edge_length_[halfedge_edge_[halfedge]];
+  }
   /// A lower bound of the length of every path between two points in space: their distance, with a metric
   /// multiplied by `straight_scale()`.
   double straight_bound(const Point& a, const Point& b) const {
@@ -164,10 +186,11 @@ class Mesh {
   std::size_t memory_bytes() const;
 
  private:
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-       const SideLengths* sides);
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces, const SideLengths* sides,
+       Index points_per_edge = 0);
   void link_edges();
   void take_sides(const SideLengths& sides);
+  void require_agreement(Index edge, const SideLengths& sides) const;
   void bound_straight_lines();
   void measure_edges();
   void sort_fans();
@@ -182,6 +205,7 @@ class Mesh {
   std::vector<Index> next_around_edge_;
   std::vector<std::array<Index, 2>> edge_vertices_;
   std::vector<double> edge_length_;
+  SideLengths face_sides_;  ///< of a metric that jumps
   std::vector<Index> edge_halfedge_;
   std::vector<Index> corner_begin_;
   std::vector<Index> corners_;
@@ -194,9 +218,19 @@ class Mesh {
   double typical_edge_length_ = 0.0;
   double longest_edge_length_ = 0.0;
   double straight_scale_ = 1.0;
+  Index points_per_edge_ = 0;
   bool has_metric_ = false;
   bool has_positions_ = true;
 };
+
+/// A mesh of other faces, for example parts of those of `mesh`, with a metric of the same kind: in space, or
+/// with the given sides.
+std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
+                                              const std::vector<std::array<Index, 3>>& faces,
+                                              SideLengths sides);
+
+/// Refuses a metric that jumps at edges. `what` begins the sentence: "Windows". \throw InvalidInput.
+void require_agreeing_faces(const Mesh& mesh, const std::string& what);
 
 /// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
 /// accepted lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw

@@ -45,6 +45,34 @@ struct Gram {
 
 }  // namespace
 
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+           const FaceSides& sides)
+    : Mesh(std::move(positions), faces, &sides.sides, sides.points_per_edge) {
+  constexpr Index max_points = 1000;
+  if (points_per_edge_ < 1 || points_per_edge_ > max_points) {
+    throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
+                       "; give 1 to 1000.");
+  }
+}
+
+std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
+                                              const std::vector<std::array<Index, 3>>& faces,
+                                              SideLengths sides) {
+  if (mesh.metric_jumps()) {
+    return std::make_shared<const Mesh>(std::move(positions), faces,
+                                        FaceSides{std::move(sides), mesh.points_per_edge()});
+  }
+  return mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), faces, sides)
+                           : std::make_shared<const Mesh>(std::move(positions), faces);
+}
+
+void require_agreeing_faces(const Mesh& mesh, const std::string& what) {
+  if (!mesh.metric_jumps()) return;
+  throw InvalidInput(what +
+                     " need edges on whose length both faces agree, and this metric jumps at edges: take the "
+                     "index or exact distances, or values at vertices.");
+}
+
 void Mesh::take_sides(const SideLengths& sides) {
   const auto rows = sides.size();
   for (Index f = 0; f < face_count(); ++f) {
@@ -68,29 +96,41 @@ void Mesh::take_sides(const SideLengths& sides) {
                          "together.");
     }
   }
+  face_sides_.resize(metric_jumps() ? face_count() : 0);
+  for (std::size_t f = 0; f < face_sides_.size(); ++f)
+    face_sides_[f] = sides[input_face(static_cast<Index>(f))];
   for (Index e = 0; e < edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
     // Side k is opposite corner k, so half-edge 3 f + i is side i + 2.
     auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
     const Index first = edge_halfedge_[e];
     edge_length_[e] = length_at(first);
-    for (Index h = next_around_edge_[first]; h != first; h = next_around_edge_[h]) {
-      if (std::abs(length_at(h) - edge_length_[e]) <= length_rounding * edge_length_[e]) continue;
-      const Index one = input_face(face_of(first));
-      const Index other = input_face(face_of(h));
-      throw InvalidInput("Faces " + std::to_string(one) + " and " + std::to_string(other) +
-                         " disagree on the length of their edge from vertex " +
-                         std::to_string(edge_vertices_[e][0]) + " to " +
-                         std::to_string(edge_vertices_[e][1]) + ": their side lengths are " +
-                         listed(sides[one]) + " and " + listed(sides[other]) +
-                         "; give the same length in both (each side stands opposite its corner).");
+    if (!metric_jumps()) require_agreement(e, sides);
+    for (Index h = next_around_edge_[first]; metric_jumps() && h != first; h = next_around_edge_[h]) {
+      edge_length_[e] = std::min(edge_length_[e], length_at(h));
     }
+  }
+}
+
+void Mesh::require_agreement(Index edge, const SideLengths& sides) const {
+  const Index first = edge_halfedge_[edge];
+  const double length = edge_length_[edge];
+  for (Index h = next_around_edge_[first]; h != first; h = next_around_edge_[h]) {
+    const Index one = input_face(face_of(first));
+    const Index other = input_face(face_of(h));
+    if (std::abs(sides[other][(h + 2) % 3] - length) <= length_rounding * length) continue;
+    throw InvalidInput("Faces " + std::to_string(one) + " and " + std::to_string(other) +
+                       " disagree on the length of their edge from vertex " +
+                       std::to_string(edge_vertices_[edge][0]) + " to " +
+                       std::to_string(edge_vertices_[edge][1]) + ": their side lengths are " +
+                       listed(sides[one]) + " and " + listed(sides[other]) +
+                       "; give the same length in both (each side stands opposite its corner).");
   }
 }
 
 std::array<double, 3> Mesh::side_lengths(Index face) const {
   std::array<double, 3> side{};
-  for (int i = 0; i < 3; ++i) side[(i + 2) % 3] = edge_length_[halfedge_edge_[3 * face + i]];
+  for (int i = 0; i < 3; ++i) side[(i + 2) % 3] = side_length(3 * face + i);
   return side;
 }
 

@@ -96,6 +96,9 @@ std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,
                                                const std::shared_ptr<const Mesh>& mesh,
                                                const MethodOptions& given, const Progress& progress) {
   const MethodEntry& entry = method_named(name);
+  if (entry.info.name != vorogeo_entry().info.name) {
+    require_agreeing_faces(*mesh, "The method " + entry.info.name + " and others of the literature");
+  }
   auto method = entry.prepare(mesh, completed_options(entry.info, given), progress);
   if (!mesh->has_merged_vertices()) return method;
   return std::make_unique<MergedVertices>(mesh, std::move(method));

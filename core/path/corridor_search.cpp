@@ -35,6 +35,11 @@ FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, 
     limits.max_distance *= 1.0 + path_tolerance;
     limits.corridor_point = &to;
   }
+  if (solver_.mesh().metric_jumps()) {
+    // There the corridor is a direction more than a bound: what comes after the target is not needed.
+    limits.targets = to.is_vertex() ? std::span(&to.vertex, 1)
+                                    : std::span<const Index>(solver_.mesh().face_vertices(to.face));
+  }
   solver_.run(std::span(&source, 1), limits);
   FoundPath found{solver_.path_to_source(to), solver_.distance(to), false};
   if (found.path.points.empty()) found.path.length = unreachable;

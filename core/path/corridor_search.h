@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/exact_solver.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -28,7 +28,7 @@ void set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& l
 /// shortens a distance by more than rounding. One object belongs to one thread.
 class CorridorSearch {
  public:
-  explicit CorridorSearch(std::shared_ptr<const ExactGeometry> geometry) : solver_(std::move(geometry)) {}
+  explicit CorridorSearch(const std::shared_ptr<const LocalGeometry>& geometry) : solver_(geometry) {}
 
   /// The path and the propagated distance. limits.max_distance is an upper bound of the distance: what cannot
   /// lie on a path of that length is not followed.
@@ -39,7 +39,7 @@ class CorridorSearch {
                    std::span<const std::uint8_t> face_allowed = {});
 
  private:
-  ExactSolver solver_;
+  LocalSolver solver_;
 };
 
 }  // namespace vorogeo

@@ -34,8 +34,10 @@ bool is_on_surface(const Mesh& mesh, const SurfacePoint& point) {
 
 }  // namespace
 
-MeshPathQuery::MeshPathQuery(std::shared_ptr<const ExactGeometry> geometry)
-    : mesh_(*geometry->mesh), corridor_(geometry), refiner_(*geometry), surroundings_(mesh_) {}
+MeshPathQuery::MeshPathQuery(const std::shared_ptr<const LocalGeometry>& geometry)
+    : mesh_(*geometry->mesh), corridor_(geometry), surroundings_(mesh_) {
+  if (geometry->windows) refiner_.emplace(*geometry->windows);
+}
 
 /// Lays a strip of faces along the shortest edge path. `length` receives that path's length. \return whether
 /// the strip joins the points.
@@ -67,11 +69,11 @@ bool MeshPathQuery::lay_strip(const SurfacePoint& source, const SurfacePoint& ta
 double MeshPathQuery::upper_bound(const SurfacePoint& source, const SurfacePoint& target) {
   double bound = unreachable;
   if (!lay_strip(source, target, bound)) return bound;
-  refiner_.refine(strip_);
+  refiner_->refine(strip_);
   // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
-  const SurfacePath tight = refiner_.path();
+  const SurfacePath tight = refiner_->path();
   if (!tight.points.empty()) bound = std::min(bound, measured_length(mesh_, tight.points).length);
-  const auto nearby = surroundings_.surround(refiner_.line(), rings_around);
+  const auto nearby = surroundings_.surround(refiner_->line(), rings_around);
   return std::min(bound, corridor_.within(source, target, bound, nearby).path.length);
 }
 
@@ -93,6 +95,11 @@ ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoi
     set_ends(mesh_, from, to, result.path);
     result.certified = is_path(mesh_, result.path, from, to, found.distance);
   };
+  if (!refiner_) {
+    taken_over(corridor_.run(from, to, {}));
+    result.certified = false;
+    return result;
+  }
   const double bound = upper_bound(from, to);
   taken_over(corridor_.within(from, to, bound));
   // On faces without area, the bound may be off by more than rounding.

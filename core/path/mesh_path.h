@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "path/corridor_search.h"
 #include "path/path_neighbourhood.h"
@@ -15,10 +16,11 @@ namespace vorogeo {
 /// belongs to one thread.
 class MeshPathQuery {
  public:
-  explicit MeshPathQuery(std::shared_ptr<const ExactGeometry> geometry);
+  explicit MeshPathQuery(const std::shared_ptr<const LocalGeometry>& geometry);
 
   /// The shortest path, from source to target; see PathQuery::exact_path. Always proven where faces are not
-  /// degenerate. \throw InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
+  /// degenerate; where the metric jumps at edges, a refracted one of which nothing is proven. \throw
+  /// InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target);
 
  private:
@@ -27,7 +29,7 @@ class MeshPathQuery {
 
   const Mesh& mesh_;
   CorridorSearch corridor_;
-  PathRefiner refiner_;
+  std::optional<PathRefiner> refiner_;  ///< not where the metric jumps: there, lines refract
   PathNeighbourhood surroundings_;
   FaceStrip strip_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "index/index_data.h"
 #include "index/work_points.h"
@@ -22,6 +23,8 @@ namespace {
 
 /// A length from the tables, multiplied by this, is an upper bound in spite of their precision.
 constexpr double estimate_slack = 1.0 + 1e-3;
+/// The same where the metric jumps: there, propagated distances have errors of their own.
+constexpr double estimate_slack_of_jumps = 1.0 + 1e-2;
 /// A refined path that is this much longer (relative) than the index's distance is probably on the wrong side
 /// of something: exact propagation with the bounds of the index decides.
 constexpr double suspicious = 2e-4;
@@ -43,9 +46,10 @@ struct PathQuery::State {
         data(index->data()),
         exact(data),
         router(data),
-        refiner(*data.geometry),
         surroundings(*data.work.mesh),
-        unfolder(data) {}
+        unfolder(data) {
+    if (data.geometry->windows) refiner.emplace(*data.geometry->windows);
+  }
 
   Index component(const SurfacePoint& point) const {
     return data.mesh->component(point.is_vertex() ? point.vertex
@@ -68,7 +72,7 @@ struct PathQuery::State {
   const IndexData& data;
   ExactSearch exact;
   Router router;
-  PathRefiner refiner;
+  std::optional<PathRefiner> refiner;  ///< not where the metric jumps: there, lines refract
   PathNeighbourhood surroundings;
   FaceStrip strip;
   RouteUnfolder unfolder;
@@ -103,8 +107,8 @@ SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& 
   const PathChain chain =
       chain_of_route(data, route_found, from.vertex, to.vertex, from.patch(data), to.patch(data));
   if (!strip_along_chain(data, chain, strip)) return none;
-  refiner.refine(strip);
-  SurfacePath path = refiner.path();
+  refiner->refine(strip);
+  SurfacePath path = refiner->path();
   // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
   path.length = measured_length(*data.work.mesh, path.points).length;
   return path.length < unreachable ? path : none;
@@ -131,10 +135,10 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
 /// Looks for a shorter path if the refined one may be on the wrong side of something.
 void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found) {
   const double doubtful = std::max(
-      least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner.line()));
+      least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner->line()));
   if (found.path.length > expected * (1.0 + doubtful)) {
     // Within a few rings the shortest path may be missed, so this search proves nothing.
-    const auto nearby = surroundings.surround(refiner.line(), rings_beside);
+    const auto nearby = surroundings.surround(refiner->line(), rings_beside);
     found.join(exact.within(from, to, found.path.length, nearby).unproven());
   }
   if (found.path.length > expected * (1.0 + suspicious)) {
@@ -147,9 +151,12 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
 FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
   FoundPath found;
   const GraphRoute route_found = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
-  const double estimate = (from.to_vertex + route_found.length + to.to_vertex) * estimate_slack;
+  const double slack = refiner ? estimate_slack : estimate_slack_of_jumps;
+  const double estimate = (from.to_vertex + route_found.length + to.to_vertex) * slack;
   if (are_near(data, from, to)) {
     found = exact.nearby(from, to, estimate);
+  } else if (!refiner) {
+    found = exact.by_index(from, to, estimate);
   } else {
     found.path = path_by_chain(from, to, route_found);
     if (found.path.points.empty()) {
@@ -201,6 +208,10 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
   FoundPath found = state.path(from, to, false);
+  if (!state.refiner) {
+    // Nothing is proven of distances by points on edges.
+    return {state.as_asked(found, s, t), false};
+  }
   if (found.distance == unreachable) {
     const bool with_proof = certify || state.data.has_branches;
     found.join(with_proof ? state.exact.between_landmarks(from, to, found.path.length)

@@ -22,7 +22,7 @@ double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 StepWalk::StepWalk(const IndexData& data, Index patch, Index start, Index goal)
     : data_(data),
       mesh_(*data.work.mesh),
-      geometry_(*data.geometry),
+      geometry_(*data.geometry->windows),
       patch_(patch),
       row_(patch == no_index ? no_index : data.row_in_patch(patch, goal)),
       goal_(goal),

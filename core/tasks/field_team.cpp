@@ -7,13 +7,12 @@
 #include <optional>
 #include <span>
 
-#include "exact/exact_geometry.h"
-#include "exact/exact_solver.h"
 #include "field/geodesic_query.h"
 #include "index/index_data.h"
 #include "path/path_query.h"
 #include "support/error.h"
 #include "support/per_worker.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -22,7 +21,7 @@ struct FieldTeam::State {
   struct Worker {
     std::optional<GeodesicQuery> query;
     std::optional<PathQuery> path;
-    std::optional<ExactSolver> solver;
+    std::optional<LocalSolver> solver;
   };
 
   State(std::shared_ptr<const Mesh> of_mesh, int requested_threads)
@@ -34,7 +33,7 @@ struct FieldTeam::State {
     return *query;
   }
 
-  const ExactSolver& solved(const PointList& sources, double max_distance, int worker, bool distances_only) {
+  const LocalSolver& solved(const PointList& sources, double max_distance, int worker, bool distances_only) {
     auto& solver = workers.of(worker).solver;
     if (!solver) solver.emplace(geometry);
     ExactLimits limits;
@@ -45,7 +44,7 @@ struct FieldTeam::State {
   }
 
   std::vector<double> exact_field(const PointList& sources, double max_distance, int worker) {
-    const ExactSolver& solver = solved(sources, max_distance, worker, true);
+    const LocalSolver& solver = solved(sources, max_distance, worker, true);
     std::vector<double> distances(mesh->vertex_count());
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       const double distance = solver.distance(v);
@@ -65,7 +64,7 @@ struct FieldTeam::State {
   int threads;
   PerWorker<Worker> workers;
   std::shared_ptr<const GeodesicIndex> index;     ///< or
-  std::shared_ptr<const ExactGeometry> geometry;  ///< for exact propagation
+  std::shared_ptr<const LocalGeometry> geometry;  ///< for propagation
   std::optional<GeodesicQuery> wide_query;        ///< for fields on all threads
 };
 
@@ -76,7 +75,7 @@ FieldTeam::FieldTeam(std::shared_ptr<const GeodesicIndex> index, int threads)
 
 FieldTeam::FieldTeam(std::shared_ptr<const Mesh> mesh, int threads)
     : state_(std::make_unique<State>(mesh, threads)) {
-  state_->geometry = std::make_shared<const ExactGeometry>(std::move(mesh));
+  state_->geometry = std::make_shared<const LocalGeometry>(std::move(mesh));
 }
 
 FieldTeam::~FieldTeam() = default;
@@ -110,7 +109,7 @@ std::vector<double> FieldTeam::distances(const SurfacePoint& source, const Point
     const ExactSource one{source};
     return state_->query(worker).distances(std::span(&one, 1), targets, max_distance);
   }
-  const ExactSolver& solver = state_->solved(std::span(&source, 1), max_distance, worker, false);
+  const LocalSolver& solver = state_->solved(std::span(&source, 1), max_distance, worker, false);
   for (const SurfacePoint& target : targets) {
     const double distance = solver.distance(target);
     result.push_back(distance <= max_distance ? distance : unreachable);

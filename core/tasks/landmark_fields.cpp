@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "exact/exact_solver.h"
 #include "index/index_data.h"
 #include "support/error.h"
 #include "support/parallel.h"
 #include "tasks/extent.h"
 #include "tasks/spread_points.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -39,7 +39,7 @@ std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const G
   std::vector<std::vector<double>> fields(vertices.size());
   parallel_for(vertices.size(), threads, progress, "Exact distances from landmarks", [&](std::size_t i, int) {
     const UnsplitSurface* unsplit = data.unsplit();
-    ExactSolver solver(unsplit != nullptr ? unsplit->geometry : data.geometry);
+    LocalSolver solver(unsplit != nullptr ? unsplit->geometry : data.geometry);
     const Index vertex = unsplit != nullptr ? vertices[i] : data.work.work_vertex[vertices[i]];
     solver.run_from_vertices(std::array{vertex}, {.distances_only = true});
     fields[i].resize(solver.mesh().vertex_count());

@@ -12,56 +12,62 @@ namespace {
 constexpr double same_cost = 1e-9;
 
 /// Of the place in the piece; the length of the way is off by its square.
-constexpr double crossing_rounding = 1e-8;
+constexpr double crossing_rounding = 1e-7;
 constexpr int most_newton_steps = 50;
 
-/// A point beside a segment on the x axis that begins at 0.
-struct Beside {
-  double x = 0.0;
-  double y = 0.0;  ///< at least 0
-};
-
-Beside beside(double length, double from_first, double from_second) {
-  const double x = 0.5 * (length + (from_first - from_second) * (from_first + from_second) / length);
-  return {x, std::sqrt(std::max(0.0, (from_first - x) * (from_first + x)))};
-}
+double length_of(double x, double y) { return std::max(std::sqrt(x * x + y * y), 1e-300); }
 
 }  // namespace
 
-EdgeCrossing cross_piece(const EdgePiece& piece, double to_first, double to_second, double below) {
-  const auto& [length, cheapest, at_first, at_second] = piece;
-  const bool placed = cheapest > 0.0 && at_first < unreachable && at_second < unreachable &&
-                      std::abs(at_first - at_second) <= cheapest && std::abs(to_first - to_second) <= length;
-  if (!placed) return {};
-  const Beside target = beside(length, to_first, to_second);
-  if (!(0.5 * (at_first + at_second - cheapest) + target.y < below)) return {};
-  // In units of the piece, on both sides of it.
-  const Beside source = beside(cheapest, at_first, at_second);
-  const Beside before{source.x / cheapest, source.y / cheapest};
-  const Beside after{target.x / length, target.y / length};
-  const double height = before.y + after.y;
+PlacedSource::PlacedSource(const EdgePiece& piece) : length_(piece.length), cheapest_(piece.cheapest) {
+  const double difference = piece.at_first - piece.at_second;
+  exists_ = cheapest_ > 0.0 && piece.at_first < unreachable && piece.at_second < unreachable &&
+            std::abs(difference) <= cheapest_;
+  if (!exists_) return;
+  const double sum = piece.at_first + piece.at_second;
+  least_ = 0.5 * (sum - cheapest_);
+  x_ = 0.5 * (cheapest_ + difference * sum / cheapest_);
+  y_ = std::sqrt(std::max(0.0, (piece.at_first - x_) * (piece.at_first + x_)));
+  refracts_ = length_ > cheapest_ * (1.0 + same_cost);
+  if (!refracts_) return;
+  // Rays leave both ends at angles of which the slopes are the cosines.
+  x_ /= cheapest_;
+  y_ /= cheapest_;
+  slope_at_first_ = cheapest_ * (-x_ / length_of(x_, y_));
+  slope_at_second_ = cheapest_ * ((1.0 - x_) / length_of(1.0 - x_, y_));
+}
+
+EdgeCrossing PlacedSource::cross(double x, double y) const {
+  if (refracts_) return refract(x / length_, y / length_);
+  const double height = y_ + y;
+  const double shift = x - x_;
+  const double at = x_ * height + shift * y_;  // times height, which is not negative
+  if (!(at > 0.0 && at < cheapest_ * height)) return {};
+  return {std::sqrt(shift * shift + height * height), at / (height * cheapest_)};
+}
+
+/// How the sum of the lengths before and after the piece changes with the place of the crossing.
+double PlacedSource::slope_at(double share, double x, double y, double& curvature) const {
+  const double before = length_of(share - x_, y_);
+  const double after = length_of(share - x, y);
+  curvature =
+      cheapest_ * (y_ / before) * (y_ / before) / before + length_ * (y / after) * (y / after) / after;
+  return cheapest_ * ((share - x_) / before) + length_ * ((share - x) / after);
+}
+
+/// All in units of the piece, on both sides of it.
+EdgeCrossing PlacedSource::refract(double x, double y) const {
+  const double height = y_ + y;
   if (!(height > 0.0)) return {};
-  double at = before.x + (after.x - before.x) * (before.y / height);
-  auto distance = [&](double share) {
-    return cheapest * std::hypot(share - before.x, before.y) + length * std::hypot(share - after.x, after.y);
-  };
-  if (length <= cheapest * (1.0 + same_cost)) {
-    return at > 0.0 && at < 1.0 ? EdgeCrossing{distance(at), at} : EdgeCrossing{};
-  }
-  auto slope = [&](double share, double& curvature) {
-    const double first = std::max(std::hypot(share - before.x, before.y), 1e-300);
-    const double second = std::max(std::hypot(share - after.x, after.y), 1e-300);
-    curvature = cheapest * (before.y / first) * (before.y / first) / first +
-                length * (after.y / second) * (after.y / second) / second;
-    return cheapest * ((share - before.x) / first) + length * ((share - after.x) / second);
-  };
+  const bool inside = slope_at_first_ < length_ * (x / length_of(x, y)) &&
+                      slope_at_second_ > length_ * ((x - 1.0) / length_of(x - 1.0, y));
+  if (!inside) return {};
   double low = 0.0;
   double high = 1.0;
   double curvature = 0.0;
-  if (!(slope(low, curvature) < 0.0 && slope(high, curvature) > 0.0)) return {};
-  at = std::clamp(at, low, high);
+  double at = std::clamp(x_ + (x - x_) * (y_ / height), low, high);
   for (int i = 0; i < most_newton_steps; ++i) {
-    const double rise = slope(at, curvature);
+    const double rise = slope_at(at, x, y, curvature);
     (rise > 0.0 ? high : low) = at;
     double next = at - rise / curvature;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -69,7 +75,7 @@ EdgeCrossing cross_piece(const EdgePiece& piece, double to_first, double to_seco
     at = next;
     if (found) break;
   }
-  return {distance(at), at};
+  return {cheapest_ * length_of(at - x_, y_) + length_ * length_of(at - x, y), at};
 }
 
 }  // namespace vorogeo

@@ -19,12 +19,36 @@ struct EdgeCrossing {
   double share = 0.0;             ///< where the piece is crossed, 0 to 1 from its first end
 };
 
-/// The shortest way through a piece to a point of the face at distances `to_first` and `to_second` of the
-/// piece's ends.
+/// The source of the wave that has reached a piece, placed in the plane before it.
 ///
-/// Before the piece, distances are those from a source in the plane, in the metric of the cheapest face:
-/// there they grow along the edge no faster than the edge costs. Entering a dearer face, the way refracts.
-/// Ways that are not shorter than `below` may count as none.
-EdgeCrossing cross_piece(const EdgePiece& piece, double to_first, double to_second, double below);
+/// Before the piece, distances are those in the metric of its cheapest face: there they grow along the edge
+/// no faster than the edge costs. Entering a dearer face, the way refracts.
+class PlacedSource {
+ public:
+  /// None if no place in the plane has the two distances.
+  PlacedSource() = default;
+  explicit PlacedSource(const EdgePiece& piece);
+
+  bool exists() const { return exists_; }
+  /// Less the height of a point over the piece, a lower bound of its distance through the piece.
+  double least() const { return least_; }
+  /// The shortest way through the piece to a point at height `y` over the line of the piece in the face that
+  /// is entered, `x` from the piece's first end. \pre exists()
+  EdgeCrossing cross(double x, double y) const;
+
+ private:
+  double slope_at(double share, double x, double y, double& curvature) const;
+  EdgeCrossing refract(double x, double y) const;
+
+  bool exists_ = false;
+  bool refracts_ = false;
+  double length_ = 0.0;
+  double cheapest_ = 0.0;
+  double least_ = 0.0;
+  double x_ = 0.0;  ///< along the piece; in its units if the way refracts
+  double y_ = 0.0;  ///< before it
+  double slope_at_first_ = 0.0;
+  double slope_at_second_ = 0.0;  ///< of the distance along the piece, if the way refracts
+};
 
 }  // namespace vorogeo

@@ -3,53 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <sstream>
-#include <string>
 
 #include "mesh/length_limits.h"
 #include "support/error.h"
 
 namespace vorogeo {
 
-namespace {
-
-constexpr double side_rounding = 1e-9;
-
-void require_triangle(const std::array<double, 3>& side, Index row) {
-  const double longest = *std::ranges::max_element(side);
-  const double sum = side[0] + side[1] + side[2];
-  const bool sound = std::ranges::all_of(side, [](double s) { return s >= 0.0 && std::isfinite(s); });
-  if (sound && 2.0 * longest <= sum + side_rounding * longest) return;
-  std::ostringstream text;
-  text << "Face " << row << " has the side lengths " << side[0] << ", " << side[1] << ", " << side[2]
-       << "; they must be finite, not negative, and none longer than the other two together.";
-  throw InvalidInput(text.str());
-}
-
-}  // namespace
-
-FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides, Index points_per_edge)
+FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge)
     : mesh_(std::move(mesh)), per_edge_(points_per_edge) {
-  constexpr Index max_points = 1000;
-  if (per_edge_ < 1 || per_edge_ > max_points) {
-    throw InvalidInput("The number of points on each edge is " + std::to_string(per_edge_) +
-                       "; give 1 to 1000.");
-  }
-  if (static_cast<double>(per_edge_) * mesh_->edge_count() + mesh_->vertex_count() > 2e9) {
+  constexpr double max_points = 2e9;
+  if (static_cast<double>(per_edge_) * mesh_->edge_count() + mesh_->vertex_count() > max_points) {
     throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
   }
   double longest = 0.0;
   layout_.reserve(mesh_->face_count());
-  edge_cost_.assign(mesh_->edge_count(), unreachable);
   for (Index f = 0; f < mesh_->face_count(); ++f) {
-    const Index row = mesh_->input_face(f);
-    if (static_cast<std::size_t>(row) >= sides.size()) {
-      throw InvalidInput("There are " + std::to_string(sides.size()) +
-                         " rows of side lengths, fewer than faces; give one row for each face.");
-    }
-    const auto& side = sides[row];
-    require_triangle(side, row);
+    const auto side = mesh_->side_lengths(f);
     const double along = side[2];
     double x = side[1];
     double y = 0.0;
@@ -59,14 +28,29 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides,
     }
     layout_.push_back({along, x, y});
     longest = std::max({longest, side[0], side[1], side[2]});
-    for (int i = 0; i < 3; ++i) {
-      double& cost = edge_cost_[mesh_->edge_of(3 * f + i)];
-      cost = std::min(cost, side[(i + 2) % 3]);
-    }
   }
-  const double total = std::accumulate(edge_cost_.begin(), edge_cost_.end(), 0.0);
-  require_lengths(edge_cost_.empty() ? 0.0 : total / static_cast<double>(edge_cost_.size()), longest,
-                  "metrics of faces take", exact_lengths);
+  require_lengths(mesh_->mean_edge_length(), longest, "metrics of faces take", exact_lengths);
+}
+
+EdgeFrame FaceNorms::frame(Index halfedge) const {
+  const auto corner = corners(Mesh::face_of(halfedge));
+  const Place& tail = corner[halfedge % 3];
+  const Place& head = corner[Mesh::next_in_face(halfedge) % 3];
+  const Place& apex = corner[Mesh::previous_in_face(halfedge) % 3];
+  EdgeFrame frame;
+  frame.along = mesh_->tail(halfedge) == mesh_->edge_vertices(mesh_->edge_of(halfedge))[0];
+  frame.length = mesh_->side_length(halfedge);
+  const Place& first = frame.along ? tail : head;
+  const Place side{apex[0] - first[0], apex[1] - first[1]};
+  if (!(frame.length > 0.0)) {
+    frame.apex_y = std::sqrt(side[0] * side[0] + side[1] * side[1]);
+    return frame;
+  }
+  const double scale = (frame.along ? 1.0 : -1.0) / frame.length;
+  const Place unit{(head[0] - tail[0]) * scale, (head[1] - tail[1]) * scale};
+  frame.apex_x = side[0] * unit[0] + side[1] * unit[1];
+  frame.apex_y = std::abs(side[1] * unit[0] - side[0] * unit[1]);
+  return frame;
 }
 
 }  // namespace vorogeo

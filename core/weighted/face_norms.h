@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -10,19 +11,26 @@
 
 namespace vorogeo {
 
-/// A surface whose metric jumps at edges. In each face it is that of a flat triangle with sides of its own,
-/// on which the two faces of an edge may disagree; along an edge, the cheaper face counts.
+/// A face laid beside one of its edges: the edge on the x axis from its first vertex on, the apex above it.
+struct EdgeFrame {
+  double length = 0.0;  ///< of the edge, in this face
+  double apex_x = 0.0;
+  double apex_y = 0.0;  ///< at least 0
+  bool along = true;    ///< whether the half-edge leaves the edge's first vertex
+};
+
+/// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
+/// disagree; along an edge, the cheaper face counts.
 ///
 /// Each edge holds the same number of points, evenly spaced between its ends. Points are numbered: first the
 /// vertices, then those of the edges, from the edge's first vertex on.
 class FaceNorms {
  public:
   using Place = std::array<double, 2>;
+  static double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-  /// `sides`: by row of the faces given to the mesh, each opposite its corner. \throw InvalidInput for sides
-  /// that are negative, not finite, break the triangle inequality or lie outside `exact_lengths`, fewer rows
-  /// than faces, or a number of points per edge outside 1 to 1000.
-  FaceNorms(std::shared_ptr<const Mesh> mesh, const SideLengths& sides, Index points_per_edge);
+  /// \throw InvalidInput for lengths outside `exact_lengths`, or too many points.
+  FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge);
 
   const Mesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
@@ -40,7 +48,8 @@ class FaceNorms {
     return {weights[1] * corner[1][0] + weights[2] * corner[2][0], weights[2] * corner[2][1]};
   }
   /// Length of an edge in the cheapest of its faces.
-  double edge_cost(Index edge) const { return edge_cost_[edge]; }
+  double edge_cost(Index edge) const { return mesh_->edge_length(edge); }
+  EdgeFrame frame(Index halfedge) const;
 
   /// Point i of an edge: 0 and points_per_edge + 1 are its first and second vertex.
   Index point(Index edge, Index i) const {
@@ -62,12 +71,12 @@ class FaceNorms {
     const double t = along ? fraction : 1.0 - fraction;
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
   }
+  std::size_t memory_bytes() const { return layout_.capacity() * sizeof(layout_[0]); }
 
  private:
   std::shared_ptr<const Mesh> mesh_;
   Index per_edge_;
   std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2
-  std::vector<double> edge_cost_;
 };
 
 }  // namespace vorogeo

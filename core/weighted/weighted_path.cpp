@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "weighted/edge_crossing.h"
 #include "weighted/snell.h"
 #include "weighted/weighted_solver.h"
 
@@ -69,11 +70,109 @@ void place_joint(const FaceNorms& norms, const Joint& joint, Index face, Index e
 
 }  // namespace
 
+WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights,
+                                                   double below) const {
+  const auto target = norms_->place(face, weights);
+  BackStep best;
+  for (const Index s : face_sources_) {
+    const auto& [source, offset] = sources_[s];
+    std::array<double, 3> there{};
+    if (!(offset < best.distance) || !weights_in_face(mesh(), source, face, there)) continue;
+    const double distance = offset + FaceNorms::apart(norms_->place(face, there), target);
+    if (distance < best.distance) best = {distance, offset, s, no_index, 0.0, face};
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (weights[(i + 2) % 3] == 0.0) continue;  // from the point's own edge, steps run along it
+    const Index h = 3 * face + i;
+    const Index edge = mesh().edge_of(h);
+    const EdgeFrame frame = norms_->frame(h);
+    const double x =
+        weights[frame.along ? (i + 1) % 3 : i] * frame.length + weights[(i + 2) % 3] * frame.apex_x;
+    const double y = weights[(i + 2) % 3] * frame.apex_y;
+    const double spacing = norms_->fraction(1);
+    auto take = [&](double distance, double piece, double at) {
+      if (!(distance < best.distance && distance - piece < below)) return;
+      best = {distance, distance - piece, no_index, edge, at, face};
+    };
+    for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
+      const double first = state_[norms_->point(edge, k)].distance;
+      if (!(first < unreachable)) continue;
+      const double begin = norms_->fraction(k) * frame.length;
+      const double to_first = std::hypot(x - begin, y);
+      take(first + to_first, to_first, norms_->fraction(k));
+      if (k > norms_->points_per_edge()) break;
+      const double second = state_[norms_->point(edge, k + 1)].distance;
+      const PlacedSource source({frame.length * spacing, norms_->edge_cost(edge) * spacing, first, second});
+      if (!source.exists()) continue;
+      const auto [across, share] = source.cross(x - begin, y);
+      if (!(across < unreachable)) continue;
+      take(across, std::hypot(x - begin - share * frame.length * spacing, y),
+           norms_->fraction(k) + share * spacing);
+    }
+  }
+  return best;
+}
+
+WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction, double below) const {
+  BackStep best;
+  const double cost = norms_->edge_cost(edge);
+  for (const Index s : face_sources_) {
+    const auto& [source, offset] = sources_[s];
+    std::array<double, 3> there{};
+    const Index h = mesh().edge_halfedge(edge);
+    if (!(offset < best.distance) || !weights_in_face(mesh(), source, Mesh::face_of(h), there)) continue;
+    if (there[Mesh::previous_in_face(h) % 3] > 0.0) continue;
+    const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
+    const double distance =
+        offset + std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
+    if (distance < best.distance) best = {distance, offset, s, edge, 0.0, no_index};
+  }
+  const auto previous = static_cast<Index>(std::ceil(fraction * (norms_->points_per_edge() + 1))) - 1;
+  const auto next = static_cast<Index>(std::floor(fraction * (norms_->points_per_edge() + 1))) + 1;
+  for (Index k : {previous, next}) {
+    if (k < 0 || k > norms_->points_per_edge() + 1) continue;
+    const double at_point = state_[norms_->point(edge, k)].distance;
+    const double distance = at_point + std::abs(norms_->fraction(k) - fraction) * cost;
+    if (!(distance < best.distance && at_point < below)) continue;
+    best = {distance, at_point, no_index, edge, norms_->fraction(k), no_index};
+  }
+  return best;
+}
+
+WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, double below) const {
+  BackStep best;
+  auto take = [&](const BackStep& step) {
+    if (step.distance < best.distance) best = step;
+  };
+  for_each_face_at(mesh(), point, [&](Index face, const std::array<double, 3>& weights) {
+    for (int i = 0; i < 3; ++i) {
+      if (weights[(i + 2) % 3] > 0.0) continue;
+      const Index edge = mesh().edge_of(3 * face + i);
+      const bool along = mesh().tail(3 * face + i) == mesh().edge_vertices(edge)[0];
+      take(step_along(edge, weights[along ? (i + 1) % 3 : i], below));
+    }
+    take(step_into(face, weights, below));
+  });
+  return best;
+}
+
+double WeightedSolver::distance(const EdgePoint& point) const {
+  const double cost = norms_->edge_cost(point.edge);
+  if (!(cost > 0.0)) return distance(mesh().edge_vertices(point.edge)[0]);
+  return distance(point_of_edge(mesh(), point.edge, point.position / cost));
+}
+
+/// Whether a path to the vertex begins there.
+bool WeightedSolver::is_at_source(Index vertex) const {
+  const auto& [distance, number, settled] = state_[vertex];
+  return number != no_index && sources_[number].point.vertex == vertex && sources_[number].offset == distance;
+}
+
 SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
   SurfacePath path;
   path.length = unreachable;
   if (!(distance(target) < unreachable)) return path;
-  std::vector<Joint> joints{{validated(mesh_, target)}};
+  std::vector<Joint> joints{{validated(mesh(), target)}};
   struct Passed {
     Index face, edge;
   };
@@ -83,7 +182,7 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
   int setbacks = 0;
   for (;;) {
     const SurfacePoint here = joints.back().point;
-    if (here.is_vertex() && distance_[here.vertex] == 0.0) break;
+    if (here.is_vertex() && is_at_source(here.vertex)) break;
     BackStep step = best_step(here, limit);
     if (!(step.distance < unreachable)) {
       // Between two points of an edge, distances are estimates, and all around may be greater: the path goes
@@ -95,10 +194,10 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
     limit = step.begin_distance;
     passed.push_back({step.face, step.edge});
     if (step.source != no_index) {
-      joints.push_back({sources_[step.source]});
+      joints.push_back({sources_[step.source].point});
       break;
     }
-    Joint joint{point_of_edge(mesh_, step.edge, step.fraction), step.edge, step.fraction};
+    Joint joint{point_of_edge(mesh(), step.edge, step.fraction), step.edge, step.fraction};
     if (joint.point.is_vertex()) joint.edge = no_index;
     // Steps along one edge are one piece.
     if (step.face == no_index && passed.size() > 1 && passed[passed.size() - 2].face == no_index &&
@@ -129,7 +228,7 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
     path.length += refract(pieces, crossing);
     for (std::size_t k = 0; k < crossing.size(); ++k) {
       Joint& joint = joints[begin + 1 + k];
-      joint.point = point_of_edge(mesh_, joint.edge, crossing[k]);
+      joint.point = point_of_edge(mesh(), joint.edge, crossing[k]);
     }
     pieces.clear();
     crossing.clear();

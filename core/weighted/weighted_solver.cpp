@@ -1,9 +1,14 @@
-// Dijkstra's order over points of edges, with sources placed in the plane of each face that is crossed.
+// Nearly Dijkstra's order over points of edges, with sources placed in the plane of each face that is
+// crossed.
 #include "weighted/weighted_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
+#include "support/checkpoint.h"
+#include "support/error.h"
 #include "weighted/edge_crossing.h"
 
 namespace vorogeo {
@@ -13,242 +18,246 @@ namespace {
 /// Gains below this, relative to the distance, are rounding.
 constexpr double least_gain = 1e-12;
 
-double apart(const FaceNorms::Place& a, const FaceNorms::Place& b) {
-  const double x = a[0] - b[0];
-  const double y = a[1] - b[1];
-  return std::sqrt(x * x + y * y);
-}
+/// Width of a bucket in typical pieces of an edge: narrow enough for few points that are settled again.
+constexpr double bucket_width = 0.5;
+
+/// Points settled between two reports of progress.
+constexpr std::size_t points_per_report = 4096;
 
 }  // namespace
 
 WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
-    : norms_(std::move(norms)), mesh_(norms_->mesh()), distance_(norms_->point_count(), unreachable) {}
-
-void WeightedSolver::reach(Index point, double distance) {
-  if (!(distance < distance_[point] * (1.0 - least_gain))) return;
-  if (distance_[point] == unreachable) touched_.push_back(point);
-  distance_[point] = distance;
-  queue_.push({distance, point});
+    : norms_(std::move(norms)), state_(norms_->point_count()) {
+  queue_.resize(state_.size());
 }
 
-/// Whether a point is so far beyond the limit that no distance within it depends on this one. Faces are
-/// crossed from between two points of an edge, of which one may be farther than what is reached from them.
-bool WeightedSolver::is_beyond_limit(Index point) const {
-  if (distance_[point] <= max_distance_) return false;
-  double longest = 0.0;
-  if (norms_->is_vertex(point)) {
-    for (const Index corner : mesh_.corners(point)) {
-      for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
-        longest = std::max(longest, norms_->edge_cost(mesh_.edge_of(side)));
-      }
+void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimits& limits) {
+  std::vector<ExactSource> checked;
+  checked.reserve(sources.size());
+  for (const ExactSource& source : sources) {
+    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
+      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
+                         "; it must be a number of at least 0.");
     }
-  } else {
-    longest = norms_->edge_cost(norms_->edge_of(point));
+    checked.push_back({validated(mesh(), source.point), source.offset});
   }
-  return distance_[point] - longest * norms_->fraction(1) > max_distance_;
+  has_corridor_ = limits.corridor_target != no_index || limits.corridor_point != nullptr;
+  if (has_corridor_) {
+    corridor_at_ = position_of(mesh(), limits.corridor_point != nullptr
+                                           ? validated(mesh(), *limits.corridor_point)
+                                           : SurfacePoint::at_vertex(limits.corridor_target));
+  }
+  for (const Index target : limits.targets) validated(mesh(), SurfacePoint::at_vertex(target));
+  for (const Index point : touched_) state_[point] = {};
+  touched_.clear();
+  queue_.reset(bucket_width * mesh().typical_edge_length() * norms_->fraction(1));
+  sources_ = std::move(checked);
+  face_sources_.clear();
+  max_distance_ = limits.max_distance;
+  face_allowed_ = limits.face_allowed;
+  least_remaining_ = limits.least_remaining;
+  final_targets_ = 0;
+  final_edge_targets_ = 0;
+  settled_distance_ = unreachable;
+  barrier_distance_ = unreachable;
+  rest_ = 0.0;
 }
 
-void WeightedSolver::start_at(const SurfacePoint& source) {
+void WeightedSolver::reach(Index point, double distance, Index source) {
+  PointState& state = state_[point];
+  if (!(distance < state.distance * (1.0 - least_gain))) return;
+  if (state.distance == unreachable) touched_.push_back(point);
+  state.distance = distance;
+  state.source = source;
+  // With a corridor, points on the way to its target come first (A*).
+  queue_.push(point, distance + least_rest(point));
+}
+
+void WeightedSolver::start_at(Index number) {
+  const auto& [source, offset] = sources_[number];
   if (source.is_vertex()) {
-    reach(source.vertex, 0.0);
+    reach(source.vertex, offset, number);
     return;
   }
-  for_each_face_at(mesh_, source, [&](Index face, const std::array<double, 3>& weights) {
+  face_sources_.push_back(number);
+  for_each_face_at(mesh(), source, [&](Index face, const std::array<double, 3>& weights) {
+    if (!may_enter(face, offset)) return;
     const auto corner = norms_->corners(face);
     const auto from = norms_->place(face, weights);
     for (int i = 0; i < 3; ++i) {
       const Index h = 3 * face + i;
+      const Index edge = mesh().edge_of(h);
       for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-        reach(norms_->point(mesh_.edge_of(h), k),
-              apart(from, norms_->on_edge(corner, h, norms_->fraction(k))));
+        reach(norms_->point(edge, k),
+              offset + FaceNorms::apart(from, norms_->on_edge(corner, h, norms_->fraction(k))), number);
       }
       // Along its own edge, the cheaper face counts.
       if (weights[(i + 2) % 3] > 0.0) continue;
-      const Index edge = mesh_.edge_of(h);
-      const bool along = mesh_.tail(h) == mesh_.edge_vertices(edge)[0];
+      const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
       const double at = weights[along ? (i + 1) % 3 : i];
       for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-        reach(norms_->point(edge, k), std::abs(norms_->fraction(k) - at) * norms_->edge_cost(edge));
+        reach(norms_->point(edge, k), offset + std::abs(norms_->fraction(k) - at) * norms_->edge_cost(edge),
+              number);
       }
     }
   });
 }
 
-void WeightedSolver::run(std::span<const SurfacePoint> sources, double max_distance,
-                         const Progress& progress) {
-  for (Index point : touched_) distance_[point] = unreachable;
-  touched_.clear();
-  queue_ = {};
-  max_distance_ = max_distance;
-  sources_.clear();
-  for (const SurfacePoint& source : sources) sources_.push_back(validated(mesh_, source));
-  for (const SurfacePoint& source : sources_) start_at(source);
-  constexpr std::size_t points_per_report = 4096;
+void WeightedSolver::run(std::span<const ExactSource> sources, const ExactLimits& limits) {
+  reset(sources, limits);
+  for (std::size_t i = 0; i < sources_.size(); ++i) start_at(static_cast<Index>(i));
   std::size_t settled = 0;
   // This loop ends: a point enters the queue only with a distance that is smaller by more than rounding, and
-  // no distance is smaller than the sum of the straight pieces that it is made of.
-  while (!queue_.empty()) {
-    const auto [distance, point] = queue_.top();
-    queue_.pop();
-    if (distance > distance_[point] || is_beyond_limit(point)) continue;
+  // no distance is smaller than the sum of the straight pieces that it is made of. What is made of a distance
+  // that becomes smaller later is too long until then, so the order does not matter.
+  for (;;) {
+    const double reached = queue_.lower_bound() - longest_piece();
+    if (!limits.targets.empty() && is_final(limits, reached)) {
+      settled_distance_ = reached;
+      break;
+    }
+    const Index point = queue_.pop();
+    if (point == no_index) break;
+    rest_ = least_rest(point);
+    if (is_beyond_limit(point)) continue;
     if (++settled % points_per_report == 0) {
-      progress.report(std::min(1.0, static_cast<double>(settled) / norms_->point_count()),
-                      "Computing distances over weighted faces");
+      if (limits.progress != nullptr) {
+        limits.progress->report(std::min(1.0, static_cast<double>(settled) / norms_->point_count()),
+                                "Computing distances over weighted faces");
+      } else {
+        checkpoint();
+      }
     }
     settle(point);
   }
 }
 
+void WeightedSolver::run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits) {
+  std::vector<ExactSource> sources;
+  sources.reserve(source_vertices.size());
+  for (const Index v : source_vertices) sources.push_back({SurfacePoint::at_vertex(v)});
+  run(sources, limits);
+}
+
+bool WeightedSolver::may_enter(Index face, double distance) {
+  if (face_allowed_.empty() || face_allowed_[face] != 0) return true;
+  barrier_distance_ = std::min(barrier_distance_, distance + rest_);
+  return false;
+}
+
 void WeightedSolver::settle(Index point) {
+  PointState& own = state_[point];
+  own.settled = true;
   const Index last = norms_->points_per_edge() + 1;
   auto along = [&](Index edge, Index from, Index to) {
     reach(norms_->point(edge, to),
-          distance_[point] + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)));
+          own.distance + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)), own.source);
   };
   if (!norms_->is_vertex(point)) {
     const Index edge = norms_->edge_of(point);
     const Index k = norms_->along_edge(point);
-    along(edge, k, k - 1);
-    along(edge, k, k + 1);
-    const Index first = mesh_.edge_halfedge(edge);
+    const Index first = mesh().edge_halfedge(edge);
+    bool entered = false;
     Index h = first;
     do {
-      cross_from(h, k - 1, k);
-      cross_from(h, k, k + 1);
-      h = mesh_.next_around_edge(h);
+      if (may_enter(Mesh::face_of(h), own.distance)) {
+        entered = true;
+        cross_from(h, k);
+      }
+      h = mesh().next_around_edge(h);
     } while (h != first);
+    if (!entered) return;
+    along(edge, k, k - 1);
+    along(edge, k, k + 1);
     return;
   }
-  for (Index corner : mesh_.corners(point)) {
-    const auto place = norms_->corners(Mesh::face_of(corner));
-    const Index opposite = Mesh::next_in_face(corner);
-    for (Index k = 1; k < last; ++k) {
-      reach(
-          norms_->point(mesh_.edge_of(opposite), k),
-          distance_[point] + apart(place[corner % 3], norms_->on_edge(place, opposite, norms_->fraction(k))));
-    }
-    for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-      const Index edge = mesh_.edge_of(side);
-      const bool begins = mesh_.edge_vertices(edge)[0] == point;
+  for (const Index corner : mesh().corners(point)) {
+    if (!may_enter(Mesh::face_of(corner), own.distance)) continue;
+    for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
+      const Index edge = mesh().edge_of(side);
+      const bool begins = mesh().edge_vertices(edge)[0] == point;
       along(edge, begins ? 0 : last, begins ? 1 : last - 1);
-      cross_from(side, begins ? 0 : last - 1, begins ? 1 : last);
+      cross_from(side, begins ? 0 : last);
     }
   }
 }
 
-/// Crosses a face from between two points of a side to the points of its other two sides.
-void WeightedSolver::cross_from(Index halfedge, Index first, Index second) {
-  const auto corner = norms_->corners(Mesh::face_of(halfedge));
-  const Index edge = mesh_.edge_of(halfedge);
-  const double at_first = distance_[norms_->point(edge, first)];
-  const double at_second = distance_[norms_->point(edge, second)];
-  const auto a = norms_->on_edge(corner, halfedge, norms_->fraction(first));
-  const auto b = norms_->on_edge(corner, halfedge, norms_->fraction(second));
-  const EdgePiece piece{apart(a, b), norms_->edge_cost(edge) * norms_->fraction(1), at_first, at_second};
-  auto look = [&](Index point, const FaceNorms::Place& target) {
-    const double to_first = apart(a, target);
-    const double to_second = apart(b, target);
-    const double by_ends = std::min(at_first + to_first, at_second + to_second);
-    const double below = std::min(by_ends, distance_[point]);
-    reach(point, std::min(by_ends, cross_piece(piece, to_first, to_second, below).distance));
+/// Crosses a face from a point of a side, and from between it and those beside it that are settled, to the
+/// points of the other two sides.
+void WeightedSolver::cross_from(Index halfedge, Index from) {
+  const EdgeFrame frame = norms_->frame(halfedge);
+  const Index edge = mesh().edge_of(halfedge);
+  const Index last = norms_->points_per_edge() + 1;
+  const double spacing = norms_->fraction(1);
+  const double at = norms_->fraction(from) * frame.length;
+  const auto [own_distance, own_source, own_settled] = state_[norms_->point(edge, from)];
+  struct Piece {
+    PlacedSource source;
+    double begin = 0.0;
+    Index nearest = no_index;
   };
-  look(mesh_.apex(halfedge), corner[Mesh::previous_in_face(halfedge) % 3]);
-  for (Index side : {Mesh::next_in_face(halfedge), Mesh::previous_in_face(halfedge)}) {
-    for (Index k = 1; k <= norms_->points_per_edge(); ++k) {
-      look(norms_->point(mesh_.edge_of(side), k), norms_->on_edge(corner, side, norms_->fraction(k)));
+  std::array<Piece, 2> pieces;
+  int piece_count = 0;
+  double least = own_distance;
+  for (const Index begin : {from - 1, from}) {
+    if (begin < 0 || begin == last) continue;
+    const PointState& other = state_[norms_->point(edge, begin == from ? from + 1 : begin)];
+    // A point beside this one that is settled later crosses the piece itself.
+    if (!(other.settled || other.distance <= own_distance)) continue;
+    const bool forth = begin == from;
+    Piece& piece = pieces[piece_count];
+    piece.source =
+        PlacedSource({frame.length * spacing, norms_->edge_cost(edge) * spacing,
+                      forth ? own_distance : other.distance, forth ? other.distance : own_distance});
+    if (!piece.source.exists()) continue;
+    piece.begin = norms_->fraction(begin) * frame.length;
+    piece.nearest = other.distance < own_distance ? other.source : own_source;
+    least = std::min(least, piece.source.least());
+    ++piece_count;
+  }
+  auto look = [&](Index point, double x, double y) {
+    const double known = state_[point].distance;
+    if (!(least + y < known)) return;
+    double best = own_distance + std::sqrt((x - at) * (x - at) + y * y);
+    Index source = own_source;
+    for (int i = 0; i < piece_count; ++i) {
+      const Piece& piece = pieces[i];
+      if (!(piece.source.least() + y < std::min(best, known))) continue;
+      const double through = piece.source.cross(x - piece.begin, y).distance;
+      if (!(through < best)) continue;
+      best = through;
+      source = piece.nearest;
+    }
+    reach(point, best, source);
+  };
+  const Index first_side = frame.along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
+  const Index second_side = frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
+  const Index apex = mesh().apex(halfedge);
+  look(apex, frame.apex_x, frame.apex_y);
+  for (const Index side : {first_side, second_side}) {
+    const Index other = mesh().edge_of(side);
+    const double x = side == first_side ? 0.0 : frame.length;
+    const bool from_apex = mesh().edge_vertices(other)[0] == apex;
+    const Index first_point = norms_->point(other, 1);
+    for (Index k = 1; k < last; ++k) {
+      const double t = spacing * (from_apex ? last - k : k);  // from the edge to the apex
+      look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y);
     }
   }
 }
 
-double WeightedSolver::distance(Index vertex) const {
-  return distance_[vertex] <= max_distance_ ? distance_[vertex] : unreachable;
-}
+double WeightedSolver::settled_distance() const { return std::min(settled_distance_, max_distance_); }
+
+double WeightedSolver::distance(Index vertex) const { return within_limit(state_[vertex].distance); }
 
 double WeightedSolver::distance(const SurfacePoint& point) const {
-  const SurfacePoint target = validated(mesh_, point);
+  const SurfacePoint target = validated(mesh(), point);
   if (target.is_vertex()) return distance(target.vertex);
-  const double found = best_step(target, unreachable).distance;
-  return found <= max_distance_ ? found : unreachable;
+  return within_limit(best_step(target, unreachable).distance);
 }
 
-WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights,
-                                                   double below) const {
-  const auto corner = norms_->corners(face);
-  const auto target = norms_->place(face, weights);
-  BackStep best;
-  for (std::size_t s = 0; s < sources_.size(); ++s) {
-    std::array<double, 3> there{};
-    if (!weights_in_face(mesh_, sources_[s], face, there)) continue;
-    const double distance = apart(norms_->place(face, there), target);
-    if (distance < best.distance) best = {distance, 0.0, static_cast<Index>(s), no_index, 0.0, face};
-  }
-  for (int i = 0; i < 3; ++i) {
-    if (weights[(i + 2) % 3] == 0.0) continue;  // from the point's own edge, steps run along it
-    const Index h = 3 * face + i;
-    const Index edge = mesh_.edge_of(h);
-    for (Index k = 0; k <= norms_->points_per_edge(); ++k) {
-      const double first = distance_[norms_->point(edge, k)];
-      const double second = distance_[norms_->point(edge, k + 1)];
-      const auto a = norms_->on_edge(corner, h, norms_->fraction(k));
-      const auto b = norms_->on_edge(corner, h, norms_->fraction(k + 1));
-      const double to_first = apart(a, target);
-      const double to_second = apart(b, target);
-      auto take = [&](double distance, double piece, double share) {
-        if (!(distance < best.distance && distance - piece < below)) return;
-        best = {distance, distance - piece, no_index, edge, norms_->fraction(k) + share * norms_->fraction(1),
-                face};
-      };
-      take(first + to_first, to_first, 0.0);
-      take(second + to_second, to_second, 1.0);
-      const auto [across, share] =
-          cross_piece({apart(a, b), norms_->edge_cost(edge) * norms_->fraction(1), first, second}, to_first,
-                      to_second, best.distance);
-      const FaceNorms::Place at{std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share)};
-      take(across, apart(at, target), share);
-    }
-  }
-  return best;
-}
-
-WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction, double below) const {
-  BackStep best;
-  const double cost = norms_->edge_cost(edge);
-  for (std::size_t s = 0; s < sources_.size(); ++s) {
-    std::array<double, 3> there{};
-    const Index h = mesh_.edge_halfedge(edge);
-    if (!weights_in_face(mesh_, sources_[s], Mesh::face_of(h), there)) continue;
-    if (there[Mesh::previous_in_face(h) % 3] > 0.0) continue;
-    const bool along = mesh_.tail(h) == mesh_.edge_vertices(edge)[0];
-    const double distance = std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
-    if (distance < best.distance) best = {distance, 0.0, static_cast<Index>(s), edge, 0.0, no_index};
-  }
-  const auto previous = static_cast<Index>(std::ceil(fraction * (norms_->points_per_edge() + 1))) - 1;
-  const auto next = static_cast<Index>(std::floor(fraction * (norms_->points_per_edge() + 1))) + 1;
-  for (Index k : {previous, next}) {
-    if (k < 0 || k > norms_->points_per_edge() + 1) continue;
-    const double at_point = distance_[norms_->point(edge, k)];
-    const double distance = at_point + std::abs(norms_->fraction(k) - fraction) * cost;
-    if (!(distance < best.distance && at_point < below)) continue;
-    best = {distance, at_point, no_index, edge, norms_->fraction(k), no_index};
-  }
-  return best;
-}
-
-WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, double below) const {
-  BackStep best;
-  auto take = [&](const BackStep& step) {
-    if (step.distance < best.distance) best = step;
-  };
-  for_each_face_at(mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
-    for (int i = 0; i < 3; ++i) {
-      if (weights[(i + 2) % 3] > 0.0) continue;
-      const Index edge = mesh_.edge_of(3 * face + i);
-      const bool along = mesh_.tail(3 * face + i) == mesh_.edge_vertices(edge)[0];
-      take(step_along(edge, weights[along ? (i + 1) % 3 : i], below));
-    }
-    take(step_into(face, weights, below));
-  });
-  return best;
+Index WeightedSolver::nearest_source(Index vertex) const {
+  return distance(vertex) == unreachable ? no_index : state_[vertex].source;
 }
 
 }  // namespace vorogeo

@@ -7,7 +7,7 @@
 
 namespace vorogeo::plugin {
 
-DragPaths::DragPaths(const std::shared_ptr<const ExactGeometry>& geometry, std::chrono::milliseconds wait)
+DragPaths::DragPaths(const std::shared_ptr<const LocalGeometry>& geometry, std::chrono::milliseconds wait)
     : wait_(wait), corridors_(geometry), from_source_(geometry) {}
 
 SurfacePath DragPaths::path(const SurfacePoint& source, const SurfacePoint& target) {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <thread>
 
-#include "exact/paths_from_point.h"
 #include "path/mesh_path.h"
+#include "weighted/paths_from_point.h"
 
 namespace vorogeo::plugin {
 
@@ -19,7 +19,7 @@ class DragPaths {
   /// Paths that are found in a corridor in less time than this need no propagation.
   static constexpr std::chrono::milliseconds max_wait{5};
 
-  explicit DragPaths(const std::shared_ptr<const ExactGeometry>& geometry,
+  explicit DragPaths(const std::shared_ptr<const LocalGeometry>& geometry,
                      std::chrono::milliseconds wait = max_wait);
   ~DragPaths() { cancel(); }
   DragPaths(const DragPaths&) = delete;

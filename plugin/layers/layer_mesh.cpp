@@ -25,6 +25,7 @@ LayerMesh::LayerMesh(const CMeshO& layer, const GapLimit& gap) : gap_(gap) {
 
 LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm, gap_of(call)) {
   arrays_.sides = side_lengths_of(call, arrays_);
+  if (metric_of(call) == LayerMetric::face_quality) arrays_.points_per_edge = FaceSides{}.points_per_edge;
 }
 
 Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) const {

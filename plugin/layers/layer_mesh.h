@@ -35,7 +35,7 @@ class LayerMesh {
   const GapLimit& gap() const { return gap_; }
   /// The mesh that is measured on, with its gaps bridged.
   std::shared_ptr<const Mesh> make_mesh() const {
-    return measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_);
+    return measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_, arrays_.points_per_edge);
   }
   /// What a user should know about the mesh before trusting distances on it, one sentence each.
   std::vector<std::string> warnings() const;

@@ -42,6 +42,32 @@ std::vector<Scalarm> cost_of(const FilterCall& call, bool& is_kept) {
   return values;
 }
 
+/// A quality as a cost. \throw InvalidInput, naming the element by its number in the host.
+double checked_cost(const FilterCall& call, const std::string& element, Index number, Scalarm quality) {
+  const auto value = static_cast<double>(quality);
+  if (value > 0.0 && std::isfinite(value)) return value;
+  const bool of_vertex = element == "vertex";
+  refuse(call, "metric", "the quality",
+         ", but " + element + " " + std::to_string(number) + " has quality " + std::to_string(value) +
+             ". A cost is a number above 0: 2 makes paths count twice there. Give all " +
+             (of_vertex ? "vertices" : "faces") + " such a quality, for example with 'Per " +
+             (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
+}
+
+SideLengths sides_by_face_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+  if (!call.layer.hasDataMask(MeshModel::MM_FACEQUALITY)) {
+    throw InvalidInput(
+        "The faces have no quality that could be the cost of paths. Compute one above 0, or choose another "
+        "metric.");
+  }
+  std::vector<double> cost;
+  for (const Index input : arrays.input_of_face) {
+    cost.push_back(
+        checked_cost(call, "face", input, call.layer.cm.face[static_cast<std::size_t>(input)].cQ()));
+  }
+  return sides_by_face_cost(arrays.positions, arrays.faces, cost);
+}
+
 SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays, Index& shortened) {
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput(
@@ -57,14 +83,7 @@ SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays
   }
   std::vector<double> cost;
   for (const Index input : arrays.input_of_vertex) {
-    const auto value = static_cast<double>(values[static_cast<std::size_t>(input)]);
-    if (!(value > 0.0 && std::isfinite(value))) {
-      refuse(call, "metric", "the quality",
-             ", but vertex " + std::to_string(input) + " has quality " + std::to_string(value) +
-                 ". A cost is a number above 0: 2 makes paths count twice there. Give all vertices such a "
-                 "quality, for example with 'Per Vertex Scalar Function'.");
-    }
-    cost.push_back(value);
+    cost.push_back(checked_cost(call, "vertex", input, values[static_cast<std::size_t>(input)]));
   }
   MetricLengths found = lengths_by_cost(arrays.positions, arrays.faces, cost);
   shortened = found.shortened_edges;
@@ -74,14 +93,16 @@ SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays
 }  // namespace
 
 void add_metric_parameters(RichParameterList& list) {
-  list.addParam(
-      RichEnum("metric", static_cast<int>(LayerMetric::length),
-               {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature"}, "Metric",
-               "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
-               "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
-               "or more across ridges and limbs than along them. An index belongs to its metric: newly "
-               "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
-               "the vertex attribute metric_cost, so that it can be applied again."));
+  list.addParam(RichEnum(
+      "metric", static_cast<int>(LayerMetric::length),
+      {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature", "Face quality as cost"},
+      "Metric",
+      "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
+      "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
+      "more across ridges and limbs than along them; or the quality of faces as a cost that jumps at "
+      "edges, where paths refract. An index belongs to its metric: newly "
+      "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
+      "the vertex attribute metric_cost, so that it can be applied again."));
   list.addParam(RichFloat(
       "slope_penalty", 1, "Slope penalty",
       "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards."));
@@ -98,10 +119,11 @@ QString help_on_metric() {
 LayerMetric metric_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
   const int number = call.parameters.getEnum("metric");
-  if (number < 0 || number > static_cast<int>(LayerMetric::curvature)) {
+  if (number < 0 || number > static_cast<int>(LayerMetric::face_quality)) {
     refuse(
         call, "metric", number,
-        ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty or 3 for along curvature.");
+        ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature or "
+        "4 for face quality as cost.");
   }
   return static_cast<LayerMetric>(number);
 }
@@ -115,6 +137,8 @@ SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays)
     case LayerMetric::vertex_quality:
       sides = sides_by_quality(call, arrays, shortened);
       break;
+    case LayerMetric::face_quality:
+      return sides_by_face_quality(call, arrays);
     case LayerMetric::slope: {
       const double penalty = call.parameters.getFloat("slope_penalty");
       if (!(penalty >= 0.0 && std::isfinite(penalty))) {

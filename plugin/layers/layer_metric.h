@@ -11,7 +11,7 @@
 namespace vorogeo::plugin {
 
 /// What a path costs; the values of the parameter metric.
-enum class LayerMetric { length, vertex_quality, slope, curvature };
+enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality };
 
 /// The parameters metric, slope_penalty and curvature_weight.
 void add_metric_parameters(RichParameterList& list);
@@ -21,9 +21,10 @@ QString help_on_metric();
 /// another number.
 LayerMetric metric_of(const FilterCall& call);
 
-/// Side lengths of the faces in the chosen metric; empty for length. Logs how many edges were shortened.
-/// \throw InvalidInput if the layer has no quality, one that is no cost (names the vertex by its number in
-/// the host), or another parameter is out of range.
+/// Side lengths of the faces in the chosen metric; empty for length. With a cost for each face, the faces of
+/// an edge disagree. Logs how many edges were shortened. \throw InvalidInput if the layer has no quality, one
+/// that is no cost (names the vertex or face by its number in the host), or another parameter is out of
+/// range.
 SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays);
 
 /// The quality that is the metric's cost, kept while a filter overwrites it.

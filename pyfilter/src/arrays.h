@@ -4,12 +4,14 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/gap_bridges.h"
@@ -45,14 +47,16 @@ inline std::vector<std::array<Index, 3>> triangles_of(const FaceArray& faces) {
   return triangles;
 }
 
-/// Lengths of the sides of the faces, each opposite its corner; nothing for those in space.
-using SideArray = std::optional<VertexArray>;
+/// Lengths of the sides of the faces, each opposite its corner, with the number of points on each edge where
+/// its faces may disagree (0: they agree); nothing for lengths in space.
+using SideArray = std::optional<std::pair<VertexArray, Index>>;
 
 /// The mesh that is measured on.
 inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces,
                                            const SideArray& sides, const GapLimit& gap = {}) {
-  return measured_mesh(points_of(vertices), triangles_of(faces), sides ? points_of(*sides) : SideLengths(),
-                       gap);
+  if (!sides) return measured_mesh(points_of(vertices), triangles_of(faces), {}, gap);
+  const auto& [lengths, points_per_edge] = *sides;
+  return measured_mesh(points_of(vertices), triangles_of(faces), points_of(lengths), gap, points_per_edge);
 }
 
 inline std::span<const Index> ids_of(const IdArray& ids) { return {ids.data(), ids.shape(0)}; }

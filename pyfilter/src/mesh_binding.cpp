@@ -4,10 +4,10 @@
 #include <nanobind/stl/string.h>
 
 #include "arrays.h"
-#include "exact/exact_solver.h"
 #include "index/build_estimate.h"
 #include "mesh/mesh_check.h"
 #include "progress_bridge.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo::python {
 
@@ -18,7 +18,7 @@ DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& f
   ProgressBridge bridge{nb::none()};
   auto values = bridge.run([&](const Progress& progress) {
     const auto mesh = mesh_of(vertices, faces, sides, {gap, folds});
-    ExactSolver solver(mesh);
+    LocalSolver solver(mesh);
     ExactLimits limits;
     limits.max_distance = max_distance;
     limits.progress = &progress;

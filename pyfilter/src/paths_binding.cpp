@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "arrays.h"
-#include "exact/exact_solver.h"
 #include "index_binding.h"
 #include "mesh_points.h"
 #include "path/path_query.h"
@@ -13,6 +12,7 @@
 #include "progress_bridge.h"
 #include "support/parallel.h"
 #include "tasks/landmark_fields.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo::python {
 
@@ -93,7 +93,7 @@ class Paths {
   LabelledField exact_field(const std::vector<ExactSource>& sources, double max_distance) const {
     ProgressBridge bridge{nb::handle(Py_None)};
     return bridge.run([&](const Progress& progress) {
-      ExactSolver solver(held_.index->mesh());
+      LocalSolver solver(held_.index->mesh());
       ExactLimits limits;
       limits.max_distance = max_distance;
       limits.progress = &progress;

@@ -12,7 +12,7 @@ class Index:
     def build(
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: NDArray[np.float64] | None,
+        sides: tuple[NDArray[np.float64], int] | None,
         first_layer_patches: int,
         second_layer_patches: int,
         delta: float,
@@ -29,7 +29,7 @@ class Index:
         file: str | os.PathLike[str],
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: NDArray[np.float64] | None,
+        sides: tuple[NDArray[np.float64], int] | None,
         threads: int,
         gap: float,
         folds: bool,
@@ -45,7 +45,7 @@ class Index:
 def exact_distance_field(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: NDArray[np.float64] | None,
+    sides: tuple[NDArray[np.float64], int] | None,
     sources: NDArray[np.int32],
     max_distance: float,
     gap: float,
@@ -63,14 +63,6 @@ def sides_by_face_cost(
 def sides_by_face_tensor(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], tensors: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
-def weighted_field(
-    vertices: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    sides: NDArray[np.float64],
-    points: int,
-    sources: NDArray[np.int32],
-    max_distance: float,
-) -> NDArray[np.float64]: ...
 def slope_cost(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], x: float, y: float, z: float, penalty: float
 ) -> NDArray[np.float64]: ...
@@ -80,7 +72,7 @@ def curvature_tensors(
 def estimate(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: NDArray[np.float64] | None,
+    sides: tuple[NDArray[np.float64], int] | None,
     threads: int,
     memory_budget: int,
     progress: Callable[[float, str], object] | None,
@@ -102,7 +94,7 @@ class Method:
         name: str,
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: NDArray[np.float64] | None,
+        sides: tuple[NDArray[np.float64], int] | None,
         options: dict[str, float],
         progress: Callable[[float, str], object] | None,
     ) -> Method: ...
@@ -112,7 +104,10 @@ class Method:
 
 def describe_methods() -> list[dict[str, Any]]: ...
 def method_warning(
-    name: str, vertices: NDArray[np.float64], faces: NDArray[np.int32], sides: NDArray[np.float64] | None
+    name: str,
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.int32],
+    sides: tuple[NDArray[np.float64], int] | None,
 ) -> str: ...
 
 _Progress = Callable[[float, str], object] | None
@@ -126,8 +121,7 @@ class Points:
 def paths_without_index(
     vertices: _Floats,
     faces: _Ids,
-    sides: _Floats | None,
-    points: int,
+    sides: tuple[_Floats, int] | None,
     sources: Points,
     targets: Points,
     gap: float,
@@ -178,7 +172,7 @@ class Surface:
         self,
         vertices: _Floats,
         faces: _Ids,
-        sides: _Floats | None,
+        sides: tuple[_Floats, int] | None,
         threads: int,
         memory_budget: int,
         gap: float,

@@ -29,7 +29,7 @@ def loaded(
     contents: NDArray[np.uint8],
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: NDArray[np.float64] | None,
+    sides: tuple[NDArray[np.float64], int] | None,
     threads: int,
     gap: tuple[float, bool],
 ) -> _core.Index:

@@ -10,9 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import _core, metrics
 from . import points as point_lists
-from .errors import InvalidInput
-from .face_metrics import FaceCost, FaceMetric, FaceTensor
-from .gaps import GapLimit, gap_limit
+from .gaps import gap_limit
 from .masks import face_mask, without_masked
 from .metrics import Metric
 from .paths import GeodesicPath, from_core
@@ -27,7 +25,7 @@ def exact_distance_field(
     max_distance: float | None = None,
     dtype: DTypeLike = np.float64,
     mask: ArrayLike | None = None,
-    metric: Metric | FaceMetric | None = None,
+    metric: Metric | None = None,
     gap: float = 0.0,
     bridge_folds: bool = False,
 ) -> NDArray[Any]:
@@ -73,10 +71,6 @@ def exact_distance_field(
     ids = check.source_ids(sources, len(points))
     entry, limit = check.real_type(dtype), check.max_distance(max_distance)
     bridged = gap_limit(gap, bridge_folds)
-    if isinstance(metric, (FaceCost, FaceTensor)):
-        _refuse_gap(bridged)
-        own = metric.face_sides(points, surface)
-        return _core.weighted_field(points, surface, own, metric.points, ids, limit).astype(entry, copy=False)
     sides = metrics.sides(metric, points, surface)
     found = _core.exact_distance_field(points, surface, sides, ids, limit, *bridged)
     return found.astype(entry, copy=False)
@@ -87,7 +81,7 @@ def exact_path(
     faces: ArrayLike,
     source: Points,
     target: Points,
-    metric: Metric | FaceMetric | None = None,
+    metric: Metric | None = None,
     mask: ArrayLike | None = None,
     progress: ProgressFunction | bool | None = None,
     gap: float = 0.0,
@@ -124,19 +118,8 @@ def exact_path(
     surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
     ends = point_lists.pairs(source, target, len(points))
     bridged = gap_limit(gap, bridge_folds)
-    sides: NDArray[np.float64] | None
-    if isinstance(metric, (FaceCost, FaceTensor)):
-        _refuse_gap(bridged)
-        sides, per_edge = metric.face_sides(points, surface), metric.points
-    else:
-        sides, per_edge = metrics.sides(metric, points, surface), 0
+    sides = metrics.sides(metric, points, surface)
     with reporter(progress) as report:
-        found = _core.paths_without_index(points, surface, sides, per_edge, *ends, *bridged, report)
+        found = _core.paths_without_index(points, surface, sides, *ends, *bridged, report)
     paths = from_core(found)
     return paths[0] if point_lists.is_pair(source, target) else paths
-
-
-def _refuse_gap(bridged: GapLimit) -> None:
-    """Raise InvalidInput if a gap is to be bridged in a metric with values of faces, which bridges do not have."""
-    if bridged[0] > 0:
-        raise InvalidInput("gap: bridges have no value of the metric; leave out the gap or the metric.")

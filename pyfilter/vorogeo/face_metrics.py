@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _arguments as check
 from . import _core
-from .metrics import own_array
+from .metrics import MetricLengths, arrays, own_array
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +25,7 @@ class FaceCost:
 
     Notes
     -----
-    For `exact_distance_field` and `exact_path`; an index needs edge lengths. Distances err by some hundredths of a
-    percent, paths are refined until Snell's law holds.
+    Distances err by some hundredths of a percent even without an index; paths are refined until Snell's law holds.
 
     Examples
     --------
@@ -42,9 +41,16 @@ class FaceCost:
         )
         object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
-    def face_sides(self, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
-        """Sides of each face, times its cost."""
-        return _core.sides_by_face_cost(vertices, faces, np.asarray(self.cost)).reshape(-1, 3)
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The sides of each face, times its cost: the two faces of an edge disagree.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a cost is not above 0 and finite, or their number is not that of the faces.
+        """
+        sides = _core.sides_by_face_cost(*arrays(self, vertices, faces), np.asarray(self.cost))
+        return MetricLengths(sides.reshape(-1, 3), 0, self.points)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,10 +78,13 @@ class FaceTensor:
         object.__setattr__(self, "tensors", own_array("FaceTensor", self.tensors, 3, (3, 3), wanted))
         object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
-    def face_sides(self, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
-        """Roots of v' G v for the sides v of each face."""
-        return _core.sides_by_face_tensor(vertices, faces, np.asarray(self.tensors).ravel()).reshape(-1, 3)
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The roots of v' G v for the sides v of each face: the two faces of an edge disagree.
 
-
-FaceMetric = FaceCost | FaceTensor
-"""Metrics that jump at edges."""
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a tensor is not finite, symmetric and positive on its face.
+        """
+        sides = _core.sides_by_face_tensor(*arrays(self, vertices, faces), np.asarray(self.tensors).ravel())
+        return MetricLengths(sides.reshape(-1, 3), 0, self.points)

@@ -47,7 +47,7 @@ class GeodesicIndex(Queries):
     memory_budget : int, optional
         MiB that the index may take; None is 4096, or any with `file`, whose tables are not counted. It consists of
         tables if they fit, otherwise of a pruned graph, which is smaller and slower; `statistics.form` says which.
-    metric : EdgeLengths, VertexCost or VertexTensor, optional
+    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
         What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     mask : array_like of bool, shape (m,) or (n,), optional
         Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
@@ -123,7 +123,7 @@ class GeodesicIndex(Queries):
         budget = check.memory_budget(memory_budget)
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
-        sides = None if lengths is None else lengths.lengths
+        sides = metrics.core_sides(lengths)
         bridged = gap_limit(gap, bridge_folds)
         path = None if file is None else check.file_path(file)
         options = n1, n2, delta, workers, seed, budget
@@ -177,7 +177,7 @@ class GeodesicIndex(Queries):
         kept = face_mask(mask, triangles, len(points))
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
-        sides = None if lengths is None else lengths.lengths
+        sides = metrics.core_sides(lengths)
         bridged = gap_limit(gap, bridge_folds)
         handle = _core.Index.load(path, points, surface, sides, workers, *bridged, bool(mapped))
         return cls.__new__(cls)._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
@@ -284,5 +284,5 @@ def _restored(
     """The index that pickle took apart."""
     surface = without_masked(faces, mask)
     lengths = metrics.lengths(metric, vertices, surface)
-    handle = loaded(contents, vertices, surface, None if lengths is None else lengths.lengths, threads, gap)
+    handle = loaded(contents, vertices, surface, metrics.core_sides(lengths), threads, gap)
     return cls.__new__(cls)._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,10 +23,22 @@ class MetricLengths(NamedTuple):
     shortened_edges : int
         Edges that would have been longer than the other two sides of a face together. No shortest path follows them,
         and they have the length of these two sides.
+    points : int
+        Points on each edge from which faces are crossed where the metric jumps at edges, so that the two faces of one
+        may disagree; 0 in other metrics.
     """
 
     lengths: NDArray[np.float64]
     shortened_edges: int
+    points: int = 0
+
+
+@runtime_checkable
+class Metric(Protocol):
+    """What paths cost: EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor."""
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The lengths of the sides of all faces."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +105,7 @@ class VertexCost:
         InvalidInput
             (a ValueError) If a cost is not above 0 and finite, or their number is not that of the vertices.
         """
-        points, triangles = _arrays(self, vertices, faces)
+        points, triangles = arrays(self, vertices, faces)
         sides, shortened = _core.lengths_by_cost(points, triangles, np.asarray(self.cost))
         return MetricLengths(sides.reshape(-1, 3), shortened)
 
@@ -129,13 +141,9 @@ class VertexTensor:
         InvalidInput
             (a ValueError) If a tensor is not finite, symmetric and positive on the faces of its vertex.
         """
-        points, triangles = _arrays(self, vertices, faces)
+        points, triangles = arrays(self, vertices, faces)
         sides, shortened = _core.lengths_by_tensor(points, triangles, np.asarray(self.tensors).ravel())
         return MetricLengths(sides.reshape(-1, 3), shortened)
-
-
-Metric = EdgeLengths | VertexCost | VertexTensor
-"""Metrics of an index; None is the length in space."""
 
 
 def slope_cost(
@@ -213,23 +221,24 @@ def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
     """What a metric makes of a mesh; None for lengths in space."""
     if metric is None:
         return None
-    if hasattr(metric, "face_sides"):
+    if not isinstance(metric, Metric):
         raise InvalidInput(
-            f"metric: a {type(metric).__name__} jumps at edges, and this needs edge lengths; take exact_distance_field "
-            "or exact_path, or values at vertices (VertexCost, VertexTensor)."
-        )
-    if not isinstance(metric, (EdgeLengths, VertexCost, VertexTensor)):
-        raise InvalidInput(
-            f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, or None for lengths in "
-            "space."
+            f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "
+            "or None for lengths in space."
         )
     return metric.edge_lengths(vertices, faces)
 
 
-def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64] | None:
-    """The lengths alone."""
-    found = lengths(metric, vertices, faces)
-    return None if found is None else found.lengths
+def sides(
+    metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
+) -> tuple[NDArray[np.float64], int] | None:
+    """What the compiled core takes of a metric."""
+    return core_sides(lengths(metric, vertices, faces))
+
+
+def core_sides(found: MetricLengths | None) -> tuple[NDArray[np.float64], int] | None:
+    """What the compiled core takes of these lengths."""
+    return None if found is None else (found.lengths, found.points)
 
 
 def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
@@ -246,7 +255,8 @@ def _mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[np.float64], N
     return points, check.faces(faces, len(points))
 
 
-def _arrays(metric: Any, vertices: Any, faces: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+def arrays(metric: Any, vertices: Any, faces: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    """Positions, which this metric needs, and faces, both checked."""
     if vertices is None:
         raise InvalidInput(f"vertices: is None; {type(metric).__name__} needs positions of shape (n, 3).")
     return _mesh(vertices, faces)

@@ -103,6 +103,27 @@ def test_path_and_regions_in_the_metric():
     np.testing.assert_array_equal(kept, cost.cost)
 
 
+def test_quality_of_faces_is_a_cost_that_jumps():
+    vertices, faces = grid(16, 12)
+    ms = mesh_set(vertices, faces)
+    with fails_and_changes_nothing(ms, "The faces have no quality"):
+        ms.apply_filter(EXACT_FROM_POINT, vertex_index=5, metric="Face quality as cost")
+    ms.compute_scalar_by_function_per_face(q="1 + (x0 + x1 + x2) / 30")
+    cost = vorogeo.FaceCost(ms.current_mesh().face_scalar_array())
+    chosen = {"metric": "Face quality as cost"}
+    exact = vorogeo.exact_distance_field(vertices, faces, 5, metric=cost)
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5, **chosen)
+    np.testing.assert_allclose(field(ms), exact, rtol=1e-12)
+    pair = ms.apply_filter(TWO_POINTS, source=5, target=150, method="index", **chosen)
+    assert pair["distance"] == pytest.approx(exact[150], rel=5e-3)
+    assert ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)["index_reused"] == 1
+    assert ms.apply_filter(PATH, source=5, target=150, **chosen)["length"] == pytest.approx(exact[150], rel=5e-3)
+    ms.set_current_mesh(0)
+    ms.compute_scalar_by_function_per_face(q="x0 - 1")
+    with fails_and_changes_nothing(ms, "but face 0 has quality"):
+        ms.apply_filter(FROM_POINT, vertex_index=5, **chosen)
+
+
 def test_what_is_no_cost_is_refused():
     ms, *_ = painted()
     ms.compute_scalar_by_function_per_vertex(q="x - 3")

@@ -163,6 +163,11 @@ def test_metrics_from_files_and_from_the_shape(mesh, tmp_path):
     for file, factor in (("twice.npy", 2), ("thrice.csv", 3), ("tensor.npy", 2), ("four.func.gii", 4)):
         assert main(["field", mesh, "--metric", file, *exact]) == 0
         np.testing.assert_allclose(np.load("f.npy"), factor * APART[0], rtol=1e-6, atol=1e-12)
+    np.save("faces.npy", np.full(len(FACES), 2.0))
+    np.save("face_tensor.npy", np.tile(np.diag([4.0, 4.0, 1.0]), (len(FACES), 1, 1)))
+    for file in ("faces.npy", "face_tensor.npy"):  # distances by points on edges
+        assert main(["field", mesh, "--metric", file, *exact]) == 0
+        np.testing.assert_allclose(np.load("f.npy"), 2 * APART[0], rtol=2e-3, atol=1e-12)
     tilted = VERTICES @ np.array([[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]])
     write_off(tmp_path / "tilted.off", tilted, FACES)
     assert main(["field", "tilted.off", "--slope-penalty", "5", *exact]) == 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 import vorogeo
@@ -74,7 +76,7 @@ def test_one_cost_is_the_length_in_space():
     assert np.linalg.norm(np.diff(plain.points, axis=0), axis=1).sum() == pytest.approx(plain.length, rel=1e-9)
 
 
-def test_random_costs_are_symmetric_and_refused_by_an_index():
+def test_random_costs_are_symmetric_and_refused_by_other_methods():
     vertices, faces = bent_grid(30, 20)
     metric = vorogeo.FaceCost(np.random.default_rng(3).uniform(1, 5, len(faces)))
     one = vorogeo.exact_path(vertices, faces, 0, 599, metric=metric)
@@ -82,11 +84,69 @@ def test_random_costs_are_symmetric_and_refused_by_an_index():
     assert one.length == pytest.approx(back.length, rel=2e-3)
     assert vorogeo.exact_distance_field(vertices, faces, 0, metric=metric)[599] == pytest.approx(one.length, rel=5e-3)
     for call in (
-        lambda: vorogeo.GeodesicIndex(vertices, faces, metric=metric),
-        lambda: vorogeo.distance_field(vertices, faces, 0, metric=metric),
+        lambda: vorogeo.distance_field(vertices, faces, 0, method="heat", metric=metric),
+        lambda: vorogeo.Surface(vertices, faces, metric=metric).distance_field(0, method="quick"),
     ):
-        with pytest.raises(vorogeo.InvalidInput, match="a FaceCost jumps at edges"):
+        with pytest.raises(vorogeo.InvalidInput, match="this metric jumps at edges"):
             call()
+
+
+@pytest.fixture(scope="module")
+def mosaic():
+    vertices, faces = bent_grid(40, 30)
+    metric = vorogeo.FaceCost(np.random.default_rng(3).uniform(1, 5, len(faces)))
+    return vertices, faces, metric, vorogeo.GeodesicIndex(vertices, faces, metric=metric)
+
+
+def test_an_index_answers_as_many_points_on_edges_do(mosaic):
+    vertices, faces, metric, index = mosaic
+    fine = vorogeo.FaceCost(metric.cost, points=20)
+    exact = vorogeo.exact_distance_field(vertices, faces, 17, metric=fine)
+    others = exact > 0
+    error = np.abs(index.distance_field(17) - exact)[others] / exact[others]
+    assert error.mean() < 2e-3
+    assert np.quantile(error, 0.99) < 1.5e-2
+    assert index.distance(17, 1100) == index.distance(1100, 17) == pytest.approx(exact[1100], rel=5e-3)
+    for path in index.path(17, 1100), index.exact_path(17, 1100):
+        assert path.length == pytest.approx(exact[1100], rel=1e-3)
+        assert not path.certified
+    near = index.path(17, 18)
+    assert near.length == pytest.approx(exact[18], rel=1e-3)
+
+
+def test_tasks_answer_in_the_metric(mosaic):
+    vertices, faces, metric, index = mosaic
+    points = [0, 39, 600, 1199]
+    fields = np.array([vorogeo.exact_distance_field(vertices, faces, p, metric=metric) for p in points])
+    matrix = index.distance_matrix(points)
+    np.testing.assert_allclose(matrix, fields[:, points], rtol=1e-2, atol=1e-12)
+    np.testing.assert_allclose(index.distance_matrix(points, exact=True), fields[:, points], rtol=5e-3, atol=1e-12)
+    regions = index.voronoi(points)
+    wrong = regions.vertex_region != fields.argmin(axis=0)
+    assert wrong.mean() < 0.02
+    lines = index.isolines(fields[0], [fields[0].max() / 2])
+    assert len(lines)
+    spread = index.sample_farthest(6)
+    assert len(set(spread.vertices)) == 6
+    _, distances = index.nearest(points, [5, 700], count=2)
+    np.testing.assert_allclose(distances, np.sort(fields[:, [5, 700]], axis=0)[:2].T, rtol=1e-2)
+
+
+def test_a_surface_chooses_and_an_index_is_kept(mosaic, tmp_path):
+    vertices, faces, metric, index = mosaic
+    surface = vorogeo.Surface(vertices, faces, metric=metric)
+    exact = vorogeo.exact_distance_field(vertices, faces, 17, metric=metric)
+    np.testing.assert_array_equal(surface.distance_field(17, method="exact"), exact)
+    assert surface.path(17, 1100).length == pytest.approx(exact[1100], rel=5e-3)
+    file = tmp_path / "mosaic.vgi"
+    index.save(file)
+    loaded = vorogeo.GeodesicIndex.load(file, vertices, faces, metric=metric)
+    np.testing.assert_array_equal(loaded.distance_field(17), index.distance_field(17))
+    with pytest.raises(vorogeo.IndexFileError):
+        vorogeo.GeodesicIndex.load(file, vertices, faces, metric=vorogeo.FaceCost(np.ones(len(faces))))
+    again = pickle.loads(pickle.dumps(index))
+    np.testing.assert_array_equal(again.distance_field(17), index.distance_field(17))
+    assert vorogeo.estimate(vertices, faces, metric=metric).core_seconds > 0
 
 
 def test_what_is_no_face_metric_is_refused():

@@ -34,8 +34,12 @@ struct Layers {
     }
   }
   WeightedSolver solver(Index points = 6) const {
-    return WeightedSolver(std::make_shared<const FaceNorms>(
-        mesh, sides_by_face_cost(soup.positions, soup.faces, costs), points));
+    return WeightedSolver(std::make_shared<const FaceNorms>(weighted(points), points));
+  }
+  /// The mesh with these costs.
+  std::shared_ptr<const Mesh> weighted(Index points = 6) const {
+    return std::make_shared<const Mesh>(
+        soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, costs), points});
   }
   Index nearest(double x, double y) const {
     Index best = 0;

@@ -199,8 +199,8 @@ def _command(commands: Any, name: str, text: str, needed: str = "") -> argparse.
     metric.add_argument(
         "--metric",
         metavar="FILE",
-        help="what a step costs, so that paths are the cheapest: a number above 0 for each vertex (.npy, .txt, .csv, "
-        "GIFTI), or a tensor (.npy of shape (n, 3, 3))",
+        help="what a step costs, so that paths are the cheapest: a number above 0 for each vertex or face (.npy, "
+        ".txt, .csv, GIFTI), or a tensor (.npy of shape (n, 3, 3))",
     )
     metric.add_argument(
         "--slope-penalty", type=_LENGTH, metavar="P", help="terrain, z upwards: a step costs 1 + P sin(slope)"

@@ -87,7 +87,7 @@ TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
   const auto index = test::make_index(test::needle_disc(2000));
   ASSERT_GT(index->data().work.edge_points.size(), 50U);
   ExactSolver whole(index->mesh());
-  ExactSolver split(index->data().geometry);
+  ExactSolver split(index->data().geometry->windows);
   whole.run_from_vertices(std::array<Index, 1>{1});
   split.run_from_vertices(std::array{index->data().work.work_vertex[1]});
   for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {

@@ -27,7 +27,7 @@ TEST(BorderField, CloseToExactFromOneNode) {
     ASSERT_GT(data.transit_table.count, 0);
     BorderField field(data);
     FieldSweep sweep;
-    ExactSolver solver(data.geometry);
+    ExactSolver solver(data.geometry->windows);
     test::ErrorCollector errors;
     for (Index seed : test::random_vertices(data.second.node_count(), 12, 7)) {
       field.reset(std::array{BorderField::Seed{seed, 0.0, 0}});
@@ -75,7 +75,7 @@ TEST(BorderField, SourcesInEveryPatchAreSearched) {
   fill_all(data, field, sweep);
   std::vector<Index> sources;
   for (const auto& seed : seeds) sources.push_back(data.second.node_vertex[seed.node]);
-  ExactSolver solver(data.geometry);
+  ExactSolver solver(data.geometry->windows);
   solver.run_from_vertices(sources);
   test::ErrorCollector errors;
   for (Index node = 0; node < data.second.node_count(); ++node) {

@@ -59,7 +59,7 @@ TEST(FieldSweep, FromExactBorderDistancesNearlyExact) {
     const auto index = test::make_index(soup, 3, 5);
     const IndexData& data = index->data();
     const PatchLayer& layer = data.second;
-    ExactSolver solver(data.geometry);
+    ExactSolver solver(data.geometry->windows);
     BoundaryDijkstra search(layer);
     FieldSweep sweep;
     test::ErrorCollector errors;

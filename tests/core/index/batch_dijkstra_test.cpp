@@ -31,7 +31,7 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
                           Case{test::torus(44, 20, 2.0, 0.8), 5, 4}}) {
     const auto index = test::make_index(one.soup, one.first, one.second);
     const IndexData& data = index->data();
-    ExactSolver solver(data.geometry);
+    ExactSolver solver(data.geometry->windows);
     for (const PatchLayer* layer : {&data.first, &data.second}) {
       BatchDijkstra batch(*layer);
       BoundaryDijkstra full(*layer);

@@ -55,7 +55,7 @@ struct Comparison {
 Comparison compare(const GeodesicIndex& index, double slack) {
   const PatchLayer& layer = index.data().second;
   BoundaryDijkstra search(layer);
-  ExactSolver solver(index.data().geometry);
+  ExactSolver solver(index.data().geometry->windows);
   test::ErrorCollector unfolded;
   test::ErrorCollector sums;
   for (Index seed : test::random_vertices(layer.node_count(), 8, 7)) {
@@ -193,7 +193,7 @@ TEST(BoundaryDijkstra, AcrossImprovesASum) {
   const IndexData& data = index->data();
   const PatchLayer& layer = data.second;
   const Index source = data.work.work_vertex[0];
-  ExactSolver solver(data.geometry);
+  ExactSolver solver(data.geometry->windows);
   solver.run_from_vertices(std::array{source});
   BoundaryDijkstra search(layer);
   search.reset();

@@ -26,7 +26,7 @@ std::shared_ptr<const GeodesicIndex> index_of(const Soup& soup, int threads = 0)
 /// Errors of the table entries of some nodes of the second layer.
 test::ErrorCollector table_errors(const IndexData& data) {
   test::ErrorCollector errors;
-  ExactSolver solver(data.geometry);
+  ExactSolver solver(data.geometry->windows);
   for (Index node : test::random_vertices(data.second.node_count(), 80, 3)) {
     const Index source = data.second.node_vertex[node];
     solver.run_from_vertices(std::array{source});

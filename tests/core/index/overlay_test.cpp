@@ -15,7 +15,7 @@ namespace {
 
 test::ErrorCollector table_errors(const IndexData& data) {
   test::ErrorCollector errors;
-  ExactSolver solver(data.geometry);
+  ExactSolver solver(data.geometry->windows);
   for (Index node : test::random_vertices(data.first.node_count(), 60, 4)) {
     solver.run_from_vertices(std::array{data.first.node_vertex[node]});
     for (const PatchRow& at : data.first.patches_of(node)) {

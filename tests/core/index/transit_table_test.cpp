@@ -36,7 +36,7 @@ TEST(TransitTable, CloseToExact) {
                                                test::icosphere(4), test::torus(50, 24, 2.0, 0.8)})) {
     const auto index = test::make_index(soup, 5, 4);
     const IndexData& data = index->data();
-    ExactSolver solver(data.geometry);
+    ExactSolver solver(data.geometry->windows);
     test::ErrorCollector errors;
     for (Index a : test::random_vertices(data.transit_table.count, 30, 5)) {
       solver.run_from_vertices(std::array{data.first.node_vertex[a]});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exact/exact_solver.h"
+#include "exact/surface_path.h"
 #include "mesh/fingerprint.h"
 #include "mesh/mesh.h"
 #include "mesh/surface_locator.h"
@@ -116,6 +117,34 @@ TEST(MeshMetric, CorridorsUseBoundsThatHold) {
     solver.run(std::span(&source, 1), limits);
     EXPECT_NEAR(solver.distance(target), exact, 1e-12);
   }
+}
+
+TEST(MeshMetric, FacesMayDisagreeWhereItJumps) {
+  const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  const SideLengths sides{{3, 4, 5}, {1, 1, 1.5}};
+  const Mesh mesh(soup.positions, soup.faces, FaceSides{sides, 4});
+  EXPECT_TRUE(mesh.metric_jumps());
+  EXPECT_EQ(mesh.points_per_edge(), 4);
+  for (Index f = 0; f < 2; ++f) EXPECT_EQ(mesh.side_lengths(f), sides[f]);
+  const Index shared = mesh.edge_of(1);  // from vertex 1 to 2: side 0 of face 0, side 2 of face 1
+  EXPECT_EQ(mesh.edge_length(shared), 1.5);
+  EXPECT_EQ(mesh.side_length(1), 3.0);
+  // A step along the edge costs what the cheaper face asks.
+  const auto along = std::array{SurfacePoint::at_vertex(1), SurfacePoint::in_face(0, {0, 0.5, 0.5})};
+  EXPECT_NEAR(measured_length(mesh, along).length, 0.75, 1e-14);
+  EXPECT_NEAR(distances_in_face(mesh, SurfacePoint::in_face(0, {0, 0.5, 0.5}))[1], 1.5, 1e-14);
+  // Face 0 is 3 to 5 times as large as in space, face 1 as large in its worst direction as its height is.
+  EXPECT_GT(mesh.straight_scale(), 0.0);
+  EXPECT_LE(mesh.straight_scale(), 1.0);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, sides), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{{{1, 1, 3}, {1, 1, 1}}, 4}), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{sides, 0}), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{sides, 1001}), InvalidInput);
+  EXPECT_THROW(require_agreeing_faces(mesh, "Windows"), InvalidInput);
+  const auto other = mesh_in_metric_of(mesh, soup.positions, soup.faces, {{1, 1, 1}, {2, 2, 2}});
+  EXPECT_EQ(other->points_per_edge(), 4);
+  EXPECT_NE(fingerprint_of(mesh), fingerprint_of(*other));
+  EXPECT_NE(fingerprint_of(mesh), fingerprint_of(Mesh(soup.positions, soup.faces, FaceSides{sides, 5})));
 }
 
 TEST(MeshMetric, RefusesLengthsThatAreNone) {

@@ -13,7 +13,7 @@ namespace {
 TEST(CorridorSearch, FindsTheStraightLineWithinABound) {
   const test::Shape plane = test::plane_grid(16, 16, 4.0, 4.0, 0.2);
   const auto mesh = test::make_mesh(plane.soup);
-  CorridorSearch search(std::make_shared<const ExactGeometry>(mesh));
+  CorridorSearch search(std::make_shared<const LocalGeometry>(mesh));
   const auto from = SurfacePoint::at_vertex(0);
   const auto to = SurfacePoint::in_face(300, {0.2, 0.3, 0.5});
   const double length = plane.distance(from, to);
@@ -29,7 +29,7 @@ TEST(CorridorSearch, FindsTheStraightLineWithinABound) {
 TEST(CorridorSearch, ProvesNothingWhereAPathMayHaveLeftTheFaces) {
   const test::Shape plane = test::plane_grid(8, 8, 1.0, 1.0);
   const auto mesh = test::make_mesh(plane.soup);
-  CorridorSearch search(std::make_shared<const ExactGeometry>(mesh));
+  CorridorSearch search(std::make_shared<const LocalGeometry>(mesh));
   // Without the faces of the middle rows, the way is around a barrier.
   std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
   for (Index f = 0; f < mesh->face_count(); ++f) {

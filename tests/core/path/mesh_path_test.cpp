@@ -13,7 +13,7 @@ namespace vorogeo {
 namespace {
 
 MeshPathQuery query_on(const std::shared_ptr<const Mesh>& mesh) {
-  return MeshPathQuery(std::make_shared<const ExactGeometry>(mesh));
+  return MeshPathQuery(std::make_shared<const LocalGeometry>(mesh));
 }
 
 void expect_shortest(MeshPathQuery& query, const test::Shape& shape, const SurfacePoint& a,

@@ -22,7 +22,7 @@ Comparison compare(const test::Soup& soup) {
   const auto index = test::make_graph_index(soup, 4, 5);
   const IndexData& data = index->data();
   GraphRouter router(data);
-  ExactSolver solver(data.geometry);
+  ExactSolver solver(data.geometry->windows);
   test::ErrorCollector sums;
   test::ErrorCollector unfolded;
   const Index n = data.work.mesh->vertex_count();

@@ -15,12 +15,14 @@ constexpr double source_y = 0.4;
 constexpr double target_x = 0.1;
 constexpr double target_y = 0.5;
 
-/// The piece from 0 to `length` on the x axis before which a unit costs 1, and beyond `cost`.
-EdgeCrossing crossing(double length, double cost, double below = unreachable) {
-  const EdgePiece piece{cost * length, length, std::hypot(source_x, source_y),
-                        std::hypot(source_x - length, source_y)};
-  return cross_piece(piece, cost * std::hypot(target_x, target_y),
-                     cost * std::hypot(target_x - length, target_y), below);
+/// Through the piece from 0 to `length` on the x axis before which a unit costs 1, and beyond `cost`.
+EdgeCrossing crossing(double length, double cost) {
+  const PlacedSource source(
+      {cost * length, length, std::hypot(source_x, source_y), std::hypot(source_x - length, source_y)});
+  EXPECT_TRUE(source.exists());
+  const EdgeCrossing found = source.cross(cost * target_x, cost * target_y);
+  EXPECT_GE(found.distance, source.least() + cost * target_y);
+  return found;
 }
 
 TEST(EdgeCrossing, OneCostIsThePlane) {
@@ -40,20 +42,17 @@ TEST(EdgeCrossing, DearerFacesRefract) {
     EXPECT_NEAR((source_x - found.share) / std::hypot(source_x - found.share, source_y),
                 cost * (found.share - target_x) / std::hypot(found.share - target_x, target_y), 1e-6);
     // Along the edge, distances do not fall below what running along it would cost.
-    const EdgePiece wide{cost, 1.0, 2.0, 2.0};
-    EXPECT_GE(cross_piece(wide, 0.6 * cost, 0.6 * cost, unreachable).distance, 1.5);
+    const PlacedSource wide({cost, 1.0, 2.0, 2.0});
+    EXPECT_GE(wide.cross(0.5 * cost, 0.1 * cost).distance, 1.5);
   }
 }
 
 TEST(EdgeCrossing, WaysAroundThePieceAreNone) {
   EXPECT_EQ(crossing(0.3, 1.0).distance, unreachable);
   EXPECT_EQ(crossing(0.05, 3.0).distance, unreachable);
-  const double distance = crossing(1.0, 3.0).distance;
-  EXPECT_EQ(crossing(1.0, 3.0, 0.2 * distance).distance, unreachable);
-  EXPECT_EQ(crossing(1.0, 3.0, 1.01 * distance).distance, distance);
-  EXPECT_EQ(cross_piece({1, 1, unreachable, 1}, 1, 1, unreachable).distance, unreachable);
-  EXPECT_EQ(cross_piece({0, 0, 1, 1}, 1, 1, unreachable).distance, unreachable);
-  EXPECT_EQ(cross_piece({2, 1, 1, 2.5}, 1, 2, unreachable).distance, unreachable);
+  EXPECT_FALSE(PlacedSource({1, 1, unreachable, 1}).exists());
+  EXPECT_FALSE(PlacedSource({0, 0, 1, 1}).exists());
+  EXPECT_FALSE(PlacedSource({2, 1, 1, 2.5}).exists());
 }
 
 }  // namespace

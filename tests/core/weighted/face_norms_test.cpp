@@ -17,8 +17,9 @@ double apart(const FaceNorms::Place& a, const FaceNorms::Place& b) {
 
 TEST(FaceNorms, FacesHaveTheirSidesAndEdgesTheCheaperOne) {
   const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
-  const auto mesh = test::make_mesh(soup);
-  const FaceNorms norms(mesh, {{3, 4, 5}, {1, 1, 1.5}}, 3);
+  const auto mesh =
+      std::make_shared<const Mesh>(soup.positions, soup.faces, FaceSides{{{3, 4, 5}, {1, 1, 1.5}}, 3});
+  const FaceNorms norms(mesh, mesh->points_per_edge());
   const auto corner = norms.corners(0);
   EXPECT_NEAR(apart(corner[1], corner[2]), 3.0, 1e-14);
   EXPECT_NEAR(apart(corner[2], corner[0]), 4.0, 1e-14);
@@ -45,15 +46,33 @@ TEST(FaceNorms, FacesHaveTheirSidesAndEdgesTheCheaperOne) {
   }
 }
 
-TEST(FaceNorms, RefusesWhatIsNoTriangle) {
-  const auto mesh = test::make_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
-  EXPECT_THROW(FaceNorms(mesh, {{1, 1, 3}}, 2), InvalidInput);
-  EXPECT_THROW(FaceNorms(mesh, {{1, -1, 1}}, 2), InvalidInput);
-  EXPECT_THROW(FaceNorms(mesh, {}, 2), InvalidInput);
-  EXPECT_THROW(FaceNorms(mesh, {{1e-200, 1e-200, 1e-200}}, 2), InvalidInput) << "products would underflow";
-  EXPECT_THROW(FaceNorms(mesh, {{1e200, 1e200, 1e200}}, 2), InvalidInput);
-  EXPECT_EQ(FaceNorms(mesh, {{0, 0, 0}}, 2).edge_cost(0), 0.0);
-  EXPECT_THROW(FaceNorms(mesh, {{1, 1, 1}}, 0), InvalidInput);
+TEST(FaceNorms, FramesLayTheApexAboveTheEdge) {
+  const auto mesh =
+      std::make_shared<const Mesh>(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                   std::vector<std::array<Index, 3>>{{2, 0, 1}}, FaceSides{{{3, 4, 5}}, 1});
+  const FaceNorms norms(mesh, 1);
+  for (Index h = 0; h < 3; ++h) {
+    const EdgeFrame frame = norms.frame(h);
+    const Index first = mesh->edge_vertices(mesh->edge_of(h))[0];
+    const auto side = mesh->side_lengths(0);
+    const double to_first = side[(first == mesh->tail(h) ? h + 1 : h) % 3];
+    const double to_second = side[(first == mesh->tail(h) ? h : h + 1) % 3];
+    EXPECT_EQ(frame.along, first == mesh->tail(h));
+    EXPECT_NEAR(std::hypot(frame.apex_x, frame.apex_y), to_first, 1e-14);
+    EXPECT_NEAR(std::hypot(frame.apex_x - frame.length, frame.apex_y), to_second, 1e-14);
+  }
+}
+
+TEST(FaceNorms, RefusesLengthsThatProductsLeave) {
+  auto norms = [](double side) {
+    const auto mesh = std::make_shared<const Mesh>(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                                   std::vector<std::array<Index, 3>>{{0, 1, 2}},
+                                                   FaceSides{{{side, side, side}}, 2});
+    return FaceNorms(mesh, mesh->points_per_edge());
+  };
+  EXPECT_THROW(norms(1e-200), InvalidInput) << "products would underflow";
+  EXPECT_THROW(norms(1e200), InvalidInput);
+  EXPECT_EQ(norms(0).edge_cost(0), 0.0);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(WeightedPath, RefractsAndRunsAlongTheBorderOfTwoHalfPlanes) {
       24, [](double, double y) { return y > 0.0 ? 1.0 : 3.0; }, 0.1);
   WeightedSolver solver = layers.solver();
   const Index source = layers.nearest(0.4, -0.4);
-  solver.run(std::array{SurfacePoint::at_vertex(source)});
+  solver.run_from_vertices(std::array{source});
   for (const auto& [x, y] : {std::array{1.6, 0.7}, std::array{1.7, -0.2}, std::array{0.5, -0.9}}) {
     const Index target = layers.nearest(x, y);
     const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(target));
@@ -42,10 +42,10 @@ TEST(WeightedPath, PointsInFacesAndPlacesThatAreNotReached) {
   WeightedSolver solver = layers.solver();
   const auto source = SurfacePoint::in_face(40, {0.2, 0.5, 0.3});
   const auto target = SurfacePoint::in_face(90, {0.6, 0.0, 0.4});
-  solver.run(std::array{source});
+  solver.run(std::array{ExactSource{source}});
   const double exact = distance_between(position_of(*layers.mesh, source), position_of(*layers.mesh, target));
   EXPECT_NEAR(solver.path_to_source(target).length, exact, 1e-9);
-  solver.run(std::array{source}, 0.5 * exact);
+  solver.run(std::array{ExactSource{source}}, {.max_distance = 0.5 * exact});
   EXPECT_TRUE(solver.path_to_source(target).points.empty());
 }
 

@@ -26,7 +26,7 @@ struct Errors {
 
 Errors errors_of(const Layers& layers, WeightedSolver& solver, Index source,
                  const std::function<double(const Point&, const Point&)>& exact) {
-  solver.run(std::array{SurfacePoint::at_vertex(source)});
+  solver.run_from_vertices(std::array{source});
   Errors errors;
   const Point& p = layers.soup.positions[source];
   for (Index v = 0; v < layers.mesh->vertex_count(); ++v) {
@@ -90,7 +90,7 @@ TEST(WeightedSolver, PathsGoAroundExpensiveDiscs) {
   WeightedSolver solver = layers.solver();
   const Index source = layers.nearest(0.2, 0.0);
   const Index target = layers.nearest(1.8, 0.0);
-  solver.run(std::array{SurfacePoint::at_vertex(source)});
+  solver.run_from_vertices(std::array{source});
   // Two tangents and an arc, as the disc of faces is: between discs one cell smaller and larger.
   auto around = [](double radius) {
     const double tangent = std::sqrt(0.64 - radius * radius);
@@ -110,10 +110,11 @@ TEST(WeightedSolver, TensorsOfLayers) {
                      layers.soup.positions[face[2]][1];
     tensors.push_back(y > 0.0 ? above : below);
   }
-  WeightedSolver solver(std::make_shared<const FaceNorms>(
-      layers.mesh, sides_by_face_tensor(layers.soup.positions, layers.soup.faces, tensors), 6));
+  const auto sides = sides_by_face_tensor(layers.soup.positions, layers.soup.faces, tensors);
+  const auto mesh = std::make_shared<const Mesh>(layers.soup.positions, layers.soup.faces, FaceSides{sides});
+  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
   const Index source = layers.nearest(1.0, -0.5);
-  solver.run(std::array{SurfacePoint::at_vertex(source)});
+  solver.run_from_vertices(std::array{source});
   const Point p = layers.soup.positions[source];
   auto norm = [](const Tensor& g, double x, double y) {
     return std::sqrt(g[0] * x * x + 2 * g[1] * x * y + g[4] * y * y);
@@ -127,36 +128,15 @@ TEST(WeightedSolver, TensorsOfLayers) {
   }
 }
 
-TEST(WeightedSolver, LimitsDoNotChangeWhatLiesWithin) {
-  // Costs without order and few points: neighbours on an edge differ much.
-  for (const Index points : {1, 6}) {
-    const Layers layers(
-        8, [](double x, double y) { return std::fmod(1e3 * (x + 7.0 * y + 9.0), 2.0) < 1.0 ? 1.0 : 30.0; },
-        0.3);
-    WeightedSolver without = layers.solver(points);
-    WeightedSolver with = layers.solver(points);
-    const auto from = std::array{SurfacePoint::at_vertex(40)};
-    without.run(from);
-    for (Index farthest = 0; farthest < layers.mesh->vertex_count(); farthest += 4) {
-      const double limit = without.distance(farthest) * (1.0 + 1e-9);
-      with.run(from, limit);
-      for (Index v = 0; v < layers.mesh->vertex_count(); ++v) {
-        const double exact = without.distance(v);
-        EXPECT_EQ(with.distance(v), exact <= limit ? exact : unreachable);
-      }
-    }
-  }
-}
-
 TEST(WeightedSolver, PointsInFacesAndLimits) {
   const Layers layers(8, [](double, double) { return 1.0; });
   WeightedSolver solver = layers.solver();
   const auto source = SurfacePoint::in_face(40, {0.2, 0.5, 0.3});
   const auto target = SurfacePoint::in_face(90, {0.6, 0.0, 0.4});
-  solver.run(std::array{source});
+  solver.run(std::array{ExactSource{source}});
   const double exact = distance_between(position_of(*layers.mesh, source), position_of(*layers.mesh, target));
   EXPECT_NEAR(solver.distance(target), exact, 1e-9);
-  solver.run(std::array{source}, 0.5 * exact);
+  solver.run(std::array{ExactSource{source}}, {.max_distance = 0.5 * exact});
   EXPECT_EQ(solver.distance(target), unreachable);
   EXPECT_THROW(layers.solver(0), InvalidInput);
 }

@@ -20,7 +20,7 @@ void wait_for(const DragPaths& paths) {
 TEST(DragPaths, AreShortestInCorridorsAndByPropagation) {
   const test::Shape shape = test::prism(7, 2, 6, 1.0, 4.0, 0.45);
   const auto mesh = test::make_mesh(shape.soup);
-  DragPaths paths(std::make_shared<const ExactGeometry>(mesh), milliseconds(0));
+  DragPaths paths(std::make_shared<const LocalGeometry>(mesh), milliseconds(0));
   for (const SurfacePoint& source : {SurfacePoint::at_vertex(0), SurfacePoint::in_face(9, {0.2, 0.2, 0.6})}) {
     for (const bool waits : {false, true}) {
       for (Index v = 0; v < mesh->vertex_count(); v += 3) {
@@ -36,7 +36,7 @@ TEST(DragPaths, AreShortestInCorridorsAndByPropagation) {
 }
 
 TEST(DragPaths, ArePropagatedOnlyWhereCorridorsTakeLong) {
-  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(4)));
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(4)));
   const auto north = SurfacePoint::at_vertex(0);
   const auto south = SurfacePoint::at_vertex(3);
   DragPaths patient(geometry, milliseconds(10000));
@@ -52,7 +52,7 @@ TEST(DragPaths, ArePropagatedOnlyWhereCorridorsTakeLong) {
 
 TEST(DragPaths, AreNoneToAnotherComponent) {
   const auto mesh = test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(1)));
-  DragPaths paths(std::make_shared<const ExactGeometry>(mesh), milliseconds(0));
+  DragPaths paths(std::make_shared<const LocalGeometry>(mesh), milliseconds(0));
   const SurfacePath none =
       paths.path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(mesh->vertex_count() - 1));
   EXPECT_TRUE(none.points.empty());

@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-struct ExactGeometry;
+struct LocalGeometry;
 
 /// A run from one vertex that was stopped after some time.
 struct FieldTiming {
@@ -21,7 +21,7 @@ struct FieldTiming {
 };
 
 /// Runs for at most about `max_seconds`. \throw Cancelled if the progress asks for it.
-FieldTiming time_exact_field(const std::shared_ptr<const ExactGeometry>& geometry, double max_seconds,
+FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity);
 
 }  // namespace vorogeo

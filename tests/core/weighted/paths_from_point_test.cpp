@@ -1,5 +1,5 @@
 // Paths from one point to many: closed forms, independence of the order of targets, other components.
-#include "exact/paths_from_point.h"
+#include "weighted/paths_from_point.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<SurfacePoint> targets_of(const Mesh& mesh) {
 
 void expect_closed_form(const test::Shape& shape) {
   const auto mesh = test::make_mesh(shape.soup);
-  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   for (const SurfacePoint& source :
        {SurfacePoint::at_vertex(0), SurfacePoint::in_face(mesh->face_count() / 2, {0.2, 0.2, 0.6})}) {
     paths.reset(source);
@@ -44,7 +44,7 @@ TEST(PathsFromPoint, ClosedForms) {
 
 TEST(PathsFromPoint, ReachCoversTheTargetAndStaysUntilTheSourceChanges) {
   const auto mesh = test::make_mesh(test::plane_grid(20, 20, 10.0, 10.0).soup);
-  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   paths.reset(SurfacePoint::at_vertex(0));
   paths.path_to(SurfacePoint::at_vertex(4));  // 2 away
   const double reach = paths.reach();
@@ -60,7 +60,7 @@ TEST(PathsFromPoint, ReachCoversTheTargetAndStaysUntilTheSourceChanges) {
 
 TEST(PathsFromPoint, IsPropagatedAsFarAsAskedFor) {
   const auto mesh = test::make_mesh(test::plane_grid(20, 20, 10.0, 10.0).soup);
-  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   const auto near = SurfacePoint::at_vertex(4);  // 2 away
   const auto far = SurfacePoint::at_vertex(20);  // 10 away
   paths.reset(SurfacePoint::at_vertex(0));
@@ -83,7 +83,7 @@ TEST(PathsFromPoint, SourceItselfAndOtherComponent) {
   test::Soup far = grid;
   for (Point& p : far.positions) p[0] += 5.0;
   const auto mesh = test::make_mesh(test::two_components(grid, far));
-  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   const SurfacePoint source = SurfacePoint::at_vertex(1);
   paths.reset(source);
   const SurfacePath none = paths.path_to(SurfacePoint::at_vertex(static_cast<Index>(grid.positions.size())));
@@ -96,7 +96,7 @@ TEST(PathsFromPoint, SourceItselfAndOtherComponent) {
 
 TEST(PathsFromPoint, CancelledAndBadPoints) {
   const auto mesh = test::make_mesh(test::plane_grid(60, 60, 1.0, 1.0).soup);
-  PathsFromPoint paths(std::make_shared<const ExactGeometry>(mesh));
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   EXPECT_THROW(paths.reset(SurfacePoint::at_vertex(-3)), InvalidInput);
   paths.reset(SurfacePoint::at_vertex(0));
   const SurfacePoint corner = SurfacePoint::at_vertex(mesh->vertex_count() - 1);

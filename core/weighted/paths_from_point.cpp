@@ -1,5 +1,5 @@
 // Grows the reach geometrically, so that all propagations together cost little more than the last.
-#include "exact/paths_from_point.h"
+#include "weighted/paths_from_point.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ Index component_of(const Mesh& mesh, const SurfacePoint& point) {
 
 }  // namespace
 
-PathsFromPoint::PathsFromPoint(std::shared_ptr<const ExactGeometry> geometry)
-    : mesh_(geometry->mesh), solver_(std::move(geometry)) {}
+PathsFromPoint::PathsFromPoint(const std::shared_ptr<const LocalGeometry>& geometry)
+    : mesh_(geometry->mesh), solver_(geometry) {}
 
 void PathsFromPoint::reset(const SurfacePoint& source) {
   source_ = validated(*mesh_, source);
@@ -33,7 +33,7 @@ SurfacePath PathsFromPoint::path_to(const SurfacePoint& target, const Progress& 
   SurfacePath path;
   path.length = unreachable;
   if (component_of(*mesh_, source_) != component_of(*mesh_, end)) return path;
-  const double straight = distance_between(position_of(*mesh_, source_), position_of(*mesh_, end));
+  const double straight = mesh_->straight_bound(position_of(*mesh_, source_), position_of(*mesh_, end));
   double distance = reach_ > 0.0 ? solver_.distance(end) : unreachable;
   while (!(distance <= reach_)) {
     // A distance beyond the reach is an upper bound, so that this much suffices.

@@ -1,16 +1,16 @@
 // Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
-#include "exact/field_timing.h"
+#include "weighted/field_timing.h"
 
 #include <gtest/gtest.h>
 
-#include "exact/exact_geometry.h"
 #include "support/shapes.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 namespace {
 
 TEST(FieldTiming, IsWholeWhereThereIsTime) {
-  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(2)));
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(2)));
   const FieldTiming timing = time_exact_field(geometry, 1000.0, {}, "Timing");
   EXPECT_TRUE(timing.is_complete);
   EXPECT_GT(timing.seconds, 0.0);
@@ -18,7 +18,7 @@ TEST(FieldTiming, IsWholeWhereThereIsTime) {
 }
 
 TEST(FieldTiming, StopsAndExtrapolates) {
-  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(5)));
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
   const FieldTiming timing = time_exact_field(geometry, 0.0, {}, "Timing");
   EXPECT_FALSE(timing.is_complete);
   EXPECT_GT(timing.reached, 0.0);
@@ -27,7 +27,7 @@ TEST(FieldTiming, StopsAndExtrapolates) {
 }
 
 TEST(FieldTiming, IsCancelled) {
-  const auto geometry = std::make_shared<const ExactGeometry>(test::make_mesh(test::icosphere(5)));
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
   const Progress stop([](double, const std::string&) { return false; });
   EXPECT_THROW(time_exact_field(geometry, 1000.0, stop, "Timing"), Cancelled);
 }

@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "exact/exact_geometry.h"
-#include "exact/exact_solver.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -13,7 +12,7 @@ namespace vorogeo {
 /// object belongs to one thread.
 class PathsFromPoint {
  public:
-  explicit PathsFromPoint(std::shared_ptr<const ExactGeometry> geometry);
+  explicit PathsFromPoint(const std::shared_ptr<const LocalGeometry>& geometry);
 
   /// Later paths begin here. \throw InvalidInput for a point that is not on the mesh.
   void reset(const SurfacePoint& source);
@@ -36,7 +35,7 @@ class PathsFromPoint {
   bool extend(double reach, const Progress& progress);
 
   std::shared_ptr<const Mesh> mesh_;
-  ExactSolver solver_;
+  LocalSolver solver_;
   SurfacePoint source_;
   double reach_ = 0.0;
 };

@@ -1,11 +1,11 @@
 // A run that its progress stops.
-#include "exact/field_timing.h"
+#include "weighted/field_timing.h"
 
 #include <chrono>
 #include <cmath>
 #include <span>
 
-#include "exact/exact_solver.h"
+#include "weighted/local_solver.h"
 
 namespace vorogeo {
 
@@ -20,7 +20,7 @@ double FieldTiming::expected_seconds() const {
   return is_complete || reached <= 0.0 ? seconds : seconds * std::pow(1.0 / reached, field_growth);
 }
 
-FieldTiming time_exact_field(const std::shared_ptr<const ExactGeometry>& geometry, double max_seconds,
+FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity) {
   const auto begin = std::chrono::steady_clock::now();
   auto elapsed = [&] {
@@ -37,7 +37,7 @@ FieldTiming time_exact_field(const std::shared_ptr<const ExactGeometry>& geometr
   Index source = 0;
   const Mesh& mesh = *geometry->mesh;
   if (mesh.face_count() > 0) source = mesh.face_vertices(0)[0];
-  ExactSolver exact(geometry);
+  LocalSolver exact(geometry);
   ExactLimits limits;
   limits.distances_only = true;
   limits.progress = &until;
