@@ -50,7 +50,7 @@ class FaceCost:
             (a ValueError) If a cost is not above 0 and finite, or their number is not that of the faces.
         """
         sides = _core.sides_by_face_cost(*arrays(self, vertices, faces), np.asarray(self.cost))
-        return MetricLengths(sides.reshape(-1, 3), 0, self.points)
+        return MetricLengths(sides.reshape(-1, 3), 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,4 +87,4 @@ class FaceTensor:
             (a ValueError) If a tensor is not finite, symmetric and positive on its face.
         """
         sides = _core.sides_by_face_tensor(*arrays(self, vertices, faces), np.asarray(self.tensors).ravel())
-        return MetricLengths(sides.reshape(-1, 3), 0, self.points)
+        return MetricLengths(sides.reshape(-1, 3), 0)

@@ -23,14 +23,10 @@ class MetricLengths(NamedTuple):
     shortened_edges : int
         Edges that would have been longer than the other two sides of a face together. No shortest path follows them,
         and they have the length of these two sides.
-    points : int
-        Points on each edge from which faces are crossed where the metric jumps at edges, so that the two faces of one
-        may disagree; 0 in other metrics.
     """
 
     lengths: NDArray[np.float64]
     shortened_edges: int
-    points: int = 0
 
 
 @runtime_checkable
@@ -233,12 +229,12 @@ def sides(
     metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
 ) -> tuple[NDArray[np.float64], int] | None:
     """What the compiled core takes of a metric."""
-    return core_sides(lengths(metric, vertices, faces))
+    return core_sides(metric, lengths(metric, vertices, faces))
 
 
-def core_sides(found: MetricLengths | None) -> tuple[NDArray[np.float64], int] | None:
-    """What the compiled core takes of these lengths."""
-    return None if found is None else (found.lengths, found.points)
+def core_sides(metric: Any, found: MetricLengths | None) -> tuple[NDArray[np.float64], int] | None:
+    """These lengths, and the number of points on each edge where the metric jumps, 0 in others."""
+    return None if found is None else (found.lengths, getattr(metric, "points", 0))
 
 
 def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:

@@ -20,7 +20,7 @@ TEST(PathSteps, AStripLeadsFromSourceToTargetAndHoldsTheStraightLine) {
   const IndexData& data = index->data();
   const Mesh& mesh = *data.work.mesh;
   Router router(data);
-  PathRefiner refiner(*data.geometry);
+  PathRefiner refiner(*data.geometry->windows);
   for (const Index target : {930, 31 * 31 - 1, 500}) {
     const Index s = data.work.work_vertex[0];
     const Index t = data.work.work_vertex[target];

@@ -39,7 +39,7 @@ TEST(LocalSolver, BothAnswerAlike) {
   points.run(sources);
   std::size_t others = 0;
   for (Index v = 0; v < windows.mesh().vertex_count(); ++v) {
-    EXPECT_NEAR(points.distance(v), windows.distance(v), 2e-3 * windows.distance(v));
+    EXPECT_NEAR(points.distance(v), windows.distance(v), 4e-3 * windows.distance(v));
     others += points.nearest_source(v) != windows.nearest_source(v);
   }
   EXPECT_LE(others, 2U) << "of vertices at the same distance from both sources";

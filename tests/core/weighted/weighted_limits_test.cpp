@@ -1,6 +1,7 @@
 // What limits leave out changes nothing of what is asked for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -63,9 +64,8 @@ TEST(WeightedLimits, TheBarrierIsWhereFacesMayNotBeEntered) {
   WeightedSolver solver = layers.solver();
   std::vector<std::uint8_t> left(layers.mesh->face_count());
   for (Index f = 0; f < layers.mesh->face_count(); ++f) {
-    left[f] = layers.soup.positions[layers.mesh->face_vertices(f)[0]][0] < 0.99 &&
-              layers.soup.positions[layers.mesh->face_vertices(f)[1]][0] < 1.01 &&
-              layers.soup.positions[layers.mesh->face_vertices(f)[2]][0] < 1.01;
+    left[f] = std::ranges::all_of(layers.mesh->face_vertices(f),
+                                  [&](Index v) { return layers.soup.positions[v][0] < 1.01; });
   }
   const std::array from{layers.nearest(0.25, 0.0)};
   solver.run_from_vertices(from, {.face_allowed = left});
