@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/length_limits.h"
+#include "support/checkpoint.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -18,6 +19,7 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge)
   double longest = 0.0;
   layout_.reserve(mesh_->face_count());
   for (Index f = 0; f < mesh_->face_count(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
     const auto side = mesh_->side_lengths(f);
     const double along = side[2];
     double x = side[1];
