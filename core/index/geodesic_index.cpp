@@ -101,9 +101,8 @@ namespace {
 constexpr const char* memory_advice =
     "Close other programs, use fewer threads, or build the index of a smaller mesh.";
 
-/// What a vertex of the mesh takes while patches and work mesh are laid out, in bytes: 500 to 600 were
-/// measured.
-constexpr double layout_bytes = 600.0;
+/// What a vertex of the mesh takes for patches, work mesh and the surface of runs, in bytes.
+constexpr double layout_bytes = 1000.0;
 
 void require_memory_for_layout(const Mesh& mesh) {
   require_memory(layout_bytes * mesh.vertex_count(), 0, "Laying out the patches of this mesh", memory_advice);

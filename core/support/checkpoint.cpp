@@ -9,9 +9,6 @@ namespace {
 
 thread_local Watch* innermost = nullptr;
 
-/// Reports after which half of what is left is covered: half a minute.
-constexpr double reports_to_half = 1000.0;
-
 }  // namespace
 
 Watch::Watch(const Progress& progress, std::string activity)
@@ -42,9 +39,7 @@ void Watch::report() {
   if (visit_) {
     visit_();
   } else {
-    const double covered = reports_ / (reports_ + reports_to_half);
-    ++reports_;
-    reached_ = std::max(reached_, fraction_ + (1.0 - fraction_) * covered);
+    reached_ = std::max(reached_, fraction_ + (1.0 - fraction_) * covered_after(reports_++));
     progress_.report(reached_, activity_);
   }
 }

@@ -12,6 +12,12 @@ namespace vorogeo {
 
 /// Time between two reports of a computation.
 inline constexpr auto report_interval = std::chrono::milliseconds(30);
+/// The part of work of unknown size that counts as done after some reports: it grows with each, and stays
+/// below 1.
+inline double covered_after(int reports) {
+  constexpr double reports_to_half = 1000.0;  // half a minute
+  return reports / (reports + reports_to_half);
+}
 /// Elements between two checkpoints of a loop that does little for each.
 inline constexpr Index elements_per_checkpoint = 1 << 13;
 

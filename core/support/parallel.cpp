@@ -94,10 +94,17 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
   }
 
   auto last_report = Clock::now();
+  std::size_t counted = 0;
+  int reports = 0;  // since then
   auto report = [&] {
     last_report = Clock::now();
     if (progress) {
-      progress.report(count ? static_cast<double>(shared.done) / static_cast<double>(count) : 1.0, activity);
+      const std::size_t done = shared.done;
+      if (done != counted) reports = 0;
+      counted = done;
+      // Few long items are no reason to stand still.
+      const double items = static_cast<double>(done) + (done < count ? covered_after(reports++) : 0.0);
+      progress.report(count ? items / static_cast<double>(count) : 1.0, activity);
     } else {
       checkpoint();
     }

@@ -55,15 +55,21 @@ def main() -> None:
 
 
 def measure_mesh(
-    file: Path, source_count: int, chosen: list[str], limits: measure.Limits, threads: int, builds: bool = True
+    file: Path,
+    source_count: int,
+    chosen: list[str],
+    limits: measure.Limits,
+    threads: int,
+    builds: bool = True,
+    in_file: bool = False,
 ) -> dict[str, Any]:
-    """All figures of one mesh. `builds`: also with one thread."""
+    """All figures of one mesh. `builds`: also with one thread; `in_file`: the index is built in its file."""
     mesh = meshes.load(file)
     raw = meshes.write_raw(mesh, meshes.WORK / f"{file.stem}.raw")
     index_file = meshes.WORK / f"{file.stem}.vgi"
     sources = questions.sources_of(mesh, source_count)
     counts = {threads} | ({1} if builds else set())
-    core = measure_core(raw, mesh, index_file, sources, sorted(counts))
+    core = measure_core(raw, mesh, index_file, sources, sorted(counts), "build_in_file" if in_file else "build")
 
     near = questions.Neighbourhood(mesh, questions.patches_of(mesh, index_file))
     random = np.random.default_rng(1)
@@ -99,9 +105,9 @@ def measure_mesh(
 
 
 def measure_core(
-    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], thread_counts: list[int]
+    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], thread_counts: list[int], build: str
 ) -> dict[str, Any]:
-    """Times of the C++ core: exact solver, and build with each number of threads."""
+    """Times of the C++ core: exact solver, and build with each number of threads, by a task of core_bench."""
     n = len(mesh[0])
     print(f"{raw.stem}: {n:,} vertices, {len(mesh[1]):,} faces\n  core ...", flush=True)
     exact, exact_peak = measure.core(["exact", str(raw), *map(str, sources)])
@@ -112,9 +118,24 @@ def measure_core(
         "build": {},
     }
     for threads in thread_counts:
-        lines, found["build_peak"] = measure.core(["build", str(raw), str(threads), str(index_file)])
+        lines, found["build_peak"] = measure.core([build, str(raw), str(threads), str(index_file)])
+        found["phases"] = phases_of(lines)
         found["build"][str(threads)] = summary.of_line(lines["build", threads])
         found["index_bytes"], found["file_bytes"] = lines["index_bytes", n].values[0], lines["file_bytes", n].values[0]
+    return found
+
+
+def phases_of(lines: measure.Lines) -> dict[str, dict[str, float]]:
+    """Seconds of the phases of a build, and the most bytes in memory: resident, and without the pages of files."""
+    found: dict[str, dict[str, float]] = {}
+    for (name, detail), line in lines.items():
+        if name.startswith("phase "):
+            activity = name.removeprefix("phase ")
+            resident, own = lines[f"memory {activity}", detail].values
+            phase = found.setdefault(activity, dict.fromkeys(("cpu", "wall", "resident", "own"), 0.0))
+            phase["cpu"] += line.cpu[0]
+            phase["wall"] += line.values[0]
+            phase["resident"], phase["own"] = max(phase["resident"], resident), max(phase["own"], own)
     return found
 
 

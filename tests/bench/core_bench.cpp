@@ -2,12 +2,19 @@
 // "cpu": [all cores together]}, in seconds. Tasks:
 // - exact MESH SOURCE...: exact solver on the whole mesh, one thread, and on cut-out pieces
 // - build MESH THREADS INDEX: one build; the index is saved to INDEX
+// - build_in_file MESH THREADS INDEX: one build in the file INDEX, for meshes whose index is larger than the
+// memory
+//   Both print the phases in the order of time: "phase ACTIVITY", and in "memory ACTIVITY" the most bytes
+//   that the process had in memory, with and without the pages of files
 // - fields MESH INDEX THREADS ROUNDS SOURCE...: fields with 1 to THREADS threads
 // - pairs MESH INDEX PAIRS ROUNDS: two points; PAIRS: a file of int32 (source, target)
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <span>
 #include <string>
@@ -129,14 +136,64 @@ void time_exact(const MeshPointer& mesh, const std::vector<Index>& sources) {
   }
 }
 
-void time_build(const MeshPointer& mesh, int threads, const char* file) {
+/// Notes from the reports of a build when each of its phases begins, and the most memory in it.
+class Phases {
+ public:
+  vorogeo::Progress progress() {
+    return vorogeo::Progress([this](double, const std::string& activity) {
+      if (activity_ != activity) {
+        finish();
+        activity_ = activity;
+        wall_ = bench::now();
+        cpu_ = std::clock();
+      }
+      for (std::size_t i = 0; i < names.size(); ++i) memory_[i] = std::max(memory_[i], bytes(names[i]));
+      return true;
+    });
+  }
+  void finish() {
+    if (!activity_.empty()) {
+      const double cpu = static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+      print(("phase " + activity_).c_str(), count_, {bench::now() - wall_}, {cpu});
+      print(("memory " + activity_).c_str(), count_++, {memory_[0], memory_[1]});
+    }
+    memory_ = {};
+  }
+
+ private:
+  static constexpr std::array<const char*, 2> names{"VmRSS:", "RssAnon:"};
+
+  static double bytes(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+      double kilobytes = 0.0;
+      if (word == name && status >> kilobytes) return 1024.0 * kilobytes;
+    }
+    return 0.0;
+  }
+
+  std::string activity_;
+  double wall_ = 0.0;
+  std::clock_t cpu_ = 0;
+  std::array<double, 2> memory_{};
+  int count_ = 0;
+};
+
+void time_build(const MeshPointer& mesh, int threads, const char* file, bool in_file) {
   vorogeo::IndexOptions options;
   options.threads = threads;
   std::shared_ptr<const vorogeo::GeodesicIndex> index;
   Times times;
-  times.add([&] { index = vorogeo::GeodesicIndex::build(mesh, options); });
+  Phases phases;
+  if (in_file) {
+    std::filesystem::remove(file);
+    times.add([&] { index = vorogeo::GeodesicIndex::build_in_file(file, mesh, options, phases.progress()); });
+  } else {
+    times.add([&] { index = vorogeo::GeodesicIndex::build(mesh, options, phases.progress()); });
+  }
+  phases.finish();
   times.print("build", threads);
-  index->save(file);
+  if (!in_file) index->save(file);
   print("index_bytes", mesh->vertex_count(), {static_cast<double>(index->statistics().bytes)});
   print("file_bytes", mesh->vertex_count(), {static_cast<double>(std::filesystem::file_size(file))});
 }
@@ -182,8 +239,8 @@ int main(int count, char** arguments) try {
   const std::string task = count > 2 ? arguments[1] : "";
   if (task == "exact" && count > 3) {
     time_exact(load(arguments[2]), vertices_from(count - 3, arguments + 3));
-  } else if (task == "build" && count == 5) {
-    time_build(load(arguments[2]), std::atoi(arguments[3]), arguments[4]);
+  } else if ((task == "build" || task == "build_in_file") && count == 5) {
+    time_build(load(arguments[2]), std::atoi(arguments[3]), arguments[4], task == "build_in_file");
   } else if (task == "fields" && count > 6) {
     time_fields(load(arguments[2]), arguments[3], std::atoi(arguments[4]), std::atoi(arguments[5]),
                 vertices_from(count - 6, arguments + 6));
@@ -191,7 +248,8 @@ int main(int count, char** arguments) try {
     time_pairs(load(arguments[2]), arguments[3], arguments[4], std::atoi(arguments[5]));
   } else {
     std::fprintf(stderr,
-                 "usage: core_bench exact|build|fields|pairs MESH ...; see the head of core_bench.cpp\n");
+                 "usage: core_bench exact|build|build_in_file|fields|pairs MESH ...; see the head of "
+                 "core_bench.cpp\n");
     return 2;
   }
   return 0;

@@ -1,6 +1,7 @@
 """Measures time and memory against the size of the mesh: one mesh decimated and subdivided after Loop.
 
-Usage: tests/bench/growth.sh [OPTIONS] [SIZE...]; SIZE is 1, 1/4, 1/16, loop1 or loop2. Sizes measured before are kept
+Usage: tests/bench/growth.sh [OPTIONS] [SIZE...]; SIZE is 1, 1/4, 1/16, loop1, loop2 or loop3.
+The index of loop3 is built in its file. Sizes measured before are kept
 in build/bench-work/growth, so the sizes can be measured one at a time.
 """
 
@@ -44,7 +45,8 @@ def main() -> None:
     for size in arguments.sizes:
         chosen = ["vorogeo_index", "vorogeo_exact", *(() if arguments.no_peers else PEERS)]
         limits = measure.Limits(0.1 * arguments.limit, arguments.limit)
-        result = bench.measure_mesh(meshes.resized(file, size), arguments.sources, chosen, limits, 2, builds=False)
+        mesh = meshes.resized(file, size)
+        result = bench.measure_mesh(mesh, arguments.sources, chosen, limits, 2, builds=False, in_file=size == "loop3")
         kept = RESULTS / f"{file.stem}_{size.replace('/', '_')}.json"
         if arguments.no_peers and kept.is_file():
             result["methods"] = json.loads(kept.read_text())["methods"] | result["methods"]
@@ -52,7 +54,8 @@ def main() -> None:
     results = [json.loads(kept.read_text()) for kept in RESULTS.glob(f"{file.stem}_*.json")]
     results.sort(key=lambda result: result["vertices"])
     builds = tables.table(BUILDS, [build_row(result) for result in results])
-    text = f"{builds}\n{tables.table(QUERIES, [query_row(result) for result in results])}"
+    queries = tables.table(QUERIES, [query_row(result) for result in results])
+    text = f"{builds}\n{phase_table(results)}\n{queries}"
     print(text)
     if arguments.write:
         import plots
@@ -76,6 +79,21 @@ def build_row(result: dict[str, Any]) -> list[str]:
         tables.number(core["file_bytes"] / n),
         tables.number(core["exact"]["cpu"]["median"]),
     ]
+
+
+def phase_table(results: list[dict[str, Any]]) -> str:
+    """Processor time of each phase per vertex, and the most bytes per vertex that the process held in it."""
+    known = [result for result in results if "phases" in result["core"]]
+    phases = dict.fromkeys(phase for result in known for phase in result["core"]["phases"])
+    rows = []
+    for phase in phases:
+        row = [phase]
+        for result in known:
+            found, n = result["core"]["phases"].get(phase), result["vertices"]
+            row.append(f"{1e6 * found['cpu'] / n:.1f}, {found['own'] / n:,.0f}" if found else tables.DASH)
+        rows.append(row)
+    sizes = " | ".join(f"{result['vertices']:,}" for result in known)
+    return tables.table(f"µs a vertex, bytes a vertex | {sizes}", rows)
 
 
 def query_row(result: dict[str, Any]) -> list[str]:
