@@ -168,6 +168,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
           limits.max_distance = max_distance;
           limits.progress = &rest;
           limits.distances_only = true;
+          limits.threads = threads_for_field(*mesh_, options_.threads);
           solver.run(sources, limits);
           return labelled_field_of(solver, max_distance);
         });

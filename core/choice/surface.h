@@ -45,7 +45,7 @@ struct Answered {
 /// A mesh, read once, and what answers questions on it. May be used by several threads at once.
 class Surface {
  public:
-  /// `options`: of the index, if one is built. Its threads are also those of a field from it.
+  /// `options`: of the index, if one is built. Its threads are also those of a field, from it or exact.
   explicit Surface(std::shared_ptr<const Mesh> mesh, const IndexOptions& options = {});
   /// With an index that exists already, or null, and what exact answers on this mesh have taken before.
   Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,

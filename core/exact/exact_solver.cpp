@@ -7,9 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "exact/shared_run.h"
 #include "exact/solver_state.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
@@ -19,8 +21,11 @@ namespace {
 /// buckets.
 constexpr double bucket_width = 0.25;
 
-/// Items of the queue between two reports of progress: some milliseconds.
-constexpr int items_per_report = 4096;
+/// Faces below which one thread is as fast as several.
+constexpr Index least_shared_faces = 20000;
+
+/// Each thread holds some memory for every edge of the mesh.
+constexpr int most_threads = 16;
 
 }  // namespace
 
@@ -38,6 +43,27 @@ void ExactSolver::State::reset() {
   face_sources.clear();
   queue.reset(bucket_width * mesh.typical_edge_length());
   closing.clear();
+  territories = nullptr;
+  open_elsewhere = nullptr;
+}
+
+void ExactSolver::State::take(Index item, double front) {
+  if (distances_only) close_edges_behind(front);
+  if (item < mesh.vertex_count()) {
+    take_vertex(item);
+    if (distances_only) close_edges_at(item);
+  } else {
+    take_edge(item - mesh.vertex_count());
+  }
+}
+
+void ExactSolver::State::announce(Index vertex) {
+  const VertexState& state = vertices[vertex];
+  const std::uint8_t owner = territories->of_vertex[vertex];
+  if (owner == number) queue.push(vertex, state.distance);
+  for (std::size_t i = 0; i < outbox.size(); ++i) {
+    if (i != number && (i == owner || territories->is_shared[vertex] != 0)) outbox[i].add(vertex, state);
+  }
 }
 
 void ExactSolver::State::require_windows() const {
@@ -45,6 +71,13 @@ void ExactSolver::State::require_windows() const {
     throw std::logic_error(
         "A run for vertex distances only keeps no windows: run again without distances_only.");
   }
+}
+
+int ExactSolver::solvers_for(const ExactLimits& limits) const {
+  const bool is_whole_field = limits.distances_only && limits.targets.empty() &&
+                              limits.face_allowed.empty() && limits.corridor_target == no_index &&
+                              limits.corridor_point == nullptr;
+  return is_whole_field ? std::clamp(limits.threads, 1, most_threads) : 1;
 }
 
 void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& limits) {
@@ -78,6 +111,13 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   if (state.landmarks != nullptr) state.target_seen = state.landmarks->seen_from(state.mesh, *corridor);
   state.settled_distance = unreachable;
   state.barrier_distance = unreachable;
+  if (const int solvers = solvers_for(limits); solvers > 1) {
+    if (!shared_ || shared_->solvers() != solvers) {
+      shared_ = std::make_unique<SharedRun>(state.geometry, solvers);
+    }
+    shared_->run(state, limits.progress);
+    return;
+  }
   for (std::size_t i = 0; i < state.sources.size(); ++i)
     state.start_at(state.sources[i], static_cast<Index>(i));
 
@@ -102,7 +142,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
         break;
       }
     }
-    if (++items % items_per_report == 0) {
+    if (++items % ExactSolver::State::items_per_report == 0) {
       if (limits.progress != nullptr) {
         limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
                                     static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
@@ -113,13 +153,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;
-    if (state.distances_only) state.close_edges_behind_front();
-    if (item < state.mesh.vertex_count()) {
-      state.take_vertex(item);
-      if (state.distances_only) state.close_edges_at(item);
-    } else {
-      state.take_edge(item - state.mesh.vertex_count());
-    }
+    state.take(item, state.queue.lower_bound());
   }
 }
 
@@ -162,11 +196,21 @@ double ExactSolver::settled_distance() const {
 
 double ExactSolver::barrier_distance() const { return state_->barrier_distance; }
 
-std::size_t ExactSolver::window_count() const { return state_->envelope.made(); }
+std::size_t ExactSolver::window_count() const {
+  return state_->envelope.made() + (shared_ ? shared_->window_count() : 0);
+}
+
+std::size_t ExactSolver::State::memory_bytes() const {
+  return envelope.memory_bytes() + vertices.capacity() * sizeof(VertexState) +
+         (vertices.size() + mesh.edge_count()) * sizeof(std::int64_t);
+}
 
 std::size_t ExactSolver::memory_bytes() const {
-  return state_->envelope.memory_bytes() + state_->vertices.capacity() * sizeof(VertexState) +
-         (state_->vertices.size() + state_->mesh.edge_count()) * sizeof(std::int64_t);
+  return state_->memory_bytes() + (shared_ ? shared_->memory_bytes() : 0);
+}
+
+int threads_for_field(const Mesh& mesh, int requested) {
+  return mesh.face_count() < least_shared_faces ? 1 : resolve_thread_count(requested);
 }
 
 std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh,

@@ -13,6 +13,7 @@
 namespace vorogeo {
 
 class ExactLandmarks;
+class SharedRun;
 struct ExactGeometry;
 
 /// Where the distance starts, and with which value.
@@ -56,6 +57,9 @@ struct ExactLimits {
   /// Only distance(vertex) and nearest_source(vertex) will be read: windows behind the front are dropped,
   /// which keeps memory to a multiple of the front's length instead of the mesh's size, and is faster.
   bool distances_only = false;
+  /// With distances_only and none of targets, a corridor and face_allowed: this many threads share the run
+  /// (see threads_for_field). Distances are equal up to rounding, and to the last bit for the same number.
+  int threads = 1;
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   /// Otherwise the run has checkpoints.
   const Progress* progress = nullptr;
@@ -110,8 +114,16 @@ class ExactSolver {
   struct State;
 
  private:
+  /// How many solvers share a run within these limits.
+  int solvers_for(const ExactLimits& limits) const;
+
   std::unique_ptr<State> state_;
+  std::unique_ptr<SharedRun> shared_;
 };
+
+/// How many threads should share a field on this mesh: `requested` ones (0: one per core), or one where they
+/// would wait for each other longer than they work.
+int threads_for_field(const Mesh& mesh, int requested);
 
 /// Exact distances from the sources to all vertices, on one thread. Shape (n).
 std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh,

@@ -46,14 +46,22 @@ void ExactSolver::State::reach_vertex(Index vertex, double distance, Index sourc
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
   state = {distance, arrival, source, along_edge_from};
-  queue.push(vertex, distance);
+  if (territories == nullptr) {
+    queue.push(vertex, distance);
+  } else {
+    announce(vertex);
+  }
 }
 
 bool ExactSolver::State::open_edge(Index edge) {
-  if (envelope.is_retired(edge)) return false;
-  const auto [a, b] = geometry->ends(edge);
   open = edge;
   open_length = mesh.edge_length(edge);
+  if (territories != nullptr && territories->of_edge[edge] != number) {
+    open_elsewhere = &outbox[territories->of_edge[edge]];
+    return true;
+  }
+  if (envelope.is_retired(edge)) return false;
+  const auto [a, b] = geometry->ends(edge);
   least_open_width = least_width * open_length;
   from_first = vertices[a].distance;
   from_second = vertices[b].distance;
@@ -64,6 +72,10 @@ bool ExactSolver::State::open_edge(Index edge) {
 }
 
 void ExactSolver::State::store_edge() {
+  if (open_elsewhere != nullptr) {
+    open_elsewhere = nullptr;
+    return;
+  }
   const double least = envelope.store();
   if (least <= max_distance) queue.push(mesh.vertex_count() + open, least);
 }
@@ -103,6 +115,10 @@ inline bool ExactSolver::State::is_sliver(const Window& window) const {
 }
 
 inline void ExactSolver::State::insert_window(const Window& window) {
+  if (open_elsewhere != nullptr) {
+    open_elsewhere->add(open, window);
+    return;
+  }
   if (is_sliver(window)) return;
   const double at_begin = window.distance(window.begin);
   const double at_end = window.distance(window.end);
@@ -122,6 +138,24 @@ void ExactSolver::State::add_window(Index edge, const Window& window) {
   inside.end = std::min(window.end, open_length);
   insert_window(inside);
   store_edge();
+}
+
+void ExactSolver::State::take_in(const Outbox& news) {
+  for (const auto& [vertex, state] : news.vertices) {
+    if (!(state.distance < vertices[vertex].distance)) continue;
+    if (vertices[vertex].distance == unreachable) touched_vertices.push_back(vertex);
+    vertices[vertex] = state;
+    if (territories->of_vertex[vertex] == number) queue.push(vertex, state.distance);
+    if (distances_only) close_edges_at(vertex);
+  }
+  for (auto item = news.windows.begin(); item != news.windows.end();) {
+    const Index edge = item->edge;
+    const bool is_open = open_edge(edge);
+    for (; item != news.windows.end() && item->edge == edge; ++item) {
+      if (is_open) insert_window(item->window);
+    }
+    if (is_open) store_edge();
+  }
 }
 
 void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
@@ -236,27 +270,6 @@ inline bool ExactSolver::State::is_continued(Index edge, const Window& window, c
     return false;
   const double scale = geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
   return next.begin - window.end <= least_width * scale;
-}
-
-void ExactSolver::State::close_edges_at(Index vertex) {
-  // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
-  // and the edge's length.
-  auto close_later = [&](Index edge) {
-    const auto [a, b] = mesh.edge_vertices(edge);
-    const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
-    if (bound < unreachable) closing.emplace_back(bound * (1.0 + 1e-12), edge);
-  };
-  for (Index corner : mesh.corners(vertex)) {
-    close_later(mesh.edge_of(corner));
-    close_later(mesh.edge_of(Mesh::previous_in_face(corner)));
-  }
-}
-
-void ExactSolver::State::close_edges_behind_front() {
-  const double front = queue.lower_bound();
-  for (; !closing.empty() && closing.front().first < front; closing.pop_front()) {
-    envelope.retire(closing.front().second);
-  }
 }
 
 void ExactSolver::State::take_edge(Index edge) {

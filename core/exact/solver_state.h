@@ -13,6 +13,7 @@
 #include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
 #include "exact/face_plane.h"
+#include "exact/territories.h"
 #include "support/bucket_queue.h"
 
 namespace vorogeo {
@@ -29,6 +30,35 @@ struct VertexState {
 
 struct Side;
 
+/// What a solver that shares a run has for another one: windows on its edges, distances of its vertices.
+struct Outbox {
+  struct OnEdge {
+    Index edge;
+    Window window;
+  };
+  struct AtVertex {
+    Index vertex;
+    VertexState state;
+  };
+  std::vector<OnEdge> windows;
+  std::vector<AtVertex> vertices;
+  double least = unreachable;  ///< of their distances
+
+  void add(Index edge, const Window& window) {
+    windows.push_back({edge, window});
+    least = std::min(least, window.least_distance());
+  }
+  void add(Index vertex, const VertexState& state) {
+    vertices.push_back({vertex, state});
+    least = std::min(least, state.distance);
+  }
+  void clear() {
+    windows.clear();
+    vertices.clear();
+    least = unreachable;
+  }
+};
+
 struct ExactSolver::State {
   explicit State(std::shared_ptr<const ExactGeometry> shared_geometry);
 
@@ -36,10 +66,15 @@ struct ExactSolver::State {
   /// \throw std::logic_error if the run gave up its windows.
   void require_windows() const;
   void start_at(const ExactSource& source, Index id);
+  std::size_t memory_bytes() const;
+  /// Items of the queue between two reports of progress: some milliseconds.
+  static constexpr int items_per_report = 4096;
+  /// Propagates an item of the queue. `front`: no distance below it is still to be propagated.
+  void take(Index item, double front);
   void take_vertex(Index vertex);
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
-  void close_edges_behind_front();
+  void close_edges_behind(double front);
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, Index crossed_edge, double apex_along);
   /// Whether the pseudo-source lies on the edge up to a negligible distance.
@@ -157,6 +192,16 @@ struct ExactSolver::State {
   bool distances_only = false;
   /// Edges with the distance at which the front has passed them, roughly in that order.
   std::deque<std::pair<double, Index>> closing;
+
+  /// In a run that several solvers share: who owns what, this one's number there, and what it has for each.
+  const Territories* territories = nullptr;
+  std::uint8_t number = 0;
+  std::vector<Outbox> outbox;
+  Outbox* open_elsewhere = nullptr;  ///< where windows of the open edge go, if another solver owns it
+  /// Hands the distance of a vertex to its owner's queue and to all who read it.
+  void announce(Index vertex);
+  /// Takes what another solver had for this one.
+  void take_in(const Outbox& news);
 };
 
 }  // namespace vorogeo

@@ -48,13 +48,14 @@ class BucketQueue {
     }
   }
 
-  /// The next item, or no_index if the queue is empty.
-  Index pop() {
+  /// The next item of a bucket that begins below `limit`; no_index if there is none.
+  Index pop(double limit = unreachable) {
     for (;;) {
       if (in_ring_ == 0) {
         leave_bucket();
-        if (!refill()) return no_index;
+        if (!refill(limit)) return no_index;
       }
+      if (!(lower_bound() < limit)) return no_index;
       auto& bucket = ring_[current_ % ring_size];
       while (first_ < bucket.size()) {
         Index item;
@@ -74,12 +75,28 @@ class BucketQueue {
       ++current_;
       ++idle_;
       // The ring has moved on: items of the overflow may fit into it.
-      if (current_ >= overflow_check_ && !overflow_.empty()) refill();
+      if (current_ >= overflow_check_ && !overflow_.empty()) refill(limit);
     }
   }
 
   /// A lower bound of all keys in the queue, unless an item taken earlier pushes a smaller one.
   double lower_bound() const { return static_cast<double>(current_) * width_; }
+
+  /// The same without the empty buckets that follow; infinity if the queue is empty.
+  double least_key() const {
+    std::int64_t least = none;
+    if (in_ring_ > 0) {
+      least = current_;
+      if (first_ >= ring_[least % ring_size].size()) {
+        do ++least;
+        while (ring_[least % ring_size].empty());
+      }
+    }
+    // What is left in the overflow was behind the ring when that was last filled.
+    if (!overflow_.empty()) least = std::min(least, std::max(current_, overflow_check_ + ring_size / 2));
+    return least == none ? unreachable : static_cast<double>(least) * width_;
+  }
+  double bucket_width() const { return width_; }
 
   void clear() {
     for (auto& bucket : ring_) {
@@ -126,8 +143,8 @@ class BucketQueue {
     max_idle_ = least_idle + idle_per_push * static_cast<std::int64_t>(overflow_.size());
   }
 
-  /// Moves what fits from the overflow into the ring; false if both are empty.
-  bool refill() {
+  /// Moves what fits from the overflow into the ring; false if there is nothing below `limit` in either.
+  bool refill(double limit) {
     idle_ += static_cast<std::int64_t>(overflow_.size());
     if (in_ring_ == 0) {
       if (idle_ > max_idle_) widen();
@@ -137,6 +154,7 @@ class BucketQueue {
         overflow_.clear();
         return false;
       }
+      if (!(static_cast<double>(least) * width_ < limit)) return false;
       current_ = std::max(current_, least);
     }
     std::size_t kept = 0;

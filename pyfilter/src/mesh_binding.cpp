@@ -14,7 +14,8 @@ namespace vorogeo::python {
 namespace {
 
 DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                                 const IdArray& sources, double max_distance, double gap, bool folds) {
+                                 const IdArray& sources, double max_distance, int threads, double gap,
+                                 bool folds) {
   ProgressBridge bridge{nb::none()};
   auto values = bridge.run([&](const Progress& progress) {
     const auto mesh = mesh_of(vertices, faces, sides, {gap, folds});
@@ -23,6 +24,7 @@ DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& f
     limits.max_distance = max_distance;
     limits.progress = &progress;
     limits.distances_only = true;
+    limits.threads = threads_for_field(*mesh, threads);
     solver.run_from_vertices(ids_of(sources), limits);
     std::vector<double> distances(mesh->vertex_count());
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
@@ -111,8 +113,8 @@ nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const Sid
 
 void bind_mesh_functions(nb::module_& module) {
   module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
-             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"), nb::arg("gap"),
-             nb::arg("folds"));
+             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"), nb::arg("threads"),
+             nb::arg("gap"), nb::arg("folds"));
   module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"), nb::arg("gap"), nb::arg("folds"));

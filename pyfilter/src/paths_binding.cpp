@@ -98,6 +98,7 @@ class Paths {
       limits.max_distance = max_distance;
       limits.progress = &progress;
       limits.distances_only = true;
+      limits.threads = threads_for_field(solver.mesh(), held_.threads);
       solver.run(sources, limits);
       return labelled_field_of(solver, max_distance);
     });

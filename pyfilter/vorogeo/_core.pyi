@@ -48,6 +48,7 @@ def exact_distance_field(
     sides: tuple[NDArray[np.float64], int] | None,
     sources: NDArray[np.int32],
     max_distance: float,
+    threads: int,
     gap: float,
     folds: bool,
 ) -> NDArray[np.float64]: ...

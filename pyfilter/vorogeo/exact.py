@@ -28,8 +28,9 @@ def exact_distance_field(
     metric: Metric | None = None,
     gap: float = 0.0,
     bridge_folds: bool = False,
+    threads: int | None = None,
 ) -> NDArray[Any]:
-    """Exact distance of every vertex from its nearest source, on one thread.
+    """Exact distance of every vertex from its nearest source.
 
     Parameters
     ----------
@@ -49,6 +50,9 @@ def exact_distance_field(
         What paths cost; None is their length in space. With values of faces, distances are not exact but close.
     gap, bridge_folds
         Which gaps are bridged, as for `GeodesicIndex`.
+    threads : int, optional
+        That share the work on a mesh of some ten thousand faces or more; None for one per core. With another number,
+        distances may differ in their last digits. With values of faces, one thread does all.
 
     Returns
     -------
@@ -72,7 +76,7 @@ def exact_distance_field(
     entry, limit = check.real_type(dtype), check.max_distance(max_distance)
     bridged = gap_limit(gap, bridge_folds)
     sides = metrics.sides(metric, points, surface)
-    found = _core.exact_distance_field(points, surface, sides, ids, limit, *bridged)
+    found = _core.exact_distance_field(points, surface, sides, ids, limit, check.threads(threads), *bridged)
     return found.astype(entry, copy=False)
 
 

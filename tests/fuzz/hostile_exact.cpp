@@ -11,6 +11,7 @@ namespace {
 
 constexpr int points_per_edge = 3;
 constexpr int targets = 4;
+constexpr int threads = 3;
 
 /// Closed forms where the surface unrolls, the graph's bounds elsewhere.
 void check_against_reference(HostileCase& hostile, Index source, const std::vector<double>& field,
@@ -84,6 +85,14 @@ void check_exact(HostileCase& hostile) {
       if (field[v] == lean[v] || std::abs(field[v] - lean[v]) <= hostile.slack(field[v])) continue;
       hostile.fail("distances_only gives another exact field",
                    "vertex " + std::to_string(v) + ": " + exactly(field[v]) + " and " + exactly(lean[v]));
+    }
+    ExactSolver several(hostile.mesh);
+    several.run_from_vertices(std::array{source}, {.distances_only = true, .threads = threads});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double shared = several.distance(v);
+      if (shared == lean[v] || std::abs(shared - lean[v]) <= hostile.slack(lean[v])) continue;
+      hostile.fail("several threads give another exact field",
+                   "vertex " + std::to_string(v) + ": " + exactly(lean[v]) + " and " + exactly(shared));
     }
     const SubdividedGraph graph(hostile.hostile.soup, source, points_per_edge);
     check_against_reference(hostile, source, field, graph);

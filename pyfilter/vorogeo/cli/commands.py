@@ -30,6 +30,7 @@ def field(task: MeshTask) -> Result:
             mask=task.mask,
             metric=task.metric,
             gap=task.gap,
+            threads=task.options.get("threads"),
         )
     else:
         values = task.index.distance_field(sources, limit, exact=task.exact, dtype=task.dtype)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -37,6 +38,33 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
     last = bucket;
   }
   for (int count : taken) EXPECT_EQ(count, 1);
+}
+
+TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
+  // Keys up to twenty times round the ring, taken in steps: an item leaves in the step in which its bucket
+  // begins, and what comes late leaves in the next one.
+  BucketQueue queue;
+  queue.resize(3001);
+  queue.reset(0.5);
+  EXPECT_EQ(queue.least_key(), unreachable);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> key(1.0, 10240.0);
+  std::vector<double> key_of(3000);
+  for (Index item = 0; item < 3000; ++item) queue.push(item, key_of[item] = key(random));
+  std::size_t left = key_of.size();
+  for (double limit = 0.0; left > 0; limit += 64.0) {
+    const double least = *std::min_element(key_of.begin(), key_of.end());
+    EXPECT_LE(queue.least_key(), least);
+    for (Index item = queue.pop(limit); item != no_index; item = queue.pop(limit), --left) {
+      EXPECT_LT(0.5 * std::floor(key_of[item] / 0.5), limit);
+      key_of[item] = unreachable;
+    }
+    for (double k : key_of) EXPECT_GE(k, limit);
+    queue.push(3000, 0.25);
+    EXPECT_EQ(queue.pop(limit + 64.0), 3000);
+  }
+  EXPECT_EQ(queue.pop(), no_index);
+  EXPECT_EQ(queue.least_key(), unreachable);
 }
 
 TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {

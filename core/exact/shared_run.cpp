@@ -1,0 +1,166 @@
+// Steps of a shared run, and how threads wait for one another.
+#include "exact/shared_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "support/checkpoint.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Length of a step in typical edge lengths, if there is enough to do: longer ones make more windows come
+/// late, shorter ones make threads wait for one another more often.
+constexpr double least_step = 1.0;
+
+/// Items of a solver in one step below which steps become longer.
+constexpr std::size_t few_items = 64;
+
+/// How often a thread looks whether the others have finished the step before it goes to sleep.
+constexpr int looks = 200;
+
+}  // namespace
+
+SharedRun::SharedRun(std::shared_ptr<const ExactGeometry> geometry, int solvers)
+    : territories_(*geometry->mesh, solvers), next_step_(solvers) {
+  others_.resize(solvers - 1);
+  handed_.assign(solvers, std::vector<Outbox>(solvers));
+  taken_.resize(solvers);
+  parallel_for(others_.size(), solvers - 1, {}, "",
+               [&](std::size_t i, int) { others_[i] = std::make_unique<ExactSolver::State>(geometry); });
+}
+
+void SharedRun::prepare(ExactSolver::State& first) {
+  all_.assign(1, &first);
+  for (const auto& other : others_) {
+    other->reset();
+    other->sources = first.sources;
+    other->max_distance = first.max_distance;
+    other->distances_only = first.distances_only;
+    other->merge_tolerance = first.merge_tolerance;
+    other->face_allowed = {};
+    other->has_corridor = false;
+    all_.push_back(other.get());
+  }
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    all_[i]->territories = &territories_;
+    all_[i]->number = static_cast<std::uint8_t>(i);
+    all_[i]->outbox.assign(all_.size(), {});
+    next_step_[i] = 1;
+  }
+  for (auto& from : handed_) {
+    for (Outbox& outbox : from) outbox.clear();
+  }
+  step_length_ = least_step * first.mesh.typical_edge_length();
+  end_of_step_ = 0.0;
+  step_ = 0;
+}
+
+void SharedRun::run(ExactSolver::State& first, const Progress* progress) {
+  prepare(first);
+  for (std::size_t i = 0; i < first.sources.size(); ++i)
+    first.start_at(first.sources[i], static_cast<Index>(i));
+  begin_next_step();
+  std::optional<Watch> watch;
+  if (progress != nullptr) watch.emplace(*progress, "Computing exact distances");
+  parallel_for(all_.size(), solvers(), {}, "", [&](std::size_t own, int worker) {
+    try {
+      work(static_cast<int>(own), worker == 0 && watch ? &*watch : nullptr);
+    } catch (...) {
+      step_ = ended;
+      step_.notify_all();
+      throw;
+    }
+  });
+  // From here on, `first` looks as if it had run alone.
+  first.touched_vertices.clear();
+  for (Index v = 0; v < first.mesh.vertex_count(); ++v) {
+    first.vertices[v] = all_[territories_.of_vertex[v]]->vertices[v];
+    if (first.vertices[v].distance < unreachable) first.touched_vertices.push_back(v);
+  }
+}
+
+void SharedRun::work(int own, Watch* watch) {
+  auto last_report = std::chrono::steady_clock::now();
+  int step = step_;
+  while (step != ended) {
+    for (int i = 0; i < solvers(); ++i) {
+      const int solver = (own + i) % solvers();
+      int expected = step;
+      if (!next_step_[solver].compare_exchange_strong(expected, step + 1)) continue;
+      take_step(solver);
+      if (--unfinished_ == 0) begin_next_step();
+    }
+    if (watch != nullptr && std::chrono::steady_clock::now() - last_report >= report_interval) {
+      last_report = std::chrono::steady_clock::now();
+      watch->reach(reached_);
+    } else {
+      checkpoint();
+    }
+    for (int look = 0; look < looks && step_ == step; ++look) std::this_thread::yield();
+    step_.wait(step);
+    step = step_;
+  }
+}
+
+void SharedRun::take_step(int solver) {
+  ExactSolver::State& state = *all_[solver];
+  for (const auto& from : handed_) state.take_in(from[solver]);
+  std::size_t items = 0;
+  for (Index item = state.queue.pop(end_of_step_); item != no_index; item = state.queue.pop(end_of_step_)) {
+    state.take(item, front_);
+    if (++items % ExactSolver::State::items_per_report == 0) checkpoint();
+  }
+  taken_[solver] = items;
+}
+
+void SharedRun::begin_next_step() {
+  double front = unreachable;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    ExactSolver::State& state = *all_[i];
+    front = std::min(front, state.queue.least_key());
+    widest = std::max(widest, state.queue.bucket_width());
+    for (const Outbox& outbox : state.outbox) front = std::min(front, outbox.least);
+    std::swap(state.outbox, handed_[i]);
+    for (Outbox& outbox : state.outbox) outbox.clear();
+  }
+  int step = step_;
+  if (front == unreachable) {
+    step_ = ended;
+    step_.notify_all();
+    return;
+  }
+  const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
+  const double least = least_step * all_.front()->mesh.typical_edge_length();
+  step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least, 0.5 * step_length_);
+  step_length_ = std::max(step_length_, widest);
+  front_ = front;
+  // Items that came late wait in the first bucket behind the end of the step before: the new step goes
+  // beyond it.
+  end_of_step_ = std::max(end_of_step_, front) + step_length_;
+  std::size_t reached = 0;
+  for (const auto* state : all_) reached += state->touched_vertices.size();
+  reached_ = std::min(1.0, static_cast<double>(reached) / all_.front()->mesh.vertex_count());
+  unfinished_ = solvers();
+  // A thread that failed has ended the run.
+  if (step != ended && step_.compare_exchange_strong(step, step + 1)) step_.notify_all();
+}
+
+std::size_t SharedRun::window_count() const {
+  std::size_t made = 0;
+  for (const auto& other : others_) made += other->envelope.made();
+  return made;
+}
+
+std::size_t SharedRun::memory_bytes() const {
+  std::size_t bytes = territories_.memory_bytes();
+  for (const auto& other : others_) bytes += other->memory_bytes();
+  return bytes;
+}
+
+}  // namespace vorogeo
