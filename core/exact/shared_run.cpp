@@ -15,7 +15,7 @@ namespace {
 
 /// Length of a step in typical edge lengths, if there is enough to do: longer ones make more windows come
 /// late, shorter ones make threads wait for one another more often.
-constexpr double least_step = 1.0;
+constexpr double least_step = 0.5;
 
 /// Items of a solver in one step below which steps become longer.
 constexpr std::size_t few_items = 64;
@@ -138,10 +138,10 @@ void SharedRun::begin_next_step() {
   const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
   const double least = least_step * all_.front()->mesh.typical_edge_length();
   step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least, 0.5 * step_length_);
-  step_length_ = std::max(step_length_, widest);
+  // Items that came late wait in the first bucket behind the end of the step before. They are not counted in
+  // the front any more, so the new step has to take them: it goes beyond that bucket, whatever the rounding.
+  step_length_ = std::max(step_length_, 1.5 * widest);
   front_ = front;
-  // Items that came late wait in the first bucket behind the end of the step before: the new step goes
-  // beyond it.
   end_of_step_ = std::max(end_of_step_, front) + step_length_;
   std::size_t reached = 0;
   for (const auto* state : all_) reached += state->touched_vertices.size();
