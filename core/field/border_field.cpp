@@ -95,7 +95,7 @@ void BorderField::scan_transit_table() {
       if (!(from.least + least[to] < worst_[to])) continue;
       const Index begin = table.group_begin[to];
       worst_[to] = relax_by_cell(table.cell(from.group, to), table.size(from.group), table.size(to),
-                                 from.base, least[to], table.unit, table.group_begin[from.group],
+                                 from.base, least[to], table.scale, table.group_begin[from.group],
                                  least_.data() + begin, least_row_.data() + begin);
     }
   }

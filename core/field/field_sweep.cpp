@@ -53,12 +53,25 @@ void FieldSweep::scan_lines(const PatchLayer& layer, Index patch, Index column, 
   }
 }
 
-void FieldSweep::scan_one_by_one(const PatchLayer& layer, Index patch, Index column, int count) {
+/// For incomplete tables and those with a graded scale.
+void FieldSweep::scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count) {
+  const Index rows = layer.border_size(patch);
+  std::fill(std::begin(row_), std::end(row_), no_index);
+  if (layer.order == TableOrder::tiles) {
+    float least[PatchLayer::tile_width];
+    std::fill(std::begin(least), std::end(least), unreachable_float);
+    const std::uint16_t* tile = layer.tile(patch, column / PatchLayer::tile_width);
+    for (Index row = 0; row < rows; ++row, tile += PatchLayer::tile_width) {
+      relax_by_line(tile, layer.scale[patch], above_[row], row, PatchLayer::tile_width, least, row_);
+    }
+    return;
+  }
+  line_.resize(rows);
   for (int k = 0; k < count; ++k) {
-    row_[k] = no_index;
-    double least = unreachable;
-    for (Index row = 0; row < layer.border_size(patch); ++row) {
-      const double sum = static_cast<double>(above_[row]) + layer.distance(patch, row, column + k);
+    layer.read_column(patch, column + k, line_.data());
+    float least = unreachable_float;
+    for (Index row = 0; row < rows; ++row) {
+      const float sum = above_[row] + line_[row];
       if (sum >= least) continue;
       least = sum;
       row_[k] = row;
@@ -75,7 +88,7 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
   // Steps in memory from one row, or column, to the next.
   const std::size_t row_step = tiles ? PatchLayer::tile_width : 1;
   const std::size_t column_step = tiles ? 1 : rows;
-  const float unit = layer.unit[patch];
+  const TableScale scale = layer.scale[patch];
   for (int k = 0; k < Crossings::capacity; ++k) {
     if (k >= count || row_[k] == no_index) {
       crossings_.source[k] = crossings_.target[k] = 0.0f;
@@ -88,13 +101,13 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
     const std::uint16_t* of_column = entries + k * column_step;
     crossings_.source[k] = above_[row];
     const float offset = layer.offset_of(patch, column + k);
-    crossings_.target[k] = offset + unit * static_cast<float>(of_column[row * row_step]);
+    crossings_.target[k] = offset + scale.distance(of_column[row * row_step]);
     for (int s : {0, 1}) {
       auto& side = crossings_.side[s];
       const Index other = beside.row[s] == no_index ? row : beside.row[s];
       const std::uint16_t entry = of_column[other * row_step];
       side.source[k] = above_[other];
-      side.target[k] = offset + unit * static_cast<float>(entry);
+      side.target[k] = offset + scale.distance(entry);
       side.length[k] = entry == PatchLayer::infinite_entry ? 0.0f : beside.length[s];
     }
   }
@@ -120,26 +133,30 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
   for (Index row = 0; row < rows; ++row) lowest_ = std::min(lowest_, border.distance[nodes[row]]);
   if (lowest_ == unreachable) return result_;
   above_.resize(rows);
-  base_.resize(rows);
   beside_.assign(rows, {});
   for (Index row = 0; row < rows; ++row) {
+    above_[row] = static_cast<float>(border.distance[nodes[row]] - lowest_);
+  }
+  const TableScale scale = layer.scale[patch];
+  const bool in_integers =
+      layer.complete[patch] != 0 && !scale.is_graded() && rows <= std::numeric_limits<std::int16_t>::max();
+  if (in_integers) base_.resize(rows);
+  for (Index row = 0; in_integers && row < rows; ++row) {
     const double above = border.distance[nodes[row]] - lowest_;
-    above_[row] = static_cast<float>(above);
     // In a complete table, a row that exceeds the lowest one by more than the greatest entry is of no use: no
     // member is that far from the lowest row.
-    const double units = above > 0.0 ? above / layer.unit[patch] : 0.0;
+    const double units = above > 0.0 ? above / scale.unit() : 0.0;
     base_[row] = units <= PatchLayer::greatest_entry
                      ? static_cast<std::int16_t>(lowest_base + std::nearbyint(units))
                      : std::int16_t{0};
   }
-  const bool in_integers = layer.complete[patch] != 0 && rows <= std::numeric_limits<std::int16_t>::max();
   // Tiles begin among the border nodes, which keep their own distances.
   const Index begin =
       layer.order == TableOrder::tiles ? rows / PatchLayer::tile_width * PatchLayer::tile_width : rows;
   for (Index column = begin; column < columns; column += Crossings::capacity) {
     const int count = std::min(Crossings::capacity, columns - column);
     if (!in_integers) {
-      scan_one_by_one(layer, patch, column, count);
+      scan_in_distances(layer, patch, column, count);
     } else if (layer.order == TableOrder::tiles) {
       scan_tiles(layer, patch, column, count);
     } else {

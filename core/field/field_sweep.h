@@ -32,7 +32,7 @@ class FieldSweep {
   void cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column, int count);
   void scan_tiles(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_lines(const PatchLayer& layer, Index patch, Index column, int count);
-  void scan_one_by_one(const PatchLayer& layer, Index patch, Index column, int count);
+  void scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count);
 
   /// The two neighbours of a row along the border that belong to the same wave.
   struct Beside {
@@ -42,10 +42,11 @@ class FieldSweep {
   };
   double lowest_ = 0.0;
   std::vector<float> above_;        ///< by row: distance minus the lowest
-  std::vector<std::int16_t> base_;  ///< the same in units of the patch, as min_plus.h expects it
+  std::vector<std::int16_t> base_;  ///< the same on the even scale of the patch, as min_plus.h expects it
   std::vector<Beside> beside_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;
+  std::vector<float> line_;
   Index row_[Crossings::capacity];
   Crossings crossings_;
 };

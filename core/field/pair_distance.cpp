@@ -85,14 +85,14 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
       }
     });
     const auto members = second.members(patch);
-    const float unit = second.unit[patch];
+    const TableScale scale = second.scale[patch];
     for (Index begin = 0; begin < static_cast<Index>(members.size()); begin += PatchLayer::tile_width) {
       greatest_.assign(PatchLayer::tile_width, 0.0f);
       const std::uint16_t* entries = second.tile(patch, begin / PatchLayer::tile_width);
       for (const float from_target : from_target_) {
         if (from_target < std::numeric_limits<float>::infinity()) {
           for (Index k = 0; k < PatchLayer::tile_width; ++k) {
-            const float apart = std::abs(unit * static_cast<float>(entries[k]) - from_target);
+            const float apart = std::abs(scale.distance(entries[k]) - from_target);
             greatest_[k] = std::max(greatest_[k], apart);
           }
         }

@@ -102,14 +102,17 @@ AccessBounds make_access_bounds(const IndexData& data) {
     checkpoint();
     const Index parent = data.partition.parent[p];
     const auto rows = static_cast<std::size_t>(second.border_size(p));
+    const TableScale scale = data.first.scale[parent];
+    const float per_unit = scale.unit() > 0.0f ? 1.0f / AccessBounds::unit(scale) : 0.0f;
     for (std::size_t row = 0; row < rows; ++row) {
       const std::uint16_t* line = data.first.line(parent, data.parent_column[second.border_begin[p] + row]);
       std::uint8_t* bound = bounds.least.data() + bounds.begin[p] + row;
       for (const GroupRows& at : bounds.groups[parent]) {
         const std::uint16_t* entry = line + at.row;
         const std::uint16_t least = *std::min_element(entry, entry + data.transit_table.size(at.group));
-        *bound = least == PatchLayer::infinite_entry ? AccessBounds::infinite_entry
-                                                     : static_cast<std::uint8_t>(least / AccessBounds::step);
+        *bound = least == PatchLayer::infinite_entry
+                     ? AccessBounds::infinite_entry
+                     : static_cast<std::uint8_t>(scale.distance(least) * per_unit);
         bound += rows;
       }
     }

@@ -19,14 +19,17 @@ struct GroupRows {
 };
 
 /// For each node on the border of a second-layer patch, and each group of the transit table on the border of
-/// the first-layer patch around it: the least distance between them, rounded down to a multiple of `step`
-/// units of the first-layer table, in 8 bits. And for each pair of groups on the borders of two first-layer
-/// patches: the least distance, rounded down to 15 bits. Both follow from the tables; empty in an index in
-/// the form of a graph.
+/// the first-layer patch around it: the least distance between them, rounded down to a 254th part of the
+/// greatest distance in the first-layer table, in 8 bits. And for each pair of groups on the borders of two
+/// first-layer patches: the least distance, rounded down to 15 bits. Both follow from the tables; empty in an
+/// index in the form of a graph.
 struct AccessBounds {
-  /// Units of the table that a bound of 1 stands for: the greatest entry gives 254.
-  static constexpr std::uint16_t step = 129;
+  static constexpr std::uint8_t greatest_bound = 254;
   static constexpr std::uint8_t infinite_entry = 255;
+  /// The distance of a bound of 1, for the scale of a first-layer table.
+  static float unit(const TableScale& scale) {
+    return scale.distance(PatchLayer::greatest_entry) / static_cast<float>(greatest_bound);
+  }
   /// Greatest bound between borders; also used for infinite distances and behind the last group.
   static constexpr std::int16_t greatest_between = 16383;
 

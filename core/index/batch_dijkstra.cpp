@@ -78,7 +78,7 @@ void BatchDijkstra::fit(std::span<const std::uint8_t> patch_allowed, double slac
         layer.for_each_run(piece, at.row, [&](const BorderStretch& run, const std::uint16_t* entries) {
           const Index count = run.end - run.begin;
           const IndexRange range =
-              range_within(below.data() + run.begin, entries, layer.unit[at.patch], bound, count);
+              range_within(below.data() + run.begin, entries, layer.scale[at.patch], bound, count);
           if (range.begin == range.end) return;
           // Whole blocks are scanned faster than partial ones.
           const Index end = std::min(
@@ -109,7 +109,7 @@ bool BatchDijkstra::follow(Index source, std::span<const std::uint8_t> patch_all
       const Stretch& to = stretch_[s];
       const Index patch = layer.incidence[to.place].patch;
       if (patch == from_patch) continue;
-      relax_by_line(to.entries, layer.unit[patch], distance, to.place, to.count, least_.data() + to.begin,
+      relax_by_line(to.entries, layer.scale[patch], distance, to.place, to.count, least_.data() + to.begin,
                     best_.data() + to.begin);
     }
   };

@@ -62,27 +62,13 @@ inline __attribute__((always_inline)) auto least_lane(const Vector& lanes) {
   return least[0];
 }
 
-}  // namespace
-
-VOROGEO_CLONES
-void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
-                     Index lanes, std::uint8_t* least) {
-  for (Index row = 0; row < rows; ++row) {
-    const std::uint8_t* of_row = bounds + static_cast<std::size_t>(row) * row_size;
-    Bytes lowest = ~Bytes{};
-    for (Index lane = 0; lane < lanes; lane += byte_lanes) {
-      Bytes sum;
-      add_bytes(base + lane, of_row + lane, sum);
-      lowest = sum < lowest ? sum : lowest;
-    }
-    least[row] = least_lane<HalfOfBytes, FewBytes>(lowest);
-  }
-}
-
-VOROGEO_CLONES
-void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
-                  Index line_size, float unit, float bound_unit, float limit, Index columns, Index first,
-                  Index end, float* least) {
+/// relax_within() for one kind of scale; a part of that function.
+template <bool is_graded>
+inline __attribute__((always_inline)) void relax_within_on(const SeedLanes& seeds, const std::uint8_t* bounds,
+                                                           const std::uint16_t* table, Index line_size,
+                                                           float unit, float bound_unit, float limit,
+                                                           Index columns, Index first, Index end,
+                                                           float* least) {
   constexpr Index width = 8;
   constexpr float infinite = std::numeric_limits<float>::infinity();
   std::uint8_t sums[max_lanes];
@@ -106,7 +92,8 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
       std::memcpy(&entry, line, columns * sizeof(*line));
     }
     const Masks wide = __builtin_convertvector(entry, Masks);
-    const Floats sum = seeds.distance[lane] + unit * __builtin_convertvector(wide, Floats);
+    const Floats root = unit * __builtin_convertvector(wide, Floats);
+    const Floats sum = seeds.distance[lane] + (is_graded ? (root * root) * (root * root) : root);
     found = (wide != infinite_entry_15) & (sum < found) ? sum : found;
   };
   // The best seed first: it rules out most of the others.
@@ -135,6 +122,33 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
     }
   }
   std::memcpy(least, &found, size);
+}
+
+}  // namespace
+
+VOROGEO_CLONES
+void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
+                     Index lanes, std::uint8_t* least) {
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint8_t* of_row = bounds + static_cast<std::size_t>(row) * row_size;
+    Bytes lowest = ~Bytes{};
+    for (Index lane = 0; lane < lanes; lane += byte_lanes) {
+      Bytes sum;
+      add_bytes(base + lane, of_row + lane, sum);
+      lowest = sum < lowest ? sum : lowest;
+    }
+    least[row] = least_lane<HalfOfBytes, FewBytes>(lowest);
+  }
+}
+
+VOROGEO_CLONES
+void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
+                  Index line_size, TableScale scale, float bound_unit, float limit, Index columns,
+                  Index first, Index end, float* least) {
+  scale.is_graded() ? relax_within_on<true>(seeds, bounds, table, line_size, scale.unit(), bound_unit, limit,
+                                            columns, first, end, least)
+                    : relax_within_on<false>(seeds, bounds, table, line_size, scale.unit(), bound_unit, limit,
+                                             columns, first, end, least);
 }
 
 VOROGEO_CLONES

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "index/table_scale.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -33,8 +34,8 @@ inline constexpr Index max_lanes = 512;
 /// end). `table` is the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands
 /// for the distance bound_unit. \pre columns <= 8
 void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
-                  Index line_size, float unit, float bound_unit, float limit, Index columns, Index first,
-                  Index end, float* least);
+                  Index line_size, TableScale scale, float bound_unit, float limit, Index columns,
+                  Index first, Index end, float* least);
 
 /// Which lanes have base[lane] + bounds[lane] <= limit: 1 or 0, by lane.
 void byte_sums_within(const std::uint8_t* bounds, const std::uint8_t* base, Index lanes, std::uint8_t limit,

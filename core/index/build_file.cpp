@@ -17,7 +17,7 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> build_magic{'V', 'O', 'R', 'O', 'B', 'L', 'D', '\n'};
-constexpr std::uint64_t build_version = 1;
+constexpr std::uint64_t build_version = 2;
 constexpr std::uint64_t page = 4096;
 /// The heads and small blocks that an index file begins with; a file that is built has its own head there.
 constexpr std::uint64_t head_size = 256;
@@ -235,7 +235,7 @@ TableRooms BuildFile::rooms(const IndexData& data, IndexForm form) {
   rooms.transit.table = room(layout.transit, layout.entries, 0, 0);
   rooms.transit.rows = room(layout.rows, layout.entries, layout.batches, layout.batch_count);
   rooms.transit.least = part_of_file<float>(bytes, layout.least, layout.group_count * layout.group_count);
-  rooms.transit.unit = part_of_file<float>(bytes, layout.unit, layout.group_count);
+  rooms.transit.scale = part_of_file<TableScale>(bytes, layout.unit, layout.group_count);
   rooms.transit.owner = owner;
   return rooms;
 }

@@ -16,7 +16,7 @@ constexpr std::int64_t bytes_per_mib = 1 << 20;
 
 std::int64_t table_bytes(const PatchLayer& layer) {
   return static_cast<std::int64_t>(layer.table_begin.back() * sizeof(layer.table[0]) +
-                                   layer.patch_count * (sizeof(layer.unit[0]) + sizeof(layer.complete[0])));
+                                   layer.patch_count * (sizeof(layer.scale[0]) + sizeof(layer.complete[0])));
 }
 
 std::int64_t MemoryBudget::mib() const {

@@ -19,6 +19,104 @@ using Floats = float __attribute__((vector_size(32)));
 using Masks = std::int32_t __attribute__((vector_size(32)));
 using Entries = std::uint16_t __attribute__((vector_size(16)));
 
+// The scans over distances, for each kind of scale; they are parts of the functions that choose between them.
+#define VOROGEO_ON_SCALE    \
+  template <bool is_graded> \
+  inline __attribute__((always_inline))
+
+VOROGEO_ON_SCALE IndexRange range_within_on(const float* base, const std::uint16_t* entries, float unit,
+                                            float bound, Index count) {
+  constexpr Index block = 16;
+  auto within = [&](Index i) {
+    return base[i] + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i])) <= bound;
+  };
+  Index begin = 0;
+  for (; begin + block <= count; begin += block) {
+    int found = 0;
+    for (Index k = 0; k < block; ++k) found |= within(begin + k) ? 1 : 0;
+    if (found != 0) break;
+  }
+  while (begin < count && !within(begin)) ++begin;
+  Index end = count;
+  for (; end - block >= begin; end -= block) {
+    int found = 0;
+    for (Index k = 1; k <= block; ++k) found |= within(end - k) ? 1 : 0;
+    if (found != 0) break;
+  }
+  while (end > begin && !within(end - 1)) --end;
+  return {begin, end};
+}
+
+VOROGEO_ON_SCALE void relax_by_line_on(const std::uint16_t* entries, float unit, float base, Index name,
+                                       Index count, float* least, Index* best) {
+  for (Index i = 0; i < count; ++i) {
+    const float through = base + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
+    const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
+    least[i] = is_less ? through : least[i];
+    best[i] = is_less ? name : best[i];
+  }
+}
+
+VOROGEO_ON_SCALE float relax_by_cell_on(const std::uint16_t* cell, Index rows, Index columns,
+                                        const float* base, float offset, float unit, Index first_name,
+                                        float* least, Index* best) {
+  float worst = 0.0f;
+  for (Index row = 0; row < rows; ++row) {
+    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+    const float start = base[row] + offset;
+    for (Index i = 0; i < columns; ++i) {
+      const float through = start + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
+      const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
+      least[i] = is_less ? through : least[i];
+      best[i] = is_less ? first_name + row : best[i];
+    }
+  }
+  for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
+  return worst;
+}
+
+VOROGEO_ON_SCALE float least_in_cell_on(const std::uint16_t* cell, Index rows, Index columns,
+                                        const float* from, const float* to, float unit) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  constexpr Index width = 8;
+  float least = infinite;
+  if (columns != width) {
+    for (Index row = 0; row < rows; ++row) {
+      const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+      for (Index k = 0; k < columns; ++k) {
+        const float between = distance_on_scale<is_graded>(unit, static_cast<float>(entries[k]));
+        const float sum = (from[row] + between) + to[k];
+        if (entries[k] != infinite_entry_16 && sum < least) least = sum;
+      }
+    }
+    return least;
+  }
+  Floats lane = Floats{} + infinite;
+  for (Index row = 0; row < rows; ++row) {
+    Entries entry;
+    std::memcpy(&entry, cell + static_cast<std::size_t>(row) * width, sizeof(entry));
+    const Masks wide = __builtin_convertvector(entry, Masks);
+    const Floats between = __builtin_convertvector(wide, Floats);
+    const Floats root = unit * between;
+    const Floats sum = from[row] + (is_graded ? (root * root) * (root * root) : root);
+    lane = (wide != infinite_entry_16) & (sum < lane) ? sum : lane;
+  }
+  // The last part is the same for all rows.
+  Floats last;
+  std::memcpy(&last, to, sizeof(last));
+  lane += last;
+  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
+  return least;
+}
+
+VOROGEO_ON_SCALE void scale_entries_on(const std::uint16_t* entries, Index count, float unit,
+                                       float* distances) {
+  for (Index i = 0; i < count; ++i) {
+    const float distance = distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
+    distances[i] = entries[i] == infinite_entry_15 ? std::numeric_limits<float>::infinity() : distance;
+  }
+}
+
 }  // namespace
 
 VOROGEO_CLONES
@@ -41,36 +139,17 @@ Index first_lower(const float* line, double base, const double* distance, Index 
 }
 
 VOROGEO_CLONES
-IndexRange range_within(const float* base, const std::uint16_t* entries, float unit, float bound,
+IndexRange range_within(const float* base, const std::uint16_t* entries, TableScale scale, float bound,
                         Index count) {
-  constexpr Index block = 16;
-  auto within = [&](Index i) { return base[i] + unit * static_cast<float>(entries[i]) <= bound; };
-  Index begin = 0;
-  for (; begin + block <= count; begin += block) {
-    int found = 0;
-    for (Index k = 0; k < block; ++k) found |= within(begin + k) ? 1 : 0;
-    if (found != 0) break;
-  }
-  while (begin < count && !within(begin)) ++begin;
-  Index end = count;
-  for (; end - block >= begin; end -= block) {
-    int found = 0;
-    for (Index k = 1; k <= block; ++k) found |= within(end - k) ? 1 : 0;
-    if (found != 0) break;
-  }
-  while (end > begin && !within(end - 1)) --end;
-  return {begin, end};
+  return scale.is_graded() ? range_within_on<true>(base, entries, scale.unit(), bound, count)
+                           : range_within_on<false>(base, entries, scale.unit(), bound, count);
 }
 
 VOROGEO_CLONES
-void relax_by_line(const std::uint16_t* entries, float unit, float base, Index name, Index count,
+void relax_by_line(const std::uint16_t* entries, TableScale scale, float base, Index name, Index count,
                    float* least, Index* best) {
-  for (Index i = 0; i < count; ++i) {
-    const float through = base + unit * static_cast<float>(entries[i]);
-    const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
-    least[i] = is_less ? through : least[i];
-    best[i] = is_less ? name : best[i];
-  }
+  scale.is_graded() ? relax_by_line_on<true>(entries, scale.unit(), base, name, count, least, best)
+                    : relax_by_line_on<false>(entries, scale.unit(), base, name, count, least, best);
 }
 
 VOROGEO_CLONES
@@ -83,60 +162,24 @@ void relax_by_sums(const float* line, float base, Index count, float* least) {
 
 VOROGEO_CLONES
 float relax_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
-                    float unit, Index first_name, float* least, Index* best) {
-  float worst = 0.0f;
-  for (Index row = 0; row < rows; ++row) {
-    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
-    const float start = base[row] + offset;
-    for (Index i = 0; i < columns; ++i) {
-      const float through = start + unit * static_cast<float>(entries[i]);
-      const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
-      least[i] = is_less ? through : least[i];
-      best[i] = is_less ? first_name + row : best[i];
-    }
-  }
-  for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
-  return worst;
+                    TableScale scale, Index first_name, float* least, Index* best) {
+  return scale.is_graded() ? relax_by_cell_on<true>(cell, rows, columns, base, offset, scale.unit(),
+                                                    first_name, least, best)
+                           : relax_by_cell_on<false>(cell, rows, columns, base, offset, scale.unit(),
+                                                     first_name, least, best);
 }
 
 VOROGEO_CLONES
 float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,
-                    float unit) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  constexpr Index width = 8;
-  float least = infinite;
-  if (columns != width) {
-    for (Index row = 0; row < rows; ++row) {
-      const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
-      for (Index k = 0; k < columns; ++k) {
-        const float sum = (from[row] + unit * static_cast<float>(entries[k])) + to[k];
-        if (entries[k] != infinite_entry_16 && sum < least) least = sum;
-      }
-    }
-    return least;
-  }
-  Floats lane = Floats{} + infinite;
-  for (Index row = 0; row < rows; ++row) {
-    Entries entry;
-    std::memcpy(&entry, cell + static_cast<std::size_t>(row) * width, sizeof(entry));
-    const Masks wide = __builtin_convertvector(entry, Masks);
-    const Floats sum = from[row] + unit * __builtin_convertvector(wide, Floats);
-    lane = (wide != infinite_entry_16) & (sum < lane) ? sum : lane;
-  }
-  // The last part is the same for all rows.
-  Floats last;
-  std::memcpy(&last, to, sizeof(last));
-  lane += last;
-  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
-  return least;
+                    TableScale scale) {
+  return scale.is_graded() ? least_in_cell_on<true>(cell, rows, columns, from, to, scale.unit())
+                           : least_in_cell_on<false>(cell, rows, columns, from, to, scale.unit());
 }
 
 VOROGEO_CLONES
-void scale_entries(const std::uint16_t* entries, Index count, float unit, float* distances) {
-  for (Index i = 0; i < count; ++i) {
-    const float distance = unit * static_cast<float>(entries[i]);
-    distances[i] = entries[i] == infinite_entry_15 ? std::numeric_limits<float>::infinity() : distance;
-  }
+void scale_entries(const std::uint16_t* entries, Index count, TableScale scale, float* distances) {
+  scale.is_graded() ? scale_entries_on<true>(entries, count, scale.unit(), distances)
+                    : scale_entries_on<false>(entries, count, scale.unit(), distances);
 }
 
 VOROGEO_CLONES

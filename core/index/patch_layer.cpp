@@ -208,7 +208,7 @@ std::size_t table_size(const PatchLayer& layer, Index patch) {
 void PatchLayer::read_column(Index patch, Index column, float* distances) const {
   const Index rows = border_size(patch);
   if (order == TableOrder::lines) {
-    scale_entries(line(patch, column), rows, unit[patch], distances);
+    scale_entries(line(patch, column), rows, scale[patch], distances);
     return;
   }
   for (Index row = 0; row < rows; ++row) distances[row] = distance(patch, row, column);
@@ -217,12 +217,12 @@ void PatchLayer::read_column(Index patch, Index column, float* distances) const 
 void PatchLayer::read_border(Index patch, Index row, float* distances) const {
   const Index rows = border_size(patch);
   if (order == TableOrder::lines) {
-    scale_entries(line(patch, row), rows, unit[patch], distances);
+    scale_entries(line(patch, row), rows, scale[patch], distances);
     return;
   }
   for (Index begin = 0; begin < rows; begin += tile_width) {
     scale_entries(tile(patch, begin / tile_width) + static_cast<std::size_t>(row) * tile_width,
-                  std::min(tile_width, rows - begin), unit[patch], distances + begin);
+                  std::min(tile_width, rows - begin), scale[patch], distances + begin);
   }
 }
 
@@ -230,7 +230,7 @@ std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
   return bytes(node_vertex) + bytes(vertex_node) + bytes(border_begin) + bytes(border_node) +
          bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
-         bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(unit) +
+         bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(scale) +
          bytes(offset) + bytes(complete) + edges.memory_bytes() + touching.memory_bytes() +
          stretches.memory_bytes();
 }

@@ -11,6 +11,7 @@
 #include "index/border_edges.h"
 #include "index/border_stretches.h"
 #include "index/patch_neighbours.h"
+#include "index/table_scale.h"
 #include "mesh/mesh.h"
 #include "support/shared_array.h"
 
@@ -37,9 +38,9 @@ enum class TableOrder { lines, tiles };
 ///
 /// Layer 2: members of a patch are all its vertices. Layer 1: its members are the layer-2 nodes in it. In
 /// both, the nodes of the patch come first among the members, and the table of a patch holds for each of them
-/// (row) the distance to each member (column): a whole multiple, of 15 bits, of the patch's unit. The unit is
-/// the greatest distance of the table divided by greatest_entry, so that an entry is off by at most a
-/// 65,532nd part of that, and the sum of two entries needs no more than 16 bits.
+/// (row) the distance to each member (column), as an entry of 15 bits on the scale of the patch. On an even
+/// scale an entry is off by at most a 65,532nd part of the greatest distance of the table, and the sum of two
+/// entries needs no more than 16 bits.
 ///
 /// A *far* member of a layer of tiles is much further from all nodes than these are from one another. Its
 /// entries hold its distances minus an offset, the least of them, so that it does not coarsen the unit for
@@ -68,7 +69,7 @@ struct PatchLayer {
   TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
   SharedArray<std::uint16_t> table;
-  std::vector<float> unit;             ///< by patch: distance of an entry of 1
+  std::vector<TableScale> scale;       ///< by patch
   std::vector<float> offset;           ///< by member_begin[patch] + column, 0 if not far; empty: none is far
   std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is infinite_entry
 
@@ -117,7 +118,7 @@ struct PatchLayer {
   float distance(Index patch, Index row, Index column) const {
     const std::uint16_t found = entry(patch, row, column);
     return found == infinite_entry ? std::numeric_limits<float>::infinity()
-                                   : offset_of(patch, column) + unit[patch] * static_cast<float>(found);
+                                   : offset_of(patch, column) + scale[patch].distance(found);
   }
   /// Entries of a member by row; for the order of lines only.
   const std::uint16_t* line(Index patch, Index column) const {

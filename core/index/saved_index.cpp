@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -21,6 +22,10 @@ void require_distances(IndexFileReader& in, const std::vector<T>& values) {
   for (T value : values) {
     if (!(value >= T(0))) in.fail("is damaged (a distance is negative or NaN)");
   }
+}
+
+void require_scale(IndexFileReader& in, TableScale scale) {
+  if (!std::isfinite(scale.unit())) in.fail("is damaged (the unit of a table is infinite or NaN)");
 }
 
 using Entries = SharedArray<std::uint16_t>;
@@ -44,12 +49,8 @@ void load_table(IndexFileReader& in, PatchLayer& layer, TableStorage storage) {
 }
 
 void load_units(IndexFileReader& in, PatchLayer& layer) {
-  layer.unit = in.block<float>(layer.patch_count);
-  require_distances(in, layer.unit);
-  if (std::find(layer.unit.begin(), layer.unit.end(), std::numeric_limits<float>::infinity()) !=
-      layer.unit.end()) {
-    in.fail("is damaged (the unit of a table is infinite)");
-  }
+  layer.scale = in.block<TableScale>(layer.patch_count);
+  for (const TableScale scale : layer.scale) require_scale(in, scale);
   layer.offset = in.block<float>();
   if (!layer.offset.empty() && layer.offset.size() != layer.member.size()) {
     in.fail("is damaged (the offsets of a layer have the wrong size)");
@@ -59,11 +60,9 @@ void load_units(IndexFileReader& in, PatchLayer& layer) {
 
 void load_transit_units(IndexFileReader& in, TransitTable& table, const PatchLayer& first, Entries entry) {
   auto least = in.block<float>();
-  const auto unit = in.block<float>(1);
+  const auto scale = in.block<TableScale>(1);
   require_distances(in, least);
-  if (!(unit[0] >= 0.0f && unit[0] < std::numeric_limits<float>::infinity())) {
-    in.fail("is damaged (the unit of a table is infinite or NaN)");
-  }
+  require_scale(in, scale[0]);
   if (first.node_count() == 0 && entry.empty() && least.empty()) return;
   TransitTable laid_out = group_nodes(first);
   const auto count = static_cast<std::size_t>(laid_out.count);
@@ -74,7 +73,7 @@ void load_transit_units(IndexFileReader& in, TransitTable& table, const PatchLay
   table = std::move(laid_out);
   table.entry = std::move(entry);
   table.least = std::move(least);
-  table.unit = unit[0];
+  table.scale = scale[0];
 }
 
 /// Every patch from 0 to count - 1 owns a face, and no face has any other label.
@@ -160,11 +159,11 @@ void write_index(IndexFileWriter& out, const IndexData& data) {
   out.block(data.first.table);
   out.block(data.transit_table.entry);
   for (const PatchLayer* layer : {&data.second, &data.first}) {
-    out.block(layer->unit);
+    out.block(layer->scale);
     out.block(layer->offset);
   }
   out.block(data.transit_table.least);
-  out.block(std::vector<float>{data.transit_table.unit});
+  out.block(std::vector<TableScale>{data.transit_table.scale});
   out.block(data.graph.arc_begin);
   out.block(data.graph.arc);
   out.block(data.graph.landmark_distance);
@@ -226,10 +225,10 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
     load_transit_units(in, data->transit_table, data->first, std::move(transit));
     data->access_bounds = make_access_bounds(*data);
   } else {
+    in.block<TableScale>(0);
     in.block<float>(0);
     in.block<float>(0);
-    in.block<float>(0);
-    in.block<float>(1);
+    in.block<TableScale>(1);
   }
   load_graph(in, data->graph, form, data->second, data->first);
   in.finish();

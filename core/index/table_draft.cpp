@@ -74,11 +74,21 @@ float TableDraft::set_offsets(TableOrder order, std::vector<float>& offset) {
   return greatest;
 }
 
+bool TableDraft::has_small_part(float within) {
+  std::vector<int> near(rows_, 0);
+  for (Index column = 0; column < columns_; ++column) {
+    const float* from = line(column);
+    for (Index row = 0; row < rows_; ++row) near[row] += from[row] > 0.0f && from[row] <= within ? 1 : 0;
+  }
+  return std::ranges::any_of(near, [](int count) { return count >= least_small_part; });
+}
+
 TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
   Units units;
   const float greatest = set_offsets(order, units.offset);
-  units.unit = greatest / PatchLayer::greatest_entry;
-  const double scale = greatest > 0.0f ? 1.0 / units.unit : 0.0;
+  units.scale = has_small_part(small_part * greatest)
+                    ? TableScale::graded(greatest, PatchLayer::greatest_entry)
+                    : TableScale::even(greatest, PatchLayer::greatest_entry);
   const auto rows = static_cast<std::size_t>(rows_);
   constexpr Index width = PatchLayer::tile_width;
   for (Index column = 0; column < columns_; ++column) {
@@ -92,8 +102,7 @@ TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
         units.complete = false;
         to[row * step] = PatchLayer::infinite_entry;
       } else {
-        to[row * step] = static_cast<std::uint16_t>(
-            std::min<double>(PatchLayer::greatest_entry, std::nearbyint(from[row] * scale)));
+        to[row * step] = units.scale.entry(from[row], PatchLayer::greatest_entry);
       }
     }
   }
@@ -111,7 +120,7 @@ std::size_t draft_bytes(const PatchLayer& layer, Index patch) {
 }
 
 void set_units(PatchLayer& layer, Index patch, const TableDraft::Units& units) {
-  layer.unit[patch] = units.unit;
+  layer.scale[patch] = units.scale;
   layer.complete[patch] = units.complete ? 1 : 0;
   if (units.offset.empty()) return;
   layer.offset.resize(layer.member.size(), 0.0f);
@@ -133,7 +142,7 @@ void note_complete(PatchLayer& layer) {
 
 void drop_tables(PatchLayer& layer) {
   layer.table = {};
-  layer.unit = {};
+  layer.scale = {};
   layer.offset = {};
   layer.complete = {};
 }

@@ -24,7 +24,7 @@ class TableDraft {
 
   /// What belongs to a table besides its entries.
   struct Units {
-    float unit = 0.0f;
+    TableScale scale;
     bool complete = true;       ///< whether no entry is infinite
     std::vector<float> offset;  ///< by column; empty if no member is far
   };
@@ -37,6 +37,8 @@ class TableDraft {
   /// Subtracts the offsets of far members from their distances; returns the greatest distance of the others.
   /// What remains for far members is at most the greatest distance between two nodes, up to rounding.
   float set_offsets(TableOrder order, std::vector<float>& offset);
+  /// Whether a row has several members within this distance.
+  bool has_small_part(float within);
 
   Index rows_;
   Index columns_;

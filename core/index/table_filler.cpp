@@ -76,7 +76,7 @@ TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Inde
       closure_(closure),
       missing_(layer.patch_count),
       drafts_(layer.patch_count) {
-  layer.unit.assign(layer.patch_count, 0.0f);
+  layer.scale.assign(layer.patch_count, {});
   layer.complete.assign(layer.patch_count, 1);
   layer.offset.clear();
   std::vector<std::uint8_t> held(layer.patch_count, 0);
@@ -85,7 +85,7 @@ TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Inde
     const std::span<const std::byte> contents = std::as_bytes(entries_of(static_cast<Index>(p)));
     if (!room_.holds(p, {&contents, 1})) return;
     held[p] = 1;
-    layer.unit[p] = room_.part(p).unit;
+    layer.scale[p] = room_.part(p).scale;
     layer.complete[p] = room_.part(p).complete == 1 ? 1 : 0;
   });
   for (Index group : groups_in_wave(layer, groups)) {
@@ -129,7 +129,7 @@ void TableFiller::write(Index patch) {
   // Offsets are not kept in a record: the few patches with outliers are solved again.
   if (units.offset.empty()) {
     const std::span<const std::byte> contents = std::as_bytes(entries);
-    room_.note_filled(patch, {&contents, 1}, units.unit, units.complete);
+    room_.note_filled(patch, {&contents, 1}, units.scale, units.complete);
   }
   const std::lock_guard lock(setting_);
   set_units(layer_, patch, units);

@@ -47,10 +47,10 @@ bool TableRoom::holds(std::size_t part, Contents contents) const {
   return false;
 }
 
-void TableRoom::note_filled(std::size_t part, Contents contents, float unit, bool complete) const {
+void TableRoom::note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const {
   PartRecord& record = parts_[part];
   if (in_file_) record.checksum = checksum_of(contents);
-  record.unit = unit;
+  record.scale = scale;
   record.complete = complete ? 1 : 0;
   std::atomic_ref(record.filled).store(1, std::memory_order_release);
 }

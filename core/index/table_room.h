@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "index/table_scale.h"
 #include "support/shared_array.h"
 
 namespace vorogeo {
@@ -15,7 +16,7 @@ namespace vorogeo {
 /// can go on from there.
 struct PartRecord {
   std::uint64_t checksum = 0;  ///< of the entries of the part
-  float unit = 0.0f;           ///< distance of an entry of 1
+  TableScale scale;
   std::uint16_t complete = 0;  ///< 1 if no entry is infinite
   std::uint16_t filled = 0;    ///< 1 once all the rest is true; 0 in a new file
 };
@@ -40,7 +41,7 @@ class TableRoom {
   /// as not filled.
   bool holds(std::size_t part, Contents contents) const;
   /// Marks a part as filled, after its contents are written. They are read only in a file.
-  void note_filled(std::size_t part, Contents contents, float unit, bool complete) const;
+  void note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const;
   /// The entries as the table of a finished index.
   SharedArray<std::uint16_t> shared() const { return {entries_, owner_}; }
 

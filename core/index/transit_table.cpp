@@ -39,17 +39,15 @@ constexpr const char* phase = "Tabulating distances between first-layer borders"
 constexpr const char* check_phase = "Checking the tables that are there";
 constexpr std::size_t groups_per_square = 32;
 
-std::uint16_t to_entry(double above, double unit) {
-  if (above == unreachable_float) return TransitTable::infinite_entry;
-  return unit > 0.0 ? static_cast<std::uint16_t>(
-                          std::min<double>(TransitTable::greatest_entry, std::nearbyint(above / unit)))
-                    : std::uint16_t{0};
+TableScale scale_of(float widest, bool is_graded) {
+  return is_graded ? TableScale::graded(widest, TransitTable::greatest_entry)
+                   : TableScale::even(widest, TransitTable::greatest_entry);
 }
 
 /// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. `least`: by group, of a.
-/// Returns their unit.
-float set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std::span<float> least, Index a,
-               const float* rows) {
+/// Returns their scale: graded if a node has several others within a small part of the widest cell.
+TableScale set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std::span<float> least,
+                    Index a, const float* rows) {
   const Index height = table.size(a);
   auto for_each_entry = [&](Index b, auto&& visit) {
     std::size_t at = table.cell_begin(a, b);
@@ -68,18 +66,25 @@ float set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std:
     });
     if (least[b] < unreachable_float) widest = std::max(widest, greatest - least[b]);
   }
-  const float unit = widest / TransitTable::greatest_entry;
+  bool has_small_part = false;
+  for (Index i = 0; i < height; ++i) {
+    const float* row = rows + static_cast<std::size_t>(i) * table.count;
+    const auto near = std::count_if(
+        row, row + table.count, [&](float value) { return value > 0.0f && value <= small_part * widest; });
+    has_small_part = has_small_part || near >= least_small_part;
+  }
+  const TableScale scale = scale_of(widest, has_small_part);
   for (Index b = 0; b < table.group_count(); ++b) {
     for_each_entry(b, [&](float value, std::size_t at) {
-      entries[at] =
-          value < unreachable_float ? to_entry(value - least[b], unit) : TransitTable::infinite_entry;
+      entries[at] = value < unreachable_float ? scale.entry(value - least[b], TransitTable::greatest_entry)
+                                              : TransitTable::infinite_entry;
     });
   }
-  return unit;
+  return scale;
 }
 
 /// Makes the distances between two groups equal in both directions, by their mean, as unfolding may err to
-/// either side; in the unit of the whole table.
+/// either side; on the scale of the whole table.
 void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index b) {
   const auto groups = static_cast<std::size_t>(table.group_count());
   const Index height = table.size(a);
@@ -97,8 +102,8 @@ void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index
       double& value = mean[i * width + j];
       value = one == TransitTable::infinite_entry || other == TransitTable::infinite_entry
                   ? unreachable_float
-                  : 0.5 * (least_forth + static_cast<double>(room.unit[a]) * one + least_back +
-                           static_cast<double>(room.unit[b]) * other);
+                  : 0.5 * (static_cast<double>(least_forth) + room.scale[a].distance(one) + least_back +
+                           room.scale[b].distance(other));
       least = std::min(least, value);
     }
   }
@@ -108,9 +113,9 @@ void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index
   for (Index i = 0; i < height; ++i) {
     for (Index j = 0; j < width; ++j) {
       const double value = mean[i * width + j];
-      const std::uint16_t entry = value < unreachable_float
-                                      ? to_entry(std::max(0.0, value - least), table.unit)
-                                      : TransitTable::infinite_entry;
+      const std::uint16_t entry = value < unreachable_float ? table.scale.entry(std::max(0.0, value - least),
+                                                                                TransitTable::greatest_entry)
+                                                            : TransitTable::infinite_entry;
       forth_to[i * width + j] = back_to[j * height + i] = entry;
     }
   }
@@ -121,7 +126,7 @@ struct Batch {
   Index group_begin, group_end;
   std::span<std::uint16_t> entries;
   std::span<float> least;
-  std::span<float> unit;
+  std::span<TableScale> scale;
 
   Batch(const TransitTable& table, const TransitRoom& room, Index node_begin, Index node_end)
       : group_begin(table.group_of[node_begin]), group_end(table.group_of[node_end - 1] + 1) {
@@ -130,11 +135,11 @@ struct Batch {
     const auto height = static_cast<std::size_t>(group_end - group_begin);
     entries = room.rows.entries().subspan(node_begin * count, (node_end - node_begin) * count);
     least = room.least.subspan(group_begin * groups, height * groups);
-    unit = room.unit.subspan(group_begin, height);
+    scale = room.scale.subspan(group_begin, height);
   }
 
   std::array<std::span<const std::byte>, 3> contents() const {
-    return {std::as_bytes(entries), std::as_bytes(least), std::as_bytes(unit)};
+    return {std::as_bytes(entries), std::as_bytes(least), std::as_bytes(scale)};
   }
 };
 
@@ -144,9 +149,10 @@ TransitRoom::TransitRoom(const PatchLayer& first) {
   const auto count = static_cast<std::size_t>(first.node_count());
   const std::size_t groups = group_by_patches(first, TransitTable::group_size).size() - 1;
   table = rows = TableRoom(count * count, transit_batch_count(first));
-  auto memory = std::make_shared<std::vector<float>>(groups * groups + groups);
-  least = std::span(*memory).first(groups * groups);
-  unit = std::span(*memory).last(groups);
+  auto memory =
+      std::make_shared<std::pair<std::vector<float>, std::vector<TableScale>>>(groups * groups, groups);
+  least = memory->first;
+  scale = memory->second;
   owner = std::move(memory);
 }
 
@@ -198,12 +204,17 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
                  const Batch batch(table, room, begin, end);
                  for (Index a = batch.group_begin; a < batch.group_end; ++a) {
                    checkpoint();
-                   room.unit[a] = set_rows(table, room.rows.entries(), room.least.subspan(a * groups, groups),
-                                           a, own.rows.data() + (table.group_begin[a] - begin) * count);
+                   room.scale[a] =
+                       set_rows(table, room.rows.entries(), room.least.subspan(a * groups, groups), a,
+                                own.rows.data() + (table.group_begin[a] - begin) * count);
                  }
-                 room.rows.note_filled(left[item], batch.contents(), 0.0f, true);
+                 room.rows.note_filled(left[item], batch.contents(), {}, true);
                });
-  table.unit = *std::max_element(room.unit.begin(), room.unit.end());
+  float widest = 0.0f;
+  for (const TableScale scale : room.scale) {
+    widest = std::max(widest, scale.distance(TransitTable::greatest_entry));
+  }
+  table.scale = scale_of(widest, std::ranges::any_of(room.scale, &TableScale::is_graded));
   table.least.resize(groups * groups);
   // By squares of groups, whose cells in both directions fit the processor's caches.
   const std::size_t squares = (groups + groups_per_square - 1) / groups_per_square;

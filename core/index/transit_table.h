@@ -16,17 +16,17 @@ namespace vorogeo {
 ///
 /// Consecutive nodes on a border between the same patches form groups of up to eight. For two groups the
 /// table holds the least distance between them, a lower bound that mostly makes the rest unnecessary, and for
-/// each pair of nodes the number of units, in 16 bits, by which its distance exceeds that. The entries of two
+/// each pair of nodes by how much its distance exceeds that, as an entry of 16 bits. The entries of two
 /// groups, a *cell*, are contiguous in memory.
 struct TransitTable {
   static constexpr Index group_size = 8;
   static constexpr std::uint16_t greatest_entry = 65534;
   static constexpr std::uint16_t infinite_entry = 65535;  ///< the entry for an infinite distance
 
-  Index count = 0;                   ///< nodes; 0: there is no table
-  std::vector<Index> group_begin;    ///< first node, by group; then count
-  std::vector<Index> group_of;       ///< by node
-  float unit = 0.0f;                 ///< distance of an entry of 1
+  Index count = 0;                 ///< nodes; 0: there is no table
+  std::vector<Index> group_begin;  ///< first node, by group; then count
+  std::vector<Index> group_of;     ///< by node
+  TableScale scale;
   std::vector<float> least;          ///< shape (groups, groups)
   SharedArray<std::uint16_t> entry;  ///< by cell
 
@@ -48,7 +48,7 @@ struct TransitTable {
     const std::uint16_t found =
         cell(group_a, group_b)[(a - group_begin[group_a]) * size(group_b) + (b - group_begin[group_b])];
     return found == infinite_entry ? std::numeric_limits<float>::infinity()
-                                   : least_from(group_a)[group_b] + unit * static_cast<float>(found);
+                                   : least_from(group_a)[group_b] + scale.distance(found);
   }
   std::size_t memory_bytes() const {
     return entry.size() * sizeof(entry[0]) + least.size() * sizeof(least[0]) +
@@ -69,10 +69,10 @@ struct TransitRoom {
   /// In memory, in one place.
   explicit TransitRoom(const PatchLayer& first);
 
-  TableRoom table;         ///< the entries of the finished table; its parts are not used
-  TableRoom rows;          ///< the entries of the rows; by batch of searches
-  std::span<float> least;  ///< least distances of the rows; shape (groups, groups)
-  std::span<float> unit;   ///< of the rows, by group
+  TableRoom table;              ///< the entries of the finished table; its parts are not used
+  TableRoom rows;               ///< the entries of the rows; by batch of searches
+  std::span<float> least;       ///< least distances of the rows; shape (groups, groups)
+  std::span<TableScale> scale;  ///< of the rows, by group
   std::shared_ptr<const void> owner;
 };
 

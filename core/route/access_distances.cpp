@@ -52,8 +52,8 @@ void AccessDistances::reset(const RouteEnd& end, Index parent) {
   const AccessBounds& bounds = data_.access_bounds;
   vertex_ = no_index;
   parent_ = parent;
-  unit_ = data_.first.unit[parent];
-  bound_unit_ = unit_ * AccessBounds::step;
+  scale_ = data_.first.scale[parent];
+  bound_unit_ = AccessBounds::unit(scale_);
   table_ = data_.first.line(parent, 0);
   table_rows_ = data_.first.border_size(parent);
   parts_.clear();
@@ -138,7 +138,7 @@ void AccessDistances::refine(std::size_t group, float limit) {
       const Index lane = part.begin + begin;
       const SeedLanes seeds{seed_distance_.data() + lane, seed_bound_.data() + lane, column_.data() + lane,
                             std::min(max_lanes, lanes_of(part) - begin)};
-      relax_within(seeds, bounds_of(part, group) + begin, table_ + row, table_rows_, unit_, bound_unit_,
+      relax_within(seeds, bounds_of(part, group) + begin, table_ + row, table_rows_, scale_, bound_unit_,
                    limit, columns, first, first + size, distance_.data() + row);
     }
   }
@@ -157,7 +157,7 @@ Index AccessDistances::seed_of(std::size_t group, Index row) {
   for (const Index lane : lanes_within(group, in_bounds(distance_[row] * slack))) {
     const std::uint16_t entry = piece(lane, group)[in_group];
     if (entry == PatchLayer::infinite_entry) continue;
-    const float sum = seed_distance_[lane] + unit_ * static_cast<float>(entry);
+    const float sum = seed_distance_[lane] + scale_.distance(entry);
     if (!(sum < least)) continue;
     least = sum;
     best = place_[lane];

@@ -60,7 +60,7 @@ class AccessDistances {
   const IndexData& data_;
   Index vertex_ = no_index;  ///< of the end
   Index parent_ = no_index;
-  float unit_ = 0.0f;
+  TableScale scale_;
   float bound_unit_ = 0.0f;
   const std::uint16_t* table_ = nullptr;  ///< of the first-layer patch
   Index table_rows_ = 0;

@@ -30,13 +30,13 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   add_parent(end.patch);
   const auto nodes = second.nodes(end.patch);
   const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[work_vertex]);
-  const float unit = second.unit[end.patch];
+  const TableScale scale = second.scale[end.patch];
   const float offset = second.offset_of(end.patch, data.home_column[work_vertex]);
   end.seeds.resize(nodes.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::uint16_t entry = entries.first[i * entries.step];
-    end.seeds[count] = {nodes[i], offset + unit * static_cast<float>(entry)};
+    end.seeds[count] = {nodes[i], offset + scale.distance(entry)};
     count += entry != PatchLayer::infinite_entry ? 1 : 0;
   }
   end.seeds.resize(count);

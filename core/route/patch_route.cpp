@@ -129,7 +129,11 @@ void PatchRouter::scan_patch(Index patch) {
   }
   state.rows.clear();
   if (rows_.empty()) return;
-  const float unit = second.unit[patch];
+  if (second.scale[patch].is_graded()) {
+    scan_in_distances(patch);
+    return;
+  }
+  const float unit = second.scale[patch].unit();
   const float per_unit = unit > 0.0f ? 1.0f / unit : 0.0f;
   // In a complete table, paths from the lowest row are shorter everywhere than from rows that exceed it by
   // more than any entry. In an incomplete one such a row may be the only access, so it waits for a scan
@@ -164,6 +168,27 @@ void PatchRouter::scan_patch(Index patch) {
       const Index predecessor = nodes[rows_[best[k]]];
       const float sum = lowest + unit * (static_cast<float>(least[k]) - lowest_base);
       relax(nodes[begin + k], std::max(sum, node_[predecessor].distance), predecessor, patch);
+    }
+  }
+}
+
+/// For tables with a graded scale.
+void PatchRouter::scan_in_distances(Index patch) {
+  const PatchLayer& second = data_.second;
+  const auto nodes = second.nodes(patch);
+  const Index columns = second.border_size(patch);
+  for (Index begin = 0; begin < columns; begin += PatchLayer::tile_width) {
+    float least[PatchLayer::tile_width];
+    Index best[PatchLayer::tile_width];
+    std::fill(std::begin(least), std::end(least), unreachable_float);
+    const std::uint16_t* tile = second.tile(patch, begin / PatchLayer::tile_width);
+    for (Index row : rows_) {
+      relax_by_line(tile + static_cast<std::size_t>(row) * PatchLayer::tile_width, second.scale[patch],
+                    node_[nodes[row]].distance, row, PatchLayer::tile_width, least, best);
+    }
+    const Index count = std::min(PatchLayer::tile_width, columns - begin);
+    for (Index k = 0; k < count; ++k) {
+      if (least[k] < unreachable_float) relax(nodes[begin + k], least[k], nodes[best[k]], patch);
     }
   }
 }

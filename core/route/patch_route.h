@@ -43,6 +43,7 @@ class PatchRouter {
   void relax(Index node, float distance, Index predecessor, Index patch);
   void wait(Index patch, Index row, float key);
   void scan_patch(Index patch);
+  void scan_in_distances(Index patch);
   void write(GraphRoute& result) const;
 
   const IndexData& data_;

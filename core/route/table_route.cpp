@@ -51,7 +51,7 @@ void TableRouter::look_into(AccessDistances& low, AccessDistances& high, const C
   if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
   ++cells_;
   const float least = offset + least_in_cell(table.cell(from, to), table.size(from), table.size(to),
-                                             low.distances(i), high.distances(j), table.unit);
+                                             low.distances(i), high.distances(j), table.scale);
   // Of equal sums the first, so that the route does not depend on what was known before.
   const bool is_first = std::pair(i, j) < std::pair(best.group[0], best.group[1]);
   if (!(least < best.length || (least == best.length && is_first))) return;
@@ -71,7 +71,7 @@ void TableRouter::find_rows(const AccessDistances& low, const AccessDistances& h
   for (Index i = 0; i < table.size(from.group); ++i) {
     for (Index j = 0; j < table.size(to.group); ++j, ++entry) {
       if (*entry == TransitTable::infinite_entry) continue;
-      const float sum = before[i] + table.unit * static_cast<float>(*entry) + beyond[j];
+      const float sum = before[i] + table.scale.distance(*entry) + beyond[j];
       if (!(sum < found)) continue;
       found = sum;
       best.row[0] = from.row + i;

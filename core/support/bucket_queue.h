@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "support/types.h"
@@ -13,8 +14,10 @@ namespace vorogeo {
 
 /// Queue of items 0..count-1, each at most once, in its lowest bucket. The propagation corrects itself, so
 /// the order within a bucket matters for speed only. Last in, first out creates fewer windows; but where a
-/// bucket is much wider than the edges, it would follow one chain of short steps (around a long spike, say)
-/// almost forever, so a bucket from which many items have been taken continues first in, first out.
+/// bucket is much wider than the edges (in a part much smaller than the rest, or around a long spike), it
+/// would follow one chain of short steps after another, and take each item as often. So where items that are
+/// taken have brought many others into their own bucket, those that come later are taken in the order of
+/// their keys.
 ///
 /// Keys may lie further apart than any width suits. So a run counts the empty buckets it passes and the items
 /// it examines in the overflow list; where these outnumber the pushed items many times over, buckets are made
@@ -37,9 +40,17 @@ class BucketQueue {
   void push(Index item, double key) {
     const double scaled = std::min(key * per_width_, 9e15);
     const auto bucket = std::max(current_, static_cast<std::int64_t>(scaled));
-    if (bucket_of_[item] <= bucket) return;
+    // Among sorted items, one whose key has become lower is added once more.
+    if (bucket_of_[item] < bucket || (bucket_of_[item] == bucket && !(bucket == current_ && is_sorted())))
+      return;
     bucket_of_[item] = bucket;
     max_idle_ += idle_per_push;
+    if (bucket == current_ && ++returned_ > max_returned) {
+      sorted_.push_back({key, item});
+      std::push_heap(sorted_.begin(), sorted_.end());
+      ++in_ring_;
+      return;
+    }
     if (bucket < current_ + ring_size) {
       ring_[bucket % ring_size].push_back(item);
       ++in_ring_;
@@ -57,13 +68,15 @@ class BucketQueue {
       }
       if (!(lower_bound() < limit)) return no_index;
       auto& bucket = ring_[current_ % ring_size];
-      while (first_ < bucket.size()) {
+      while (!bucket.empty() || !sorted_.empty()) {
         Index item;
-        if (++taken_ <= max_last_first) {
+        if (!bucket.empty()) {
           item = bucket.back();
           bucket.pop_back();
         } else {
-          item = bucket[first_++];
+          std::pop_heap(sorted_.begin(), sorted_.end());
+          item = sorted_.back().item;
+          sorted_.pop_back();
         }
         --in_ring_;
         if (bucket_of_[item] == current_) {
@@ -105,25 +118,33 @@ class BucketQueue {
     }
     for (Index item : overflow_) bucket_of_[item] = none;
     overflow_.clear();
+    for (const Sorted& at : sorted_) bucket_of_[at.item] = none;
+    sorted_.clear();
     in_ring_ = 0;
-    first_ = 0;
-    taken_ = 0;
+    returned_ = 0;
     overflow_check_ = ring_size / 2;
   }
 
  private:
   static constexpr std::int64_t ring_size = 1024;
-  /// Items taken last in, first out from one bucket before it continues in order of arrival.
-  static constexpr std::size_t max_last_first = 1 << 14;
+  /// Items pushed into the current bucket until those that follow are sorted.
+  static constexpr std::size_t max_returned = 1 << 9;
   static constexpr std::int64_t idle_per_push = 32;
   static constexpr std::int64_t least_idle = 64 * ring_size;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
 
-  void leave_bucket() {
-    ring_[current_ % ring_size].clear();
-    first_ = 0;
-    taken_ = 0;
-  }
+  struct Sorted {
+    double key;
+    Index item;
+    /// The least key is on top of the heap; of equal ones, the smallest item.
+    bool operator<(const Sorted& other) const {
+      return std::pair(other.key, other.item) < std::pair(key, item);
+    }
+  };
+
+  bool is_sorted() const { return returned_ > max_returned; }
+
+  void leave_bucket() { returned_ = 0; }
 
   /// Makes buckets twice as wide. \pre The ring is empty.
   void widen() {
@@ -181,8 +202,8 @@ class BucketQueue {
   std::int64_t idle_ = 0;      ///< empty buckets passed and overflow items examined since the last widening
   std::int64_t max_idle_ = 0;  ///< value of idle_ at which buckets are widened
   std::size_t in_ring_ = 0;
-  std::size_t first_ = 0;  ///< first item left in the current bucket
-  std::size_t taken_ = 0;  ///< items taken from the current bucket
+  std::size_t returned_ = 0;    ///< items pushed into the current bucket since it became current
+  std::vector<Sorted> sorted_;  ///< those of them that follow after many: a heap
   double per_width_ = 1.0;
   double width_ = 1.0;
 };

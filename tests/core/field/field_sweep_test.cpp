@@ -47,7 +47,7 @@ TEST(FieldSweep, AtMostTheLeastSumAndNotBelowIt) {
         least = std::min(least, search.distance(layer.nodes(p)[row]) + layer.distance(p, row, column));
       }
       // Border distances are rounded to the unit of the table when sums are compared.
-      EXPECT_LE(found[column], least * (1.0 + 1e-6) + layer.unit[p]);
+      EXPECT_LE(found[column], least * (1.0 + 1e-6) + layer.scale[p].unit());
       against_sums.add(found[column], least);
     }
   }
@@ -120,7 +120,7 @@ TEST(FieldSweep, FarFromTheSourceNothingIsLostToRounding) {
       least = std::min(least, 0.01 * row + layer.distance(0, row, column));
       shortest = std::min<double>(shortest, layer.distance(0, row, column));
     }
-    EXPECT_LE(found[column] - 1e7, least + layer.unit[0]);
+    EXPECT_LE(found[column] - 1e7, least + layer.scale[0].unit());
     EXPECT_GE(found[column] - 1e7, shortest - 0.05) << "unfolding shortens by less than a border edge";
   }
 }

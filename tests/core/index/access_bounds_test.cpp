@@ -24,13 +24,14 @@ TEST(AccessBounds, ToGroupsTheyAreTheLeastEntryRoundedDown) {
       const GroupRows& at = bounds.groups[parent][g];
       for (Index row = 0; row < rows; ++row) {
         const Index column = data.parent_column[data.second.border_begin[p] + row];
-        int least = std::numeric_limits<int>::max();
+        float least = std::numeric_limits<float>::max();
         for (Index k = 0; k < data.transit_table.size(at.group); ++k) {
-          least = std::min<int>(least, data.first.entry(parent, at.row + k, column));
+          least = std::min(least, data.first.distance(parent, at.row + k, column));
         }
-        const int bound = AccessBounds::step * bounds.of_patch(p)[static_cast<Index>(g) * rows + row];
-        EXPECT_LE(bound, least);
-        EXPECT_GT(bound + AccessBounds::step, least);
+        const float unit = AccessBounds::unit(data.first.scale[parent]);
+        const float bound = unit * bounds.of_patch(p)[static_cast<Index>(g) * rows + row];
+        EXPECT_LE(bound, least * (1.0f + 1e-6f));
+        EXPECT_GT(bound + unit, least * (1.0f - 1e-6f));
       }
     }
   }

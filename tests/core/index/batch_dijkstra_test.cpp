@@ -138,7 +138,7 @@ TEST(MinPlus, RangeWithinIsTheSmallest) {
   const std::vector<std::uint16_t> entries = {9, 5, 7, 3, 8, 4, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 2, 9};
   const std::vector<float> base(entries.size(), 1.0F);
   const auto count = static_cast<Index>(entries.size());
-  auto range = [&](float bound) { return range_within(base.data(), entries.data(), 0.5F, bound, count); };
+  auto range = [&](float bound) { return range_within(base.data(), entries.data(), {0.5F}, bound, count); };
   EXPECT_EQ(range(3.5F).begin, 1);
   EXPECT_EQ(range(3.5F).end, 19);
   EXPECT_EQ(range(2.5F).begin, 3);

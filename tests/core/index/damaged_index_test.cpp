@@ -142,26 +142,23 @@ TEST_F(DamagedIndex, LabelsThatAskForOtherTables) {
 
 TEST_F(DamagedIndex, DistancesThatAreNone) {
   const auto original = blocks_;
-  for (auto block : {test::second_unit, test::first_unit, test::node_least}) {
-    for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
-      blocks_ = original;
-      blocks_[block].set<float>(2, value);
-      EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
-    }
+  for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+    blocks_ = original;
+    blocks_[test::node_least].set<float>(2, value);
+    EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
   }
   for (auto block : {test::second_table, test::first_table}) {
     blocks_ = original;
     blocks_[block].set<std::uint16_t>(7, 32768);
     EXPECT_EQ(loading_blocks(), damaged("a distance is greater than its table can hold"));
   }
-  blocks_ = original;
-  blocks_[test::first_unit].set<float>(1, std::numeric_limits<float>::infinity());
-  EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite"));
-  for (float value :
-       {-1.0F, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
-    blocks_ = original;
-    blocks_[test::node_unit].set<float>(0, value);
-    EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or NaN"));
+  for (auto block : {test::second_scale, test::first_scale, test::node_scale}) {
+    for (float value : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                        std::numeric_limits<float>::quiet_NaN()}) {
+      blocks_ = original;
+      blocks_[block].set<float>(0, value);
+      EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or NaN"));
+    }
   }
   blocks_ = original;
   blocks_[test::landmarks].set<double>(3, std::numeric_limits<double>::quiet_NaN());

@@ -12,15 +12,19 @@
 namespace vorogeo_scalar {
 using Index = vorogeo::Index;
 struct Crossings;
+struct TableScale {
+  float signed_unit;
+};
 Index first_lower(const float*, double, const double*, Index, Index);
-void scale_entries(const std::uint16_t*, Index, float, float*);
+void scale_entries(const std::uint16_t*, Index, TableScale, float*);
 void relax_by_sums(const float*, float, Index, float*);
-void relax_by_line(const std::uint16_t*, float, float, Index, Index, float*, Index*);
+void relax_by_line(const std::uint16_t*, TableScale, float, Index, Index, float*, Index*);
 std::int16_t least_entry_sum(const std::int16_t*, const std::uint16_t*, Index);
 Index first_entry_sum(const std::int16_t*, const std::uint16_t*, Index, std::int16_t);
 void least_tile_sums(const std::int16_t*, const std::uint16_t*, Index, std::int16_t*, std::int16_t*);
-float relax_by_cell(const std::uint16_t*, Index, Index, const float*, float, float, Index, float*, Index*);
-float least_in_cell(const std::uint16_t*, Index, Index, const float*, const float*, float);
+float relax_by_cell(const std::uint16_t*, Index, Index, const float*, float, TableScale, Index, float*,
+                    Index*);
+float least_in_cell(const std::uint16_t*, Index, Index, const float*, const float*, TableScale);
 void crossing_gains(const Crossings&, float, float*);
 void least_byte_sums(const std::uint8_t*, Index, Index, const std::uint8_t*, Index, std::uint8_t*);
 void byte_sums_within(const std::uint8_t*, const std::uint8_t*, Index, std::uint8_t, std::uint8_t*);
@@ -81,8 +85,11 @@ TEST(InstructionSets, IntegerScansAgreeToTheLastBit) {
   }
 }
 
-TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
-  constexpr float unit = 1.7e-5F;
+class ScalesOfScans : public testing::TestWithParam<TableScale> {};
+
+TEST_P(ScalesOfScans, ProductsAgreeWithinRounding) {
+  const TableScale scale = GetParam();
+  const vorogeo_scalar::TableScale scalar{scale.signed_unit};
   for (Index count = 1; count < 300; count += 1 + count / 9) {
     Input input(1000 + count);
     const auto entries = input.entries(count, 32767);
@@ -93,17 +100,17 @@ TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
     vorogeo_scalar::relax_by_sums(line.data(), 0.1F, count, two.data());
     ASSERT_EQ(one, two);
     std::vector<Index> vector_best(count, no_index), scalar_best(count, no_index);
-    relax_by_line(entries.data(), unit, 0.2F, 5, count, one.data(), vector_best.data());
-    vorogeo_scalar::relax_by_line(entries.data(), unit, 0.2F, 5, count, two.data(), scalar_best.data());
+    relax_by_line(entries.data(), scale, 0.2F, 5, count, one.data(), vector_best.data());
+    vorogeo_scalar::relax_by_line(entries.data(), scalar, 0.2F, 5, count, two.data(), scalar_best.data());
     for (Index i = 0; i < count; ++i) {
       ASSERT_NEAR(one[i], two[i], rounding);
       // Where the two choose different ones, it is a tie.
       if (vector_best[i] != scalar_best[i]) {
-        ASSERT_NEAR(one[i], 0.2F + unit * static_cast<float>(entries[i]), rounding);
+        ASSERT_NEAR(one[i], 0.2F + scale.distance(entries[i]), rounding);
       }
     }
-    scale_entries(entries.data(), count, unit, one.data());
-    vorogeo_scalar::scale_entries(entries.data(), count, unit, two.data());
+    scale_entries(entries.data(), count, scale, one.data());
+    vorogeo_scalar::scale_entries(entries.data(), count, scalar, two.data());
     ASSERT_EQ(one, two);
   }
   for (Index rows = 1; rows <= 8; ++rows) {
@@ -112,9 +119,9 @@ TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
       const auto cell = input.entries(rows * columns, 65535);
       const auto from = input.floats(rows, 0.0F, 1.0F);
       const auto to = input.floats(columns, 0.0F, 1.0F);
-      const float one = least_in_cell(cell.data(), rows, columns, from.data(), to.data(), unit);
+      const float one = least_in_cell(cell.data(), rows, columns, from.data(), to.data(), scale);
       const float two =
-          vorogeo_scalar::least_in_cell(cell.data(), rows, columns, from.data(), to.data(), unit);
+          vorogeo_scalar::least_in_cell(cell.data(), rows, columns, from.data(), to.data(), scalar);
       if (std::isinf(one) || std::isinf(two)) {
         ASSERT_EQ(one, two);
       } else {
@@ -122,14 +129,17 @@ TEST(InstructionSets, ScansWithProductsAgreeWithinRounding) {
       }
       std::vector<float> vector_least(columns, 1.2F), scalar_least(columns, 1.2F);
       std::vector<Index> vector_best(columns, no_index), scalar_best(columns, no_index);
-      relax_by_cell(cell.data(), rows, columns, from.data(), 0.1F, unit, 7, vector_least.data(),
+      relax_by_cell(cell.data(), rows, columns, from.data(), 0.1F, scale, 7, vector_least.data(),
                     vector_best.data());
-      vorogeo_scalar::relax_by_cell(cell.data(), rows, columns, from.data(), 0.1F, unit, 7,
+      vorogeo_scalar::relax_by_cell(cell.data(), rows, columns, from.data(), 0.1F, scalar, 7,
                                     scalar_least.data(), scalar_best.data());
       for (Index i = 0; i < columns; ++i) ASSERT_NEAR(vector_least[i], scalar_least[i], rounding);
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, ScalesOfScans,
+                         testing::Values(TableScale{1.7e-5F}, TableScale{-2.3e-5F}));
 
 TEST(InstructionSets, CrossingGainsAgreeWithinRounding) {
   for (unsigned seed = 0; seed < 50; ++seed) {

@@ -36,7 +36,8 @@ test::ErrorCollector table_errors(const IndexData& data) {
         // What rounding to the table's unit explains is not an error.
         const double exact = solver.distance(members[i]);
         const double entry = data.second.distance(at.patch, at.row, static_cast<Index>(i));
-        errors.add(std::abs(entry - exact) <= 0.51 * data.second.unit[at.patch] ? exact : entry, exact);
+        errors.add(std::abs(entry - exact) <= 0.51 * data.second.scale[at.patch].unit() ? exact : entry,
+                   exact);
       }
     }
   }
@@ -79,7 +80,7 @@ TEST(LocalTables, NoDistanceIsLongerThanTwoOverABorderNode) {
     const auto index = index_of(soup);
     const PatchLayer& second = index->data().second;
     for (Index p = 0; p < second.patch_count; ++p) {
-      const double rounding = 2.0 * second.unit[p];
+      const double rounding = 2.0 * second.scale[p].unit();
       for (Index a = 0; a < second.border_size(p); ++a) {
         for (Index b = 0; b < second.border_size(p); ++b) {
           for (Index column = 0; column < second.member_count(p); column += 3) {

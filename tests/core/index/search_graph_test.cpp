@@ -229,7 +229,7 @@ SearchGraph graph_of_table(const std::vector<std::vector<float>>& table, double 
   TableDraft draft(second, 0);
   for (Index v = 0; v < k; ++v) std::copy(table[v].begin(), table[v].end(), draft.line(v));
   std::vector<std::uint16_t> entries(second.table_begin.back());
-  second.unit = {draft.write(second.order, entries.data()).unit};
+  second.scale = {draft.write(second.order, entries.data()).scale};
   second.table = SharedArray(std::move(entries));
   PatchLayer first;
   first.patch_count = 1;

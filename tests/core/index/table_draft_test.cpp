@@ -63,7 +63,7 @@ TEST(TableDraft, TablesKeepDistancesUpToHalfAUnitInBothOrders) {
     PatchLayer layer = lay_out_patches(*mesh, label, 3, {}, order);
     std::vector<std::uint16_t> entries(layer.table_begin.back());
     std::vector<TableDraft> drafts;
-    layer.unit.resize(3);
+    layer.scale.resize(3);
     layer.complete.resize(3);
     for (Index p = 0; p < 3; ++p) {
       TableDraft& draft = drafts.emplace_back(layer, p);
@@ -91,7 +91,7 @@ TEST(TableDraft, TablesKeepDistancesUpToHalfAUnitInBothOrders) {
             EXPECT_EQ(layer.entry(p, i, j), PatchLayer::infinite_entry);
             EXPECT_EQ(layer.distance(p, i, j), expected);
           } else {
-            EXPECT_NEAR(layer.distance(p, i, j), expected, 0.5001 * layer.unit[p]);
+            EXPECT_NEAR(layer.distance(p, i, j), expected, 0.5001 * layer.scale[p].unit());
             greatest = std::max(greatest, layer.entry(p, i, j));
           }
           EXPECT_EQ(column[i], layer.distance(p, i, j));

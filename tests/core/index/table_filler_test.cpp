@@ -56,7 +56,7 @@ void expect_filled(const PatchLayer& layer) {
     EXPECT_EQ(layer.complete[p], 1);
     for (Index i = 0; i < layer.border_size(p); ++i) {
       for (Index j = 0; j < layer.member_count(p); ++j) {
-        EXPECT_NEAR(layer.distance(p, i, j), distance_of(p, i, j), 0.51 * layer.unit[p]);
+        EXPECT_NEAR(layer.distance(p, i, j), distance_of(p, i, j), 0.51 * layer.scale[p].unit());
       }
     }
   }

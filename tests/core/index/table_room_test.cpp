@@ -15,8 +15,8 @@ TEST(TableRoom, InMemoryNothingIsThereAtFirst) {
   EXPECT_EQ(room.entries().size(), 10U);
   EXPECT_FALSE(room.in_file());
   const std::array contents{std::as_bytes(room.entries())};
-  room.note_filled(1, contents, 2.5f, true);
-  EXPECT_EQ(room.part(1).unit, 2.5f);
+  room.note_filled(1, contents, {2.5f}, true);
+  EXPECT_EQ(room.part(1).scale.unit(), 2.5f);
   EXPECT_EQ(room.part(1).complete, 1);
   EXPECT_FALSE(room.holds(1, contents)) << "no earlier build can have filled it";
   room.entries()[4] = 17;
@@ -33,14 +33,14 @@ TEST(TableRoom, PartsOfAFileHoldAsLongAsTheirContentsAreTheSame) {
   EXPECT_TRUE(room.in_file());
   const std::array contents{std::as_bytes(room.entries()), std::as_bytes(std::span<const float>(more))};
   EXPECT_FALSE(room.holds(0, contents));
-  room.note_filled(0, contents, 1.0f, false);
+  room.note_filled(0, contents, {1.0f}, false);
   EXPECT_TRUE(room.holds(0, contents));
   EXPECT_FALSE(room.holds(1, contents));
   more[0] = 1.25f;
   EXPECT_FALSE(room.holds(0, contents));
   more[0] = 1.5f;
   EXPECT_FALSE(room.holds(0, contents)) << "it will be filled anew";
-  room.note_filled(0, contents, 1.0f, false);
+  room.note_filled(0, contents, {1.0f}, false);
   entries[3] = 5;
   EXPECT_FALSE(room.holds(0, contents));
 }

@@ -43,12 +43,13 @@ TEST(AccessBounds, AreBelowTheEntriesByLessThanAStep) {
         const auto members = data.first.members(parent);
         const auto column =
             static_cast<Index>(std::ranges::find(members, data.second.node_vertex[node]) - members.begin());
-        int least = PatchLayer::infinite_entry;
+        float least = unreachable_float;
         for (Index i = 0; i < size; ++i) {
-          least = std::min<int>(least, data.first.entry(parent, at.row + i, column));
+          least = std::min(least, data.first.distance(parent, at.row + i, column));
         }
-        EXPECT_LE(*bound * AccessBounds::step, least);
-        EXPECT_GT((*bound + 1) * AccessBounds::step, least);
+        const float unit = AccessBounds::unit(data.first.scale[parent]);
+        EXPECT_LE(unit * static_cast<float>(*bound), least * (1.0F + 1e-6F));
+        EXPECT_GT(unit * static_cast<float>(*bound + 1), least * (1.0F - 1e-6F));
         ++bound;
       }
     }

@@ -42,7 +42,7 @@ double least_length(const IndexData& data, const RouteEnd& source, const RouteEn
 
 /// How far the length of a route may be from the least one: the rounding of some steps.
 double rounding(const IndexData& data) {
-  return 8.0 * *std::max_element(data.second.unit.begin(), data.second.unit.end());
+  return 8.0 * std::ranges::max(data.second.scale, {}, &TableScale::unit).unit();
 }
 
 void expect_shortest(const IndexData& data, PatchRouter& router, Index source, Index target) {
