@@ -74,11 +74,17 @@ float TableDraft::set_offsets(TableOrder order, std::vector<float>& offset) {
   return greatest;
 }
 
-bool TableDraft::has_small_part(float within) {
+bool TableDraft::has_small_part(float greatest) {
+  const float within = small_part * greatest;
+  const float least = least_steps / PatchLayer::greatest_entry * greatest;
   std::vector<int> near(rows_, 0);
   for (Index column = 0; column < columns_; ++column) {
     const float* from = line(column);
     for (Index row = 0; row < rows_; ++row) near[row] += from[row] > 0.0f && from[row] <= within ? 1 : 0;
+    // A path that passes several of these entries would be shorter by any part of itself.
+    if (column < rows_ && std::any_of(from, from + rows_, [&](float d) { return d > 0.0f && d < least; })) {
+      return true;
+    }
   }
   return std::ranges::any_of(near, [](int count) { return count >= least_small_part; });
 }
@@ -86,9 +92,8 @@ bool TableDraft::has_small_part(float within) {
 TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
   Units units;
   const float greatest = set_offsets(order, units.offset);
-  units.scale = has_small_part(small_part * greatest)
-                    ? TableScale::graded(greatest, PatchLayer::greatest_entry)
-                    : TableScale::even(greatest, PatchLayer::greatest_entry);
+  units.scale = has_small_part(greatest) ? TableScale::graded(greatest, PatchLayer::greatest_entry)
+                                         : TableScale::even(greatest, PatchLayer::greatest_entry);
   const auto rows = static_cast<std::size_t>(rows_);
   constexpr Index width = PatchLayer::tile_width;
   for (Index column = 0; column < columns_; ++column) {

@@ -37,8 +37,9 @@ class TableDraft {
   /// Subtracts the offsets of far members from their distances; returns the greatest distance of the others.
   /// What remains for far members is at most the greatest distance between two nodes, up to rounding.
   float set_offsets(TableOrder order, std::vector<float>& offset);
-  /// Whether a row has several members within this distance.
-  bool has_small_part(float within);
+  /// Whether an even scale up to the greatest distance is too coarse: for two of the border nodes, or where
+  /// many members are near one.
+  bool has_small_part(float greatest);
 
   Index rows_;
   Index columns_;

@@ -42,6 +42,9 @@ struct TableScale {
 /// table has a graded scale.
 inline constexpr int least_small_part = 16;
 inline constexpr float small_part = 1.0f / 512.0f;
+/// So does one of two border nodes that are fewer steps of an even scale from each other: rounding would
+/// change their distance by a sixteenth or more.
+inline constexpr float least_steps = 8.0f;
 
 /// The distance of an entry where the kind of scale is chosen outside a loop.
 template <bool is_graded>

@@ -71,7 +71,9 @@ TableScale set_rows(const TransitTable& table, std::span<std::uint16_t> entries,
     const float* row = rows + static_cast<std::size_t>(i) * table.count;
     const auto near = std::count_if(
         row, row + table.count, [&](float value) { return value > 0.0f && value <= small_part * widest; });
-    has_small_part = has_small_part || near >= least_small_part;
+    const float few_steps = least_steps / TransitTable::greatest_entry * widest;
+    has_small_part = has_small_part || near >= least_small_part ||
+                     std::any_of(row, row + table.count, [&](float d) { return d > 0.0f && d < few_steps; });
   }
   const TableScale scale = scale_of(widest, has_small_part);
   for (Index b = 0; b < table.group_count(); ++b) {
