@@ -86,6 +86,7 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
     });
     const auto members = second.members(patch);
     const TableScale scale = second.scale[patch];
+    const float step = scale.widest_step(PatchLayer::greatest_entry);
     for (Index begin = 0; begin < static_cast<Index>(members.size()); begin += PatchLayer::tile_width) {
       greatest_.assign(PatchLayer::tile_width, 0.0f);
       const std::uint16_t* entries = second.tile(patch, begin / PatchLayer::tile_width);
@@ -104,7 +105,7 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
         const bool is_far = second.offset_of(patch, begin + k) > 0.0f || second.complete[patch] == 0;
         const Index vertex = vertex_of_run.empty() ? members[begin + k] : vertex_of_run[members[begin + k]];
         if (is_far || vertex == no_index) continue;
-        least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * unit);
+        least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * step);
         bounded_.push_back(vertex);
       }
     }

@@ -30,6 +30,10 @@ struct TableScale {
     const float root = unit() * static_cast<float>(entry);
     return is_graded() ? (root * root) * (root * root) : root;
   }
+  /// The difference of the two greatest distances: an entry is off by half of that at most.
+  float widest_step(std::uint16_t greatest_entry) const {
+    return distance(greatest_entry) - distance(static_cast<std::uint16_t>(greatest_entry - 1));
+  }
   /// The entry nearest to a finite distance, at most the greatest one.
   std::uint16_t entry(double distance, std::uint16_t greatest_entry) const {
     if (!(unit() > 0.0f)) return 0;
