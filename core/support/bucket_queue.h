@@ -100,7 +100,7 @@ class BucketQueue {
     std::int64_t least = none;
     if (in_ring_ > 0) {
       least = current_;
-      if (first_ >= ring_[least % ring_size].size()) {
+      if (sorted_.empty() && ring_[least % ring_size].empty()) {
         do ++least;
         while (ring_[least % ring_size].empty());
       }
