@@ -48,7 +48,7 @@ TEST(BorderPieces, TheCoarserTheMeshTheFiner) {
 
 TEST(BorderPieces, TablesKeepToTheirShare) {
   // With the finest pieces the many needles of this wheel would take far more.
-  const auto mesh = test::make_mesh(test::gear(100, 24, 8.0));
+  const auto mesh = test::make_mesh(test::gear(100, 32, 8.0));
   const Partition partition = partition_of(*mesh);
   const WorkMesh work = make_work_mesh(*mesh, partition);
   const PatchLayer layer =
