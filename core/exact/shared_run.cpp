@@ -55,6 +55,7 @@ void SharedRun::prepare(ExactSolver::State& first) {
   for (auto& from : handed_) {
     for (Outbox& outbox : from) outbox.clear();
   }
+  std::fill(taken_.begin(), taken_.end(), 0);
   step_length_ = least_step * first.mesh.typical_edge_length();
   end_of_step_ = 0.0;
   step_ = 0;

@@ -45,6 +45,7 @@ struct Outbox {
   double least = unreachable;  ///< of their distances
 
   void add(Index edge, const Window& window) {
+    if (!(window.begin < window.end)) return;
     windows.push_back({edge, window});
     least = std::min(least, window.least_distance());
   }

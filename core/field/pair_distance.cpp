@@ -77,7 +77,10 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
   const PatchLayer& second = data_.second;
   for (const Index patch : patches_) {
     from_target_.assign(second.border_size(patch), std::numeric_limits<float>::quiet_NaN());
+    const TableScale scale = second.scale[patch];
+    float step = scale.widest_step(PatchLayer::greatest_entry);
     for_each_patch(data_, target, [&](Index p, Index target_at) {
+      step = std::max(step, second.scale[p].widest_step(PatchLayer::greatest_entry));
       const auto nodes = second.nodes(patch);
       for (std::size_t row = 0; row < nodes.size(); ++row) {
         const Index other = second.row_of(nodes[row], p);
@@ -85,8 +88,6 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
       }
     });
     const auto members = second.members(patch);
-    const TableScale scale = second.scale[patch];
-    const float step = scale.widest_step(PatchLayer::greatest_entry);
     for (Index begin = 0; begin < static_cast<Index>(members.size()); begin += PatchLayer::tile_width) {
       greatest_.assign(PatchLayer::tile_width, 0.0f);
       const std::uint16_t* entries = second.tile(patch, begin / PatchLayer::tile_width);

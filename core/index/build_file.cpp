@@ -17,7 +17,7 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> build_magic{'V', 'O', 'R', 'O', 'B', 'L', 'D', '\n'};
-constexpr std::uint64_t build_version = 2;
+constexpr std::uint64_t build_version = 3;
 constexpr std::uint64_t page = 4096;
 /// The heads and small blocks that an index file begins with; a file that is built has its own head there.
 constexpr std::uint64_t head_size = 256;
@@ -148,9 +148,9 @@ BuildFile::BuildFile(const std::filesystem::path& file, const IndexData& data) :
   is_complete_ = begins_as_index(found);
   // A process that was killed before it had the space leaves no head.
   Head head;
-  if (found.size() < sizeof(Head)) return;
-  std::memcpy(&head, found.data(), sizeof(Head));
-  if (head.magic != build_magic) {
+  head.magic = {};
+  std::memcpy(&head, found.data(), found.size());
+  if (found.size() < sizeof(Head) || head.magic != build_magic) {
     const bool empty = found.find_first_not_of('\0') == std::string::npos;
     if (!empty && !is_complete_) refuse("is none of VoroGeo's");
     return;

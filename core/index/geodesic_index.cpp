@@ -239,7 +239,8 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build_in_file(const std::fil
                                                                   const Progress& progress) {
   return building([&]() -> std::shared_ptr<const GeodesicIndex> {
     auto data = begin_data(mesh, options, progress.part(0.0, 0.01));
-    if (std::filesystem::exists(file)) {
+    std::error_code unknown;  // what cannot be looked at cannot be written either, and then says why
+    if (std::filesystem::exists(file, unknown)) {
       const Watch watch(progress.part(0.01, 1.0), "Loading the index");
       require_same(file, *data);
       return load(file, std::move(mesh));

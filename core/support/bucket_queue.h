@@ -106,7 +106,11 @@ class BucketQueue {
       }
     }
     // What is left in the overflow was behind the ring when that was last filled.
-    if (!overflow_.empty()) least = std::min(least, std::max(current_, overflow_check_ + ring_size / 2));
+    if (in_ring_ > 0 && !overflow_.empty()) {
+      least = std::min(least, std::max(current_, overflow_check_ + ring_size / 2));
+    } else {
+      for (Index item : overflow_) least = std::min(least, bucket_of_[item]);
+    }
     return least == none ? unreachable : static_cast<double>(least) * width_;
   }
   double bucket_width() const { return width_; }

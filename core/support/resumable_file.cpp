@@ -56,19 +56,32 @@ ResumableFile::ResumableFile(const fs::path& target, std::string what)
     : target_(output_target(target, what)), unfinished_(unfinished_name(target_)), what_(std::move(what)) {
   output_target(unfinished_, what_);
   const std::string name = named_file(unfinished_, what_);
-  descriptor_ = ::open(unfinished_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    throw FileError(name + " cannot be written (" + reason_of(errno) +
-                    "); check that its folder may be written to, or name another file.");
-  }
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(descriptor_);
-    throw FileError(name + " is being written by another process; wait for it or name another file.");
-  }
+  // Whoever held the lock may have renamed or removed the file before it was free.
+  do {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = ::open(unfinished_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw FileError(name + " cannot be written (" + reason_of(errno) +
+                      "); check that its folder may be written to, or name another file.");
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw FileError(name + " is being written by another process; wait for it or name another file.");
+    }
+  } while (!has_its_name());
 }
 
 ResumableFile::~ResumableFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  struct stat found {};
+  if (::fstat(descriptor_, &found) == 0 && found.st_size == 0) discard();
+  ::close(descriptor_);
+}
+
+bool ResumableFile::has_its_name() const {
+  struct stat own {};
+  struct stat named {};
+  return ::fstat(descriptor_, &own) == 0 && ::lstat(unfinished_.c_str(), &named) == 0 &&
+         own.st_dev == named.st_dev && own.st_ino == named.st_ino;
 }
 
 void ResumableFile::fail(const std::string& how_far, int error) const {
@@ -130,6 +143,10 @@ void ResumableFile::sync() {
 
 void ResumableFile::finish() {
   if (mapping_) mapping_->make_read_only();
+  if (!has_its_name()) {
+    throw FileError(named_file(unfinished_, what_) +
+                    " was removed or replaced while it was being written: build the index again.");
+  }
   std::error_code error;
   fs::rename(unfinished_, target_, error);
   if (error) {
@@ -138,6 +155,8 @@ void ResumableFile::finish() {
   }
 }
 
-void ResumableFile::discard() noexcept { ::unlink(unfinished_.c_str()); }
+void ResumableFile::discard() noexcept {
+  if (has_its_name()) ::unlink(unfinished_.c_str());
+}
 
 }  // namespace vorogeo

@@ -20,6 +20,7 @@ class ResumableFile {
   /// Opens what an earlier run has left, or makes an empty file. `what` begins the messages ("The index
   /// file"). \throw as output_target, and FileError if the file cannot be made or another process has it.
   ResumableFile(const std::filesystem::path& target, std::string what);
+  /// A file that is still empty is removed.
   ~ResumableFile();
   ResumableFile(const ResumableFile&) = delete;
   ResumableFile& operator=(const ResumableFile&) = delete;
@@ -46,13 +47,16 @@ class ResumableFile {
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
   /// Waits until all that was written is on the disk; reports at checkpoints. \throw FileError.
   void sync();
-  /// Renames the file to its target, and lets its mapped memory be read only.
+  /// Renames the file to its target, and lets its mapped memory be read only. \throw FileError, also if the
+  /// file was removed or replaced meanwhile.
   void finish();
   /// Removes it.
   void discard() noexcept;
 
  private:
   class Mapping;
+  /// Whether the file of that name is still this one.
+  bool has_its_name() const;
   [[noreturn]] void fail(const std::string& how_far, int error) const;
 
   std::filesystem::path target_;

@@ -65,6 +65,9 @@ TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
   }
   EXPECT_EQ(queue.pop(), no_index);
   EXPECT_EQ(queue.least_key(), unreachable);
+  // Beyond the ring, with nothing in it.
+  queue.push(7, 1e6);
+  EXPECT_EQ(queue.least_key(), 1e6);
 }
 
 TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {

@@ -51,6 +51,29 @@ TEST(ResumableFile, TheNextRunFindsWhatWasWrittenInBothWays) {
   EXPECT_EQ(mapped[5], std::byte{'f'}) << "as long as it is kept";
 }
 
+TEST(ResumableFile, WithoutContentsNothingIsLeft) {
+  const TemporaryFolder folder;
+  { const ResumableFile out(folder / "a", "The file"); }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(ResumableFile, AFileInItsPlaceStaysItsOwn) {
+  // Somebody removes the unfinished file, and another process begins one of that name.
+  const TemporaryFolder folder;
+  ResumableFile out(folder / "a", "The file");
+  put(out, 0, "first");
+  std::filesystem::remove(folder / "a.unfinished");
+  {
+    ResumableFile other(folder / "a", "The file");
+    put(other, 0, "second");
+    EXPECT_THROW(out.finish(), FileError);
+    out.discard();
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"a.unfinished"}));
+    other.finish();
+  }
+  EXPECT_EQ(read_bytes(folder / "a"), "second");
+}
+
 TEST(ResumableFile, OneWriterAtATimeAndDiscarded) {
   const TemporaryFolder folder;
   std::optional<ResumableFile> out(std::in_place, folder / "a", "The file");
