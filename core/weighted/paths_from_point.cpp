@@ -14,6 +14,14 @@ constexpr double growth = 1.5;
 /// The reach is larger than the distance of the target by this factor, as the next one may be farther away.
 constexpr double reach_slack = 1.25;
 
+/// Of all faces. Where the metric jumps, the edges of a dear face are only as long as in its neighbours.
+double longest_side(const Mesh& mesh) {
+  if (!mesh.metric_jumps()) return mesh.longest_edge_length();
+  double longest = 0.0;
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h) longest = std::max(longest, mesh.side_length(h));
+  return longest;
+}
+
 Index component_of(const Mesh& mesh, const SurfacePoint& point) {
   return mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0]);
 }
@@ -21,7 +29,7 @@ Index component_of(const Mesh& mesh, const SurfacePoint& point) {
 }  // namespace
 
 PathsFromPoint::PathsFromPoint(const std::shared_ptr<const LocalGeometry>& geometry)
-    : mesh_(geometry->mesh), solver_(geometry) {}
+    : mesh_(geometry->mesh), longest_side_(longest_side(*mesh_)), solver_(geometry) {}
 
 void PathsFromPoint::reset(const SurfacePoint& source) {
   source_ = validated(*mesh_, source);
@@ -75,7 +83,7 @@ bool PathsFromPoint::extend(double reach, const Progress& progress) {
       farthest = std::max(farthest, solver_.distance(v));
   }
   // A point of a face may be farther away than all vertices.
-  reach_ = farthest + mesh_->longest_edge_length() <= reach ? unreachable : reach;
+  reach_ = farthest + longest_side_ <= reach ? unreachable : reach;
   return true;
 }
 

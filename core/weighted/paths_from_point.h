@@ -35,6 +35,7 @@ class PathsFromPoint {
   bool extend(double reach, const Progress& progress);
 
   std::shared_ptr<const Mesh> mesh_;
+  double longest_side_;  ///< no point of a face is farther than this from its corners
   LocalSolver solver_;
   SurfacePoint source_;
   double reach_ = 0.0;
