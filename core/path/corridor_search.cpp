@@ -36,7 +36,7 @@ FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, 
     limits.corridor_point = &to;
   }
   if (solver_.mesh().metric_jumps()) {
-    // There the corridor is a direction more than a bound: what comes after the target is not needed.
+    // There bounds are too weak to end a run: what comes after the target is not needed.
     limits.targets = to.is_vertex() ? std::span(&to.vertex, 1)
                                     : std::span<const Index>(solver_.mesh().face_vertices(to.face));
   }

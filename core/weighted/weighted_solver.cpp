@@ -69,8 +69,9 @@ void WeightedSolver::reach(Index point, double distance, Index source) {
   if (state.distance == unreachable) touched_.push_back(point);
   state.distance = distance;
   state.source = source;
-  // With a corridor, points on the way to its target come first (A*).
-  queue_.push(point, distance + least_rest(point));
+  // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, so that points
+  // behind a jump would be reached, and settled, again and again.
+  queue_.push(point, distance);
 }
 
 void WeightedSolver::start_at(Index number) {
