@@ -8,6 +8,7 @@ namespace vorogeo::plugin {
 
 bool IndexCache::Entry::fits(const VcgMeshArrays& arrays, const GapLimit& asked) const {
   return gap == asked && faces == arrays.faces && sides == arrays.sides &&
+         index->mesh()->points_per_edge() == arrays.points_per_edge &&
          index->mesh()->positions() == arrays.positions;
 }
 
