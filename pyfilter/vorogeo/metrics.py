@@ -217,7 +217,8 @@ def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
     """What a metric makes of a mesh; None for lengths in space."""
     if metric is None:
         return None
-    if not isinstance(metric, Metric):
+    # A class has the method of its objects.
+    if isinstance(metric, type) or not isinstance(metric, Metric):
         raise InvalidInput(
             f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "
             "or None for lengths in space."
