@@ -29,6 +29,19 @@ constexpr int most_threads = 16;
 
 }  // namespace
 
+std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource> sources) {
+  std::vector<ExactSource> checked;
+  checked.reserve(sources.size());
+  for (const ExactSource& source : sources) {
+    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
+      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
+                         "; it must be a number of at least 0.");
+    }
+    checked.push_back({validated(mesh, source.point), source.offset});
+  }
+  return checked;
+}
+
 ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)
     : geometry(std::move(shared_geometry)), mesh(*geometry->mesh) {
   vertices.resize(mesh.vertex_count());
@@ -82,15 +95,7 @@ int ExactSolver::solvers_for(const ExactLimits& limits) const {
 
 void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& limits) {
   State& state = *state_;
-  std::vector<ExactSource> checked;
-  checked.reserve(sources.size());
-  for (const auto& source : sources) {
-    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
-      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
-                         "; it must be a number of at least 0.");
-    }
-    checked.push_back({validated(state.mesh, source.point), source.offset});
-  }
+  std::vector<ExactSource> checked = validated(state.mesh, sources);
   std::optional<SurfacePoint> corridor;
   if (limits.corridor_target != no_index) {
     corridor = validated(state.mesh, SurfacePoint::at_vertex(limits.corridor_target));

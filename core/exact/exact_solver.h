@@ -22,6 +22,10 @@ struct ExactSource {
   double offset = 0.0;
 };
 
+/// Sources as solvers take them. \throw InvalidInput for a bad point, or an offset that is negative or not
+/// finite.
+std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource> sources);
+
 /// A point inside an edge, by its distance from the edge's first vertex.
 struct EdgePoint {
   Index edge;

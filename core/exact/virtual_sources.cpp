@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "mesh/length_limits.h"
 #include "support/checkpoint.h"
-#include "support/error.h"
 
 namespace vorogeo {
 
@@ -75,21 +73,15 @@ VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
 }
 
 void VirtualSources::run(std::span<const ExactSource> sources, double max_distance) {
-  for (const ExactSource& source : sources) {
-    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
-      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
-                         "; it must be a number of at least 0.");
-    }
-    validated(*mesh_, source.point);
-  }
+  const std::vector<ExactSource> checked = validated(*mesh_, sources);
   max_distance_ = max_distance;
   faces_.assign(faces_.size(), {});
   distance_.assign(mesh_->vertex_count(), unreachable);
   label_.assign(mesh_->vertex_count(), no_index);
   queue_.reset(face_bucket_width * mesh_->typical_edge_length());
   turning_.clear();
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    start_at(validated(*mesh_, sources[i].point), sources[i].offset, static_cast<Index>(i));
+  for (std::size_t i = 0; i < checked.size(); ++i)
+    start_at(checked[i].point, checked[i].offset, static_cast<Index>(i));
   Index taken = 0;
   // This loop ends: a face or a vertex is added only where its distance decreases by more than rounding.
   for (;;) {

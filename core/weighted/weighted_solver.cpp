@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "support/checkpoint.h"
-#include "support/error.h"
 #include "weighted/edge_crossing.h"
 
 namespace vorogeo {
@@ -32,15 +30,7 @@ WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
 }
 
 void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimits& limits) {
-  std::vector<ExactSource> checked;
-  checked.reserve(sources.size());
-  for (const ExactSource& source : sources) {
-    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
-      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
-                         "; it must be a number of at least 0.");
-    }
-    checked.push_back({validated(mesh(), source.point), source.offset});
-  }
+  std::vector<ExactSource> checked = validated(mesh(), sources);
   has_corridor_ = limits.corridor_target != no_index || limits.corridor_point != nullptr;
   if (has_corridor_) {
     corridor_at_ = position_of(mesh(), limits.corridor_point != nullptr

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -25,6 +26,17 @@ std::set<std::string> TemporaryFolder::files() const {
   for (const auto& entry : std::filesystem::directory_iterator(path_))
     names.insert(entry.path().filename().string());
   return names;
+}
+
+FileSizeLimit::FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+  ::getrlimit(RLIMIT_FSIZE, &old_);
+  const rlimit small{bytes, old_.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+}
+
+FileSizeLimit::~FileSizeLimit() {
+  ::setrlimit(RLIMIT_FSIZE, &old_);
+  std::signal(SIGXFSZ, old_handler_);
 }
 
 std::string read_bytes(const std::filesystem::path& file) {

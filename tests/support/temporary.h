@@ -1,5 +1,7 @@
-// Folders that vanish with the test, and whole files as strings.
+// Folders that vanish with the test, a limit to the size of files, and whole files as strings.
 #pragma once
+
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <set>
@@ -21,6 +23,19 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// As long as it lives, this process cannot make larger files: writing more fails as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes);
+  ~FileSizeLimit();
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*old_handler_)(int);
 };
 
 std::string read_bytes(const std::filesystem::path& file);

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <set>
 #include <thread>
@@ -193,14 +193,9 @@ TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
 
 TEST(BuildFile, AFullDiskIsNamedBeforeTablesAreFilled) {
   const TemporaryFolder folder;
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  ::getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit small{1 << 14, old.rlim_max};
-  ::setrlimit(RLIMIT_FSIZE, &small);
+  std::optional<test::FileSizeLimit> limit(1 << 14);
   const std::string message = building(folder / "a.vgi", test::icosphere(3), options_of(3, 4));
-  ::setrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, old_handler);
+  limit.reset();
   EXPECT_TRUE(message.starts_with("The index file " + (folder / "a.vgi").string() +
                                   " cannot be written: building it takes "))
       << message;

@@ -3,12 +3,12 @@
 #include "support/output_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <optional>
 
 #include "support/temporary.h"
 
@@ -142,19 +142,14 @@ TEST(OutputFile, SpaceIsTakenOrRefusedBeforeItIsWritten) {
 
 TEST(OutputFile, FilesLargerThanAllowedAreRefused) {
   const TemporaryFolder folder;
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  ::getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit small{1 << 16, old.rlim_max};
-  ::setrlimit(RLIMIT_FSIZE, &small);
+  std::optional<test::FileSizeLimit> limit(1 << 16);
   const std::string text(1 << 17, 'x');
   const std::string reserving = message_of<FileError>([&] {
     OutputFile out(folder / "a", "The file");
     out.reserve(text.size());
   });
   const std::string writing = message_of<FileError>([&] { write_file(folder / "a", text); });
-  ::setrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, old_handler);
+  limit.reset();
   EXPECT_EQ(reserving, "The file " + (folder / "a").string() +
                            " cannot be written: it takes 131072 bytes (File too large); free space or name a "
                            "file on another disk.");
