@@ -56,7 +56,8 @@ MeasuredLength step_length(const Mesh& mesh, Index face, const Weights& from, co
 }  // namespace
 
 bool MeasuredLength::agrees_with(double distance) const {
-  return std::abs(length - distance) <= path_tolerance * distance + rounding;
+  // An infinite distance would allow any difference.
+  return distance < unreachable && std::abs(length - distance) <= path_tolerance * distance + rounding;
 }
 
 MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points) {

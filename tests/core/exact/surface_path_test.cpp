@@ -71,6 +71,9 @@ TEST(SurfacePath, IsOneOnlyOfTheLengthItSays) {
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0 + 1e-8));
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0 + 1e-8}, a, b, 3.0));
   EXPECT_FALSE(is_path(*mesh, {{}, 0.0}, a, b, 0.0));
+  // What no propagation has reached is as long as nothing.
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, unreachable));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, unreachable}, a, b, 3.0));
 }
 
 TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {

@@ -222,6 +222,17 @@ TEST(PathQuery, ACertifiedPathIsTheSame) {
   }
 }
 
+TEST(PathQuery, WithoutProofAFarPathIsNotCertified) {
+  const auto index = test::make_index(test::plane_grid(20, 20, 1.0, 1.0).soup, 3, 4);
+  PathQuery query(index);
+  const auto corner = SurfacePoint::at_vertex(0);
+  const auto opposite = SurfacePoint::at_vertex(index->mesh()->vertex_count() - 1);
+  const ExactPath found = query.exact_path(corner, opposite, false);
+  EXPECT_FALSE(found.certified);
+  EXPECT_NEAR(found.path.length, std::sqrt(2.0), 1e-12);
+  EXPECT_TRUE(query.exact_path(corner, SurfacePoint::at_vertex(1), false).certified);
+}
+
 TEST(PathQuery, RealMeshes) {
   VOROGEO_HEAVY_TEST();
   // Smooth and CAD ones, and one with many components and borders.
