@@ -88,6 +88,7 @@ VOROGEO_CLONES
 void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
   constexpr float least_edges = 3.0f;
   constexpr auto steepest = static_cast<float>(greatest_gain);
+  constexpr auto excess = static_cast<float>(greatest_excess);
   constexpr auto narrowest = static_cast<float>(least_offset);
   const float* sources = crossings.source;
   const float* targets = crossings.target;
@@ -118,12 +119,16 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float right = offset(source_after, target_after, after);
     const float to_left = (source_before + target_before) / left;
     const float to_right = (source_after + target_after) / right;
-    const float curvature = (to_right - to_left) / (right - left);
-    const float slope = to_right - curvature * right;
-    const float lowest_point = -0.5f * slope / curvature;
     const float away = lowest + source;
     const float longest = before > after ? before : after;
-    const float max_gain = steepest * longest * longest * ((away + target) / (away * target));
+    const float of_circles = (away + target) / (away * target);
+    const float fitted = (to_right - to_left) / (right - left);
+    const float most = 0.5f * (of_circles + excess / longest);
+    const float curvature = fitted < most ? fitted : most;
+    const bool falls_to_right = to_right < fitted * right;
+    const float slope = falls_to_right ? to_right - curvature * right : to_left - curvature * left;
+    const float lowest_point = -0.5f * slope / curvature;
+    const float max_gain = steepest * longest * longest * of_circles;
     const float free = -0.5f * slope * lowest_point;
     const float parabola = free < max_gain ? free : max_gain;
     // By the triangle inequality no gain is more than twice the nearer distance; rounding of distances that
@@ -131,8 +136,9 @@ void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
     const float nearer = away < target ? away : target;
     const bool valid = consistent & (nearer >= least_edges * before) & (nearer >= least_edges * after) &
                        (left < 0.0f) & (right > 0.0f) & (-left >= narrowest * before) &
-                       (right >= narrowest * after) & (curvature > 0.0f) & (lowest_point > left) &
-                       (lowest_point < right) & (parabola > unfolded) & (parabola <= nearer);
+                       (right >= narrowest * after) & (curvature > 0.0f) &
+                       (falls_to_right == (slope < 0.0f)) & (lowest_point > left) & (lowest_point < right) &
+                       (parabola > unfolded) & (parabola <= nearer);
     best[k] = valid ? parabola : unfolded;
   }
   std::memcpy(gain, best, sizeof(best));

@@ -25,6 +25,10 @@ inline constexpr double least_offset = 0.1;
 /// three times that of circles, 1/8.
 inline constexpr double greatest_gain = 0.375;
 
+/// Greatest curvature of the sum in a parabola, beyond that of circles around source and target, for border
+/// edges of length 1.
+inline constexpr double greatest_excess = 0.3;
+
 /// The angle between the directions to source and target at a border vertex, on one side of them.
 struct SideAngle {
   double cosine;
@@ -61,8 +65,12 @@ inline bool may_be_one_path(const SideAngle& before, const SideAngle& after) {
 /// value. Unlike unfolding, it does not assume the waves to be circles around source and target, which would
 /// be too flat where paths bend at saddle vertices. `unreachable` if the lowest point is not between the
 /// outer vertices, if the sums do not curve upwards, or if the path runs so close along the border that the
-/// offsets are mostly rounding. The gain is limited to what waves three times as curved as circles around
-/// source and target would give: a larger one comes from samples that belong to different waves.
+/// offsets are mostly rounding. A path that bends at the middle vertex makes a kink there, through which
+/// three samples of long edges fit a narrow parabola with a large gain. So the curvature is limited to a
+/// little more than that of circles, where edges are not much shorter than the distances; the parabola then
+/// goes through the middle sample and the one on the side where the sum falls. The gain is limited, too, to
+/// what waves three times as curved as circles would give: a larger one comes from samples that belong to
+/// different waves.
 inline double parabola_distance(double source, double target, const BorderSample& before,
                                 const BorderSample& after) {
   constexpr double least_edges = 3.0;
@@ -78,13 +86,17 @@ inline double parabola_distance(double source, double target, const BorderSample
   if (!(-left >= least_offset * before.length && right >= least_offset * after.length)) return unreachable;
   const double to_left = (before.source + before.target - sum) / left;
   const double to_right = (after.source + after.target - sum) / right;
-  const double curvature = (to_right - to_left) / (right - left);
-  const double slope = to_right - curvature * right;
+  const double longest = std::fmax(before.length, after.length);
+  const double of_circles = 1.0 / source + 1.0 / target;
+  const double fitted = (to_right - to_left) / (right - left);
+  const double curvature = std::fmin(fitted, 0.5 * (of_circles + greatest_excess / longest));
   if (!(curvature > 0.0)) return unreachable;
+  const bool falls_to_right = to_right < fitted * right;
+  const double slope = falls_to_right ? to_right - curvature * right : to_left - curvature * left;
+  if (falls_to_right != (slope < 0.0)) return unreachable;
   const double lowest = -0.5 * slope / curvature;
   if (!(lowest > left && lowest < right)) return unreachable;
-  const double longest = std::fmax(before.length, after.length);
-  const double max_gain = greatest_gain * longest * longest * (1.0 / source + 1.0 / target);
+  const double max_gain = greatest_gain * longest * longest * of_circles;
   return sum - std::fmin(-0.5 * slope * lowest, max_gain);
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 namespace vorogeo {
@@ -110,8 +111,8 @@ TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
   std::uniform_real_distribution<double> number(0.0, 1.0);
   int limited = 0;
   for (int i = 0; i < 20000; ++i) {
-    const double source = 3.0 + 10.0 * number(random);
-    const double target = 3.0 + 10.0 * number(random);
+    const double source = 3.0 + 30.0 * number(random);
+    const double target = 3.0 + 30.0 * number(random);
     auto sample = [&] {
       return BorderSample{source + number(random), target + number(random), number(random)};
     };
@@ -126,6 +127,34 @@ TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
     limited += found < source + target - 0.999 * most ? 1 : 0;
   }
   EXPECT_GT(limited, 0);
+}
+
+TEST(Unfolding, AParabolaThroughAKinkGainsLittle) {
+  // A path bends at the middle vertex, round which the surface has more than 2 pi: the sum is shortest there,
+  // and rises steeply on the side where the angles to source and target are wide.
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  constexpr double pi = std::numbers::pi;
+  int tried = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double source = 3.0 + 3.0 * number(random);
+    const double target = 3.0 + 3.0 * number(random);
+    auto sample = [&](double length, double to_source, double to_target) {
+      auto opposite = [&](double side, double angle) {
+        return std::sqrt(side * side + length * length - 2.0 * side * length * std::cos(angle));
+      };
+      return BorderSample{opposite(source, to_source), opposite(target, to_target), length};
+    };
+    const BorderSample wide =
+        sample(1.0, pi * (0.7 + 0.3 * number(random)), pi * (0.7 + 0.3 * number(random)));
+    const double to_source = pi * (0.4 + 0.2 * number(random));
+    const BorderSample beside = sample(1.0, to_source, pi - to_source);
+    const double found = parabola_distance(source, target, wide, beside);
+    if (found == unreachable) continue;
+    ++tried;
+    EXPECT_GE(found, source + target - (0.125 * (1.0 / source + 1.0 / target) + 0.125 * greatest_excess));
+  }
+  EXPECT_GT(tried, 0);
 }
 
 TEST(Unfolding, ACrossingInThePlaneIsAStraightLine) {
