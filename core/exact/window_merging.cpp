@@ -52,7 +52,7 @@ double deviation(const Window& merged, const Window& a, const Window& b) {
 
 void ExactSolver::State::merge_crossing(double length) {
   // Windows travel on from long faces to short ones, whose edges may be shorter than the tolerance on a long
-  // edge.
+  // edge; and long edges lead into parts that are smaller altogether, where the distance itself bounds it.
   const double tolerance = merge_tolerance * std::min(length, mesh.typical_edge_length());
   const double end_rounding = 1e-9 * length;
   std::size_t last = 0;
@@ -64,7 +64,8 @@ void ExactSolver::State::merge_crossing(double length) {
     if (next.source == window.source && next.came_from == window.came_from &&
         std::abs(next.begin - window.end) <= end_rounding && merge(window, next, merged)) {
       const double sum = deviated + deviation(merged, window, next);
-      if (sum <= tolerance) {
+      if (sum <= tolerance &&
+          sum <= merge_tolerance * std::min(window.least_distance(), next.least_distance())) {
         window = merged;
         deviated = sum;
         continue;

@@ -29,8 +29,8 @@ constexpr std::size_t runs_to_estimate = 8;
 /// Shorter builds need no warning.
 constexpr double least_seconds = 1.0;
 
-/// A merged window deviates by at most this fraction of its edge, on average by far less: the tables resolve
-/// some 3e-4 of an edge.
+/// A merged window deviates by at most this fraction of its edge and its distance, on average by far less:
+/// the tables resolve some 3e-4 of an edge.
 constexpr double merge_tolerance = 2e-4;
 
 /// Solves from the nodes between the same patches, which share one halo.

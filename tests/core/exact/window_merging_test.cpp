@@ -7,7 +7,7 @@
 
 #include "exact/exact_solver.h"
 #include "support/indexes.h"
-#include "support/shapes.h"
+#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {
@@ -56,6 +56,24 @@ TEST(WindowMerging, SavesWindowsAndErrsByLittleMoreThanItsTolerance) {
     EXPECT_GT(found.least, -20.0 * tolerance);
     EXPECT_LT(found.greatest, 20.0 * tolerance);
     EXPECT_LT(found.windows, 0.9);
+  }
+}
+
+TEST(WindowMerging, DistancesInASmallPartAreAsRightAsOthers) {
+  // The needles that join the parts have edges a million times as long as distances in the small part.
+  constexpr double tolerance = 2e-4;
+  const test::Soup soup = test::with_small_copy(test::plane_grid(12, 12, 1.0, 1.0, 0.2).soup, 1e-7);
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver exact(mesh);
+  ExactSolver solver(mesh);
+  ExactLimits limits;
+  limits.merge_tolerance = tolerance;
+  for (Index source : test::random_vertices(mesh->vertex_count(), 20, 3)) {
+    exact.run_from_vertices(std::array{source});
+    solver.run_from_vertices(std::array{source}, limits);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_NEAR(solver.distance(v), exact.distance(v), 20.0 * tolerance * exact.distance(v));
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "exact/exact_solver.h"
 #include "field/geodesic_query.h"
 #include "support/indexes.h"
+#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {
@@ -48,30 +49,11 @@ TEST(TableScale, ATableOfOneDistanceZeroHasNoUnit) {
   }
 }
 
-/// A plane and a copy of it, `ratio` times as large, that share four vertices.
-test::Soup with_small_copy(double ratio) {
-  test::Soup soup = test::plane_grid(20, 20, 1.0, 1.0, 0.2).soup;
-  const test::Soup plane = soup;
-  std::vector<Index> name;
-  for (std::size_t v = 0; v < plane.positions.size(); ++v) {
-    if (v % 110 == 50) {
-      name.push_back(static_cast<Index>(v));
-      continue;
-    }
-    name.push_back(static_cast<Index>(soup.positions.size()));
-    Point small = plane.positions[v];
-    for (double& coordinate : small) coordinate *= ratio;
-    small[2] += 0.5;
-    soup.positions.push_back(small);
-  }
-  for (const auto& [a, b, c] : plane.faces) soup.faces.push_back({name[a], name[b], name[c]});
-  return soup;
-}
-
 TEST(TableScale, DistancesInASmallPartAreAsAccurateAsElsewhere) {
-  for (double ratio : {1e-4, 1e-6}) {
+  for (double ratio : {1e-4, 1e-7}) {
     SCOPED_TRACE(ratio);
-    const auto index = test::make_index(with_small_copy(ratio), 3, 4);
+    const auto index =
+        test::make_index(test::with_small_copy(test::plane_grid(20, 20, 1.0, 1.0, 0.2).soup, ratio), 3, 4);
     const IndexData& data = index->data();
     // Parts of the small copy lie in patches with parts of the large plane.
     EXPECT_TRUE(std::ranges::any_of(data.second.scale, &TableScale::is_graded));
