@@ -1,4 +1,5 @@
-// Patches grown face by face from evenly numbered seeds, and dealt out so that neighbours have other owners.
+// Patches grown face by face from evenly numbered seeds, needles and small parts as a whole, and dealt out so
+// that neighbours have other owners.
 #include "exact/territories.h"
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace {
 constexpr Index most_patches = 512;
 constexpr Index least_faces = 64;
 
+/// Two faces stay in one patch if this part of a typical edge is longer than their common edge, or than both
+/// of their heights over it. A front crosses hundreds of such faces in a step; between several owners it
+/// would wait for the next step at every border, while all of them propagated what it is about to replace.
+constexpr double least_size = 1.0 / 32.0;
+
 /// Sweeps over the patches in which each takes the owner that fewest of its neighbours have.
 constexpr int sweeps = 4;
 
@@ -22,20 +28,36 @@ std::vector<Index> grow_patches(const Mesh& mesh) {
   std::vector<Index> patch(faces, no_index);
   std::vector<Index> reached;
   reached.reserve(faces);
+  auto for_each_beside = [&](Index face, auto&& visit) {
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      for (Index other = mesh.next_around_edge(h); other != h; other = mesh.next_around_edge(other)) {
+        visit(h, Mesh::face_of(other));
+      }
+    }
+  };
+  const double least = least_size * mesh.typical_edge_length();
+  auto stay_together = [&](Index face, Index other, Index halfedge) {
+    const double length = mesh.edge_length(mesh.edge_of(halfedge));
+    return length < least || 2.0 * std::max(mesh.face_area(face), mesh.face_area(other)) < least * length;
+  };
   auto take = [&](Index face, Index id) {
     if (patch[face] != no_index) return;
     patch[face] = id;
     reached.push_back(face);
+    for (std::size_t i = reached.size() - 1; i < reached.size(); ++i) {
+      const Index small = reached[i];
+      for_each_beside(small, [&](Index h, Index beside) {
+        if (patch[beside] != no_index || !stay_together(small, beside, h)) return;
+        patch[beside] = id;
+        reached.push_back(beside);
+      });
+    }
   };
   std::size_t next = 0;
   auto grow = [&] {
     for (; next < reached.size(); ++next) {
       const Index face = reached[next];
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-        for (Index other = mesh.next_around_edge(h); other != h; other = mesh.next_around_edge(other)) {
-          take(Mesh::face_of(other), patch[face]);
-        }
-      }
+      for_each_beside(face, [&](Index, Index beside) { take(beside, patch[face]); });
     }
   };
   for (Index i = 0; i < seeds; ++i) {

@@ -11,7 +11,7 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/near.h"
-#include "support/shapes.h"
+#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {
@@ -46,6 +46,33 @@ void expect_equal(const test::Soup& soup, double max_distance = unreachable) {
                                       {SurfacePoint::in_face(last / 2, {0.2, 0.3, 0.5})},
                                       {SurfacePoint::in_face(last / 3, {0.4, 0.6, 0.0}), 0.02}};
   expect_equal(soup, many, max_distance);
+}
+
+/// A rough ridge of `points` between two far vertices: needles on both sides.
+test::Soup ridge(int points) {
+  test::Soup soup{{{0.5, -1.0, 0.0}, {0.5, 1.0, 0.0}}, {}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> offset(-0.5, 0.5);
+  for (int i = 0; i < points; ++i) {
+    soup.positions.push_back({1.0 * i / points, offset(random) / points, offset(random) / points});
+    if (i == 0) continue;
+    soup.faces.push_back({0, i + 2, i + 1});
+    soup.faces.push_back({1, i + 1, i + 2});
+  }
+  return soup;
+}
+
+TEST(SharedRun, OnNeedlesAndSmallPartsItMakesAsManyWindowsAsOneSolver) {
+  for (const test::Soup& soup :
+       {ridge(400), test::with_small_copy(test::plane_grid(24, 24, 1.0, 1.0, 0.2).soup, 1e-3)}) {
+    expect_equal(soup);
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver alone(mesh);
+    alone.run_from_vertices(std::array<Index, 1>{300}, {.distances_only = true});
+    ExactSolver several(mesh);
+    several.run_from_vertices(std::array<Index, 1>{300}, {.distances_only = true, .threads = 3});
+    EXPECT_LT(several.window_count(), 1.3 * alone.window_count());
+  }
 }
 
 TEST(SharedRun, OnAPlaneAllDistancesAreThoseOfStraightLines) {
