@@ -127,6 +127,29 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   return entries;
 }
 
+/// How long pieces may be, and whether tables then keep to their share.
+struct LongestPiece {
+  double length;
+  bool fits;
+};
+
+LongestPiece longest_piece(const Mesh& mesh, const Partition& partition,
+                           std::span<const BorderEdge> borders) {
+  const double defect = mesh.mean_angle_defect();
+  double longest =
+      defect > 0.0 ? std::clamp(edge_by_defect / std::sqrt(defect), finest_border_edge, longest_border_edge)
+                   : longest_border_edge;
+  const auto vertices = static_cast<double>(mesh.vertex_count());
+  const double most =
+      (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+  auto fits = [&] { return expected_entries(mesh, partition, borders, longest) <= most; };
+  for (int step = 0; step < max_steps; ++step) {
+    if (fits()) return {longest, true};
+    longest *= longer_per_step;
+  }
+  return {longest, fits()};
+}
+
 /// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
 void limit_pieces(std::vector<Index>& pieces, Index vertices) {
   std::array<std::int64_t, max_pieces + 1> edges_with{};
@@ -147,20 +170,15 @@ void limit_pieces(std::vector<Index>& pieces, Index vertices) {
 
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
   const std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  const double defect = mesh.mean_angle_defect();
-  double longest =
-      defect > 0.0 ? std::clamp(edge_by_defect / std::sqrt(defect), finest_border_edge, longest_border_edge)
-                   : longest_border_edge;
-  const auto vertices = static_cast<double>(mesh.vertex_count());
-  const double most =
-      (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
-  for (int step = 0; step < max_steps && expected_entries(mesh, partition, borders, longest) > most; ++step) {
-    longest *= longer_per_step;
-  }
+  const double longest = longest_piece(mesh, partition, borders).length;
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, longest);
   limit_pieces(pieces, mesh.vertex_count());
   return pieces;
+}
+
+bool tables_have_room(const Mesh& mesh, const Partition& partition) {
+  return longest_piece(mesh, partition, border_edges(mesh, partition)).fits;
 }
 
 }  // namespace vorogeo

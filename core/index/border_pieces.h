@@ -14,4 +14,8 @@ namespace vorogeo {
 /// become too large, edges may be longer. Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 
+/// Whether the tables keep to their share even so: edges as long as they may be, and no more entries than
+/// tables should have. Complexity: O(edges).
+bool tables_have_room(const Mesh& mesh, const Partition& partition);
+
 }  // namespace vorogeo

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "index/index_data.h"
+#include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
 #include "mesh/length_limits.h"
@@ -98,7 +99,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double vertices = static_cast<double>(data.mesh->vertex_count()) * scale;
   const PartitionOptions patches{0, 0, options.seed, 1};
   const auto start = Clock::now();
-  data.partition = make_partition(*data.mesh, patches, still);
+  data.partition = partition_for_index(*data.mesh, patches, still);
   data.lay_out(1, still);
   const TableSurface surface = make_table_surface(*data.mesh, data.work, data.geometry);
   const double layout_seconds = seconds_since(start) * scale;
@@ -131,6 +132,8 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
     const auto geometry = std::make_shared<const LocalGeometry>(mesh);
     estimate.exact_field_seconds =
         time_exact_field(geometry, max_field_seconds, still, estimate_phase).expected_seconds();
+    // Without borders, the near field is all.
+    if (data.second.node_count() == 0) estimate.field_seconds = estimate.exact_field_seconds;
   }
   return estimate;
 }

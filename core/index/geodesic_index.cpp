@@ -9,6 +9,7 @@
 
 #include "index/build_file.h"
 #include "index/index_data.h"
+#include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
 #include "index/overlay.h"
@@ -158,7 +159,7 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
   const auto start = std::chrono::steady_clock::now();
   const double filled = file != nullptr ? 0.99 : 1.0;  // what is left is to be written
   require_memory_for_layout(*data.mesh);
-  data.partition = make_partition(
+  data.partition = partition_for_index(
       *data.mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
       progress.part(0.01, 0.07));
   data.lay_out(options.threads, progress.part(0.07, 0.1));

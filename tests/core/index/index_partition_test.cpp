@@ -1,0 +1,60 @@
+// Patches of an index: the usual ones, one for each component where tables have no room, those that were
+// asked for.
+#include "index/index_partition.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "exact/exact_solver.h"
+#include "field/geodesic_query.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+TEST(IndexPartition, UsualMeshesKeepTheirPatches) {
+  const auto mesh = test::make_mesh(test::icosphere(4));
+  const PartitionOptions options{0, 0, 3, 1};
+  const Partition usual = make_partition(*mesh, options, {});
+  const Partition found = partition_for_index(*mesh, options, {});
+  EXPECT_GT(found.second_layer_count, 1);
+  EXPECT_EQ(found.second_layer, usual.second_layer);
+}
+
+TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {
+  const auto mesh = test::make_mesh(test::gear(40, 16, 8.0));
+  const Partition found = partition_for_index(*mesh, {0, 0, 0, 1}, {});
+  EXPECT_EQ(found.second_layer_count, 1);
+  EXPECT_EQ(found.first_layer_count, 1);
+  EXPECT_GT(partition_for_index(*mesh, {0, 3, 0, 1}, {}).second_layer_count, 1) << "asked for";
+}
+
+TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {
+  const auto wheels = test::two_components(test::gear(40, 16, 8.0), test::icosphere(1));
+  const auto index = test::make_index(wheels);
+  const Mesh& mesh = *index->mesh();
+  EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
+  EXPECT_LT(index->statistics().bytes, 700 * mesh.vertex_count());
+  GeodesicQuery query(index);
+  ExactSolver solver(index->mesh());
+  for (Index source : {7, 1000, mesh.vertex_count() - 1}) {
+    solver.run_from_vertices(std::array{source});
+    const auto field = query.distance_field(std::array{source});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double exact = solver.distance(v);
+      if (exact == unreachable) {
+        ASSERT_EQ(field[v], unreachable);
+        continue;
+      }
+      ASSERT_NEAR(field[v], exact, 1e-9 * exact);
+      if (v % 97 == 0) {
+        ASSERT_NEAR(query.distance(source, v), exact, 1e-6 * exact);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo
