@@ -203,16 +203,18 @@ TableRooms BuildFile::rooms(const IndexData& data, IndexForm form) {
     }
   } else {
     start_anew();
-    try {
-      writing_index([&] {
-        // Arcs get none: most of them will be pruned.
-        if (form == IndexForm::graph) out_->reserve(layout.second_parts, layout.size - layout.second_parts);
-        out_->reserve(0, form == IndexForm::graph ? layout.reserved : layout.size);
-      });
-    } catch (...) {
-      out_->discard();
-      throw;
-    }
+  }
+  try {
+    // Also where a build goes on: a copy of its file may have holes, and a disk that is full would then end
+    // the process where it writes to mapped memory.
+    writing_index([&] {
+      // Arcs get none: most of them will be pruned.
+      out_->reserve(0, form == IndexForm::graph ? layout.reserved : layout.size);
+      if (form == IndexForm::graph) out_->reserve(layout.second_parts, layout.size - layout.second_parts);
+    });
+  } catch (...) {
+    if (!is_begun_) out_->discard();
+    throw;
   }
   writing_index([&] { out_->map(); });
   const std::span<std::byte> bytes = out_->mapped();

@@ -2,6 +2,7 @@
 #include "support/file_writes.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -22,8 +23,12 @@ int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
   do error = ::posix_fallocate(descriptor, begin, size);
   while (error == EINTR);
   if (error != EOPNOTSUPP && error != EINVAL && error != ENOSYS) return error;
+  struct stat found {};
+  if (::fstat(descriptor, &found) != 0) return errno;
   const std::vector<std::byte> zeros(std::size_t{1} << 20);
-  for (std::int64_t at = begin; at < begin + size; at += static_cast<std::int64_t>(zeros.size())) {
+  // What the file has already stays as it is.
+  for (std::int64_t at = std::max<std::int64_t>(begin, found.st_size); at < begin + size;
+       at += static_cast<std::int64_t>(zeros.size())) {
     checkpoint();
     const auto count = std::min<std::int64_t>(static_cast<std::int64_t>(zeros.size()), begin + size - at);
     error = write_all(descriptor, std::span(zeros).first(static_cast<std::size_t>(count)), at);
@@ -50,10 +55,12 @@ int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t off
 
 int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes) {
   struct statvfs disk {};
-  if (::fstatvfs(descriptor, &disk) == 0 && disk.f_blocks > 0) {
+  struct stat found {};
+  if (::fstatvfs(descriptor, &disk) == 0 && disk.f_blocks > 0 && ::fstat(descriptor, &found) == 0) {
     const auto blocks = ::geteuid() == 0 ? disk.f_bfree : disk.f_bavail;
+    const std::uint64_t held = std::uint64_t{512} * static_cast<std::uint64_t>(found.st_blocks);
     // Checked first, so that a file that cannot fit does not fill the disk for a while.
-    if (bytes / disk.f_frsize > blocks) return ENOSPC;
+    if (bytes > held && (bytes - held) / disk.f_frsize > blocks) return ENOSPC;
   }
   constexpr std::uint64_t piece = std::uint64_t{1} << 30;  // so that a signal does not undo much
   for (std::uint64_t begin = 0; begin < bytes; begin += piece) {

@@ -21,8 +21,8 @@ class FileError : public Error {
 int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset);
 
 /// Reserves disk space for the bytes from an offset on, so that memory mapped to the file can be written
-/// without a signal. On file systems that cannot reserve space, zeros are written. A file that cannot fit
-/// takes none. Reports at checkpoints. \return errno, or 0.
+/// without a signal; what the file has there stays. On file systems that cannot reserve space, zeros are
+/// written behind its end. A file that cannot fit takes none. Reports at checkpoints. \return errno, or 0.
 int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes);
 
 /// What the system says of an error.

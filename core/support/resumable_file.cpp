@@ -148,6 +148,11 @@ void ResumableFile::finish() {
                     " was removed or replaced while it was being written: build the index again.");
   }
   std::error_code error;
+  if (fs::exists(fs::symlink_status(target_, error))) {
+    throw FileError(named_file(target_, what_) +
+                    " has been made by another program meanwhile; the new one stays in " +
+                    unfinished_.string() + ".");
+  }
   fs::rename(unfinished_, target_, error);
   if (error) {
     throw FileError(named_file(target_, what_) + " cannot be put in its place (" + error.message() +

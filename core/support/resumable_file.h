@@ -48,7 +48,7 @@ class ResumableFile {
   /// Waits until all that was written is on the disk; reports at checkpoints. \throw FileError.
   void sync();
   /// Renames the file to its target, and lets its mapped memory be read only. \throw FileError, also if the
-  /// file was removed or replaced meanwhile.
+  /// file was removed or replaced meanwhile, or another one has its target's name.
   void finish();
   /// Removes it.
   void discard() noexcept;

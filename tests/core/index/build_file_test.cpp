@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -201,6 +202,31 @@ TEST(BuildFile, AFullDiskIsNamedBeforeTablesAreFilled) {
       << message;
   EXPECT_TRUE(message.ends_with("free space or name a file on another disk.")) << message;
   EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(BuildFile, ABuildThatGoesOnTakesTheSpaceThatACopyHasLost) {
+  const TemporaryFolder folder;
+  const auto unfinished = folder / "a.vgi.unfinished";
+  const Soup soup = test::hills(30, 0.2);
+  const Progress early([](double, const std::string& what) { return !what.starts_with("Composing"); });
+  ASSERT_EQ(building(folder / "a.vgi", soup, options_of(4, 4), early), "cancelled");
+  auto space = [&] {
+    struct stat found {};
+    EXPECT_EQ(::stat(unfinished.c_str(), &found), 0);
+    return std::pair(512 * std::int64_t{found.st_blocks}, std::int64_t{found.st_size});
+  };
+  const std::int64_t size = space().second;
+  EXPECT_GE(space().first, size);
+  // Only what is filled so far, with a hole behind it.
+  const std::string head = read_bytes(unfinished).substr(0, 1 << 12);
+  std::filesystem::remove(unfinished);
+  write_bytes(unfinished, head);
+  std::filesystem::resize_file(unfinished, static_cast<std::uintmax_t>(size));
+  ASSERT_LT(space().first, size);
+  ASSERT_EQ(building(folder / "a.vgi", soup, options_of(4, 4), early), "cancelled");
+  EXPECT_GE(space().first, size);
+  EXPECT_EQ(building(folder / "a.vgi", soup, options_of(4, 4)), "built");
+  EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options_of(4, 4)));
 }
 
 TEST(BuildFile, OneProcessAtATime) {

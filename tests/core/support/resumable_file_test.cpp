@@ -57,6 +57,16 @@ TEST(ResumableFile, WithoutContentsNothingIsLeft) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(ResumableFile, AFileThatAppearsAtItsTargetIsKept) {
+  const TemporaryFolder folder;
+  ResumableFile out(folder / "a", "The file");
+  put(out, 0, "new");
+  test::write_bytes(folder / "a", "of another program");
+  EXPECT_THROW(out.finish(), FileError);
+  EXPECT_EQ(read_bytes(folder / "a"), "of another program");
+  EXPECT_EQ(read_bytes(folder / "a.unfinished"), "new");
+}
+
 TEST(ResumableFile, AFileInItsPlaceStaysItsOwn) {
   // Somebody removes the unfinished file, and another process begins one of that name.
   const TemporaryFolder folder;
