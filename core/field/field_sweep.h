@@ -21,7 +21,7 @@ class FieldSweep {
  public:
   /// Distances of all members of a patch through its border, in the order of its members: for a border node
   /// its own distance, for the others the least sum over the border, unfolded there as by
-  /// BoundaryDijkstra::across.
+  /// BoundaryDijkstra::across, or over a long border edge where that is less (in layers of tiles).
   /// Complexity: O(border x members).
   std::span<const double> sweep(const PatchLayer& layer, const BorderDistances& border, Index patch);
   /// After a sweep, for members that are not on the border: the row of the least sum; no_index without one.
@@ -30,6 +30,8 @@ class FieldSweep {
  private:
   void look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row);
   void cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column, int count);
+  void find_long_edges(const PatchLayer& layer, const BorderDistances& border, Index patch);
+  void cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_tiles(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_lines(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count);
@@ -40,10 +42,16 @@ class FieldSweep {
     float length[2] = {0.0f, 0.0f};
     bool known = false;
   };
+  /// A long border edge whose ends may belong to one wave.
+  struct LongEdge {
+    Index row[2];
+    float length;
+  };
   double lowest_ = 0.0;
   std::vector<float> above_;        ///< by row: distance minus the lowest
   std::vector<std::int16_t> base_;  ///< the same on the even scale of the patch, as min_plus.h expects it
   std::vector<Beside> beside_;
+  std::vector<LongEdge> long_edges_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;
   std::vector<float> line_;

@@ -8,6 +8,7 @@
 
 #include "exact/exact_solver.h"
 #include "index/boundary_dijkstra.h"
+#include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -54,34 +55,52 @@ TEST(FieldSweep, AtMostTheLeastSumAndNotBelowIt) {
   EXPECT_GT(against_sums.statistics().least, -0.05) << "unfolding shortens a path, not more";
 }
 
+/// Errors of sweeps from exact border distances, outside the patches of a few sources.
+test::ErrorCollector sweep_errors(const test::Soup& soup) {
+  const auto index = test::make_index(soup, 3, 5);
+  const IndexData& data = index->data();
+  const PatchLayer& layer = data.second;
+  ExactSolver solver(data.geometry->windows);
+  BoundaryDijkstra search(layer);
+  FieldSweep sweep;
+  test::ErrorCollector errors;
+  for (Index source : test::random_vertices(data.work.mesh->vertex_count(), 5, 1)) {
+    solver.run_from_vertices(std::array{source});
+    search.reset();
+    for (Index node = 0; node < layer.node_count(); ++node) {
+      search.add(node, solver.distance(layer.node_vertex[node]));
+    }
+    const Searched searched(layer, search);
+    const auto own = test::patches_at(*data.work.mesh, data.work.second_layer, source);
+    for (Index p = 0; p < layer.patch_count; ++p) {
+      if (own.contains(p)) continue;
+      const auto found = sweep.sweep(layer, searched, p);
+      for (std::size_t i = 0; i < found.size(); ++i)
+        errors.add(found[i], solver.distance(layer.members(p)[i]));
+    }
+  }
+  return errors;
+}
+
 TEST(FieldSweep, FromExactBorderDistancesNearlyExact) {
   for (const test::Soup& soup : {test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, test::icosphere(4)}) {
-    const auto index = test::make_index(soup, 3, 5);
-    const IndexData& data = index->data();
-    const PatchLayer& layer = data.second;
-    ExactSolver solver(data.geometry->windows);
-    BoundaryDijkstra search(layer);
-    FieldSweep sweep;
-    test::ErrorCollector errors;
-    for (Index source : test::random_vertices(data.work.mesh->vertex_count(), 5, 1)) {
-      solver.run_from_vertices(std::array{source});
-      search.reset();
-      for (Index node = 0; node < layer.node_count(); ++node) {
-        search.add(node, solver.distance(layer.node_vertex[node]));
-      }
-      const Searched searched(layer, search);
-      const auto own = test::patches_at(*data.work.mesh, data.work.second_layer, source);
-      for (Index p = 0; p < layer.patch_count; ++p) {
-        if (own.contains(p)) continue;
-        const auto found = sweep.sweep(layer, searched, p);
-        for (std::size_t i = 0; i < found.size(); ++i)
-          errors.add(found[i], solver.distance(layer.members(p)[i]));
-      }
-    }
+    const test::ErrorCollector errors = sweep_errors(soup);
     EXPECT_EQ(errors.contradictions, 0U);
     EXPECT_LT(errors.statistics().mean, 1e-4);
     EXPECT_LT(errors.statistics().p99, 1e-3);
     EXPECT_GT(errors.statistics().least, -0.01);
+  }
+}
+
+TEST(FieldSweep, RightBehindLongBorderEdges) {
+  // Prisms with long sides between arcs of short ones: some vertices lie right behind the middle of a side.
+  for (const int seed : {2, 3}) {
+    test::HostileRandom random(seed);
+    const auto mesh = test::hostile_base(test::HostileBase::extrusion, 2500, random);
+    SCOPED_TRACE(mesh.sentence());
+    const test::ErrorCollector errors = sweep_errors(mesh.soup);
+    EXPECT_EQ(errors.contradictions, 0U);
+    EXPECT_LT(errors.statistics().greatest, 0.005);
   }
 }
 
