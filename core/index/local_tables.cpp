@@ -100,13 +100,8 @@ class GroupSolver {
     if (vertex != no_index) return {SurfacePoint::at_vertex(vertex)};
     const Mesh& mesh = *surface_.geometry->mesh;
     const EdgePoint point = surface_.edge_point[TableSurface::edge_point_of(work_, work_vertex)];
-    const Index h = mesh.edge_halfedge(point.edge);
-    const double along = point.position / mesh.edge_length(point.edge);
-    const bool forward = mesh.tail(h) == mesh.edge_vertices(point.edge)[0];
-    std::array<double, 3> weights{};
-    weights[h % 3] = forward ? 1.0 - along : along;
-    weights[Mesh::next_in_face(h) % 3] = 1.0 - weights[h % 3];
-    return {SurfacePoint::in_face(Mesh::face_of(h), weights)};
+    const double length = mesh.edge_length(point.edge);
+    return {point_on_edge(mesh, point.edge, length > 0.0 ? point.position / length : 0.0)};
   }
 
   const TableSurface& surface_;

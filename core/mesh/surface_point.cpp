@@ -70,6 +70,17 @@ SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point) {
   return first;
 }
 
+SurfacePoint point_on_edge(const Mesh& mesh, Index edge, double fraction) {
+  if (fraction <= 0.0) return SurfacePoint::at_vertex(mesh.edge_vertices(edge)[0]);
+  if (fraction >= 1.0) return SurfacePoint::at_vertex(mesh.edge_vertices(edge)[1]);
+  const Index h = mesh.edge_halfedge(edge);
+  const bool along = mesh.tail(h) == mesh.edge_vertices(edge)[0];
+  std::array<double, 3> weights{};
+  weights[h % 3] = along ? 1.0 - fraction : fraction;
+  weights[Mesh::next_in_face(h) % 3] = along ? fraction : 1.0 - fraction;
+  return SurfacePoint::in_face(Mesh::face_of(h), weights);
+}
+
 std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& point) {
   const auto corners = mesh.face_corners(point.face);
   Point at{};

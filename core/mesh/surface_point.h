@@ -35,6 +35,9 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 /// numbers are.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
+/// The point of an edge at a fraction of it, 0 to 1 from its first vertex; a vertex at its ends.
+SurfacePoint point_on_edge(const Mesh& mesh, Index edge, double fraction);
+
 /// Distances of a point from the corners of its face, straight through the face. \pre It is not a vertex.
 std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& point);
 

@@ -37,6 +37,7 @@ FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, 
   }
   if (solver_.mesh().metric_jumps()) {
     // There bounds are too weak to end a run: what comes after the target is not needed.
+    limits.corridor_point = &to;
     limits.targets = to.is_vertex() ? std::span(&to.vertex, 1)
                                     : std::span<const Index>(solver_.mesh().face_vertices(to.face));
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "index/index_data.h"
 #include "index/work_points.h"
@@ -182,17 +183,22 @@ SurfacePath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoin
 
 SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& target) {
   State& state = *state_;
-  const SurfacePoint s = validated(*state.data.mesh, source);
-  const SurfacePoint t = validated(*state.data.mesh, target);
+  const Mesh& mesh = *state.data.mesh;
+  SurfacePoint s = validated(mesh, source);
+  SurfacePoint t = validated(mesh, target);
   SurfacePath none;
   none.length = unreachable;
   if (!state.connected(s, t)) return none;
-  if (is_same_point(*state.data.mesh, s, t)) return {{s, t}, 0.0};
+  if (is_same_point(mesh, s, t)) return {{s, t}, 0.0};
+  // Searches from either end may find different paths: both directions take the same one.
+  const bool swapped = canonical(mesh, t) < canonical(mesh, s);
+  if (swapped) std::swap(s, t);
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
   SurfacePath path = state.as_asked(state.path(from, to, true), s, t);
-  if (is_path(*state.data.mesh, path, s, t, path.length)) return path;
-  return state.as_asked(state.exact.everywhere(from, to), s, t);
+  if (!is_path(mesh, path, s, t, path.length)) path = state.as_asked(state.exact.everywhere(from, to), s, t);
+  if (swapped) std::ranges::reverse(path.points);
+  return path;
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {

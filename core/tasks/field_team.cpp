@@ -165,8 +165,7 @@ double FieldTeam::distance(const SurfacePoint& source, const SurfacePoint& targe
   }
   auto& path = state_->workers.of(worker).path;
   if (!path) path.emplace(state_->index);
-  const bool in_order = source < target;
-  return path->path(in_order ? source : target, in_order ? target : source).length;
+  return path->path(source, target).length;
 }
 
 }  // namespace vorogeo

@@ -28,13 +28,14 @@ struct Candidates {
   }
 };
 
-/// Longest edge of the faces at each vertex. A site that owns a point of a face is, at the face's corners,
+/// Longest side of the faces at each vertex, as long as in the face: within a dear one, it is what points are
+/// apart. A site that owns a point of a face is, at the face's corners,
 /// at most twice this farther than the nearest one, by the triangle inequality.
 std::vector<double> reach_of_vertices(const Mesh& mesh) {
   std::vector<double> reach(mesh.vertex_count(), 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     double longest = 0.0;
-    for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.edge_length(mesh.edge_of(3 * f + i)));
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, mesh.side_length(3 * f + i));
     for (Index v : mesh.face_vertices(f)) reach[v] = std::max(reach[v], longest);
   }
   return reach;

@@ -19,15 +19,25 @@ double length_of(double x, double y) { return std::max(std::sqrt(x * x + y * y),
 
 }  // namespace
 
-PlacedSource::PlacedSource(const EdgePiece& piece) : length_(piece.length), cheapest_(piece.cheapest) {
+double refracted_radius(double radius, const RayAtEdge& ray, bool into_face) {
+  if (!(ray.dearer > 1.0 + same_cost)) return radius;
+  const double in_face = 1.0 - ray.cosine * ray.cosine;
+  const double before = 1.0 / (ray.dearer * ray.dearer) - ray.cosine * ray.cosine;
+  if (!(before > 0.0)) return into_face ? unreachable : 0.0;
+  return into_face ? radius * in_face / before : radius * before / in_face;
+}
+
+PlacedSource::PlacedSource(const EdgePiece& piece)
+    : length_(piece.length), cheapest_(piece.cheapest), farther_(piece.farther) {
+  const double first = piece.at_first + farther_;
   const double difference = piece.at_first - piece.at_second;
   exists_ = cheapest_ > 0.0 && piece.at_first < unreachable && piece.at_second < unreachable &&
             std::abs(difference) <= cheapest_;
   if (!exists_) return;
-  const double sum = piece.at_first + piece.at_second;
-  least_ = 0.5 * (sum - cheapest_);
+  const double sum = first + piece.at_second + farther_;
+  least_ = 0.5 * (piece.at_first + piece.at_second - cheapest_);
   x_ = 0.5 * (cheapest_ + difference * sum / cheapest_);
-  y_ = std::sqrt(std::max(0.0, (piece.at_first - x_) * (piece.at_first + x_)));
+  y_ = std::sqrt(std::max(0.0, (first - x_) * (first + x_)));
   refracts_ = length_ > cheapest_ * (1.0 + same_cost);
   if (!refracts_) return;
   // Rays leave both ends at angles of which the slopes are the cosines.
@@ -43,7 +53,7 @@ EdgeCrossing PlacedSource::cross(double x, double y) const {
   const double shift = x - x_;
   const double at = x_ * height + shift * y_;  // times height, which is not negative
   if (!(at > 0.0 && at < cheapest_ * height)) return {};
-  return {std::sqrt(shift * shift + height * height), at / (height * cheapest_)};
+  return {std::sqrt(shift * shift + height * height) - farther_, at / (height * cheapest_)};
 }
 
 /// How the sum of the lengths before and after the piece changes with the place of the crossing.
@@ -75,7 +85,7 @@ EdgeCrossing PlacedSource::refract(double x, double y) const {
     at = next;
     if (found) break;
   }
-  return {cheapest_ * length_of(at - x_, y_) + length_ * length_of(at - x, y), at};
+  return {cheapest_ * length_of(at - x_, y_) + length_ * length_of(at - x, y) - farther_, at};
 }
 
 }  // namespace vorogeo

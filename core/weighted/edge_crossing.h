@@ -11,7 +11,22 @@ struct EdgePiece {
   double cheapest = 0.0;  ///< in the cheapest face of the edge
   double at_first = unreachable;
   double at_second = unreachable;  ///< distances of its ends from the source
+  /// The wave is as flat as that of a source farther away by this: behind an edge to dearer faces it is
+  /// flatter than its distance alone says.
+  double farther = 0.0;
 };
+
+/// The cosine of the angle between a ray and an edge, in a face, and how many times as long the edge is there
+/// as in its cheapest face.
+struct RayAtEdge {
+  double cosine = 0.0;
+  double dearer = 1.0;
+};
+
+/// The radius of a wave after an edge into a dearer face, or (`into_face` false) as seen along the edge from
+/// its cheapest face: on both sides distances along the edge have the same second derivative. `unreachable`
+/// for the plane waves behind edges that are run along.
+double refracted_radius(double radius, const RayAtEdge& ray, bool into_face);
 
 /// How a point of a face is reached from inside a piece of one of its edges.
 struct EdgeCrossing {
@@ -32,6 +47,7 @@ class PlacedSource {
   bool exists() const { return exists_; }
   /// Less the height of a point over the piece, a lower bound of its distance through the piece.
   double least() const { return least_; }
+  double farther() const { return farther_; }
   /// The shortest way through the piece to a point at height `y` over the line of the piece in the face that
   /// is entered, `x` from the piece's first end. \pre exists()
   EdgeCrossing cross(double x, double y) const;
@@ -44,6 +60,7 @@ class PlacedSource {
   bool refracts_ = false;
   double length_ = 0.0;
   double cheapest_ = 0.0;
+  double farther_ = 0.0;
   double least_ = 0.0;
   double x_ = 0.0;  ///< along the piece; in its units if the way refracts
   double y_ = 0.0;  ///< before it

@@ -43,7 +43,8 @@ bool WeightedSolver::is_beyond_limit(Index point) const {
   return !(through - longest * norms_->fraction(1) <= max_distance_);
 }
 
-/// Whether all targets have distances of at most `bound`, of which none is final beyond.
+/// Whether all targets, and that of the corridor, have distances of at most `bound`, of which none is final
+/// beyond.
 bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
   while (final_targets_ < limits.targets.size()) {
     if (!(state_[limits.targets[final_targets_]].distance <= bound)) return false;
@@ -52,14 +53,20 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
   while (final_edge_targets_ < limits.edge_targets.size()) {
     // Its distance is at most that of the points beside it, and made of theirs.
     const EdgePoint& target = limits.edge_targets[final_edge_targets_];
-    const double share = target.position / norms_->edge_cost(target.edge);
+    const double length = norms_->edge_cost(target.edge);
+    const double share = length > 0.0 ? target.position / length : 0.0;
     const auto before = static_cast<Index>(share * (norms_->points_per_edge() + 1));
     for (const Index k : {before, std::min(before + 1, norms_->points_per_edge() + 1)}) {
       if (!(state_[norms_->point(target.edge, k)].distance <= bound)) return false;
     }
     ++final_edge_targets_;
   }
-  return true;
+  if (!has_corridor_ || corridor_point_.is_vertex()) return true;
+  // Points between the corners of its face may be settled after these. Its distance only decreases.
+  if (!(corridor_distance_ < unreachable)) {
+    corridor_distance_ = best_step(corridor_point_, unreachable).distance;
+  }
+  return corridor_distance_ <= bound;
 }
 
 }  // namespace vorogeo

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "weighted/edge_crossing.h"
+#include "weighted/flat_places.h"
 #include "weighted/snell.h"
 #include "weighted/weighted_solver.h"
 
@@ -13,19 +14,17 @@ namespace {
 /// Times that a path may continue from a point at a greater distance than the last one.
 constexpr int max_setbacks = 1000;
 
+/// Of two ways back, one is shorter only by more than this part: otherwise the one with fewer steps is taken.
+constexpr double rounding = 1e-12;
+
 /// A crossing is a vertex if it is this near.
 constexpr double at_vertex = 1e-9;
 
-/// The point of an edge, in its first face.
-SurfacePoint point_of_edge(const Mesh& mesh, Index edge, double fraction) {
-  if (fraction <= at_vertex) return SurfacePoint::at_vertex(mesh.edge_vertices(edge)[0]);
-  if (fraction >= 1.0 - at_vertex) return SurfacePoint::at_vertex(mesh.edge_vertices(edge)[1]);
-  const Index h = mesh.edge_halfedge(edge);
-  const bool along = mesh.tail(h) == mesh.edge_vertices(edge)[0];
-  std::array<double, 3> weights{};
-  weights[h % 3] = along ? 1.0 - fraction : fraction;
-  weights[Mesh::next_in_face(h) % 3] = along ? fraction : 1.0 - fraction;
-  return SurfacePoint::in_face(Mesh::face_of(h), weights);
+SurfacePoint crossing_on_edge(const Mesh& mesh, Index edge, double fraction) {
+  return point_on_edge(mesh, edge,
+                       fraction <= at_vertex         ? 0.0
+                       : fraction >= 1.0 - at_vertex ? 1.0
+                                                     : fraction);
 }
 
 /// An end of a piece: a fixed point, or one that may move along an edge.
@@ -73,6 +72,9 @@ void place_joint(const FaceNorms& norms, const Joint& joint, Index face, Index e
 WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights,
                                                    double below) const {
   const auto target = norms_->place(face, weights);
+  // On the way back, what is across a face without area is no step (flat_places): to and fro over it, paths
+  // would decrease by rounding only.
+  const double least_piece = below < unreachable ? flat_height(*norms_, face) : 0.0;
   BackStep best;
   for (const Index s : face_sources_) {
     const auto& [source, offset] = sources_[s];
@@ -91,7 +93,7 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const double y = weights[(i + 2) % 3] * frame.apex_y;
     const double spacing = norms_->fraction(1);
     auto take = [&](double distance, double piece, double at) {
-      if (!(distance < best.distance && distance - piece < below)) return;
+      if (!(distance < best.distance && distance - piece < below) || piece < least_piece) return;
       best = {distance, distance - piece, no_index, edge, at, face};
     };
     for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
@@ -101,8 +103,7 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
       const double to_first = std::hypot(x - begin, y);
       take(first + to_first, to_first, norms_->fraction(k));
       if (k > norms_->points_per_edge()) break;
-      const double second = state_[norms_->point(edge, k + 1)].distance;
-      const PlacedSource source({frame.length * spacing, norms_->edge_cost(edge) * spacing, first, second});
+      const PlacedSource source = placed_source(edge, k, frame.length * spacing);
       if (!source.exists()) continue;
       const auto [across, share] = source.cross(x - begin, y);
       if (!(across < unreachable)) continue;
@@ -159,13 +160,14 @@ WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, do
 double WeightedSolver::distance(const EdgePoint& point) const {
   const double cost = norms_->edge_cost(point.edge);
   if (!(cost > 0.0)) return distance(mesh().edge_vertices(point.edge)[0]);
-  return distance(point_of_edge(mesh(), point.edge, point.position / cost));
+  return distance(crossing_on_edge(mesh(), point.edge, point.position / cost));
 }
 
 /// Whether a path to the vertex begins there.
 bool WeightedSolver::is_at_source(Index vertex) const {
-  const auto& [distance, number, settled] = state_[vertex];
-  return number != no_index && sources_[number].point.vertex == vertex && sources_[number].offset == distance;
+  const PointState& state = state_[vertex];
+  return state.source != no_index && sources_[state.source].point.vertex == vertex &&
+         sources_[state.source].offset == state.distance;
 }
 
 SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
@@ -177,36 +179,60 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
     Index face, edge;
   };
   std::vector<Passed> passed;
-  // This loop ends: all steps but a limited number lead to a point at a smaller distance.
+  auto go_to = [&](const Joint& joint, Index face, Index edge) {
+    passed.push_back({face, edge});
+    joints.push_back(joint);
+    if (joint.point.is_vertex()) joints.back().edge = no_index;
+  };
+  // All steps but a limited number lead to a point at a smaller distance, and those among places at no
+  // distance from one another pass each of these once. No shortest path takes as many as there are points.
   double limit = unreachable;
   int setbacks = 0;
-  for (;;) {
-    const SurfacePoint here = joints.back().point;
-    if (here.is_vertex() && is_at_source(here.vertex)) break;
-    BackStep step = best_step(here, limit);
-    if (!(step.distance < unreachable)) {
+  for (Index round = 0;; ++round) {
+    if (round > norms_->point_count()) return path;
+    const Joint here = joints.back();
+    const auto places = flat_places(*norms_, {here.point, here.edge, here.fraction});
+    BackStep step;
+    std::size_t from = 0;
+    bool arrived = false;
+    double least = unreachable;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const SurfacePoint& point = places[i].point;
+      const bool is_source = point.is_vertex() && is_at_source(point.vertex);
+      const BackStep next = is_source ? BackStep{state_[point.vertex].distance} : best_step(point, limit);
+      if (!(places[i].length + next.distance < least * (1.0 - rounding))) continue;
+      least = places[i].length + next.distance;
+      step = next;
+      from = i;
+      arrived = is_source;
+    }
+    if (!(least < unreachable)) {
       // Between two points of an edge, distances are estimates, and all around may be greater: the path goes
       // on from one of the two.
-      const Joint& joint = joints.back();
-      if (joint.edge == no_index || ++setbacks > max_setbacks) return path;
-      step = step_along(joint.edge, joint.fraction, unreachable);
+      if (here.edge == no_index || ++setbacks > max_setbacks) return path;
+      step = step_along(here.edge, here.fraction, unreachable);
     }
+    const std::size_t before = joints.size();
+    for (std::size_t i = from; i != 0; i = places[i].from) {
+      const FlatPlace& place = places[i];
+      joints.insert(joints.begin() + static_cast<std::ptrdiff_t>(before),
+                    {place.point, place.edge, place.fraction});
+      passed.insert(passed.begin() + static_cast<std::ptrdiff_t>(before) - 1, {place.face, place.along});
+    }
+    if (arrived) break;
     limit = step.begin_distance;
-    passed.push_back({step.face, step.edge});
     if (step.source != no_index) {
-      joints.push_back({sources_[step.source].point});
+      go_to({sources_[step.source].point}, step.face, step.edge);
       break;
     }
-    Joint joint{point_of_edge(mesh(), step.edge, step.fraction), step.edge, step.fraction};
-    if (joint.point.is_vertex()) joint.edge = no_index;
+    const Joint joint{crossing_on_edge(mesh(), step.edge, step.fraction), step.edge, step.fraction};
     // Steps along one edge are one piece.
-    if (step.face == no_index && passed.size() > 1 && passed[passed.size() - 2].face == no_index &&
-        passed[passed.size() - 2].edge == step.edge && joints.back().edge == step.edge) {
+    if (step.face == no_index && !passed.empty() && passed.back().face == no_index &&
+        passed.back().edge == step.edge && joints.back().edge == step.edge) {
       passed.pop_back();
-      joints.back() = joint;
-      continue;
+      joints.pop_back();
     }
-    joints.push_back(joint);
+    go_to(joint, step.face, step.edge);
   }
 
   // Between vertices, which stay, each chain of crossings is refracted.
@@ -228,7 +254,7 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
     path.length += refract(pieces, crossing);
     for (std::size_t k = 0; k < crossing.size(); ++k) {
       Joint& joint = joints[begin + 1 + k];
-      joint.point = point_of_edge(mesh(), joint.edge, crossing[k]);
+      joint.point = crossing_on_edge(mesh(), joint.edge, crossing[k]);
     }
     pieces.clear();
     crossing.clear();

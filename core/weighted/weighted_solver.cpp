@@ -16,6 +16,10 @@ namespace {
 /// Gains below this, relative to the distance, are rounding.
 constexpr double least_gain = 1e-12;
 
+/// Waves of a radius of more than this many times the distance count as this flat: the sources of flatter
+/// ones would be placed so far away that rounding exceeds the least gain.
+constexpr double flattest = 1e3;
+
 /// Width of a bucket in typical pieces of an edge: narrow enough for few points that are settled again.
 constexpr double bucket_width = 0.5;
 
@@ -33,10 +37,11 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   std::vector<ExactSource> checked = validated(mesh(), sources);
   has_corridor_ = limits.corridor_target != no_index || limits.corridor_point != nullptr;
   if (has_corridor_) {
-    corridor_at_ = position_of(mesh(), limits.corridor_point != nullptr
-                                           ? validated(mesh(), *limits.corridor_point)
-                                           : SurfacePoint::at_vertex(limits.corridor_target));
+    corridor_point_ = limits.corridor_point != nullptr ? validated(mesh(), *limits.corridor_point)
+                                                       : SurfacePoint::at_vertex(limits.corridor_target);
+    corridor_at_ = position_of(mesh(), corridor_point_);
   }
+  corridor_distance_ = unreachable;
   for (const Index target : limits.targets) validated(mesh(), SurfacePoint::at_vertex(target));
   for (const Index point : touched_) state_[point] = {};
   touched_.clear();
@@ -53,12 +58,13 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   rest_ = 0.0;
 }
 
-void WeightedSolver::reach(Index point, double distance, Index source) {
+void WeightedSolver::reach(Index point, double distance, Index source, double farther) {
   PointState& state = state_[point];
   if (!(distance < state.distance * (1.0 - least_gain))) return;
   if (state.distance == unreachable) touched_.push_back(point);
   state.distance = distance;
   state.source = source;
+  state.farther = static_cast<float>(farther);
   // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, so that points
   // behind a jump would be reached, and settled, again and again.
   queue_.push(point, distance);
@@ -142,7 +148,8 @@ void WeightedSolver::settle(Index point) {
   const Index last = norms_->points_per_edge() + 1;
   auto along = [&](Index edge, Index from, Index to) {
     reach(norms_->point(edge, to),
-          own.distance + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)), own.source);
+          own.distance + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)), own.source,
+          norms_->is_vertex(point) ? 0.0 : own.farther);
   };
   if (!norms_->is_vertex(point)) {
     const Index edge = norms_->edge_of(point);
@@ -173,6 +180,19 @@ void WeightedSolver::settle(Index point) {
   }
 }
 
+/// Where the wave between a point of an edge and the next one comes from. `length`: of the piece, in the face
+/// that is entered.
+PlacedSource WeightedSolver::placed_source(Index edge, Index first, double length) const {
+  const PointState& a = state_[norms_->point(edge, first)];
+  const PointState& b = state_[norms_->point(edge, first + 1)];
+  // A vertex belongs to edges with many cheapest faces. Where two waves meet, the flatter one is not too
+  // short.
+  const float at_first = first == 0 ? 0.0f : a.farther;
+  const float at_second = first == norms_->points_per_edge() ? 0.0f : b.farther;
+  return PlacedSource({length, norms_->edge_cost(edge) * norms_->fraction(1), a.distance, b.distance,
+                       std::max(at_first, at_second)});
+}
+
 /// Crosses a face from a point of a side, and from between it and those beside it that are settled, to the
 /// points of the other two sides.
 void WeightedSolver::cross_from(Index halfedge, Index from) {
@@ -181,7 +201,9 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
   const Index last = norms_->points_per_edge() + 1;
   const double spacing = norms_->fraction(1);
   const double at = norms_->fraction(from) * frame.length;
-  const auto [own_distance, own_source, own_settled] = state_[norms_->point(edge, from)];
+  const PointState own = state_[norms_->point(edge, from)];
+  const double cost = norms_->edge_cost(edge);
+  const double dearer = cost > 0.0 ? frame.length / cost : 1.0;
   struct Piece {
     PlacedSource source;
     double begin = 0.0;
@@ -189,50 +211,66 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
   };
   std::array<Piece, 2> pieces;
   int piece_count = 0;
-  double least = own_distance;
+  double least = own.distance;
   for (const Index begin : {from - 1, from}) {
     if (begin < 0 || begin == last) continue;
     const PointState& other = state_[norms_->point(edge, begin == from ? from + 1 : begin)];
     // A point beside this one that is settled later crosses the piece itself.
-    if (!(other.settled || other.distance <= own_distance)) continue;
-    const bool forth = begin == from;
+    if (!(other.settled || other.distance <= own.distance)) continue;
     Piece& piece = pieces[piece_count];
-    piece.source =
-        PlacedSource({frame.length * spacing, norms_->edge_cost(edge) * spacing,
-                      forth ? own_distance : other.distance, forth ? other.distance : own_distance});
+    piece.source = placed_source(edge, begin, frame.length * spacing);
     if (!piece.source.exists()) continue;
     piece.begin = norms_->fraction(begin) * frame.length;
-    piece.nearest = other.distance < own_distance ? other.source : own_source;
+    piece.nearest = other.distance < own.distance ? other.source : own.source;
     least = std::min(least, piece.source.least());
     ++piece_count;
   }
-  auto look = [&](Index point, double x, double y) {
+  /// `side`: the direction of the side that the point is on, in this face; `side_dearer`: as of RayAtEdge.
+  auto look = [&](Index point, double x, double y, const FaceNorms::Place& side, double side_dearer) {
     const double known = state_[point].distance;
     if (!(least + y < known)) return;
-    double best = own_distance + std::sqrt((x - at) * (x - at) + y * y);
-    Index source = own_source;
+    double after = std::sqrt((x - at) * (x - at) + y * y);
+    double best = own.distance + after;
+    double crossing = at;
+    Index source = own.source;
+    double farther = own.farther;
     for (int i = 0; i < piece_count; ++i) {
       const Piece& piece = pieces[i];
       if (!(piece.source.least() + y < std::min(best, known))) continue;
-      const double through = piece.source.cross(x - piece.begin, y).distance;
+      const auto [through, share] = piece.source.cross(x - piece.begin, y);
       if (!(through < best)) continue;
       best = through;
       source = piece.nearest;
+      farther = piece.source.farther();
+      crossing = piece.begin + share * frame.length * spacing;
     }
-    reach(point, best, source);
+    if (!(best < known)) return;
+    if (farther > 0.0 || dearer > 1.0 || side_dearer > 1.0) {
+      after = std::hypot(x - crossing, y);
+      const FaceNorms::Place ray{after > 0.0 ? (x - crossing) / after : 0.0, after > 0.0 ? y / after : 1.0};
+      double radius = refracted_radius(best - after + farther, {ray[0], dearer}, true) + after;
+      radius = refracted_radius(radius, {ray[0] * side[0] + ray[1] * side[1], side_dearer}, false);
+      farther = std::clamp(radius - best, 0.0, flattest * best);
+    }
+    reach(point, best, source, farther);
   };
   const Index first_side = frame.along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
   const Index second_side = frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
   const Index apex = mesh().apex(halfedge);
-  look(apex, frame.apex_x, frame.apex_y);
+  look(apex, frame.apex_x, frame.apex_y, {1.0, 0.0}, 1.0);
   for (const Index side : {first_side, second_side}) {
     const Index other = mesh().edge_of(side);
     const double x = side == first_side ? 0.0 : frame.length;
     const bool from_apex = mesh().edge_vertices(other)[0] == apex;
     const Index first_point = norms_->point(other, 1);
+    const double length = mesh().side_length(side);
+    const double scale = length > 0.0 ? 1.0 / length : 0.0;
+    const FaceNorms::Place along{(frame.apex_x - x) * scale, frame.apex_y * scale};
+    const double other_cost = norms_->edge_cost(other);
+    const double side_dearer = other_cost > 0.0 ? length / other_cost : 1.0;
     for (Index k = 1; k < last; ++k) {
       const double t = spacing * (from_apex ? last - k : k);  // from the edge to the apex
-      look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y);
+      look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y, along, side_dearer);
     }
   }
 }

@@ -12,6 +12,8 @@
 
 namespace vorogeo {
 
+class PlacedSource;
+
 /// The weighted region problem on a surface: shortest paths refract at edges and run along cheap ones.
 ///
 /// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in order
@@ -53,8 +55,9 @@ class WeightedSolver {
  private:
   struct PointState {
     double distance = unreachable;
-    Index source = no_index;
-    bool settled = false;
+    float farther = 0.0f;  ///< see EdgePiece
+    Index source : 31 = no_index;
+    bool settled : 1 = false;
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
@@ -68,7 +71,8 @@ class WeightedSolver {
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
-  void reach(Index point, double distance, Index source);
+  void reach(Index point, double distance, Index source, double farther = 0.0);
+  PlacedSource placed_source(Index edge, Index first, double length) const;
   bool is_final(const ExactLimits& limits, double bound);
   double longest_piece() const { return mesh().longest_edge_length() * norms_->fraction(1); }
   double least_rest_at(Index vertex) const;
@@ -97,6 +101,8 @@ class WeightedSolver {
   std::span<const double> least_remaining_;
   bool has_corridor_ = false;
   Point corridor_at_{};
+  SurfacePoint corridor_point_;             ///< its target in a face, if it is no vertex
+  double corridor_distance_ = unreachable;  ///< of that, when all targets were final
   std::size_t final_targets_ = 0;
   std::size_t final_edge_targets_ = 0;
   double settled_distance_ = unreachable;

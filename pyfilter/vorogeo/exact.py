@@ -93,7 +93,8 @@ def exact_path(
 ) -> GeodesicPath | list[GeodesicPath]:
     """Exact shortest path between two points, or of each of k pairs, without an index.
 
-    Each is found in a corridor of the mesh; where 100 pairs or more have one source, by one propagation from that.
+    Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
+    values of faces, by one propagation from each source, as far as its targets.
 
     Parameters
     ----------

@@ -119,6 +119,16 @@ def test_quality_of_faces_is_a_cost_that_jumps():
     assert ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)["index_reused"] == 1
     assert ms.apply_filter(PATH, source=5, target=150, **chosen)["length"] == pytest.approx(exact[150], rel=5e-3)
     ms.set_current_mesh(0)
+    # Painted anew: another index, although edges are as long in the cheaper of their faces.
+    middle = vertices[faces].mean(axis=1)[:, 0]
+    dear = int(np.argmin(abs(middle - middle.max() / 2)))
+    ms.compute_scalar_by_function_per_face(q=f"1 + 50 * (fi == {dear})")
+    first = ms.apply_filter(TWO_POINTS, source=5, target=150, method="index", **chosen)
+    ms.compute_scalar_by_function_per_face(q=f"1 + 90 * (fi == {dear})")
+    assert first["index_reused"] == 0
+    assert ms.apply_filter(TWO_POINTS, source=5, target=150, method="index", **chosen)["index_reused"] == 0
+    ms.compute_scalar_by_function_per_face(q=f"1 + 50 * (fi == {dear})")
+    assert ms.apply_filter(TWO_POINTS, source=5, target=150, method="index", **chosen)["index_reused"] == 1
     ms.compute_scalar_by_function_per_face(q="x0 - 1")
     with fails_and_changes_nothing(ms, "but face 0 has quality"):
         ms.apply_filter(FROM_POINT, vertex_index=5, **chosen)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pickle
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +12,9 @@ import vorogeo
 from scipy.optimize import minimize, minimize_scalar
 
 from sample_meshes import bent_grid, plane_grid
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
+import weighted_shapes
 
 
 def layered(borders, values, cells=40):
@@ -146,6 +151,34 @@ def test_a_surface_chooses_and_an_index_is_kept(mosaic, tmp_path):
     again = pickle.loads(pickle.dumps(index))
     np.testing.assert_array_equal(again.distance_field(17), index.distance_field(17))
     assert vorogeo.estimate(vertices, faces, metric=metric).core_seconds > 0
+
+
+@pytest.mark.parametrize("shape", weighted_shapes.all_shapes(20), ids=lambda shape: shape.name)
+def test_index_against_formulas(shape):
+    index = vorogeo.GeodesicIndex(shape.vertices, shape.faces, metric=shape.metric)
+    known = np.flatnonzero(np.isfinite(shape.exact) & (shape.exact > 0))
+    chosen = known[:: len(known) // 40]
+    for found, targets in (
+        (index.distance_field(shape.source)[known], known),
+        (index.distance(np.full(len(chosen), shape.source), chosen), chosen),
+    ):
+        error = np.abs(found - shape.exact[targets]) / shape.exact[targets]
+        assert error.mean() < 1e-3
+        assert error.max() < 1e-2
+    for path, length in zip(index.path(np.full(5, shape.source), chosen[-5:]), shape.exact[chosen[-5:]], strict=True):
+        assert length * (1 - 1e-3) <= path.length <= length * (1 + 1e-3)
+
+
+def test_points_in_faces_are_as_far_in_both_directions():
+    vertices, faces = bent_grid(20, 15)
+    rng = np.random.default_rng(5)
+    points = vorogeo.SurfacePoints(faces=rng.integers(0, len(faces), 8), barycentric=rng.dirichlet([2, 2, 2], 8))
+    for metric in vorogeo.FaceCost(rng.uniform(1, 5, len(faces))), vorogeo.VertexCost(rng.uniform(1, 5, len(vertices))):
+        index = vorogeo.GeodesicIndex(vertices, faces, metric=metric)
+        vertex = np.full(8, 3)
+        np.testing.assert_array_equal(index.distance(vertex, points), index.distance(points, vertex))
+        there, back = index.path([3], points[:1])[0], index.path(points[:1], [3])[0]
+        np.testing.assert_allclose(there.points, back.points[::-1])
 
 
 def test_what_is_no_face_metric_is_refused():

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "mesh/metric.h"
 #include "path/mesh_path.h"
@@ -56,6 +57,28 @@ TEST(JumpingMetricPaths, BetweenPointsInFacesAndToOtherComponents) {
   const auto away = SurfacePoint::at_vertex(count);
   EXPECT_TRUE(by_index.path(a, away).points.empty());
   EXPECT_TRUE(without.exact_path(a, away).path.points.empty());
+}
+
+TEST(JumpingMetricPaths, PointsInDearFacesAsWithoutLimits) {
+  const Layers layers(
+      12, [](double x, double y) { return std::sin(40 * x + 1) * std::cos(31 * y) > 0 ? 6.0 : 1.0; });
+  const auto mesh = layers.weighted();
+  const auto geometry = std::make_shared<const LocalGeometry>(mesh);
+  MeshPathQuery query(geometry);
+  PathQuery by_index(GeodesicIndex::build(mesh, {.first_layer_patches = 2, .threads = 1}));
+  LocalSolver everywhere(geometry);
+  const auto source = SurfacePoint::at_vertex(layers.nearest(0.4, -0.4));
+  everywhere.run(std::array{ExactSource{source}});
+  for (Index face = 3; face < mesh->face_count(); face += 17) {
+    const auto target = SurfacePoint::in_face(face, {0.3, 0.2, 0.5});
+    const double length = everywhere.path_to_source(target).length;
+    EXPECT_NEAR(query.exact_path(source, target).path.length, length, 1e-6 * length) << face;
+    const SurfacePath there = by_index.path(source, target);
+    const SurfacePath back = by_index.path(target, source);
+    EXPECT_LE(there.length, 1.001 * length) << face;
+    EXPECT_EQ(there.length, back.length);
+    EXPECT_TRUE(is_path(*mesh, back, target, source, back.length));
+  }
 }
 
 }  // namespace

@@ -55,5 +55,38 @@ TEST(EdgeCrossing, WaysAroundThePieceAreNone) {
   EXPECT_FALSE(PlacedSource({2, 1, 1, 2.5}).exists());
 }
 
+TEST(EdgeCrossing, WavesOfSourcesFartherAway) {
+  // Seen from the piece, distances are less by what the source is farther away.
+  const double farther = 3.0;
+  const PlacedSource source({1.0, 1.0, std::hypot(source_x, source_y + 5.0) - farther,
+                             std::hypot(source_x - 1.0, source_y + 5.0) - farther, farther});
+  ASSERT_TRUE(source.exists());
+  EXPECT_NEAR(source.cross(target_x, target_y).distance,
+              std::hypot(target_x - source_x, target_y + source_y + 5.0) - farther, 1e-14);
+}
+
+TEST(EdgeCrossing, WavesBecomeFlatterInDearerFaces) {
+  // Around a source at height 1 over an edge beyond which a unit costs 5: the second derivative of the least
+  // sum along a line parallel to the edge is that of a wave of this radius.
+  constexpr double cost = 5.0;
+  constexpr double depth = 0.3;
+  const auto distance = [&](double x) {
+    return test::least_of([&](double t) { return std::hypot(t, 1.0) + cost * std::hypot(x - t, depth); },
+                          -1.0, x);
+  };
+  const double x = 0.8;
+  const double step = 1e-3;
+  const double second = (distance(x + step) - 2.0 * distance(x) + distance(x - step)) / (step * step);
+  const double slope = (distance(x + step) - distance(x - step)) / (2.0 * step);
+  const double cosine = slope / cost;  // of the ray behind the edge
+  const double after = depth / std::sqrt(1.0 - cosine * cosine);
+  const double before = distance(x) - cost * after;
+  const double radius = refracted_radius(before, {cosine, cost}, true) + cost * after;
+  EXPECT_NEAR(cost * cost * (1.0 - cosine * cosine) / radius, second, 1e-4 * second);
+  EXPECT_NEAR(refracted_radius(refracted_radius(2.0, {cosine, cost}, true), {cosine, cost}, false), 2.0,
+              1e-12);
+  EXPECT_EQ(refracted_radius(2.0, {cosine, 1.0}, true), 2.0);
+}
+
 }  // namespace
 }  // namespace vorogeo

@@ -59,6 +59,23 @@ TEST(WeightedLimits, TargetsAndCorridorsAreAsWithoutLimits) {
   EXPECT_NEAR(with.distance(point), without.distance(point), 1e-10);
 }
 
+TEST(WeightedLimits, PointsOfEdgesWithoutLength) {
+  const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {1, 0, 0}, {2, 0.5, 0}},
+                        {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}}};
+  const std::vector<double> cost{2.0, 3.0, 2.0};
+  const auto mesh = std::make_shared<const Mesh>(
+      soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  const std::array<Index, 1> target{1};
+  for (Index edge = 0; edge < mesh->edge_count(); ++edge) {
+    if (mesh->edge_length(edge) > 0.0) continue;
+    const EdgePoint point{edge, 0.0};
+    solver.run_from_vertices(std::array<Index, 1>{0},
+                             {.targets = target, .edge_targets = std::span(&point, 1)});
+    EXPECT_NEAR(solver.distance(point), 2.0, 1e-12);
+  }
+}
+
 TEST(WeightedLimits, TheBarrierIsWhereFacesMayNotBeEntered) {
   const Layers layers(8, [](double, double) { return 1.0; });
   WeightedSolver solver = layers.solver();

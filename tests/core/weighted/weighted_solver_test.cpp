@@ -68,8 +68,8 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
     return q[1] > -1e-12 ? distance_between(p, q) : two_half_planes(q, p, 1.0, 30.0);
   };
   const auto errors = errors_of(layers, solver, source, exact);
-  EXPECT_LT(errors.mean, 2e-3);
-  EXPECT_LT(errors.greatest, 0.04);
+  EXPECT_LT(errors.mean, 5e-4);
+  EXPECT_LT(errors.greatest, 5e-3);
 }
 
 TEST(WeightedSolver, MorePointsAreMoreExact) {
