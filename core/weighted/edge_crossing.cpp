@@ -31,8 +31,10 @@ PlacedSource::PlacedSource(const EdgePiece& piece)
     : length_(piece.length), cheapest_(piece.cheapest), farther_(piece.farther) {
   const double first = piece.at_first + farther_;
   const double difference = piece.at_first - piece.at_second;
+  // Distances that sum to less than the piece are those of two waves, one at each end.
   exists_ = cheapest_ > 0.0 && piece.at_first < unreachable && piece.at_second < unreachable &&
-            std::abs(difference) <= cheapest_;
+            std::abs(difference) <= cheapest_ &&
+            piece.at_first + piece.at_second >= cheapest_ * (1.0 - same_cost);
   if (!exists_) return;
   const double sum = first + piece.at_second + farther_;
   least_ = 0.5 * (piece.at_first + piece.at_second - cheapest_);

@@ -53,6 +53,7 @@ TEST(EdgeCrossing, WaysAroundThePieceAreNone) {
   EXPECT_FALSE(PlacedSource({1, 1, unreachable, 1}).exists());
   EXPECT_FALSE(PlacedSource({0, 0, 1, 1}).exists());
   EXPECT_FALSE(PlacedSource({2, 1, 1, 2.5}).exists());
+  EXPECT_FALSE(PlacedSource({2, 1, 0.3, 0.4, 5}).exists()) << "there are two waves";
 }
 
 TEST(EdgeCrossing, WavesOfSourcesFartherAway) {

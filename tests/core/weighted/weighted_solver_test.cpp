@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "mesh/metric.h"
 #include "support/error.h"
@@ -125,6 +126,30 @@ TEST(WeightedSolver, TensorsOfLayers) {
     const double exact = least_of(
         [&](double at) { return norm(below, at - p[0], -p[1]) + norm(above, q[0] - at, q[1]); }, 0.0, 2.0);
     EXPECT_NEAR(solver.distance(target), exact, 1e-3 * exact);
+  }
+}
+
+TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
+  // Each tensor is at least the identity, and up to 100 times as dear in a direction of its own.
+  const test::Soup soup = test::plane_grid(10, 10, 2.0, 2.0, 0.3, 3).soup;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> between(0.0, 1.0);
+  std::vector<Tensor> tensors;
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const double angle = 7.0 * between(random);
+    const double dearer = std::pow(10.0, 4.0 * between(random));
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    tensors.push_back(
+        {1.0 + dearer * c * c, dearer * c * s, 0, dearer * c * s, 1.0 + dearer * s * s, 0, 0, 0, 1});
+  }
+  const auto mesh = std::make_shared<const Mesh>(
+      soup.positions, soup.faces, FaceSides{sides_by_face_tensor(soup.positions, soup.faces, tensors)});
+  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  solver.run_from_vertices(std::array<Index, 1>{5});
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    EXPECT_GE(solver.distance(v), 0.999 * distance_between(soup.positions[5], soup.positions[v])) << v;
+    EXPECT_LT(solver.distance(v), unreachable);
   }
 }
 
