@@ -4,8 +4,19 @@
 #include <algorithm>
 
 #include "index/min_plus.h"
+#include "mesh/unfolded_distance.h"
 
 namespace vorogeo {
+
+namespace {
+
+/// In typical border edges of the layer: a border edge from which on it is unfolded for all nodes of a patch.
+/// Shorter ones than for the other members, as errors of nodes are passed on.
+constexpr double long_edge_for_nodes = 1.0;
+/// What is shorter by less is rounding of tables.
+constexpr double least_repair = 1e-4;
+
+}  // namespace
 
 BorderField::BorderField(const IndexData& data)
     : data_(data),
@@ -33,6 +44,8 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
   searched_all_ = data_.transit_table.count == 0 || 2 * parents > data_.first.patch_count;
   if (searched_all_) {
     search_.run({}, max_distance);
+    allowed_.assign(data_.second.patch_count, 1);
+    cross_long_edges();
     for (Index node = 0; node < data_.second.node_count(); ++node) {
       distance_[node] = search_.distance(node);
       predecessor_[node] = search_.predecessor(node);
@@ -45,7 +58,52 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
     for (Index child : data_.children(p)) allowed_[child] = 1;
   }
   search_.run(allowed_, max_distance);
+  cross_long_edges();
   cross_transit_table();
+}
+
+/// As in a sweep, nodes right behind the middle of a long border edge may have been reached over another
+/// border.
+void BorderField::cross_long_edges() {
+  for (Index p = 0; p < data_.second.patch_count; ++p) {
+    if (allowed_[p] != 0) cross_long_edges(p);
+  }
+}
+
+void BorderField::cross_long_edges(Index patch) {
+  const PatchLayer& layer = data_.second;
+  const double least = long_edge_for_nodes * layer.edges.typical_length();
+  const auto nodes = layer.nodes(patch);
+  // Only what was reached from outside passes on into the patch.
+  auto is_reached = [&](Index node) {
+    return search_.distance(node) <= max_distance_ && search_.distance(node) < unreachable &&
+           search_.predecessor_patch(node) != patch;
+  };
+  for (Index row = 0; row < layer.border_size(patch); ++row) {
+    for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
+      const Index a = nodes[row];
+      const Index b = nodes[next.row];
+      if (next.row <= row || next.length < least || !is_reached(a) || !is_reached(b) ||
+          !BoundaryDijkstra::may_share_wave(search_.predecessor(a), search_.predecessor(b))) {
+        continue;
+      }
+      const double source[] = {search_.distance(a), search_.distance(b)};
+      for (Index column = 0; column < layer.border_size(patch); ++column) {
+        const Index node = nodes[column];
+        // Seeds are exact.
+        if (column == row || column == next.row || search_.predecessor_patch(node) == no_index) continue;
+        const double target[] = {layer.distance(patch, row, column), layer.distance(patch, next.row, column)};
+        const double over_ends = source[0] + target[0] + source[1] + target[1];
+        // What a path over a point of the edge takes at least, by the triangle inequality.
+        if (over_ends - 2.0 * next.length >= 2.0 * search_.distance(node)) continue;
+        const double through = unfolded_distance(next.length, source[0], source[1], target[0], target[1]);
+        if (!(through < search_.distance(node) * (1.0 - least_repair))) continue;
+        const bool first = source[0] + target[0] <= source[1] + target[1];
+        search_.settle(node, {patch, first ? row : next.row},
+                       first ? source[0] + target[0] : source[1] + target[1]);
+      }
+    }
+  }
 }
 
 void BorderField::cross_transit_table() {

@@ -35,6 +35,8 @@ class BorderField {
   BorderDistances border() const { return {distance_, predecessor_}; }
 
  private:
+  void cross_long_edges();
+  void cross_long_edges(Index patch);
   void cross_transit_table();
   void scan_transit_table();
   void cross_rows(Index begin, Index count);

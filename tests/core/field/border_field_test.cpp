@@ -8,6 +8,7 @@
 
 #include "exact/exact_solver.h"
 #include "support/heavy.h"
+#include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -42,6 +43,39 @@ TEST(BorderField, CloseToExactFromOneNode) {
     EXPECT_LT(errors.statistics().mean, 5e-4);
     EXPECT_LT(errors.statistics().p99, 5e-3);
     EXPECT_GT(errors.statistics().least, -0.02);
+  }
+}
+
+/// Greatest relative error of all nodes from exact seeds: the border of the patch around each source.
+double greatest_error(const test::Soup& soup) {
+  const auto index = test::make_index(soup, 3, 6);
+  const IndexData& data = index->data();
+  BorderField field(data);
+  FieldSweep sweep;
+  ExactSolver solver(data.geometry->windows);
+  double greatest = 0.0;
+  for (Index source : test::random_vertices(data.work.mesh->vertex_count(), 8, 3)) {
+    solver.run_from_vertices(std::array{source});
+    std::vector<BorderField::Seed> seeds;
+    for (Index node : data.second.nodes(data.home_patch[source])) {
+      seeds.push_back({node, solver.distance(data.second.node_vertex[node]), 0});
+    }
+    field.reset(seeds);
+    fill_all(data, field, sweep);
+    for (Index node = 0; node < data.second.node_count(); ++node) {
+      const double exact = solver.distance(data.second.node_vertex[node]);
+      if (exact > 0.0) greatest = std::max(greatest, field.border().distance[node] / exact - 1.0);
+    }
+  }
+  return greatest;
+}
+
+TEST(BorderField, NodesRightBehindLongBorderEdges) {
+  // Prisms with long sides between arcs of short ones.
+  for (const int seed : {1, 4}) {
+    test::HostileRandom random(seed);
+    const auto mesh = test::hostile_base(test::HostileBase::extrusion, 2500, random);
+    EXPECT_LT(greatest_error(mesh.soup), 0.01) << mesh.sentence();
   }
 }
 
