@@ -128,10 +128,12 @@ void WindowEnvelope::open(Index edge, const Sliver& sliver) {
   sliver_ = sliver;
   changed_ = false;
   least_ = unreachable;
-  const auto list = windows(edge);
   before_.clear();
   after_.clear();
-  for (auto window = list.rbegin(); window != list.rend(); ++window) after_.push(*window);
+  const auto list = windows(edge);
+  stored_ = list.data();
+  stored_count_ = static_cast<std::uint32_t>(list.size());
+  kept_ = rest_ = 0;
   find_gap();
 }
 
@@ -146,8 +148,8 @@ void WindowEnvelope::add_old(const Window& old, double begin, double end) {
 }
 
 bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_end) {
-  if (before_.empty() || right_begin_ < window.end - sliver_.at(window.end, at_end)) return false;
-  Window& last = before_.top();
+  if (none_before() || right_begin_ < window.end - sliver_.at(window.end, at_end)) return false;
+  const Window& last = last_before();
   if (last.offset != window.offset || last.begin > window.begin || last.end > window.end) return false;
   // Equal offsets: the difference of the squares is linear in x.
   const double across = window.source_x - last.source_x;
@@ -159,7 +161,8 @@ bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_e
   if (!(difference_at_begin > equal && difference_at_end < -equal)) return false;
   const double cut = 0.5 * (sum + rest / across);
   if (!(cut > window.begin && cut < last.end)) return false;
-  last.end = cut;
+  if (before_.empty()) before_.push(stored(--kept_));
+  before_.top().end = cut;
   const double end = std::min(window.end, right_begin_);
   add_fresh(window, cut, end,
             window.source_x >= end ? at_end : window.distance(std::max(cut, window.source_x)));
@@ -169,14 +172,14 @@ bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_e
 
 void WindowEnvelope::insert_among(Window window, double at_begin, double at_end) {
   const double begin = window.begin + sliver_.at(window.begin, at_begin);
-  while (!before_.empty() && before_.top().end > begin) {
-    after_.push(before_.top());
-    before_.pop();
+  if (is_untouched()) {
+    const std::span<const Window> list(stored_, stored_count_);
+    const auto place =
+        std::ranges::partition_point(list, [begin](const Window& stored) { return stored.end <= begin; });
+    kept_ = rest_ = static_cast<std::uint32_t>(place - list.begin());
   }
-  while (!after_.empty() && after_.top().end <= begin) {
-    before_.push(after_.top());
-    after_.pop();
-  }
+  while (!none_before() && last_before().end > begin) step_left();
+  while (!none_after() && first_after().end <= begin) step_right();
   find_gap();
   if (right_begin_ >= window.end - sliver_.at(window.end, at_end)) {
     insert(window, at_begin, at_end);
@@ -193,8 +196,8 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
   double piece = window.begin;
   bool open = false;
   const double end = window.end - sliver_.at(window.end, at_end);
-  while (!after_.empty() && after_.top().begin < end) {
-    const Window old = after_.top();
+  while (!none_after() && first_after().begin < end) {
+    const Window old = first_after();
     const double l = std::max(reached, old.begin);
     const double r = std::min(window.end, old.end);
     if (old.begin > reached && !open) {
@@ -208,11 +211,10 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
       // The usual case of a window that stays as it is.
       if (open) add_piece(window, piece, l);
       open = false;
-      before_.push(old);
-      after_.pop();
+      step_right();
       continue;
     }
-    after_.pop();
+    drop_after();
     double old_from = old.begin;  // where the old window's current part begins
     bool fresh = division.new_first;
     double from = l;
@@ -243,7 +245,7 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     }
     if (!fresh) add_old(old, old_from, r);
   }
-  if (!after_.empty()) window.end = std::min(window.end, after_.top().begin);
+  if (!none_after()) window.end = std::min(window.end, first_after().begin);
   if (reached < window.end && !open) {
     open = true;
     piece = reached;

@@ -13,7 +13,9 @@ namespace vorogeo {
 /// Lists of disjoint windows, one per edge, in the order of the edge, each contiguous in memory.
 ///
 /// Windows arrive in batches: open(edge), insert() for each, store(). While open, the list is split at the
-/// place of the last insertion into two stacks, so a sorted batch costs one pass. Clearing costs time for the
+/// place of the last insertion: into two stacks of what a batch has come across, and what lies before and
+/// behind that, which stays in its place. So a sorted batch costs one pass over the windows it spans, and a
+/// small one in a list of thousands little more than moving those behind it. Clearing costs time for the
 /// edges touched only.
 class WindowEnvelope {
  public:
@@ -23,6 +25,13 @@ class WindowEnvelope {
     return {pool_.data() + lists_[edge].offset, lists_[edge].size};
   }
   std::span<Window> windows(Index edge) { return {pool_.data() + lists_[edge].offset, lists_[edge].size}; }
+
+  /// Windows of an edge among which are all that have been inserted since take_new().
+  std::span<Window> new_windows(Index edge) {
+    const List& list = lists_[edge];
+    return {pool_.data() + list.offset + list.new_begin, list.new_end - list.new_begin};
+  }
+  void take_new(Index edge) { lists_[edge].new_begin = lists_[edge].new_end = 0; }
 
   /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a
   /// length) where the edge begins, growing with the position and the distance there up to `greatest`.
@@ -71,6 +80,8 @@ class WindowEnvelope {
   struct List {
     std::uint32_t offset = 0;
     std::uint32_t size = 0;
+    std::uint32_t new_begin = 0;  ///< of new_windows()
+    std::uint32_t new_end = 0;
     std::uint8_t size_class = 0;  ///< room for 2^size_class windows; 0: none
     bool retired = false;
   };
@@ -119,10 +130,50 @@ class WindowEnvelope {
     least_ = std::min(least_, least);
     before_.push(window, begin, end);
   }
-  /// Sets `left_end_` and `right_begin_` from the stacks.
+  /// A window of the open edge in its place, by its number before the edge was opened.
+  const Window& stored(std::uint32_t i) const { return stored_[i]; }
+  bool none_before() const { return before_.empty() && kept_ == 0; }
+  bool none_after() const { return after_.empty() && rest_ == stored_count_; }
+  /// The windows on the two sides of the split.
+  const Window& last_before() { return before_.empty() ? stored(kept_ - 1) : before_.top(); }
+  const Window& first_after() { return after_.empty() ? stored(rest_) : after_.top(); }
+  void drop_before() {
+    if (before_.empty()) {
+      --kept_;
+    } else {
+      before_.pop();
+    }
+  }
+  void drop_after() {
+    if (after_.empty()) {
+      ++rest_;
+    } else {
+      after_.pop();
+    }
+  }
+  /// Whether all windows are in their places, as long as nothing was inserted.
+  bool is_untouched() const { return before_.empty() && after_.empty() && kept_ == rest_; }
+  /// Move the split by one window.
+  void step_right() {
+    if (is_untouched()) {
+      kept_ = ++rest_;
+    } else {
+      before_.push(first_after());
+      drop_after();
+    }
+  }
+  void step_left() {
+    if (is_untouched()) {
+      rest_ = --kept_;
+    } else {
+      after_.push(last_before());
+      drop_before();
+    }
+  }
+  /// Sets `left_end_` and `right_begin_` from the windows at the split.
   void find_gap() {
-    left_end_ = before_.empty() ? -unreachable : before_.top().end;
-    right_begin_ = after_.empty() ? unreachable : after_.top().begin;
+    left_end_ = none_before() ? -unreachable : last_before().end;
+    right_begin_ = none_after() ? unreachable : first_after().begin;
   }
   void add_old(const Window& old, double begin, double end);
   void give_back(List& list);
@@ -136,10 +187,14 @@ class WindowEnvelope {
   bool changed_ = false;
   Sliver sliver_{};
   double least_ = unreachable;
-  Stack before_;                      ///< windows of the open edge up to the last insertion, in order
+  const Window* stored_ = nullptr;    ///< windows of the open edge in their places
+  std::uint32_t stored_count_ = 0;    ///< before it was opened
+  std::uint32_t kept_ = 0;            ///< windows of the open edge that stay in place at its beginning
+  std::uint32_t rest_ = 0;            ///< the first of those that stay in place at its end
+  Stack before_;                      ///< windows between these up to the last insertion, in order
   Stack after_;                       ///< those behind it, last first
-  double left_end_ = -unreachable;    ///< where the last of `before_` ends
-  double right_begin_ = unreachable;  ///< where the first of `after_` begins
+  double left_end_ = -unreachable;    ///< where the last window before the split ends
+  double right_begin_ = unreachable;  ///< where the first one behind it begins
   std::size_t made_ = 0;
 };
 

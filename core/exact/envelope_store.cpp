@@ -11,10 +11,23 @@ namespace vorogeo {
 double WindowEnvelope::store() {
   if (changed_) {
     List& list = lists_[open_];
-    const std::size_t size = before_.size() + after_.size();
-    take_room(list, size);
-    list.size = static_cast<std::uint32_t>(size);
-    auto place = std::copy_n(before_.data(), before_.size(), pool_.begin() + list.offset);
+    const std::uint32_t old_offset = list.offset;
+    const std::uint32_t tail = list.size - rest_;
+    const auto end = static_cast<std::uint32_t>(kept_ + before_.size() + after_.size());
+    const bool new_behind = list.new_end > rest_;
+    list.new_begin = list.new_begin < list.new_end ? std::min(list.new_begin, kept_) : kept_;
+    list.new_end = new_behind ? list.new_end - rest_ + end : end;
+    take_room(list, std::size_t{end} + tail);
+    list.size = end + tail;
+    const auto from = pool_.begin() + old_offset;
+    const auto to = pool_.begin() + list.offset;
+    if (list.offset != old_offset) std::copy_n(from, kept_, to);
+    if (list.offset == old_offset && end > rest_) {
+      std::copy_backward(from + rest_, from + rest_ + tail, to + list.size);
+    } else if (list.offset != old_offset || end < rest_) {
+      std::copy_n(from + rest_, tail, to + end);
+    }
+    auto place = std::copy_n(before_.data(), before_.size(), to + kept_);
     for (std::size_t i = after_.size(); i > 0; --i) *place++ = after_.data()[i - 1];
   }
   open_ = no_index;

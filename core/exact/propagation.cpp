@@ -278,7 +278,7 @@ void ExactSolver::State::take_edge(Index edge) {
   Index h = first;
   do {
     crossing.clear();
-    for (const Window& window : envelope.windows(edge)) {
+    for (const Window& window : envelope.new_windows(edge)) {
       if (window.is_propagated() || window.came_from == h) continue;
       if (!crossing.empty() && is_continued(edge, crossing.back().window, window)) {
         crossing.back().window.end = window.end;
@@ -290,7 +290,8 @@ void ExactSolver::State::take_edge(Index edge) {
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);
-  for (Window& window : envelope.windows(edge)) window.set_propagated();
+  for (Window& window : envelope.new_windows(edge)) window.set_propagated();
+  envelope.take_new(edge);
 }
 
 }  // namespace vorogeo

@@ -52,6 +52,39 @@ TEST(WindowEnvelope, AloneAWindowStaysWhole) {
   EXPECT_EQ(list[0].end, 0.9);
 }
 
+TEST(WindowEnvelope, NewWindowsAreAllThatCameSinceTheyWereTaken) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  for (int i = 0; i < 100; ++i) insert(envelope, 0, window(i, i + 0.75, i, 1.0, 10.0, i));
+  auto take = [&] {
+    for (Window& taken : envelope.new_windows(0)) taken.set_propagated();
+    envelope.take_new(0);
+  };
+  EXPECT_EQ(envelope.new_windows(0).size(), 100U);
+  take();
+  EXPECT_TRUE(envelope.new_windows(0).empty());
+  std::mt19937 random(1);
+  for (int batch = 0; batch < 300; ++batch) {
+    // Behind, before and among those of the batches before it, which may not have been taken yet.
+    const double begin = static_cast<double>(random() % 1000) / 10.0;
+    insert(envelope, 0, window(begin, begin + 0.3, begin, 1.0, 9.0 - 0.01 * batch, 100 + batch));
+    const auto all = envelope.windows(0);
+    const auto fresh = envelope.new_windows(0);
+    ASSERT_TRUE(fresh.data() >= all.data() && fresh.data() + fresh.size() <= all.data() + all.size());
+    for (const Window& w : all) {
+      const bool among = &w >= fresh.data() && &w < fresh.data() + fresh.size();
+      EXPECT_TRUE(among || w.is_propagated());
+    }
+    if (random() % 3 != 0) continue;
+    take();
+  }
+  take();
+  EXPECT_TRUE(std::ranges::all_of(envelope.windows(0), &Window::is_propagated));
+  // What lies between its neighbours is new alone.
+  insert(envelope, 0, window(200.0, 201.0, 200.0, 1.0, 0.0));
+  EXPECT_EQ(envelope.new_windows(0).size(), 1U);
+}
+
 TEST(WindowEnvelope, TwoPointsAreDividedByTheirBisector) {
   WindowEnvelope envelope;
   envelope.resize(1);
