@@ -7,55 +7,38 @@
 #include <vector>
 
 #include "index/boundary_dijkstra.h"
+#include "index/follower_sweep.h"
 
 namespace vorogeo {
 
-/// Distances from a *leader* to all nodes; and, derived from them for each node and each of its patches, the
-/// nodes of that patch to which shortest paths from sources near the leader may continue.
-///
-/// Let D be distances from the leader, E those from a source whose distance from the leader is at most r. If
-/// the shortest path to t ends with the arc (u, t), then D(u) + |ut| - D(t) is at most E(u) + r + |ut| -
-/// (E(t) - r) = 2 r. One scan of the arcs with the leader's distances finds all that can matter to any of the
-/// sources, as one stretch of each piece of border. A source then needs no queue: it processes the nodes in
-/// the leader's order and relaxes the stretches of each. The order may differ within about r of the source,
-/// where an ordinary search is run, and for a few nodes where waves from two sides meet, which are processed
-/// again. All but about one in a million of the distances are those of a full search, as unfolding keeps the
-/// triangle inequality nearly, not to the last bit.
+/// Distances from a *leader* to all nodes, by a full search; and from the others, its *followers*, in one
+/// sweep over what the leader's distances leave possible (FollowerSweep). All but about one in a million of
+/// the distances are those of full searches, as unfolding keeps the triangle inequality nearly, not to the
+/// last bit.
 ///
 /// The layer must outlive it. One object belongs to one thread.
 class BatchDijkstra {
  public:
-  explicit BatchDijkstra(const PatchLayer& layer)
-      : search_(layer), least_(layer.node_count()), taken_(layer.node_count()), best_(layer.node_count()) {}
+  explicit BatchDijkstra(const PatchLayer& layer) : search_(layer), sweep_(layer) {}
 
   /// Finds the distances from each of a few sources close to each other, over the patches allowed (empty:
-  /// all): from the one in the middle by a full search, from the others over the stretches that this one
-  /// finds. Calls `done(i)` when `search()` holds the distances from sources[i].
+  /// all). Calls `done(i)` when `distance()` is that from sources[i].
   void search_from_each(std::span<const Index> sources, std::span<const std::uint8_t> patch_allowed,
                         const std::function<void(std::size_t i)>& done);
-  const BoundaryDijkstra& search() const { return search_; }
+  double distance(Index node) const {
+    return lane_ == no_index ? search_.distance(node) : sweep_.distance(node, lane_);
+  }
 
  private:
-  /// Consecutive nodes to be relaxed from a node in one of its patches.
-  struct Stretch {
-    const std::uint16_t* entries;
-    Index place;  ///< of node and patch, in PatchLayer::incidence
-    Index begin;  ///< first node
-    Index count;
-  };
-  void fit(std::span<const std::uint8_t> patch_allowed, double slack);
   void search_all(Index source, std::span<const std::uint8_t> patch_allowed);
-  /// Finds the distances from a source: those up to `near` by a search, the others in the leader's order.
-  /// \return false if they did not settle.
-  bool follow(Index source, std::span<const std::uint8_t> patch_allowed, double near);
+  /// The followers, as many as there are lanes: where they are among the sources.
+  void follow(std::span<const Index> sources, std::span<const std::size_t> followers,
+              std::span<const std::uint8_t> patch_allowed, double near,
+              const std::function<void(std::size_t i)>& done);
 
   BoundaryDijkstra search_;
-  std::vector<float> least_;        ///< by node: least sum so far
-  std::vector<float> taken_;        ///< by node: the sum with which it was last processed
-  std::vector<Index> best_;         ///< by node: where least_ comes from, a place in PatchLayer::incidence
-  std::vector<Index> order_;        ///< nodes by distance from the leader
-  std::vector<std::size_t> begin_;  ///< by place in order_, into stretch_
-  std::vector<Stretch> stretch_;
+  FollowerSweep sweep_;
+  Index lane_ = no_index;  ///< of the distances to be read; no_index: those of search_
 };
 
 /// First-layer nodes whose searches make a batch; a multiple of TransitTable::group_size, as both kinds

@@ -70,7 +70,7 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                      const auto members = first.members(at.patch);
                      for (std::size_t m = 0; m < members.size(); ++m) {
                        draft->line(static_cast<Index>(m))[at.row] =
-                           static_cast<float>(own.batch.search().distance(second.vertex_node[members[m]]));
+                           static_cast<float>(own.batch.distance(second.vertex_node[members[m]]));
                      }
                    }
                  });

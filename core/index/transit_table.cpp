@@ -200,7 +200,7 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
                  own.batch.search_from_each(own.sources, {}, [&](std::size_t i) {
                    float* row = own.rows.data() + i * count;
                    for (Index other = 0; other < table.count; ++other) {
-                     row[other] = static_cast<float>(own.batch.search().distance(other));
+                     row[other] = static_cast<float>(own.batch.distance(other));
                    }
                  });
                  const Batch batch(table, room, begin, end);

@@ -32,8 +32,11 @@ RichParameterList build_index_parameters(const MeshDocument&) {
   list.addParam(RichInt("memory_budget", 0, "Memory budget (MiB)",
                         "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
                         "that is searched, smaller and slower. 0: 4096 MiB."));
-  list.addParam(RichFileToWrite("index_file", "", "*.vgi", "Index file",
-                                "File to write the index to. Empty: the index is kept in memory only."));
+  list.addParam(
+      RichFileToWrite("index_file", "", "*.vgi", "Index file",
+                      "File to write the index to. Empty: the index is kept in memory only. In a new "
+                      "file the index is built table by table, so it may be larger than the memory, "
+                      "and a build that is stopped goes on from there the next time."));
   list.addParam(RichInt("threads", 0, "Threads",
                         "Threads of the build. 0: one per core. The index does not depend on it."));
   list.addParam(seed_parameter());
@@ -74,12 +77,14 @@ Results build_index_of_layer(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   if (!file.empty()) check_index_file_can_be_written(file);
   const LayerMesh layer_mesh(call);
-  const auto index = build_index(call, layer_mesh, options, call.progress);
-  if (!file.empty()) {
+  // A file that exists is replaced, but only by an index that is complete.
+  const bool in_file = !file.empty() && !fs::exists(file);
+  const auto index = build_index(call, layer_mesh, options, call.progress, in_file ? file : fs::path());
+  if (!file.empty() && !in_file) {
     run_ticking(call.progress.part(1.0, 1.0), "Writing the geodesic index",
                 [&](const Progress&) { index->save(file); });
-    call.log("Geodesic index: written to " + file.string());
   }
+  if (!file.empty()) call.log("Geodesic index: written to " + file.string());
   call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
 
   return statistics_results(index->statistics());

@@ -56,10 +56,13 @@ void log_warnings(FilterCall& call, const LayerMesh& layer_mesh) {
 }
 
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
-                                                 const IndexOptions& options, const Progress& progress) {
+                                                 const IndexOptions& options, const Progress& progress,
+                                                 const std::filesystem::path& file) {
   log_warnings(call, layer_mesh);
   const auto index = run_ticking(progress, "Reading the mesh", [&](const Progress& inner) {
-    return GeodesicIndex::build(layer_mesh.make_mesh(), options, inner);
+    auto mesh = layer_mesh.make_mesh();
+    return file.empty() ? GeodesicIndex::build(std::move(mesh), options, inner)
+                        : GeodesicIndex::build_in_file(file, std::move(mesh), options, inner);
   });
   log_statistics(call, index->statistics());
   return index;

@@ -1,6 +1,7 @@
 // The mesh and the index of a layer; the index is taken from the cache if there is one, or built.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "host/filter_row.h"
@@ -29,8 +30,11 @@ std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& l
 void log_warnings(FilterCall& call, const LayerMesh& layer_mesh);
 
 /// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
+/// `file`: where it is built, or goes on if it was stopped there (GeodesicIndex::build_in_file); empty: in
+/// memory.
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
-                                                 const IndexOptions& options, const Progress& progress);
+                                                 const IndexOptions& options, const Progress& progress,
+                                                 const std::filesystem::path& file = {});
 
 /// The cached index of this mesh, whatever its options; if there is none, one with default options, which is
 /// then cached. Building takes the first nine tenths of the progress.

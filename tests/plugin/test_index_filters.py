@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pymeshlab
 import pytest
+import vorogeo
 from support import (
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
@@ -149,6 +150,25 @@ def test_index_file_is_written(tmp_path):
     assert file.stat().st_size > 100
     assert [entry.name for entry in tmp_path.iterdir()] == ["sphere.vgi"]
     assert result["vertices"] == 642
+
+
+def test_index_in_a_file_goes_on_where_it_was_stopped(tmp_path):
+    file = tmp_path / "sphere.vgi"
+    vertices, faces = sphere(4)
+    with pytest.raises(vorogeo.Cancelled):
+        vorogeo.GeodesicIndex(vertices, faces, file=file, progress=lambda done, _: done < 0.6, threads=1)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["sphere.vgi.unfinished"]
+    before = mesh_set(vertices, faces).apply_filter(INDEX)
+    with pytest.raises(pymeshlab.PyMeshLabException, match="unfinished"):
+        mesh_set(*sphere(3)).apply_filter(INDEX, index_file=str(file))
+    ms = mesh_set(vertices, faces)
+    result = ms.apply_filter(INDEX, index_file=str(file))
+    assert [entry.name for entry in tmp_path.iterdir()] == ["sphere.vgi"]
+    assert result["arcs"] == before["arcs"]
+    # It is replaced by that of another mesh, as the user asks for it.
+    mesh_set(*sphere(3)).apply_filter(INDEX, index_file=str(file))
+    assert vorogeo.GeodesicIndex.load(file, *sphere(3)).statistics.vertices == 642
+    assert ms.apply_filter(FROM_POINT, vertex_index=0, method="index")["index_reused"] == 1
 
 
 # Twice the errors in percent of docs/accuracy.md: mean and largest.

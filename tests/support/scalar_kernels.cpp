@@ -2,4 +2,5 @@
 #define VOROGEO_NO_CLONES
 #define vorogeo vorogeo_scalar
 #include "index/crossing_gains.cpp"
+#include "index/lane_sums.cpp"
 #include "index/min_plus.cpp"

@@ -1,7 +1,7 @@
 """Writes the meshes that the window opens, in single precision as the window holds them.
 
-Usage: python make_meshes.py FOLDER [million]
-  million: instead of the others, a mesh of a million vertices.
+Usage: python make_meshes.py FOLDER [large]
+  large: instead of the others, a mesh of two million vertices.
 """
 
 from __future__ import annotations
@@ -96,8 +96,8 @@ def main() -> None:
     """Write the meshes."""
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    if "million" in sys.argv[2:]:
-        write_ply(folder / "million.ply", *terrain(1250, 800))
+    if "large" in sys.argv[2:]:
+        write_ply(folder / "large.ply", *terrain(1700, 1200))
         return
     vertices, faces = terrain(70, 50)
     write_ply(folder / "terrain.ply", vertices, faces)

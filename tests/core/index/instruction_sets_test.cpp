@@ -7,6 +7,7 @@
 
 #include "index/bound_scans.h"
 #include "index/crossing_gains.h"
+#include "index/lane_sums.h"
 #include "index/min_plus.h"
 
 namespace vorogeo_scalar {
@@ -19,6 +20,7 @@ Index first_lower(const float*, double, const double*, Index, Index);
 void scale_entries(const std::uint16_t*, Index, TableScale, float*);
 void relax_by_sums(const float*, float, Index, float*);
 void relax_by_line(const std::uint16_t*, TableScale, float, Index, Index, float*, Index*);
+void relax_lanes(const std::uint16_t*, TableScale, Index, const float*, Index, float*, Index*);
 std::int16_t least_entry_sum(const std::int16_t*, const std::uint16_t*, Index);
 Index first_entry_sum(const std::int16_t*, const std::uint16_t*, Index, std::int16_t);
 void least_tile_sums(const std::int16_t*, const std::uint16_t*, Index, std::int16_t*, std::int16_t*);
@@ -109,6 +111,13 @@ TEST_P(ScalesOfScans, ProductsAgreeWithinRounding) {
         ASSERT_NEAR(one[i], 0.2F + scale.distance(entries[i]), rounding);
       }
     }
+    const std::vector<float> bases = input.floats(count * lane_count, 0.2F, 1.0F);
+    std::vector<float> lanes(lane_count, 2.0F), scalar_lanes(lane_count, 2.0F);
+    std::vector<Index> best(lane_count, no_index), best_of_scalar(lane_count, no_index);
+    relax_lanes(entries.data(), scale, count, bases.data(), 0, lanes.data(), best.data());
+    vorogeo_scalar::relax_lanes(entries.data(), scalar, count, bases.data(), 0, scalar_lanes.data(),
+                                best_of_scalar.data());
+    for (Index lane = 0; lane < lane_count; ++lane) ASSERT_NEAR(lanes[lane], scalar_lanes[lane], rounding);
     scale_entries(entries.data(), count, scale, one.data());
     vorogeo_scalar::scale_entries(entries.data(), count, scalar, two.data());
     ASSERT_EQ(one, two);
