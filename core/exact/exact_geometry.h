@@ -61,7 +61,7 @@ struct ExactGeometry {
   bool is_long(Index edge) const { return !fineness.empty() && fineness[edge] > 0.0; }
   /// A length that is smaller than another one of its face by this factor is within the rounding of positions
   /// there.
-  static constexpr double next_to_nothing = 1e-8;
+  static constexpr double next_to_nothing = 1e-7;
   /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, on a border of the mesh, or
   /// non-manifold. `anywhere` at the ends of edges of negligible length: positions on the edges around do not
   /// tell on which side of such an end a path passes, so it sends out windows in all directions.

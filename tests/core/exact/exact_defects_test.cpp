@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "exact/exact_solver.h"
 #include "support/exhaustive.h"
+#include "support/hostile_meshes.h"
 #include "support/near.h"
 #include "support/shapes.h"
 
@@ -195,6 +197,15 @@ TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
       }
     }
   }
+}
+
+TEST(ExactDefects, OverEdgesOfElevenOrdersBothDirectionsAgree) {
+  const auto mesh = test::make_mesh(test::hostile_mesh(7242, 200).soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{26});
+  const double there = solver.distance(17);
+  solver.run_from_vertices(std::array<Index, 1>{17});
+  EXPECT_NEAR(there, solver.distance(26), 1e-9 * there);
 }
 
 }  // namespace
