@@ -9,6 +9,5 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 # Flags for our own targets only.
 add_library(vorogeo_flags INTERFACE)
-# Neither changes a result: nothing reads errno or the flags of floating-point exceptions, and loops with conditions
-# then become vector code.
+# Nothing reads errno or the flags of floating-point exceptions, and without them loops with conditions become vector code.
 target_compile_options(vorogeo_flags INTERFACE -fno-math-errno -fno-trapping-math)

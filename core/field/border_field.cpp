@@ -100,7 +100,7 @@ void BorderField::cross_long_edges(Index patch) {
         if (!(through < search_.distance(node) * (1.0 - least_repair))) continue;
         const bool first = source[0] + target[0] <= source[1] + target[1];
         search_.settle(node, {patch, first ? row : next.row},
-                       first ? source[0] + target[0] : source[1] + target[1]);
+                       first ? source[0] + target[0] : source[1] + target[1], through);
       }
     }
   }

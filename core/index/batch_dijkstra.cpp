@@ -15,6 +15,7 @@ void BatchDijkstra::search_from_each(std::span<const Index> sources,
   constexpr double slack_per_radius = 2.1;
   // Near the source, the order of nodes may differ from that by distance from the leader.
   constexpr double near_per_radius = 3.0;
+  lane_ = no_index;
   const std::size_t leader = sources.size() / 2;
   search_all(sources[leader], patch_allowed);
   done(leader);

@@ -22,7 +22,8 @@ class BatchDijkstra {
   explicit BatchDijkstra(const PatchLayer& layer) : search_(layer), sweep_(layer) {}
 
   /// Finds the distances from each of a few sources close to each other, over the patches allowed (empty:
-  /// all). Calls `done(i)` when `distance()` is that from sources[i].
+  /// all). Calls `done(i)` when `distance()` is that from sources[i]: for the one in the middle first, then
+  /// in no order.
   void search_from_each(std::span<const Index> sources, std::span<const std::uint8_t> patch_allowed,
                         const std::function<void(std::size_t i)>& done);
   double distance(Index node) const {

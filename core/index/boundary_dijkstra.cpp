@@ -107,11 +107,11 @@ void BoundaryDijkstra::run(std::span<const std::uint8_t> patch_allowed, double m
   }
 }
 
-void BoundaryDijkstra::settle(Index node, PatchRow from, double sum) {
+void BoundaryDijkstra::settle(Index node, PatchRow from, double sum, double most) {
   if (distance_[node] == unreachable) touched_.push_back(node);
   state_[node] = {from.patch, from.row, 0};
   distance_[node] = sum;
-  distance_[node] = corrected(node);
+  distance_[node] = std::min(corrected(node), most);
 }
 
 }  // namespace vorogeo

@@ -30,13 +30,13 @@ class BoundaryDijkstra {
   /// Settles all nodes within max_distance over the patches p with patch_allowed[p] != 0 (empty: all).
   void run(std::span<const std::uint8_t> patch_allowed = {}, double max_distance = unreachable);
 
-  /// Settles a single node with a given least sum, through a border node of one of its patches.
-  void settle(Index node, PatchRow from, double sum);
+  /// Settles a single node with a given least sum, through a border node of one of its patches. `most`: what
+  /// its distance is known not to exceed.
+  void settle(Index node, PatchRow from, double sum, double most = unreachable);
 
   double distance(Index node) const { return distance_[node]; }
   /// The distance of a node before its correction at the preceding crossing.
   double sum(Index node) const;
-  const PatchLayer& layer() const { return layer_; }
   /// The predecessor of a node that was reached; source_name(wave) for a seed.
   Index predecessor(Index node) const {
     const NodeState& state = state_[node];

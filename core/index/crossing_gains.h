@@ -5,7 +5,7 @@
 
 namespace vorogeo {
 
-/// Crossings of one border, as a structure of arrays. Distances of the source are relative to `lowest`, so
+/// Crossings, as a structure of arrays. Distances of the source are relative to `lowest`, so
 /// that those of a far source keep their digits. A neighbour that may not be used has a length of 0.
 struct Crossings {
   static constexpr Index capacity = 32;

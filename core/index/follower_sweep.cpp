@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "index/crossing_gains.h"
@@ -15,13 +16,15 @@ namespace vorogeo {
 
 namespace {
 
-/// A node is settled again only if its sum decreased below this part of the earlier one, and not for a path
-/// round the other side of a corner that unfolding makes a little shorter.
+/// A node is settled again only if a sum is below this part of its distance, and not for a path round the
+/// other side of a corner that unfolding makes a little shorter.
 constexpr float least_gain = 1.0f - 1e-4f;
 /// Rounds in which nodes are settled again; a few suffice unless tables contradict each other, and then a
 /// full search decides.
 constexpr int max_rounds = 64;
-constexpr std::uint32_t all_lanes = (1u << FollowerSweep::lanes) - 1;
+constexpr Index nodes_between_checkpoints = 256;
+/// Sums are in single precision: those that ought to be equal may differ by this part of them.
+constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
 
 template <class Visit>
 void for_each_lane(std::uint32_t chosen, Visit&& visit) {
@@ -57,30 +60,28 @@ void FollowerSweep::prepare(const BoundaryDijkstra& leader, std::span<const std:
 void FollowerSweep::clear() {
   above_.assign(at(static_cast<Index>(moved_.size()), 0), unreachable_float);
   distance_.assign(at(static_cast<Index>(order_.size()), 0), unreachable_float);
-  taken_.assign(distance_.size(), unreachable_float);
   final_.assign(order_.size(), 0);
+  used_ = 0;
   std::fill(moved_.begin(), moved_.end(), 0);
   moved_last_.clear();
 }
 
 void FollowerSweep::find_stretches(const BoundaryDijkstra& leader, double slack) {
-  // The leader's distances, by slot.
-  std::vector<float>& of_leader = leader_above_;
-  of_leader.resize(moved_.size());
+  leader_above_.resize(moved_.size());
   for (Index patch : reached_patches_) {
-    float* row = of_leader.data() + patch_slot_[patch];
+    float* row = leader_above_.data() + patch_slot_[patch];
     for (Index node : layer_.nodes(patch)) *row++ = static_cast<float>(leader.distance(node));
   }
   begin_.assign(1, 0);
   stretch_.clear();
   for (Index node : order_) {
-    const auto bound = static_cast<float>(slack + leader.sum(node));
+    const auto bound = static_cast<float>(slack + (1.0 + rounding) * leader.sum(node));
     const auto own = static_cast<float>(leader.distance(node));
     for (const PatchRow& to : layer_.patches_of(node)) {
       if (patch_slot_[to.patch] == no_index) continue;
       for (const BorderStretch& piece : layer_.stretches.of(to.patch)) {
         layer_.for_each_run(piece, to.row, [&](const BorderStretch& run, const std::uint16_t* entries) {
-          const float* above = of_leader.data() + patch_slot_[to.patch] + run.row;
+          const float* above = leader_above_.data() + patch_slot_[to.patch] + run.row;
           const IndexRange range =
               range_within(above, entries, layer_.scale[to.patch], bound, run.end - run.begin);
           if (range.begin == range.end) return;
@@ -105,6 +106,7 @@ void FollowerSweep::set_above(Index node, Index lane, Index from_patch, float di
 }
 
 void FollowerSweep::add(Index lane, const BoundaryDijkstra& search, double near) {
+  used_ |= 1u << lane;
   for (Index node : search.reached()) {
     if (!has(node) || search.distance(node) > near) continue;
     const auto distance = static_cast<float>(search.distance(node));
@@ -127,7 +129,7 @@ void FollowerSweep::pull(const Stretch& stretch, Index begin, Index end, Sums& s
 std::uint32_t FollowerSweep::lower_lanes(Index rank, const Sums& sums) const {
   std::uint32_t lower = 0;
   for (Index lane = 0; lane < lanes; ++lane) {
-    lower |= (sums.least[lane] < least_gain * taken_[at(rank, lane)] ? 1u : 0u) << lane;
+    lower |= (sums.least[lane] < least_gain * distance_[at(rank, lane)] ? 1u : 0u) << lane;
   }
   return lower & ~final_[rank];
 }
@@ -184,7 +186,6 @@ void FollowerSweep::settle(Index rank, std::uint32_t chosen, const Sums& sums) {
     const float improved = (alone >> lane & 1u) != 0 ? std::min(sum, corrected[lane]) : sum - gain[lane];
     // Not less than that of the predecessor.
     const float distance = std::max(improved, std::min(sum, crossings.source[lane]));
-    taken_[at(rank, lane)] = sum;
     distance_[at(rank, lane)] = distance;
     set_above(node, lane, from_patch[lane], distance);
   });
@@ -195,12 +196,11 @@ bool FollowerSweep::is_moved(const Stretch& stretch) const {
 }
 
 std::uint32_t FollowerSweep::run_round(bool over_later_parts) {
-  constexpr Index nodes_per_checkpoint = 256;
   std::uint32_t changed = 0;
   moved_now_.clear();
   for (Index rank = 0; rank < static_cast<Index>(order_.size()); ++rank) {
-    if (rank % nodes_per_checkpoint == 0) checkpoint();
-    if (final_[rank] == all_lanes) continue;
+    if (rank % nodes_between_checkpoints == 0) checkpoint();
+    if ((used_ & ~final_[rank]) == 0) continue;
     Sums sums;
     bool is_reset = false;
     for (const Stretch& stretch : stretches_of(rank)) {
@@ -241,10 +241,9 @@ void FollowerSweep::fetch(std::span<const Stretch> stretches) {
 
 std::uint32_t FollowerSweep::run() {
   constexpr std::size_t nodes_ahead = 2;
-  constexpr Index nodes_per_checkpoint = 256;
   for (Index rank = 0; rank < static_cast<Index>(order_.size()); ++rank) {
-    if (rank % nodes_per_checkpoint == 0) checkpoint();
-    if (final_[rank] == all_lanes) continue;
+    if (rank % nodes_between_checkpoints == 0) checkpoint();
+    if ((used_ & ~final_[rank]) == 0) continue;
     const auto ahead = static_cast<std::size_t>(rank) + nodes_ahead;
     if (ahead < order_.size()) fetch(stretches_of(static_cast<Index>(ahead)));
     Sums sums;
@@ -255,6 +254,9 @@ std::uint32_t FollowerSweep::run() {
   }
   std::uint32_t changed = run_round(true);
   for (int round = 1; changed != 0 && round < max_rounds; ++round) changed = run_round(false);
+  for (std::size_t place = 0; place < distance_.size(); ++place) {
+    if (distance_[place] == unreachable_float) changed |= used_ & (1u << (place % lanes));
+  }
   return changed;
 }
 

@@ -16,7 +16,7 @@ namespace vorogeo {
 /// Let D be distances from the leader, E those from a source whose distance from the leader is at most r. If
 /// the shortest path to t ends with the arc (u, t), then D(u) + |ut| - D(t) is at most E(u) + r + |ut| -
 /// (E(t) - r) = 2 r. One scan of the arcs with the leader's distances finds for each t the u that can matter
-/// to any of the sources, as one stretch of each piece of border. The sources then need no queue: nodes are
+/// to any of the sources, as a stretch of each piece of border. The sources then need no queue: nodes are
 /// taken in the leader's order, and the least sum of each over its stretches is its distance, corrected as by
 /// BoundaryDijkstra. The order of a source may differ for two nodes within about r of it, where an ordinary
 /// search is run, and where a path runs along a border: the stretches of a node also have nodes that come
@@ -38,7 +38,8 @@ class FollowerSweep {
   bool has(Index node) const { return rank_[node] != no_index; }
   /// Gives a lane the distances up to `near` that a search from its source has found.
   void add(Index lane, const BoundaryDijkstra& search, double near);
-  /// Finds the others. \return the lanes, as bits, whose distances did not settle.
+  /// Finds the others. \return the lanes, as bits, whose distances did not settle, or that miss a node which
+  /// the leader reached.
   std::uint32_t run();
   double distance(Index node, Index lane) const {
     return has(node) ? static_cast<double>(distance_[at(rank_[node], lane)]) : unreachable;
@@ -93,7 +94,7 @@ class FollowerSweep {
   std::vector<Index> moved_last_;
   std::vector<Index> moved_now_;
   std::vector<float> distance_;       ///< by rank and lane
-  std::vector<float> taken_;          ///< by rank and lane: the sum with which a node was settled
+  std::uint32_t used_ = 0;            ///< lanes that have a source, as bits
   std::vector<std::uint32_t> final_;  ///< by rank: lanes in which the distance is that of add()
 };
 

@@ -20,7 +20,7 @@ Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options,
       tables_have_room(mesh, partition)) {
     return partition;
   }
-  return make_partition(mesh, {1, 1, options.seed, options.threads}, progress);
+  return make_partition(mesh, {1, 1, options.seed, options.threads}, progress.part(1.0, 1.0));
 }
 
 }  // namespace vorogeo

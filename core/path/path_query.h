@@ -33,9 +33,8 @@ class PathQuery {
   /// The refined path: the path that the index gives, shortened to a geodesic. Never shorter than the
   /// shortest path, up to rounding; in nearly all cases it is that path. Exact where the ends lie in one
   /// patch or in patches that touch. From target to source it is the same path. \throw InvalidInput for a
-  /// point that is not on the mesh. Complexity:
-  /// that of a two-point distance and some tens of passes over the faces crossed; if the result is doubtful,
-  /// also that of exact propagation in the faces close to them.
+  /// point that is not on the mesh. Complexity: that of a two-point distance and some tens of passes over the
+  /// faces crossed; if the result is doubtful, also that of exact propagation in the faces close to them.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
   /// The shortest path, by exact propagation in a corridor given by the refined path's length and lower

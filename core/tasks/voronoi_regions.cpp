@@ -29,8 +29,8 @@ struct Candidates {
 };
 
 /// Longest side of the faces at each vertex, as long as in the face: within a dear one, it is what points are
-/// apart. A site that owns a point of a face is, at the face's corners,
-/// at most twice this farther than the nearest one, by the triangle inequality.
+/// apart. A site that owns a point of a face is, at the face's corners, at most twice this farther than the
+/// nearest one, by the triangle inequality.
 std::vector<double> reach_of_vertices(const Mesh& mesh) {
   std::vector<double> reach(mesh.vertex_count(), 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) {

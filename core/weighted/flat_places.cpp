@@ -2,8 +2,11 @@
 #include "weighted/flat_places.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <unordered_set>
+#include <utility>
 
 namespace vorogeo {
 
@@ -12,6 +15,8 @@ namespace {
 /// Heights and lengths below this part of a face's longest side are rounding: the height of three points on
 /// a line is the root of a difference of rounded squares.
 constexpr double no_height = 1e-7;
+/// Places at which a search stops to look for more.
+constexpr std::size_t most_places = 256;
 
 class FlatSearch {
  public:
@@ -20,8 +25,9 @@ class FlatSearch {
   }
 
   std::vector<FlatPlace> places() && {
-    // This loop ends: each vertex and each edge is added once.
-    for (std::size_t at = 0; at < places_.size(); ++at) {
+    // This loop ends: each vertex and each edge is added once. Heights that are no more than rounding add up
+    // over many faces, so it does not go on for long.
+    for (std::size_t at = 0; at < places_.size() && places_.size() < most_places; ++at) {
       const SurfacePoint point = places_[at].point;
       for_each_face_at(mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
         const double least = flat_height(norms_, face);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/checkpoint.h"
 #include "weighted/edge_crossing.h"
 #include "weighted/flat_places.h"
 #include "weighted/snell.h"
@@ -190,6 +191,7 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
   int setbacks = 0;
   for (Index round = 0;; ++round) {
     if (round > norms_->point_count()) return path;
+    checkpoint();
     const Joint here = joints.back();
     const auto places = flat_places(*norms_, {here.point, here.edge, here.fraction});
     BackStep step;
@@ -211,6 +213,7 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
       // on from one of the two.
       if (here.edge == no_index || ++setbacks > max_setbacks) return path;
       step = step_along(here.edge, here.fraction, unreachable);
+      if (!(step.distance < unreachable)) return path;
     }
     const std::size_t before = joints.size();
     for (std::size_t i = from; i != 0; i = places[i].from) {

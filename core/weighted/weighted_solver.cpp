@@ -64,7 +64,7 @@ void WeightedSolver::reach(Index point, double distance, Index source, double fa
   if (state.distance == unreachable) touched_.push_back(point);
   state.distance = distance;
   state.source = source;
-  state.farther = static_cast<float>(farther);
+  state.flatness = distance > 0.0 ? static_cast<float>(farther / distance) : 0.0f;
   // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, so that points
   // behind a jump would be reached, and settled, again and again.
   queue_.push(point, distance);
@@ -149,7 +149,7 @@ void WeightedSolver::settle(Index point) {
   auto along = [&](Index edge, Index from, Index to) {
     reach(norms_->point(edge, to),
           own.distance + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)), own.source,
-          norms_->is_vertex(point) ? 0.0 : own.farther);
+          norms_->is_vertex(point) ? 0.0 : own.farther());
   };
   if (!norms_->is_vertex(point)) {
     const Index edge = norms_->edge_of(point);
@@ -187,8 +187,8 @@ PlacedSource WeightedSolver::placed_source(Index edge, Index first, double lengt
   const PointState& b = state_[norms_->point(edge, first + 1)];
   // A vertex belongs to edges with many cheapest faces. Where two waves meet, the flatter one is not too
   // short.
-  const float at_first = first == 0 ? 0.0f : a.farther;
-  const float at_second = first == norms_->points_per_edge() ? 0.0f : b.farther;
+  const double at_first = first == 0 ? 0.0 : a.farther();
+  const double at_second = first == norms_->points_per_edge() ? 0.0 : b.farther();
   return PlacedSource({length, norms_->edge_cost(edge) * norms_->fraction(1), a.distance, b.distance,
                        std::max(at_first, at_second)});
 }
@@ -233,7 +233,7 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
     double best = own.distance + after;
     double crossing = at;
     Index source = own.source;
-    double farther = own.farther;
+    double farther = norms_->is_vertex(norms_->point(edge, from)) ? 0.0 : own.farther();
     for (int i = 0; i < piece_count; ++i) {
       const Piece& piece = pieces[i];
       if (!(piece.source.least() + y < std::min(best, known))) continue;

@@ -55,9 +55,11 @@ class WeightedSolver {
  private:
   struct PointState {
     double distance = unreachable;
-    float farther = 0.0f;  ///< see EdgePiece
+    float flatness = 0.0f;  ///< EdgePiece::farther, in parts of the distance
     Index source : 31 = no_index;
     bool settled : 1 = false;
+
+    double farther() const { return flatness > 0.0f ? distance * flatness : 0.0; }
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {

@@ -31,7 +31,8 @@ RichParameterList build_index_parameters(const MeshDocument&) {
                           "below 1; 0.001 to 0.02 make the index smaller."));
   list.addParam(RichInt("memory_budget", 0, "Memory budget (MiB)",
                         "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
-                        "that is searched, smaller and slower. 0: 4096 MiB."));
+                        "that is searched, smaller and slower. 0: 4096 MiB, and no limit for tables in a "
+                        "new index file."));
   list.addParam(
       RichFileToWrite("index_file", "", "*.vgi", "Index file",
                       "File to write the index to. Empty: the index is kept in memory only. In a new "
@@ -78,7 +79,8 @@ Results build_index_of_layer(FilterCall& call) {
   if (!file.empty()) check_index_file_can_be_written(file);
   const LayerMesh layer_mesh(call);
   // A file that exists is replaced, but only by an index that is complete.
-  const bool in_file = !file.empty() && !fs::exists(file);
+  std::error_code unknown;  // check_index_file_can_be_written() has looked
+  const bool in_file = !file.empty() && !fs::exists(file, unknown);
   const auto index = build_index(call, layer_mesh, options, call.progress, in_file ? file : fs::path());
   if (!file.empty() && !in_file) {
     run_ticking(call.progress.part(1.0, 1.0), "Writing the geodesic index",

@@ -13,7 +13,7 @@ namespace {
 
 /// Nodes next to each other on a border of the first layer, the leader last, and their distances.
 struct Group {
-  explicit Group(const PatchLayer& layer) : leader(layer), full(layer), sweep(layer) {
+  explicit Group(const PatchLayer& of) : layer(of), leader(of), full(of), sweep(of) {
     const std::vector<Index> begin = group_by_patches(layer, 5);
     Index widest = 0;
     for (std::size_t g = 0; g + 1 < begin.size(); ++g) {
@@ -37,7 +37,7 @@ struct Group {
     full.add(source, 0.0);
     full.run();
     double difference = 0.0;
-    for (Index node = 0; node < full.layer().node_count(); ++node) {
+    for (Index node = 0; node < layer.node_count(); ++node) {
       if (node == source) {
         EXPECT_EQ(sweep.distance(node, lane), 0.0);
         continue;
@@ -46,9 +46,10 @@ struct Group {
       EXPECT_LT(relative, 1e-2) << node;
       difference += relative;
     }
-    EXPECT_LT(difference / full.layer().node_count(), 2e-5) << lane;
+    EXPECT_LT(difference / layer.node_count(), 2e-5) << lane;
   }
 
+  const PatchLayer& layer;
   BoundaryDijkstra leader, full;
   FollowerSweep sweep;
   std::vector<Index> sources;
@@ -77,6 +78,24 @@ TEST(FollowerSweep, LanesAreSearchesOfTheirOwn) {
     EXPECT_EQ(group.sweep.run(), 0U);
     group.expect_equal(7, group.sources[2]);
     EXPECT_EQ(group.sweep.distance(group.sources[0], 0), unreachable);
+  }
+}
+
+TEST(FollowerSweep, SourcesMuchCloserThanRoundingReachWhatTheLeaderReaches) {
+  const auto index = test::make_index(test::hills(40, 0.15), 5, 4);
+  const PatchLayer& layer = index->data().first;
+  Group group(layer);
+  // As if the sources were one place: nothing but rounding is left to find the way.
+  group.sweep.prepare(group.leader, {}, 0.0);
+  group.sweep.clear();
+  group.full.reset();
+  group.full.add(group.sources.back(), 0.0);
+  group.full.run({}, 0.0);
+  group.sweep.add(0, group.full, 0.0);
+  EXPECT_EQ(group.sweep.run(), 0U);
+  for (Index node = 0; node < layer.node_count(); ++node) {
+    EXPECT_NEAR(group.sweep.distance(node, 0), group.leader.distance(node),
+                1e-4 * group.leader.distance(node));
   }
 }
 
