@@ -16,7 +16,7 @@ namespace vorogeo {
 /// A search over the second layer stays in the first-layer patches of the seeds; from their borders, the
 /// transit table leads to all first-layer nodes, even to those on the same borders by paths outside; the
 /// table of each first-layer patch leads to the second-layer nodes in it. Every step takes the least sum and
-/// unfolds the crossing there.
+/// unfolds the crossing there; the search unfolds long border edges for all nodes behind them, too.
 class BorderField {
  public:
   explicit BorderField(const IndexData& data);

@@ -103,7 +103,7 @@ class WeightedSolver {
   std::span<const double> least_remaining_;
   bool has_corridor_ = false;
   Point corridor_at_{};
-  SurfacePoint corridor_point_;             ///< its target in a face, if it is no vertex
+  SurfacePoint corridor_point_;             ///< its target
   double corridor_distance_ = unreachable;  ///< of that, when all targets were final
   std::size_t final_targets_ = 0;
   std::size_t final_edge_targets_ = 0;
