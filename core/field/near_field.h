@@ -32,6 +32,12 @@ class NearField {
   /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
   /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
   static constexpr double near_border_edge = 0.5;
+  /// The halo is widened until no path leaves it within this part of the median distance of the patches'
+  /// vertices: below, the distance by the tables is a small difference of rounded entries. Around an ordinary
+  /// patch that is ten times as far; across needles, hundreds of faces may be nearer.
+  static constexpr double least_certain = 1.0 / 32.0;
+  /// Bounds the time of that: once the halo has grown this many times, it is widened no more.
+  static constexpr double most_widened = 16.0;
 
   explicit NearField(const IndexData& data);
 
@@ -76,13 +82,17 @@ class NearField {
   const Halo& halo() const { return *halo_; }
 
  private:
+  void solve(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+  double median_distance(std::span<const ExactSource> sources);
+
   const IndexData& data_;
   std::optional<LocalSolver> solver_;
   std::optional<Halo> halo_;
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;
   std::vector<Index> targets_;
-  std::vector<Index> around_;  ///< faces at the sources
+  std::vector<Index> around_;        ///< faces at the sources
+  std::vector<double> from_source_;  ///< scratch memory of median_distance()
   double certain_ = 0.0;
 };
 

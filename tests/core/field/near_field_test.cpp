@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "field/geodesic_query.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -100,6 +101,23 @@ TEST(NearField, ForgetsItsPatches) {
   OnPlane on(840);
   on.near.clear();
   for (Index f = 0; f < on.data.work.mesh->face_count(); ++f) EXPECT_FALSE(on.near.inside(f));
+}
+
+TEST(NearField, IsWidenedWhereManyFacesLieWithinATinyDistance) {
+  // A disc squashed to an ellipse 100,000 times longer than wide: flat and convex, so that distances are
+  // straight lines. From side to side they cross tens of needles, most of them outside the halo.
+  test::Soup soup = test::needle_disc(90);
+  for (Point& p : soup.positions) p[1] *= 1e-5;
+  const auto index = test::make_index(soup, 6, 2);
+  GeodesicQuery query(index);
+  for (Index source = 1; source <= 90; source += 7) {
+    const std::vector<double> field = query.distance_field(std::array{source});
+    for (Index v = 0; v <= 90; ++v) {
+      const double straight = std::hypot(soup.positions[v][0] - soup.positions[source][0],
+                                         soup.positions[v][1] - soup.positions[source][1]);
+      EXPECT_NEAR(field[v], straight, 0.02 * straight) << source << " to " << v;
+    }
+  }
 }
 
 TEST(NearField, TakesThePatchBehindABorderCloseToTheSource) {
