@@ -27,6 +27,7 @@ class PairDistance {
   void bound_rest(Index target, std::span<const Index> vertex_of_run);
   bool is_solved(double bound) const;
   double distance_nearby(Index source, Index target, double bound);
+  double distance_around_patches(Index source, Index target, double bound, const UnsplitSurface* unsplit);
   double route_length(Index source, Index target);
 
   const IndexData& data_;
