@@ -178,6 +178,11 @@ BuildFile::Head BuildFile::head_of(const IndexData& data) const {
   return head;
 }
 
+void BuildFile::cut_leftovers() {
+  const std::uint64_t end = end_of_index(out_->unfinished());
+  if (out_->size() > end) writing_index([&] { out_->resize(end); });
+}
+
 void BuildFile::put_in_place() {
   writing_index([&] { out_->finish(); });
 }

@@ -37,6 +37,8 @@ class BuildFile {
   /// Whether it is an index that is complete but for its name.
   bool is_complete() const { return is_complete_; }
   const std::filesystem::path& unfinished() const { return out_->unfinished(); }
+  /// Cuts off what a complete file still has behind its end if the build was stopped in its last step.
+  void cut_leftovers();
   /// Gives a complete file its name.
   void put_in_place();
   /// Forgets what was there.

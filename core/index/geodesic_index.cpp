@@ -250,6 +250,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build_in_file(const std::fil
     if (out.is_complete()) {
       require_same(out.unfinished(), *data);
       try {
+        out.cut_leftovers();
         auto index = load(out.unfinished(), mesh);
         out.put_in_place();
         return index;

@@ -176,11 +176,20 @@ std::span<const std::byte> IndexFileReader::take(std::size_t bytes) {
 
 std::span<const std::byte> IndexFileReader::checked(std::size_t bytes) {
   const auto expected = number<std::uint64_t>();
-  const auto padding = take(padding_at(contents_->bytes().size() - left_.size()));
+  const auto padding = take(padding_at(end()));
   const bool zeros = std::ranges::all_of(padding, [](std::byte byte) { return byte == std::byte{0}; });
   const auto contents = take(bytes);
   if (!zeros || block_checksum(contents) != expected) fail("is damaged (a checksum does not match)");
   return contents;
+}
+
+void IndexFileReader::skip_block() {
+  const auto size = number<std::uint64_t>();
+  const auto count = number<std::uint64_t>();
+  number<std::uint64_t>();  // the checksum
+  take(padding_at(end()));
+  if (size != 0 && count > left_.size() / size) fail("is truncated");
+  take(size * count);
 }
 
 void IndexFileReader::finish() {

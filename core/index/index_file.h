@@ -125,6 +125,10 @@ class IndexFileReader {
   SharedArray<T> mapped_block() {
     return mapped_block<T>(next_count(sizeof(T)));
   }
+  /// Passes over the next block, whatever it holds.
+  void skip_block();
+  /// Where the blocks passed so far end in the file.
+  std::uint64_t end() const { return contents_->bytes().size() - left_.size(); }
   /// \throw IndexFileError if anything follows.
   void finish();
   /// The error for contents that contradict themselves or the mesh.

@@ -169,6 +169,13 @@ void write_index(IndexFileWriter& out, const IndexData& data) {
   out.block(data.graph.landmark_distance);
 }
 
+std::uint64_t end_of_index(const std::filesystem::path& file) {
+  constexpr int block_count = 18;  // as write_index() writes
+  IndexFileReader in(file);
+  for (int i = 0; i < block_count; ++i) in.skip_block();
+  return in.end();
+}
+
 void note_mapped_bytes(IndexData& data) {
   data.statistics.mapped_bytes = 0;
   for (const Entries* table : {&data.second.table, &data.first.table, &data.transit_table.entry}) {

@@ -17,12 +17,16 @@ namespace vorogeo {
 
 namespace {
 
+bool is_full(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
+
 /// \return errno, or 0.
 int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
   int error = 0;
   do error = ::posix_fallocate(descriptor, begin, size);
   while (error == EINTR);
-  if (error != EOPNOTSUPP && error != EINVAL && error != ENOSYS) return error;
+  // File systems that cannot reserve say so in many ways; writing zeros finds out whether that was the
+  // reason.
+  if (error == 0 || is_full(error)) return error;
   struct stat found {};
   if (::fstat(descriptor, &found) != 0) return errno;
   const std::vector<std::byte> zeros(std::size_t{1} << 20);
@@ -58,7 +62,10 @@ int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes) {
   struct stat found {};
   if (::fstatvfs(descriptor, &disk) == 0 && disk.f_blocks > 0 && ::fstat(descriptor, &found) == 0) {
     const auto blocks = ::geteuid() == 0 ? disk.f_bfree : disk.f_bavail;
-    const std::uint64_t held = std::uint64_t{512} * static_cast<std::uint64_t>(found.st_blocks);
+    const auto size = static_cast<std::uint64_t>(found.st_size);
+    const std::uint64_t within = std::min(bytes, size - std::min(size, offset));
+    const std::uint64_t held =
+        std::min(within, std::uint64_t{512} * static_cast<std::uint64_t>(found.st_blocks));
     // Checked first, so that a file that cannot fit does not fill the disk for a while.
     if (bytes > held && (bytes - held) / disk.f_frsize > blocks) return ENOSPC;
   }
@@ -80,10 +87,10 @@ std::string named_file(const std::filesystem::path& file, const std::string& wha
 
 void fail_writing(const std::filesystem::path& file, const std::string& what, const std::string& how_far,
                   int error) {
-  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
-  throw FileError(
-      named_file(file, what) + " cannot be written: " + how_far + " (" + reason_of(error) + "); " +
-      (full ? "free space or name a file on another disk." : "check the disk or name another file."));
+  throw FileError(named_file(file, what) + " cannot be written: " + how_far + " (" + reason_of(error) +
+                  "); " +
+                  (is_full(error) ? "free space or name a file on another disk."
+                                  : "check the disk or name another file."));
 }
 
 }  // namespace vorogeo

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -24,6 +25,18 @@ namespace {
 constexpr const char* unfinished_ending = ".unfinished";
 /// What is brought to the disk between two checkpoints.
 [[maybe_unused]] constexpr std::uint64_t bytes_per_sync = std::uint64_t{1} << 23;
+
+/// Renames a file unless another one has its new name. \return errno, or 0.
+int rename_to_free_name(const fs::path& from, const fs::path& to) {
+#ifdef __linux__
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+#endif
+  // File systems that cannot do both in one step.
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(to, error))) return EEXIST;
+  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
 
 }  // namespace
 
@@ -147,17 +160,15 @@ void ResumableFile::finish() {
     throw FileError(named_file(unfinished_, what_) +
                     " was removed or replaced while it was being written: build the index again.");
   }
-  std::error_code error;
-  if (fs::exists(fs::symlink_status(target_, error))) {
-    throw FileError(named_file(target_, what_) +
-                    " has been made by another program meanwhile; the new one stays in " +
-                    unfinished_.string() + ".");
+  const int error = rename_to_free_name(unfinished_, target_);
+  if (error == 0) return;
+  const std::string name = named_file(target_, what_);
+  const std::string stays = "; the new one is complete and stays in " + unfinished_.string();
+  if (error == EEXIST) {
+    throw FileError(name + " has been made by another program meanwhile" + stays + ": rename one of them.");
   }
-  fs::rename(unfinished_, target_, error);
-  if (error) {
-    throw FileError(named_file(target_, what_) + " cannot be put in its place (" + error.message() +
-                    "); name another file.");
-  }
+  throw FileError(name + " cannot be put in its place (" + reason_of(error) + ")" + stays +
+                  ": rename it, or check its folder.");
 }
 
 void ResumableFile::discard() noexcept {

@@ -14,7 +14,8 @@ namespace vorogeo {
 
 /// Writes to a file next to its target, NAME.unfinished, which stays until finish() renames it or discard()
 /// removes it, whatever stops the process. A lock (flock) keeps a second process from going on with it at the
-/// same time. Not thread-safe, except for writing to different places of the mapped memory.
+/// same time, where the file system has locks. Not thread-safe, except for writing to different places of the
+/// mapped memory.
 class ResumableFile {
  public:
   /// Opens what an earlier run has left, or makes an empty file. `what` begins the messages ("The index

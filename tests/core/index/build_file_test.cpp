@@ -179,10 +179,26 @@ TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
   EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
   EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
 
-  // Killed after the file was complete, or before it had a head.
-  std::filesystem::rename(folder / "a.vgi", unfinished);
-  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+  // Killed after the file was complete, before or after the rest was cut off.
+  bytes = read_bytes(folder / "a.vgi");
+  for (const std::size_t leftover : {0, 10000}) {
+    write_bytes(unfinished, bytes + std::string(leftover, 'x'));
+    std::filesystem::remove(folder / "a.vgi");
+    const auto index = GeodesicIndex::build_in_file(folder / "a.vgi", test::make_mesh(soup), options);
+    EXPECT_EQ(index->statistics().seconds, 0.0) << "loaded";
+    EXPECT_EQ(read_bytes(folder / "a.vgi"), bytes);
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
+  }
+  // Damaged after that, it is built anew.
+  std::string damaged = bytes;
+  damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 4);
+  for (const std::string& broken : {damaged, bytes.substr(0, bytes.size() - 100), bytes.substr(0, 300)}) {
+    write_bytes(unfinished, broken);
+    std::filesystem::remove(folder / "a.vgi");
+    EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
+    EXPECT_EQ(read_bytes(folder / "a.vgi"), bytes);
+  }
+  // Killed before it had a head.
   std::filesystem::remove(folder / "a.vgi");
   write_bytes(unfinished, std::string(5000, '\0'));
   EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");

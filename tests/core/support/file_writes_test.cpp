@@ -4,11 +4,25 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
 
 #include "support/temporary.h"
+
+namespace {
+
+/// What the next calls of posix_fallocate answer instead of reserving; 0: they reserve.
+int refusal = 0;
+
+}  // namespace
+
+/// Takes the place of the system's, as a file system may refuse for many reasons.
+extern "C" int posix_fallocate(int descriptor, off_t begin, off_t size) {
+  if (refusal != 0) return refusal;
+  return ::fallocate(descriptor, 0, begin, size) == 0 ? 0 : errno;
+}
 
 namespace vorogeo {
 namespace {
@@ -39,6 +53,42 @@ TEST(FileWrites, SpaceIsTakenOrNoneOfIt) {
   ASSERT_EQ(::fstat(file, &made), 0);
   EXPECT_EQ(made.st_size, 1 << 20);
   ::close(file);
+}
+
+TEST(FileWrites, SpaceOutsideTheRangeDoesNotCountAsTaken) {
+  const test::TemporaryFolder folder;
+  const int file = ::open((folder / "a").c_str(), O_RDWR | O_CREAT, 0600);
+  constexpr std::uint64_t held = std::uint64_t{64} << 20;
+  ASSERT_EQ(reserve_space(file, 0, held), 0);
+  struct statvfs disk {};
+  ASSERT_EQ(::fstatvfs(file, &disk), 0);
+  const std::uint64_t left = disk.f_frsize * (::geteuid() == 0 ? disk.f_bfree : disk.f_bavail);
+  // Behind what the file has, half of that more than the disk has left.
+  refusal = EFBIG;
+  const int error = reserve_space(file, held, left + held / 2);
+  refusal = 0;
+  EXPECT_EQ(error, ENOSPC) << "refused before any space is taken";
+  ::close(file);
+}
+
+TEST(FileWrites, ZerosWhereTheFileSystemCannotReserve) {
+  for (const int error : {EOPNOTSUPP, ENOLCK, EINVAL, ENOSYS, EPERM}) {
+    const test::TemporaryFolder folder;
+    const int file = ::open((folder / "a").c_str(), O_RDWR | O_CREAT, 0600);
+    EXPECT_EQ(write_all(file, bytes_of("abc"), 0), 0);
+    refusal = error;
+    EXPECT_EQ(reserve_space(file, 0, 5 << 20), 0);
+    {
+      const test::FileSizeLimit limit(6 << 20);
+      EXPECT_EQ(reserve_space(file, 0, 7 << 20), EFBIG) << "found while zeros are written";
+    }
+    refusal = 0;
+    struct stat made {};
+    ASSERT_EQ(::fstat(file, &made), 0);
+    EXPECT_GE(made.st_blocks * 512, 5 << 20) << "no holes";
+    ::close(file);
+    EXPECT_EQ(test::read_bytes(folder / "a").substr(0, 5), std::string("abc\0\0", 5));
+  }
 }
 
 TEST(FileWrites, MessagesNameTheFileTheReasonAndWhatToDo) {

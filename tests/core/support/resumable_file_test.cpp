@@ -62,7 +62,15 @@ TEST(ResumableFile, AFileThatAppearsAtItsTargetIsKept) {
   ResumableFile out(folder / "a", "The file");
   put(out, 0, "new");
   test::write_bytes(folder / "a", "of another program");
-  EXPECT_THROW(out.finish(), FileError);
+  try {
+    out.finish();
+    ADD_FAILURE();
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "The file " + (folder / "a").string() +
+                  " has been made by another program meanwhile; the new one is complete and stays in " +
+                  (folder / "a.unfinished").string() + ": rename one of them.");
+  }
   EXPECT_EQ(read_bytes(folder / "a"), "of another program");
   EXPECT_EQ(read_bytes(folder / "a.unfinished"), "new");
 }
