@@ -22,7 +22,8 @@ int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t off
 
 /// Reserves disk space for the bytes from an offset on, so that memory mapped to the file can be written
 /// without a signal; what the file has there stays. On file systems that cannot reserve space, zeros are
-/// written behind its end. Bytes that clearly cannot fit take none. Reports at checkpoints. \return errno, or 0.
+/// written behind its end. Bytes that clearly cannot fit take none. Reports at checkpoints. \return errno, or
+/// 0.
 int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes);
 
 /// What the system says of an error.
