@@ -19,14 +19,23 @@ FoundPath FoundPath::unproven() && {
   return std::move(*this);
 }
 
-void set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last, SurfacePath& path) {
-  if (path.points.empty()) return;
+MeasuredLength set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last,
+                        SurfacePath& path) {
+  if (path.points.empty()) return {};
   if (is_same_point(mesh, path.points.front(), first)) path.points.front() = first;
   if (path.points.size() == 1) path.points.push_back(last);
   if (is_same_point(mesh, path.points.back(), last)) path.points.back() = last;
   const MeasuredLength measured = measured_length(mesh, path.points);
   // Where they agree, the sum of the steps in the plane has less rounding.
   if (!measured.agrees_with(path.length)) path.length = measured.length;
+  return measured;
+}
+
+bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
+             const SurfacePoint& first, const SurfacePoint& last, double distance) {
+  return !path.points.empty() && is_same_point(mesh, path.points.front(), first) &&
+         is_same_point(mesh, path.points.back(), last) && measured.agrees_with(distance) &&
+         measured.agrees_with(path.length);
 }
 
 FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, ExactLimits limits) {

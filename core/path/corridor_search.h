@@ -21,8 +21,13 @@ struct FoundPath {
 };
 
 /// Makes a path begin and end with exactly these points where it does so up to rounding, and corrects a
-/// length that its points do not have.
-void set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last, SurfacePath& path);
+/// length that its points do not have. \return the length measured along its points.
+MeasuredLength set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last,
+                        SurfacePath& path);
+
+/// is_path() (core/exact) for a path whose length along its points is known.
+bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
+             const SurfacePoint& first, const SurfacePoint& last, double distance);
 
 /// Runs of one exact solver from point to point. Each run ends: the solver passes a window on only where it
 /// shortens a distance by more than rounding. One object belongs to one thread.

@@ -92,8 +92,8 @@ ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoi
   if (is_same_point(mesh_, from, to)) return {{{from, to}, 0.0}, true};
   auto taken_over = [&](FoundPath found) {
     result.path = std::move(found.path);
-    set_ends(mesh_, from, to, result.path);
-    result.certified = is_path(mesh_, result.path, from, to, found.distance);
+    const MeasuredLength measured = set_ends(mesh_, from, to, result.path);
+    result.certified = is_path(mesh_, result.path, measured, from, to, found.distance);
   };
   if (!refiner_) {
     taken_over(corridor_.run(from, to, {}));

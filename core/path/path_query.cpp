@@ -67,7 +67,17 @@ struct PathQuery::State {
   double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   void improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
   FoundPath path(const PathEnd& from, const PathEnd& to, bool thorough);
-  SurfacePath as_asked(const FoundPath& found, const SurfacePoint& source, const SurfacePoint& target) const;
+  /// A path over the user's mesh, and its length along its points.
+  struct AskedPath {
+    SurfacePath path;
+    MeasuredLength measured;
+  };
+  AskedPath as_asked(const FoundPath& found, const SurfacePoint& source, const SurfacePoint& target) const;
+  /// See is_path() in core/exact.
+  bool is_whole(const AskedPath& found, const SurfacePoint& source, const SurfacePoint& target,
+                double distance) const {
+    return is_path(*data.mesh, found.path, found.measured, source, target, distance);
+  }
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
@@ -174,10 +184,10 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
 
 /// The same path over the user's mesh, between exactly the points that were asked for, with the length
 /// measured along its points.
-SurfacePath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoint& source,
-                                       const SurfacePoint& target) const {
-  SurfacePath result = found.on_user_mesh ? found.path : user_path(data, found.path);
-  set_ends(*data.mesh, source, target, result);
+PathQuery::State::AskedPath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoint& source,
+                                                       const SurfacePoint& target) const {
+  AskedPath result{found.on_user_mesh ? found.path : user_path(data, found.path), {}};
+  result.measured = set_ends(*data.mesh, source, target, result.path);
   return result;
 }
 
@@ -195,10 +205,12 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   if (swapped) std::swap(s, t);
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  SurfacePath path = state.as_asked(state.path(from, to, true), s, t);
-  if (!is_path(mesh, path, s, t, path.length)) path = state.as_asked(state.exact.everywhere(from, to), s, t);
-  if (swapped) std::ranges::reverse(path.points);
-  return path;
+  State::AskedPath found = state.as_asked(state.path(from, to, true), s, t);
+  if (!state.is_whole(found, s, t, found.path.length)) {
+    found = state.as_asked(state.exact.everywhere(from, to), s, t);
+  }
+  if (swapped) std::ranges::reverse(found.path.points);
+  return std::move(found.path);
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
@@ -216,25 +228,28 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   FoundPath found = state.path(from, to, false);
   if (!state.refiner) {
     // Nothing is proven of distances by points on edges.
-    return {state.as_asked(found, s, t), false};
+    return {state.as_asked(found, s, t).path, false};
   }
   if (found.distance == unreachable) {
     const bool with_proof = certify || state.data.has_branches;
     found.join(with_proof ? state.exact.between_landmarks(from, to, found.path.length)
                           : state.exact.by_index(from, to, found.path.length));
   }
-  result.path = state.as_asked(found, s, t);
-  result.certified = is_path(mesh, result.path, s, t, found.distance);
+  State::AskedPath asked = state.as_asked(found, s, t);
+  result.certified = state.is_whole(asked, s, t, found.distance);
   const bool meant_to_be_proven = certify || state.data.has_branches || found.distance < unreachable;
-  if (result.certified || (!meant_to_be_proven && is_path(mesh, result.path, s, t, result.path.length)))
-    return result;
-  // The bounds were wrong by more than rounding explains, or the path back was not found: search without
-  // bounds.
-  found = state.exact.everywhere(from, to);
-  SurfacePath path = state.as_asked(found, s, t);
-  const bool is_whole = is_path(mesh, path, s, t, path.length);
-  result.certified = is_whole && is_path(mesh, path, s, t, found.distance);
-  if (result.certified || (is_whole && path.length < result.path.length)) result.path = std::move(path);
+  if (!result.certified && (meant_to_be_proven || !state.is_whole(asked, s, t, asked.path.length))) {
+    // The bounds were wrong by more than rounding explains, or the path back was not found: search without
+    // bounds.
+    found = state.exact.everywhere(from, to);
+    State::AskedPath anywhere = state.as_asked(found, s, t);
+    const bool is_path_there = state.is_whole(anywhere, s, t, anywhere.path.length);
+    result.certified = is_path_there && state.is_whole(anywhere, s, t, found.distance);
+    if (result.certified || (is_path_there && anywhere.path.length < asked.path.length)) {
+      asked = std::move(anywhere);
+    }
+  }
+  result.path = std::move(asked.path);
   return result;
 }
 
