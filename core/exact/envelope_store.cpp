@@ -2,11 +2,32 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <string>
 
 #include "exact/envelope.h"
 #include "support/memory.h"
 
 namespace vorogeo {
+
+namespace {
+
+/// Pools from this size on ask for memory before they grow.
+constexpr std::size_t large_pool = std::size_t{1} << 25;
+
+/// Capacity for `size` windows. A system may grant more memory than it has, and end the process that uses it;
+/// so what large pools need is compared with what is available. \throw NotEnoughMemory.
+void make_room(std::vector<Window>& pool, std::size_t size) {
+  if (size <= pool.capacity() || pool.capacity() * sizeof(Window) < large_pool) return;
+  const std::size_t room = std::max(size, pool.capacity() + pool.capacity() / 2);
+  require_memory(
+      static_cast<double>(room) * sizeof(Window), 0,
+      "An exact propagation on this mesh has made " + std::to_string(pool.size()) +
+          " windows and is not done; room for more",
+      "Take the method quick or an index instead, give a greatest distance, or use fewer threads.");
+  pool.reserve(room);
+}
+
+}  // namespace
 
 double WindowEnvelope::store() {
   if (changed_) {
@@ -50,6 +71,7 @@ void WindowEnvelope::take_room(List& list, std::size_t size) {
           "distance, or use a smaller mesh.");
     }
     list.offset = static_cast<std::uint32_t>(pool_.size());
+    make_room(pool_, pool_.size() + (std::size_t{1} << list.size_class));
     pool_.resize(pool_.size() + (std::size_t{1} << list.size_class));
   } else {
     list.offset = free.back();

@@ -44,6 +44,20 @@ TableScale scale_of(float widest, bool is_graded) {
                    : TableScale::even(widest, TransitTable::greatest_entry);
 }
 
+/// The scale of all rows, from those of the groups: graded, too, if a group reaches a small part of the
+/// widest distance only, as in a component much smaller than others.
+TableScale common_scale(std::span<const TableScale> of_groups) {
+  float widest = 0.0f;
+  for (const TableScale& scale : of_groups) {
+    widest = std::max(widest, scale.distance(TransitTable::greatest_entry));
+  }
+  const bool is_graded = std::ranges::any_of(of_groups, [&](const TableScale& scale) {
+    const float reach = scale.distance(TransitTable::greatest_entry);
+    return scale.is_graded() || (reach > 0.0f && reach <= small_part * widest);
+  });
+  return scale_of(widest, is_graded);
+}
+
 /// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. `least`: by group, of a.
 /// Returns their scale: graded if a node has several others within a small part of the widest cell.
 TableScale set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std::span<float> least,
@@ -212,11 +226,7 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
                  }
                  room.rows.note_filled(left[item], batch.contents(), {}, true);
                });
-  float widest = 0.0f;
-  for (const TableScale scale : room.scale) {
-    widest = std::max(widest, scale.distance(TransitTable::greatest_entry));
-  }
-  table.scale = scale_of(widest, std::ranges::any_of(room.scale, &TableScale::is_graded));
+  table.scale = common_scale(room.scale);
   table.least.resize(groups * groups);
   // By squares of groups, whose cells in both directions fit the processor's caches.
   const std::size_t squares = (groups + groups_per_square - 1) / groups_per_square;

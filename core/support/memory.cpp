@@ -1,6 +1,9 @@
 // Reads the available memory from the files in which Linux states it.
 #include "support/memory.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -37,6 +40,15 @@ std::int64_t group_available() {
   return std::max<std::int64_t>(0, limit - used);
 }
 
+std::int64_t address_space_available() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
+  const std::int64_t used = number_in("/proc/self/statm");
+  if (used == unknown) return unknown;
+  return std::max<std::int64_t>(0,
+                                static_cast<std::int64_t>(limit.rlim_cur) - used * ::sysconf(_SC_PAGESIZE));
+}
+
 std::string in_units(double bytes) {
   char text[32];
   if (bytes >= 1 << 30) {
@@ -49,7 +61,9 @@ std::string in_units(double bytes) {
 
 }  // namespace
 
-std::int64_t available_memory_bytes() { return std::min(system_available(), group_available()); }
+std::int64_t available_memory_bytes() {
+  return std::min({system_available(), group_available(), address_space_available()});
+}
 
 void require_memory(double needed, std::int64_t max_bytes, const std::string& what,
                     const std::string& advice) {

@@ -20,7 +20,8 @@ inline constexpr const char* out_of_memory_sentence =
     "or use a smaller mesh.";
 
 /// Bytes that this process can still take without swapping: what the system calls available, or what the
-/// control group of the process leaves if that is less. A very large number where the system does not say.
+/// control group of the process or its limit of address space (ulimit -v) leaves if that is less. A very
+/// large number where the system does not say.
 std::int64_t available_memory_bytes();
 
 /// Throws NotEnoughMemory if `needed` bytes are more than `max_bytes`; 0 stands for the available memory.

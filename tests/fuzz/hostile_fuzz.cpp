@@ -75,8 +75,9 @@ ScanCosts scan_costs(HostileTally& tally) {
 }
 
 void examine_seed(unsigned seed, const Options& options, HostileTally& tally, ScanCosts& scans) {
-  tally.seed = seed;
+  // In this order: a mesh is not to be judged by the time of the one before.
   tally.mesh_seconds = processor_seconds();
+  tally.seed = seed;
   std::strcpy(tally.question, "generator");
   const int vertices = size_of(seed, options);
   std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d", vertices);
@@ -120,12 +121,13 @@ struct Worker {
 
   /// The mesh at work ended the process, or had to be ended with it.
   void note_lost(const Options& options, const std::string& how) {
+    const unsigned seed = tally->seed;
     ++tally->findings;
     ++tally->meshes_with_findings;
     ++tally->meshes;
-    std::printf("FINDING %s\n  seed %u: %s\n  %s\n  again: hostile_fuzz --seed %u%s\n", how.c_str(),
-                tally->seed, tally->sentence, tally->question, tally->seed, tally->size_argument);
-    next = tally->seed + options.jobs;
+    std::printf("FINDING %s\n  seed %u: %s\n  %s\n  again: hostile_fuzz --seed %u%s\n", how.c_str(), seed,
+                tally->sentence, tally->question, seed, tally->size_argument);
+    next = seed + options.jobs;
     process = 0;
   }
 
@@ -135,8 +137,10 @@ struct Worker {
       if (next >= end || (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline)) return false;
       start(options, deadline);
     }
-    if (processor_seconds_used() - tally->mesh_seconds > max_mesh_seconds(size_of(tally->seed, options)) &&
-        !tally->finished) {
+    // Read in the other order than it is written.
+    const unsigned seed = tally->seed;
+    const double seconds = processor_seconds_used() - tally->mesh_seconds;
+    if (seconds > max_mesh_seconds(size_of(seed, options)) && tally->seed == seed && !tally->finished) {
       kill(process, SIGKILL);
       waitpid(process, nullptr, 0);
       note_lost(options, "a hang");

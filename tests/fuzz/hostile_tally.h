@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -61,12 +62,12 @@ struct ErrorHistogram {
 
 /// One process of a run. Written by it, read by its parent when it has ended or hangs.
 struct HostileTally {
-  unsigned seed = 0;         ///< the mesh at work
-  char size_argument[32]{};  ///< what is needed besides --seed to make the same mesh
-  char question[160]{};      ///< what it is asked
-  char sentence[512]{};      ///< and what it is
-  bool finished = false;     ///< all seeds done
-  double mesh_seconds = 0;   ///< processor time of the process when the mesh began
+  std::atomic<unsigned> seed = 0;        ///< the mesh at work
+  char size_argument[32]{};              ///< what is needed besides --seed to make the same mesh
+  char question[160]{};                  ///< what it is asked
+  char sentence[512]{};                  ///< and what it is
+  bool finished = false;                 ///< all seeds done
+  std::atomic<double> mesh_seconds = 0;  ///< processor time of the process when the mesh began
   unsigned meshes = 0;
   unsigned refused = 0;  ///< meshes refused in a sentence, with reason
   unsigned findings = 0;

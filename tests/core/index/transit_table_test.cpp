@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -62,6 +63,26 @@ TEST(TransitTable, OtherComponentsAreUnreachable) {
                 component(a) != component(b));
     }
   }
+}
+
+TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
+  // Flat squares, one 1e-8 as large: distances are straight lines.
+  const test::Soup soup =
+      test::two_components(test::plane_grid(8, 8, 1.0, 1.0).soup, test::plane_grid(8, 8, 1e-8, 1e-8).soup);
+  const auto index = test::make_index(soup, 6, 2);
+  const IndexData& data = index->data();
+  auto at = [&](Index node) { return data.work.mesh->position(data.first.node_vertex[node]); };
+  test::ErrorCollector errors;
+  for (Index a = 0; a < data.transit_table.count; ++a) {
+    for (Index b = 0; b < data.transit_table.count; ++b) {
+      const double found = data.transit_table.distance(a, b);
+      if (found == std::numeric_limits<float>::infinity()) continue;
+      errors.add(found, std::hypot(at(a)[0] - at(b)[0], at(a)[1] - at(b)[1]));
+    }
+  }
+  EXPECT_GT(errors.statistics().count, 1000U);
+  EXPECT_LT(errors.statistics().mean, 0.01);
+  EXPECT_GT(errors.statistics().least, -0.1);
 }
 
 TransitTable table_of(const GeodesicIndex& index, int threads) {
