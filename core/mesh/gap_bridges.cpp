@@ -223,7 +223,7 @@ std::shared_ptr<const Mesh> bridged_mesh(const std::vector<Point>& positions,
 std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
                                           const std::vector<std::array<Index, 3>>& faces,
                                           const SideLengths& sides, const GapLimit& limit,
-                                          Index points_per_edge) {
+                                          Index points_per_edge, const FaceSplits& splits) {
   if (sides.empty()) return bridged_mesh(positions, faces, limit);
   if (limit.length > 0.0) {
     throw InvalidInput(
@@ -232,6 +232,7 @@ std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
   if (points_per_edge > 0) {
     return std::make_shared<const Mesh>(positions, faces, FaceSides{sides, points_per_edge});
   }
+  if (!splits.empty()) return std::make_shared<const Mesh>(positions, faces, splits);
   return std::make_shared<const Mesh>(positions, faces, sides);
 }
 

@@ -34,12 +34,13 @@ std::shared_ptr<const Mesh> bridged_mesh(const std::vector<Point>& positions,
                                          const GapLimit& limit);
 
 /// The mesh that is measured on: in space with its gaps bridged, or with a metric (`sides` not empty), which
-/// jumps at edges if `points_per_edge` is above 0. Gap and metric together are refused, as the sides of
-/// bridges would have lengths in space. \throw InvalidInput, Cancelled.
+/// jumps at edges if `points_per_edge` is above 0, and for which faces may be split (`splits`). Gap and
+/// metric together are refused, as the sides of bridges would have lengths in space. \throw InvalidInput,
+/// Cancelled.
 std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
                                           const std::vector<std::array<Index, 3>>& faces,
                                           const SideLengths& sides, const GapLimit& limit,
-                                          Index points_per_edge = 0);
+                                          Index points_per_edge = 0, const FaceSplits& splits = {});
 
 /// The least limit with which all faces are one component; `unreachable` if none would do.
 /// Complexity: O(b log b log c) for c components.

@@ -291,9 +291,10 @@ int Mesh::edge_face_count(Index edge) const {
 std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
-         bytes(halfedge_edge_) + bytes(next_around_edge_) + bytes(edge_vertices_) + bytes(edge_length_) +
-         bytes(face_sides_) + bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) +
-         bytes(border_) + bytes(total_angle_) + bytes(component_);
+         bytes(middle_of_) + bytes(split_faces_) + bytes(halfedge_edge_) + bytes(next_around_edge_) +
+         bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(edge_halfedge_) +
+         bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
+         bytes(component_);
 }
 
 }  // namespace vorogeo

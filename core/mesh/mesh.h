@@ -48,6 +48,20 @@ struct GapBridges {
   bool empty() const { return same_as.empty() && faces.empty(); }
 };
 
+/// Faces split at the middles of their sides, where a metric varies too much for one triangle
+/// (face_splits.h).
+struct FaceSplits {
+  /// By vertex that is added behind those given: the ends of the line whose middle it is; they come before
+  /// it.
+  std::vector<std::array<Index, 2>> middle_of;
+  /// All faces, the parts of a face in its place.
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<Index> given_face;  ///< by face; ascending
+  SideLengths sides;              ///< by face
+
+  bool empty() const { return middle_of.empty(); }
+};
+
 /// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
 /// three rounded lengths do not determine those of a needle or of a nearly flat face; with a metric, which
 /// gives other lengths to the edges, they follow from the lengths (`face_corners`).
@@ -84,7 +98,15 @@ class Mesh {
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
        const GapBridges& bridges);
 
+  /// A mesh in a metric, `given` being the faces before they were split. The vertices added are vertices like
+  /// others; `given_vertex_count()` and `input_face()` tell hosts what they gave (given_points.h).
+  /// \throw InvalidInput as for side lengths.
+  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& given,
+       const FaceSplits& splits);
+
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
+  /// Without the vertices that splits of faces have added, which follow them.
+  Index given_vertex_count() const { return static_cast<Index>(positions_.size() - middle_of_.size()); }
   Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
   Index edge_count() const { return static_cast<Index>(edge_vertices_.size()); }
 
@@ -94,7 +116,15 @@ class Mesh {
   /// The three vertices of a face, in the order of its corners.
   const std::array<Index, 3>& face_vertices(Index face) const { return face_vertices_[face]; }
   const std::vector<std::array<Index, 3>>& faces() const { return face_vertices_; }
-  /// The face of the constructor's list that became `face` (faces left out have no counterpart here).
+  bool has_split_faces() const { return !middle_of_.empty(); }
+  /// The ends of the line whose middle a vertex is that a split has added.
+  const std::array<Index, 2>& middle_of(Index vertex) const {
+    return middle_of_[vertex - given_vertex_count()];
+  }
+  /// The corners of the face given (`input_face`) that `face` is, or is a part of.
+  const std::array<Index, 3>& given_corners(Index face) const;
+  /// The face of the constructor's list that became `face`, or of which it is a part (faces left out have no
+  /// counterpart here). Ascending.
   Index input_face(Index face) const { return input_face_.empty() ? face : input_face_[face]; }
   /// Bridges over gaps are the faces from this number on.
   Index first_bridge() const { return first_bridge_ == no_index ? face_count() : first_bridge_; }
@@ -201,6 +231,13 @@ class Mesh {
   std::vector<Index> input_face_;  ///< empty if no face was left out
   std::vector<Index> same_as_;     ///< empty if every vertex stands for itself
   Index first_bridge_ = no_index;  ///< no_index: there is none
+  /// A face that was split: its number and its corners.
+  struct SplitFace {
+    Index given;
+    std::array<Index, 3> corners;
+  };
+  std::vector<std::array<Index, 2>> middle_of_;  ///< by vertex added
+  std::vector<SplitFace> split_faces_;           ///< ascending
   std::vector<Index> halfedge_edge_;
   std::vector<Index> next_around_edge_;
   std::vector<std::array<Index, 2>> edge_vertices_;

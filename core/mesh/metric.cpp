@@ -7,6 +7,8 @@
 #include <string>
 #include <tuple>
 
+#include "mesh/face_splits.h"
+#include "mesh/vectors.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 
@@ -72,10 +74,10 @@ long double form(const Tensor& g, const Step& u, const Step& v) {
   return sum;
 }
 
-/// Calls `side(a, b)` for the sides of all faces that name three vertices. The smaller vertex comes first, so
-/// that both faces of an edge compute the same.
-template <class Side>
-MetricLengths lengths_of_sides(std::span<const std::array<Index, 3>> faces, Side&& side) {
+/// Lengths of the sides of all faces that name three vertices. Lines are named by the smaller vertex first,
+/// so that both faces of an edge compute the same.
+MetricLengths lengths_of_sides(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                               const LengthsAlongLines& lines) {
   MetricLengths result;
   result.sides.assign(faces.size(), {});
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -83,10 +85,14 @@ MetricLengths lengths_of_sides(std::span<const std::array<Index, 3>> faces, Side
     if (!is_usable(faces[f])) continue;
     for (int i = 0; i < 3; ++i) {
       const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
-      result.sides[f][i] = side(a, b);
+      result.sides[f][i] = lines.length(a, b);
     }
   }
+  result.splits = split_faces_for(positions, faces, result.sides, lines, result.split_faces);
   result.shortened_edges = repair_triangles(faces, result.sides);
+  if (!result.splits.empty()) {
+    result.shortened_edges = repair_triangles(result.splits.faces, result.splits.sides);
+  }
   return result;
 }
 
@@ -117,9 +123,17 @@ MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const 
                               std::span<const double> cost) {
   require_one_for_each(cost.size(), "costs", positions.size(), "vertices");
   for (std::size_t v = 0; v < cost.size(); ++v) require_cost(cost[v], "Vertex", v);
-  return lengths_of_sides(faces, [&](Index a, Index b) {
-    return distance_between(positions[a], positions[b]) * (0.5 * cost[a] + 0.5 * cost[b]);
-  });
+  std::vector<Point> place(positions.begin(), positions.end());
+  std::vector<double> there(cost.begin(), cost.end());
+  LengthsAlongLines lines;
+  lines.length = [&](Index a, Index b) {
+    return distance_between(place[a], place[b]) * (0.5 * there[a] + 0.5 * there[b]);
+  };
+  lines.add_middle = [&](Index a, Index b) {
+    place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
+    there.push_back(0.5 * there[a] + 0.5 * there[b]);
+  };
+  return lengths_of_sides(positions, faces, lines);
 }
 
 MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
@@ -133,17 +147,27 @@ MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<cons
       require_positive(positions, faces[f], f, "vertex", static_cast<std::size_t>(v), tensors[v]);
     }
   }
-  return lengths_of_sides(faces, [&](Index a, Index b) {
-    const Step edge = edge_vector(positions, a, b);
-    const long double first = std::max(0.0L, form(tensors[a], edge, edge));
-    const long double second = std::max(0.0L, form(tensors[b], edge, edge));
+  std::vector<Point> place(positions.begin(), positions.end());
+  std::vector<Tensor> there(tensors.begin(), tensors.end());
+  LengthsAlongLines lines;
+  lines.length = [&](Index a, Index b) {
+    const Step edge = edge_vector(place, a, b);
+    const long double first = std::max(0.0L, form(there[a], edge, edge));
+    const long double second = std::max(0.0L, form(there[b], edge, edge));
     const long double at_first = std::sqrt(first);
     const long double at_second = std::sqrt(second);
     if (!(at_first + at_second > 0.0L)) return 0.0;
     // The integral of the root of a linear function.
     return static_cast<double>(2.0L / 3.0L * (first + at_first * at_second + second) /
                                (at_first + at_second));
-  });
+  };
+  lines.add_middle = [&](Index a, Index b) {
+    place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
+    Tensor middle{};
+    for (int i = 0; i < 9; ++i) middle[i] = 0.5 * there[a][i] + 0.5 * there[b][i];
+    there.push_back(middle);
+  };
+  return lengths_of_sides(positions, faces, lines);
 }
 
 SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
@@ -183,9 +207,7 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());
   };
   auto is_broken = [&](std::size_t f) {
-    const int k = longest_of(f);
-    return is_usable(faces[f]) &&
-           sides[f][k] > (sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3]) * (1.0 + triangle_rounding);
+    return is_usable(faces[f]) && breaks_triangle(sides[f], triangle_rounding);
   };
   std::vector<std::size_t> open;
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -14,17 +14,21 @@ using Tensor = std::array<double, 9>;
 
 /// What a metric makes of the sides of faces.
 struct MetricLengths {
+  /// Of the faces as given. In one that is split, the longest has the length of the others together.
   SideLengths sides;
-  /// Edges that were longer than the two other sides of a face together, and have the length of these
-  /// instead.
+  /// Faces whose longest side would be longer than the two others together, and which are split for that.
+  Index split_faces = 0;
+  /// The mesh to measure on instead of `sides`; empty if no face is split.
+  FaceSplits splits;
+  /// Edges of that mesh that still were longer than two others, and have the length of these instead.
   Index shortened_edges = 0;
 };
 
 /// A cost for each vertex, per unit of length, linear over each face: an edge is as long as the integral of
 /// the cost along it, which is its length times the mean cost of its ends.
 ///
-/// Where the cost varies strongly within a face, an edge may cost more than the other two sides together. No
-/// shortest path follows it then, and it gets their length.
+/// Where the cost varies strongly within a face, an edge may cost more than the other two sides together. The
+/// face is split then. Where it has no width, the edge gets the length of the two.
 /// \throw InvalidInput for a cost that is not above 0 and finite, or another number of costs than vertices.
 MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                               std::span<const double> cost);
@@ -32,8 +36,8 @@ MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const 
 /// A tensor G for each vertex, linear over each face: the squared length of a vector v is v' G v. The length
 /// of an edge is the integral along it, in closed form.
 ///
-/// Edges longer than two others are shortened, as with costs. \throw InvalidInput for a tensor that is not
-/// finite, not symmetric, or not positive on the plane of a face at its vertex (names the face and the
+/// Faces with a side longer than two others are split, as with costs. \throw InvalidInput for a tensor that
+/// is not finite, not symmetric, or not positive on the plane of a face at its vertex (names the face and the
 /// squared lengths of its sides), or another number of tensors than vertices.
 MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                 std::span<const Tensor> tensors);

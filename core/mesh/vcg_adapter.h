@@ -24,6 +24,7 @@ struct VcgMeshArrays {
   std::vector<Index> input_of_vertex;  ///< index in mesh.vert
   std::vector<Index> input_of_face;    ///< index in mesh.face
   SideLengths sides;                   ///< of the faces in the metric chosen; empty: lengths in space
+  FaceSplits splits;                   ///< that this metric needs; mostly empty
   Index points_per_edge = 0;           ///< above 0 in a metric that jumps at edges (FaceSides)
 };
 

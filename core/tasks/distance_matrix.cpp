@@ -118,7 +118,7 @@ void fill_square(FieldTeam& team, const PointList& given, MatrixMethod method, s
 template <class Entry>
 void fill_rows(FieldTeam& team, const PointList& given, double max_distance, std::span<Entry> rows,
                const Progress& progress) {
-  const auto width = static_cast<std::size_t>(team.mesh().vertex_count());
+  const auto width = static_cast<std::size_t>(team.mesh().given_vertex_count());
   require_size(rows.size(), given.size() * width);
   const PointList sources = points_on(team.mesh(), given, "Source");
   if (!(max_distance >= 0.0)) {
@@ -127,7 +127,8 @@ void fill_rows(FieldTeam& team, const PointList& given, double max_distance, std
   }
   parallel_for(sources.size(), team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
     const auto field = team.field(sources[i], max_distance, worker);
-    std::ranges::transform(field, rows.begin() + static_cast<std::ptrdiff_t>(i * width),
+    std::ranges::transform(std::span(field).first(width),
+                           rows.begin() + static_cast<std::ptrdiff_t>(i * width),
                            [](double distance) { return static_cast<Entry>(distance); });
   });
 }

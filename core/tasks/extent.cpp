@@ -12,12 +12,11 @@ namespace vorogeo {
 
 namespace {
 
-Eccentricity eccentricity_in(const std::vector<double>& field) {
+/// Of the vertices given: the ends and the centre of a surface are among them.
+Eccentricity eccentricity_in(const Mesh& mesh, const std::vector<double>& field) {
   Eccentricity result{-1.0, no_index};
-  for (std::size_t v = 0; v < field.size(); ++v) {
-    if (field[v] < unreachable && field[v] > result.distance) {
-      result = {field[v], static_cast<Index>(v)};
-    }
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
+    if (field[v] < unreachable && field[v] > result.distance) result = {field[v], v};
   }
   return result;
 }
@@ -28,7 +27,7 @@ std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& given
   const PointList points = points_on(team.mesh(), given, "Point");
   std::vector<Eccentricity> result(points.size());
   parallel_for(points.size(), team.threads(), progress, "Eccentricities", [&](std::size_t i, int worker) {
-    result[i] = eccentricity_in(team.field(points[i], unreachable, worker));
+    result[i] = eccentricity_in(team.mesh(), team.field(points[i], unreachable, worker));
   });
   return result;
 }
@@ -38,7 +37,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
   points_on(mesh, std::span(&start, 1), "Start");
   if (max_fields < 2) throw InvalidInput("At least 2 fields are needed to bound a diameter; allow more.");
   std::vector<Index> members;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (mesh.component(v) == mesh.component(start)) members.push_back(v);
   }
   std::vector<Bounds> bounds(mesh.vertex_count());
@@ -48,7 +47,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
   Index next = start;
   while (result.fields < max_fields) {
     const auto field = team.field_on_all_threads(std::span(&next, 1));
-    const Eccentricity found = eccentricity_in(field);
+    const Eccentricity found = eccentricity_in(mesh, field);
     ++result.fields;
     if (found.distance > result.diameter.lower) {
       result.diameter.lower = found.distance;
@@ -109,14 +108,15 @@ GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radiu
   }
   const auto field = team.field_on_all_threads(sources, radius);
   GeodesicDisk disk;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (field[v] == unreachable) continue;
     disk.vertices.push_back(v);
     disk.distance.push_back(field[v]);
   }
   for (Index f = 0; f < mesh.first_bridge(); ++f) {
-    const auto& corners = mesh.face_vertices(f);
-    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return field[v] < unreachable; })) {
+    const bool is_other_part = f > 0 && mesh.input_face(f) == mesh.input_face(f - 1);
+    const auto& corners = mesh.given_corners(f);
+    if (!is_other_part && std::ranges::all_of(corners, [&](Index v) { return field[v] < unreachable; })) {
       disk.faces.push_back(f);
     }
   }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "mesh/given_points.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -28,12 +29,13 @@ double crossing(double at_first, double at_second, double length, double level, 
   return t >= -1e-9 && t <= 1.0 + 1e-9 ? std::clamp(t, 0.0, 1.0) : std::clamp(linear, 0.0, 1.0);
 }
 
-Isolines isolines(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
+Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
                   Interpolation interpolation) {
-  if (values.size() != static_cast<std::size_t>(mesh.vertex_count())) {
-    throw InvalidInput("The field has " + std::to_string(values.size()) + " values, but the mesh has " +
-                       std::to_string(mesh.vertex_count()) + " vertices; give one value for each.");
+  if (given.size() != static_cast<std::size_t>(mesh.given_vertex_count())) {
+    throw InvalidInput("The field has " + std::to_string(given.size()) + " values, but the mesh has " +
+                       std::to_string(mesh.given_vertex_count()) + " vertices; give one value for each.");
   }
+  const std::vector<double> values = with_middles(mesh, given);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (!std::isfinite(levels[i])) {
       throw InvalidInput("Level " + std::to_string(i) + " is " + std::to_string(levels[i]) +

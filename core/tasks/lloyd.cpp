@@ -78,6 +78,7 @@ SurfacePoint candidate_of(const Mesh& mesh, const std::vector<double>& area, con
   SurfacePoint best = site;
   double least = unreachable;
   for (Index v : region) {
+    if (v >= mesh.given_vertex_count()) break;  // a region is in order
     const Point& p = mesh.position(v);
     const double distance = std::hypot(p[0] - wanted[0], p[1] - wanted[1], p[2] - wanted[2]);
     if (distance >= least) continue;

@@ -13,10 +13,10 @@ namespace vorogeo {
 
 namespace {
 
-/// The vertices with a face, of one component, or of all for no_index.
+/// The given vertices with a face, of one component, or of all for no_index.
 std::vector<Index> vertices_with_face(const Mesh& mesh, Index component = no_index) {
   std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     const bool counts = component == no_index || mesh.component(v) == component;
     if (counts && mesh.fan(v) != Mesh::Fan::isolated) vertices.push_back(v);
   }
@@ -85,6 +85,7 @@ FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const
     }
     progress.report(std::min(1.0, done), "Farthest point sampling");
   }
+  result.distance.resize(mesh.given_vertex_count());
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "layers/index_of_layer.h"
 #include "layers/parameters.h"
 #include "layers/source_layer.h"
+#include "mesh/given_points.h"
 #include "support/error.h"
 #include "tasks/curve_sources.h"
 
@@ -90,17 +91,18 @@ Results distances_from_edges(FilterCall& call) {
   const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const bool from_border = call.parameters.getBool("from_border");
+  std::vector<bool> chosen(static_cast<std::size_t>(mesh->edge_count()), false);
+  for (Index e = 0; from_border && e < mesh->edge_count(); ++e) chosen[e] = mesh->is_border_edge(e);
+  for (Index f = 0; !from_border && f < mesh->first_bridge(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      if (!call.layer.cm.face[layer_mesh.host_face(*mesh, f)].IsFaceEdgeS(i)) continue;
+      const auto& corners = mesh->given_corners(f);
+      for (Index e : edges_between(*mesh, corners[i], corners[(i + 1) % 3])) chosen[e] = true;
+    }
+  }
   std::vector<Index> edges;
   for (Index e = 0; e < mesh->edge_count(); ++e) {
-    bool chosen = from_border && mesh->is_border_edge(e);
-    Index h = mesh->edge_halfedge(e);
-    do {
-      const Index face = Mesh::face_of(h);
-      chosen |= !from_border && !mesh->is_bridge(face) &&
-                call.layer.cm.face[layer_mesh.host_face(*mesh, face)].IsFaceEdgeS(h % 3);
-      h = mesh->next_around_edge(h);
-    } while (h != mesh->edge_halfedge(e));
-    if (chosen) edges.push_back(e);
+    if (chosen[e]) edges.push_back(e);
   }
   if (edges.empty()) {
     throw InvalidInput(

@@ -56,10 +56,10 @@ Results draw_isolines(FilterCall& call) {
   }
   const bool is_distance = call.parameters.getBool("is_distance");
   const auto mesh = read_mesh(call, layer_mesh);
-  std::vector<double> field(static_cast<std::size_t>(mesh->vertex_count()));
+  std::vector<double> field(static_cast<std::size_t>(mesh->given_vertex_count()));
   double low = unreachable;
   double high = -unreachable;
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+  for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
     const double quality = call.layer.cm.vert[layer_mesh.host_vertex(v)].cQ();
     field[v] = is_distance && quality < 0.0 ? unreachable : quality;
     if (!std::isfinite(field[v])) continue;

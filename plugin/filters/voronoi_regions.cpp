@@ -47,7 +47,7 @@ Results color_voronoi_regions(FilterCall& call) {
   }
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR);
   int unreached = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     call.layer.cm.vert[layer_mesh.host_vertex(v)].Q() = static_cast<Scalarm>(regions.vertex_region[v]);
     unreached += regions.vertex_region[v] == no_index;
   }

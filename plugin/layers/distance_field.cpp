@@ -92,7 +92,8 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
   int reached = 0;
   int no_path = 0;
   int beyond = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  field.found.distance.resize(mesh.given_vertex_count());
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (std::isfinite(field.found.distance[v])) {
       ++reached;
       largest = std::max(largest, field.found.distance[v]);
@@ -158,7 +159,7 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
   Results results = write_field(call, layer_mesh, field, has_source, sources.size(), false);
   if (numbers != nullptr) {
     auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
       const Index source = field.found.source[v];
       label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] =
           static_cast<Scalarm>(source == no_index ? no_index : (*numbers)[source]);

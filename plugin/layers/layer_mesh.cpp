@@ -24,7 +24,9 @@ LayerMesh::LayerMesh(const CMeshO& layer, const GapLimit& gap) : gap_(gap) {
 }
 
 LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm, gap_of(call)) {
-  arrays_.sides = side_lengths_of(call, arrays_);
+  MetricLengths found = lengths_of_layer(call, arrays_);
+  arrays_.sides = std::move(found.sides);
+  arrays_.splits = std::move(found.splits);
   if (metric_of(call) == LayerMetric::face_quality) arrays_.points_per_edge = FaceSides{}.points_per_edge;
 }
 

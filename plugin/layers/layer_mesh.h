@@ -19,7 +19,7 @@ class LayerMesh {
   /// NaN or infinite (names the vertex).
   explicit LayerMesh(const CMeshO& layer, const GapLimit& gap = {});
   /// The current layer of a filter in the metric that the parameters choose, with the gaps that they name.
-  /// \throw InvalidInput also as side_lengths_of() and gap_of().
+  /// \throw InvalidInput also as lengths_of_layer() and gap_of().
   explicit LayerMesh(const FilterCall& call);
 
   const VcgMeshArrays& arrays() const { return arrays_; }
@@ -27,7 +27,11 @@ class LayerMesh {
   /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message names
   /// `parameter`, which gave the number.
   Index core_vertex(int host_vertex, const std::string& parameter) const;
-  int host_vertex(Index vertex) const { return arrays_.input_of_vertex[vertex]; }
+  /// -1 for a vertex that the host does not have (Mesh::given_vertex_count).
+  int host_vertex(Index vertex) const {
+    const auto number = static_cast<std::size_t>(vertex);
+    return number < arrays_.input_of_vertex.size() ? arrays_.input_of_vertex[number] : -1;
+  }
   /// The host's number of a face of a Mesh that was made from arrays().
   /// \pre It is not a bridge over a gap.
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
@@ -35,7 +39,8 @@ class LayerMesh {
   const GapLimit& gap() const { return gap_; }
   /// The mesh that is measured on, with its gaps bridged.
   std::shared_ptr<const Mesh> make_mesh() const {
-    return measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_, arrays_.points_per_edge);
+    return measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_, arrays_.points_per_edge,
+                         arrays_.splits);
   }
   /// What a user should know about the mesh before trusting distances on it, one sentence each.
   std::vector<std::string> warnings() const;

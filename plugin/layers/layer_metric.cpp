@@ -54,7 +54,7 @@ double checked_cost(const FilterCall& call, const std::string& element, Index nu
              (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
 }
 
-SideLengths sides_by_face_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+MetricLengths lengths_by_face_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
   if (!call.layer.hasDataMask(MeshModel::MM_FACEQUALITY)) {
     throw InvalidInput(
         "The faces have no quality that could be the cost of paths. Compute one above 0, or choose another "
@@ -65,10 +65,12 @@ SideLengths sides_by_face_quality(const FilterCall& call, const VcgMeshArrays& a
     cost.push_back(
         checked_cost(call, "face", input, call.layer.cm.face[static_cast<std::size_t>(input)].cQ()));
   }
-  return sides_by_face_cost(arrays.positions, arrays.faces, cost);
+  MetricLengths found;
+  found.sides = sides_by_face_cost(arrays.positions, arrays.faces, cost);
+  return found;
 }
 
-SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays, Index& shortened) {
+MetricLengths lengths_by_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput(
         "The vertices have no quality that could be the cost of paths. Paint or compute one above 0, or "
@@ -85,9 +87,7 @@ SideLengths sides_by_quality(const FilterCall& call, const VcgMeshArrays& arrays
   for (const Index input : arrays.input_of_vertex) {
     cost.push_back(checked_cost(call, "vertex", input, values[static_cast<std::size_t>(input)]));
   }
-  MetricLengths found = lengths_by_cost(arrays.positions, arrays.faces, cost);
-  shortened = found.shortened_edges;
-  return std::move(found.sides);
+  return lengths_by_cost(arrays.positions, arrays.faces, cost);
 }
 
 }  // namespace
@@ -128,44 +128,45 @@ LayerMetric metric_of(const FilterCall& call) {
   return static_cast<LayerMetric>(number);
 }
 
-SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays) {
-  Index shortened = 0;
-  SideLengths sides;
+MetricLengths lengths_of_layer(const FilterCall& call, const VcgMeshArrays& arrays) {
+  MetricLengths found;
   switch (metric_of(call)) {
     case LayerMetric::length:
-      return sides;
+      break;
     case LayerMetric::vertex_quality:
-      sides = sides_by_quality(call, arrays, shortened);
+      found = lengths_by_quality(call, arrays);
       break;
     case LayerMetric::face_quality:
-      return sides_by_face_quality(call, arrays);
+      found = lengths_by_face_quality(call, arrays);
+      break;
     case LayerMetric::slope: {
       const double penalty = call.parameters.getFloat("slope_penalty");
       if (!(penalty >= 0.0 && std::isfinite(penalty))) {
         refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
       }
-      auto found = lengths_by_cost(arrays.positions, arrays.faces,
-                                   slope_cost(arrays.positions, arrays.faces, {0, 0, 1}, penalty));
-      shortened = found.shortened_edges;
-      sides = std::move(found.sides);
+      found = lengths_by_cost(arrays.positions, arrays.faces,
+                              slope_cost(arrays.positions, arrays.faces, {0, 0, 1}, penalty));
       break;
     }
     case LayerMetric::curvature: {
       const double weight = call.parameters.getFloat("curvature_weight");
       if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
-      auto found = lengths_by_tensor(arrays.positions, arrays.faces,
-                                     curvature_tensors(arrays.positions, arrays.faces, weight));
-      shortened = found.shortened_edges;
-      sides = std::move(found.sides);
+      found = lengths_by_tensor(arrays.positions, arrays.faces,
+                                curvature_tensors(arrays.positions, arrays.faces, weight));
       break;
     }
   }
-  if (shortened > 0) {
-    call.log("Metric: " + std::to_string(shortened) +
-             " edges would cost more than the other two sides of a face together, and cost as much as these; "
-             "the mesh is coarse for this metric");
+  if (found.split_faces > 0) {
+    call.log(
+        "Metric: " + std::to_string(found.split_faces) +
+        " faces are measured in parts, as one side would cost more than the other two together; the mesh "
+        "is coarse for this metric");
   }
-  return sides;
+  if (found.shortened_edges > 0) {
+    call.log("Metric: " + std::to_string(found.shortened_edges) +
+             " edges would cost more than the other two sides of a face together, and cost as much as these");
+  }
+  return found;
 }
 
 KeptCost::KeptCost(const FilterCall& call, const FilterRow& row) {

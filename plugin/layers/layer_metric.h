@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/filter_row.h"
+#include "mesh/metric.h"
 #include "mesh/vcg_adapter.h"
 
 namespace vorogeo::plugin {
@@ -21,11 +22,11 @@ QString help_on_metric();
 /// another number.
 LayerMetric metric_of(const FilterCall& call);
 
-/// Side lengths of the faces in the chosen metric; empty for length. With a cost for each face, the faces of
-/// an edge disagree. Logs how many edges were shortened. \throw InvalidInput if the layer has no quality, one
-/// that is no cost (names the vertex or face by its number in the host), or another parameter is out of
-/// range.
-SideLengths side_lengths_of(const FilterCall& call, const VcgMeshArrays& arrays);
+/// Side lengths of the faces in the chosen metric, and faces split for it; empty for length. With a cost for
+/// each face, the faces of an edge disagree. Logs how many faces were split and edges shortened. \throw
+/// InvalidInput if the layer has no quality, one that is no cost (names the vertex or face by its number in
+/// the host), or another parameter is out of range.
+MetricLengths lengths_of_layer(const FilterCall& call, const VcgMeshArrays& arrays);
 
 /// The quality that is the metric's cost, kept while a filter overwrites it.
 ///

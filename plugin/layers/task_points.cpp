@@ -9,26 +9,21 @@
 #include "layers/parameters.h"
 #include "layers/selected_vertices.h"
 #include "layers/source_layer.h"
+#include "mesh/given_points.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
 
 namespace {
 
-/// The core's face of a face of the host. \throw InvalidInput if there is none; `entry` begins the message.
-Index core_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face, const std::string& entry) {
-  // Both numberings are ascending.
-  Index low = 0;
-  Index high = mesh.first_bridge();
-  while (low < high) {
-    const Index middle = low + (high - low) / 2;
-    if (layer_mesh.host_face(mesh, middle) < host_face) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  if (low < mesh.first_bridge() && layer_mesh.host_face(mesh, low) == host_face) return low;
+/// The point in a face of the host. \throw InvalidInput if there is none; `entry` begins the message.
+SurfacePoint point_in_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face,
+                           const std::array<double, 3>& weights, const std::string& entry) {
+  const auto& numbers = layer_mesh.arrays().input_of_face;  // ascending
+  const auto found = std::ranges::lower_bound(numbers, host_face);
+  const bool exists = found != numbers.end() && *found == host_face;
+  const Index first = exists ? first_part(mesh, static_cast<Index>(found - numbers.begin())) : no_index;
+  if (first != no_index) return validated(mesh, point_in_given(mesh, first, weights));
   throw InvalidInput(entry + " names face " + std::to_string(host_face) +
                      ", which the surface does not have. Faces are counted from 0; deleted ones and those "
                      "that name a vertex twice hold no points.");
@@ -51,7 +46,7 @@ SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QS
   }
   if (words.size() == 1) return SurfacePoint::at_vertex(layer_mesh.core_vertex(number, entry));
   try {
-    return validated(mesh, SurfacePoint::in_face(core_face(layer_mesh, mesh, number, entry), weights));
+    return point_in_face(layer_mesh, mesh, number, weights, entry);
   } catch (const InvalidInput& error) {
     throw InvalidInput(entry + ": " + error.what());
   }

@@ -4,13 +4,14 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
+#include <nanobind/stl/tuple.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,16 +48,33 @@ inline std::vector<std::array<Index, 3>> triangles_of(const FaceArray& faces) {
   return triangles;
 }
 
+/// What FaceSplits holds: ends of lines, faces, given faces, sides.
+using SplitArrays = std::tuple<nb::ndarray<const Index, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>,
+                               FaceArray, IdArray, VertexArray>;
+
+inline FaceSplits splits_of(const SplitArrays& arrays) {
+  const auto& [middle_of, faces, given_face, sides] = arrays;
+  FaceSplits splits;
+  for (std::size_t i = 0; i < middle_of.shape(0); ++i) {
+    splits.middle_of.push_back({middle_of(i, 0), middle_of(i, 1)});
+  }
+  splits.faces = triangles_of(faces);
+  splits.given_face.assign(given_face.data(), given_face.data() + given_face.shape(0));
+  splits.sides = points_of(sides);
+  return splits;
+}
+
 /// Lengths of the sides of the faces, each opposite its corner, with the number of points on each edge where
-/// its faces may disagree (0: they agree); nothing for lengths in space.
-using SideArray = std::optional<std::pair<VertexArray, Index>>;
+/// its faces may disagree (0: they agree), and the faces that are split; nothing for lengths in space.
+using SideArray = std::optional<std::tuple<VertexArray, Index, std::optional<SplitArrays>>>;
 
 /// The mesh that is measured on.
 inline std::shared_ptr<const Mesh> mesh_of(const VertexArray& vertices, const FaceArray& faces,
                                            const SideArray& sides, const GapLimit& gap = {}) {
   if (!sides) return measured_mesh(points_of(vertices), triangles_of(faces), {}, gap);
-  const auto& [lengths, points_per_edge] = *sides;
-  return measured_mesh(points_of(vertices), triangles_of(faces), points_of(lengths), gap, points_per_edge);
+  const auto& [lengths, points_per_edge, splits] = *sides;
+  return measured_mesh(points_of(vertices), triangles_of(faces), points_of(lengths), gap, points_per_edge,
+                       splits ? splits_of(*splits) : FaceSplits{});
 }
 
 inline std::span<const Index> ids_of(const IdArray& ids) { return {ids.data(), ids.shape(0)}; }
@@ -70,6 +88,13 @@ nb::ndarray<nb::numpy, T, nb::ndim<1>> to_numpy(std::vector<T>&& values) {
   nb::capsule owner(owned.get(), [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   owned.release();
   return nb::ndarray<nb::numpy, T, nb::ndim<1>>(data, {size}, owner);
+}
+
+/// Values of all vertices without those of vertices that splits of faces have added.
+template <class T>
+nb::ndarray<nb::numpy, T, nb::ndim<1>> of_given_vertices(const Mesh& mesh, std::vector<T>&& values) {
+  values.resize(mesh.given_vertex_count());
+  return to_numpy(std::move(values));
 }
 
 }  // namespace vorogeo::python

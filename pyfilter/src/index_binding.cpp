@@ -66,7 +66,7 @@ class IndexHandle {
       values = pool_->lend(
           [&](GeodesicQuery& query) { return query.distance_field(ids_of(sources), max_distance); });
     }
-    return to_numpy(std::move(values));
+    return of_given_vertices(*index().mesh(), std::move(values));
   }
 
   /// Patches by input face; no_index for a face that the mesh leaves out.
@@ -89,8 +89,13 @@ class IndexHandle {
   nb::dict statistics() const {
     const IndexStatistics& s = index().statistics();
     nb::dict d;
-    d["vertices"] = s.vertices;
-    d["faces"] = s.faces - bridge_count();
+    const Mesh& mesh = *index().mesh();
+    Index faces = 0;
+    for (Index f = 0; f < mesh.first_bridge(); ++f) {
+      faces += f == 0 || mesh.input_face(f) != mesh.input_face(f - 1);
+    }
+    d["vertices"] = mesh.given_vertex_count();
+    d["faces"] = faces;
     d["bridges"] = bridge_count();
     d["components"] = s.components;
     d["first_layer_patches"] = s.first_layer_patches;

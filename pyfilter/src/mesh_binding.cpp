@@ -26,8 +26,8 @@ DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& f
     limits.distances_only = true;
     limits.threads = threads_for_field(*mesh, threads);
     solver.run_from_vertices(ids_of(sources), limits);
-    std::vector<double> distances(mesh->vertex_count());
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    std::vector<double> distances(mesh->given_vertex_count());
+    for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
       const double distance = solver.distance(v);
       distances[v] = distance <= max_distance ? distance : unreachable;
     }

@@ -29,7 +29,15 @@ nb::tuple MeshPoints::snap(const VertexArray& points) {
 
 nb::tuple MeshPoints::along_edges(const EdgeArray& ends, double spacing) const {
   std::vector<Index> edges;
-  for (std::size_t i = 0; i < ends.shape(0); ++i) edges.push_back(edge_between(ends(i, 0), ends(i, 1)));
+  for (std::size_t i = 0; i < ends.shape(0); ++i) {
+    const auto parts =
+        edges_between(mesh(), mesh().representative(ends(i, 0)), mesh().representative(ends(i, 1)));
+    if (parts.empty()) {
+      throw InvalidInput("There is no edge between vertex " + std::to_string(ends(i, 0)) + " and vertex " +
+                         std::to_string(ends(i, 1)) + "; a curve runs along edges of the mesh.");
+    }
+    edges.insert(edges.end(), parts.begin(), parts.end());
+  }
   PointRows rows;
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
   for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted)) rows.add(mesh(), source.point);
@@ -41,17 +49,6 @@ nb::tuple MeshPoints::path_arrays(const std::vector<ExactPath>& found) const {
   PathArrays arrays(mesh());
   for (const ExactPath& one : found) arrays.add(one.path, one.certified);
   return arrays.take();
-}
-
-Index MeshPoints::edge_between(Index given_a, Index given_b) const {
-  const Index a = mesh().representative(given_a);
-  const Index b = mesh().representative(given_b);
-  for (const Index h : mesh().corners(a)) {
-    if (mesh().head(h) == b) return mesh().edge_of(h);
-    if (mesh().apex(h) == b) return mesh().edge_of(Mesh::previous_in_face(h));
-  }
-  throw InvalidInput("There is no edge between vertex " + std::to_string(given_a) + " and vertex " +
-                     std::to_string(given_b) + "; a curve runs along edges of the mesh.");
 }
 
 const SurfaceLocator& MeshPoints::locator() {

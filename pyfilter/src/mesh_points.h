@@ -30,7 +30,6 @@ class MeshPoints {
   nb::tuple path_arrays(const std::vector<ExactPath>& found) const;
 
  private:
-  Index edge_between(Index given_a, Index given_b) const;
   const SurfaceLocator& locator();
 
   std::shared_ptr<const Mesh> mesh_;

@@ -34,8 +34,9 @@ BoundMethod* prepare(const std::string& name, const VertexArray& vertices, const
 
 DoubleArray field(BoundMethod& self, const IdArray& sources) {
   ProgressBridge bridge{nb::none()};
-  return to_numpy(
-      bridge.run([&](const Progress& progress) { return self.method->field(ids_of(sources), progress); }));
+  return of_given_vertices(*self.mesh, bridge.run([&](const Progress& progress) {
+    return self.method->field(ids_of(sources), progress);
+  }));
 }
 
 double pair(BoundMethod& self, Index source, Index target) {

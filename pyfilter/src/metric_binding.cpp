@@ -21,15 +21,23 @@ std::vector<Tensor> tensors_of(const ValueArray& values) {
 }
 
 /// Rows of equal size as one flat array; Python reshapes it.
-template <class Rows>
-DoubleArray flattened(const Rows& rows) {
-  std::vector<double> values;
+template <class T, std::size_t size>
+nb::ndarray<nb::numpy, T, nb::ndim<1>> flattened(const std::vector<std::array<T, size>>& rows) {
+  std::vector<T> values;
+  values.reserve(rows.size() * size);
   for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
   return to_numpy(std::move(values));
 }
 
+/// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
 nb::tuple as_tuple(const MetricLengths& found) {
-  return nb::make_tuple(flattened(found.sides), found.shortened_edges);
+  nb::object splits = nb::none();
+  if (!found.splits.empty()) {
+    splits =
+        nb::make_tuple(flattened(found.splits.middle_of), flattened(found.splits.faces),
+                       to_numpy(std::vector<Index>(found.splits.given_face)), flattened(found.splits.sides));
+  }
+  return nb::make_tuple(flattened(found.sides), found.shortened_edges, found.split_faces, splits);
 }
 
 nb::tuple by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {

@@ -82,7 +82,8 @@ class Paths {
       }
     }
     if (exact) result = exact_field(sources, max_distance);
-    return nb::make_tuple(to_numpy(std::move(result.distance)), to_numpy(std::move(result.source)));
+    return nb::make_tuple(of_given_vertices(mesh(), std::move(result.distance)),
+                          of_given_vertices(mesh(), std::move(result.source)));
   }
 
  private:

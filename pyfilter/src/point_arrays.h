@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "mesh/given_points.h"
 #include "mesh/point_list.h"
 #include "support/error.h"
 
@@ -21,15 +22,10 @@ struct PointArrays {
 
 void bind_points(nb::module_& module);
 
-/// The face of the mesh that was given as this row of faces. \throw InvalidInput if it was left out.
-inline Index face_of_row(const Mesh& mesh, Index row) {
-  Index low = 0;
-  Index high = mesh.first_bridge();
-  while (low < high) {
-    const Index middle = low + (high - low) / 2;
-    (mesh.input_face(middle) < row ? low : high) = mesh.input_face(middle) < row ? middle + 1 : middle;
-  }
-  if (low < mesh.first_bridge() && mesh.input_face(low) == row) return low;
+/// The point with these weights in a row of the faces given. \throw InvalidInput if it was left out.
+inline SurfacePoint point_in_row(const Mesh& mesh, Index row, const std::array<double, 3>& weights) {
+  const Index first = first_part(mesh, row);
+  if (first != no_index) return point_in_given(mesh, first, weights);
   throw InvalidInput("Face " + std::to_string(row) +
                      " does not exist or is left out of the index (it is masked, names a vertex twice or "
                      "repeats a face), so "
@@ -42,9 +38,8 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* w = arrays.weights.data() + 3 * i;
     const Index vertex = arrays.vertex.data()[i];
-    points[i] = vertex >= 0
-                    ? SurfacePoint::at_vertex(vertex)
-                    : SurfacePoint::in_face(face_of_row(mesh, arrays.face.data()[i]), {w[0], w[1], w[2]});
+    points[i] = vertex >= 0 ? SurfacePoint::at_vertex(vertex)
+                            : point_in_row(mesh, arrays.face.data()[i], {w[0], w[1], w[2]});
   }
   return points;
 }
@@ -57,13 +52,14 @@ struct PointRows {
   std::vector<double> weights;
 
   void add(const Mesh& mesh, const SurfacePoint& point) {
-    vertex.push_back(point.is_vertex() ? point.vertex : no_index);
+    const bool is_given = point.is_vertex() && point.vertex < mesh.given_vertex_count();
+    vertex.push_back(is_given ? point.vertex : no_index);
     face.push_back(no_index);
     weights.resize(weights.size() + 3, 0.0);
     for_each_face_at(mesh, point, [&](Index at, const std::array<double, 3>& there) {
       if (face.back() != no_index || mesh.is_bridge(at)) return;
       face.back() = mesh.input_face(at);
-      std::ranges::copy(there, weights.end() - 3);
+      std::ranges::copy(weights_in_given(mesh, at, there), weights.end() - 3);
     });
   }
 };

@@ -26,8 +26,8 @@ nb::tuple field(const HeldSurface& self, const PointArrays& source, const ValueA
   LabelledField found = bridge.run([&](const Progress& report) {
     return self.surface->field(sources, max_distance, static_cast<AnswerMethod>(method), answered, report);
   });
-  return nb::make_tuple(to_numpy(std::move(found.distance)), to_numpy(std::move(found.source)),
-                        about(answered));
+  return nb::make_tuple(of_given_vertices(mesh, std::move(found.distance)),
+                        of_given_vertices(mesh, std::move(found.source)), about(answered));
 }
 
 /// Calls answer(source, target, answered, progress) for each pair. \return what is known of the last one,

@@ -29,9 +29,8 @@ nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size
 /// Values of the mesh's faces, by row of the faces given; no_index for a face that was left out.
 IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_face) {
   std::vector<Index> values(held.input_faces, no_index);
-  for (Index f = 0; f < held.index->mesh()->first_bridge(); ++f) {
-    values[held.index->mesh()->input_face(f)] = of_face[f];
-  }
+  const Mesh& mesh = *held.index->mesh();
+  for (Index f = mesh.first_bridge(); f-- > 0;) values[mesh.input_face(f)] = of_face[f];
   return to_numpy(std::move(values));
 }
 
@@ -48,7 +47,9 @@ nb::tuple voronoi(nb::handle index, const PointArrays& points, bool exact, nb::o
   VoronoiRegions found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
     return voronoi_regions(team, points_from(team.mesh(), points), report);
   });
-  return nb::make_tuple(to_numpy(std::move(found.vertex_region)), to_numpy(std::move(found.distance)),
+  const Mesh& mesh = *held_index(index).index->mesh();
+  return nb::make_tuple(of_given_vertices(mesh, std::move(found.vertex_region)),
+                        of_given_vertices(mesh, std::move(found.distance)),
                         by_input_face(held_index(index), found.face_region), to_numpy(std::move(found.area)),
                         flat(found.borders.points), flat(found.borders.segments), flat(found.border_regions));
 }

@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .metrics import CoreSides
+
 class Index:
     @staticmethod
     def build(
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: tuple[NDArray[np.float64], int] | None,
+        sides: CoreSides | None,
         first_layer_patches: int,
         second_layer_patches: int,
         delta: float,
@@ -29,7 +31,7 @@ class Index:
         file: str | os.PathLike[str],
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: tuple[NDArray[np.float64], int] | None,
+        sides: CoreSides | None,
         threads: int,
         gap: float,
         folds: bool,
@@ -45,7 +47,7 @@ class Index:
 def exact_distance_field(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: tuple[NDArray[np.float64], int] | None,
+    sides: CoreSides | None,
     sources: NDArray[np.int32],
     max_distance: float,
     threads: int,
@@ -54,10 +56,10 @@ def exact_distance_field(
 ) -> NDArray[np.float64]: ...
 def lengths_by_cost(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], cost: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], int]: ...
+) -> tuple[NDArray[np.float64], int, int, Any]: ...
 def lengths_by_tensor(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], tensors: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], int]: ...
+) -> tuple[NDArray[np.float64], int, int, Any]: ...
 def sides_by_face_cost(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], cost: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
@@ -73,7 +75,7 @@ def curvature_tensors(
 def estimate(
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: tuple[NDArray[np.float64], int] | None,
+    sides: CoreSides | None,
     threads: int,
     memory_budget: int,
     progress: Callable[[float, str], object] | None,
@@ -95,7 +97,7 @@ class Method:
         name: str,
         vertices: NDArray[np.float64],
         faces: NDArray[np.int32],
-        sides: tuple[NDArray[np.float64], int] | None,
+        sides: CoreSides | None,
         options: dict[str, float],
         progress: Callable[[float, str], object] | None,
     ) -> Method: ...
@@ -108,7 +110,7 @@ def method_warning(
     name: str,
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: tuple[NDArray[np.float64], int] | None,
+    sides: CoreSides | None,
 ) -> str: ...
 
 _Progress = Callable[[float, str], object] | None
@@ -122,7 +124,7 @@ class Points:
 def paths_without_index(
     vertices: _Floats,
     faces: _Ids,
-    sides: tuple[_Floats, int] | None,
+    sides: CoreSides | None,
     sources: Points,
     targets: Points,
     gap: float,
@@ -173,7 +175,7 @@ class Surface:
         self,
         vertices: _Floats,
         faces: _Ids,
-        sides: tuple[_Floats, int] | None,
+        sides: CoreSides | None,
         threads: int,
         memory_budget: int,
         gap: float,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from .metrics import CoreSides
 
 
 def saved(handle: _core.Index) -> NDArray[np.uint8]:
@@ -29,7 +30,7 @@ def loaded(
     contents: NDArray[np.uint8],
     vertices: NDArray[np.float64],
     faces: NDArray[np.int32],
-    sides: tuple[NDArray[np.float64], int] | None,
+    sides: CoreSides | None,
     threads: int,
     gap: tuple[float, bool],
 ) -> _core.Index:

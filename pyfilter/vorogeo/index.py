@@ -195,8 +195,10 @@ class GeodesicIndex(Queries):
     ) -> GeodesicIndex:
         self._handle = handle
         self._paths = _core.Paths(handle)
-        shortened = 0 if lengths is None else lengths.shortened_edges
-        self._statistics = IndexStatistics(**handle.statistics(), shortened_edges=shortened)
+        of_metric = (0, 0) if lengths is None else (lengths.shortened_edges, lengths.split_faces)
+        self._statistics = IndexStatistics(
+            **handle.statistics(), shortened_edges=of_metric[0], split_faces=of_metric[1]
+        )
         self._vertices, self._faces, self._mask = vertices, faces, mask
         self._metric, self._gap, self._threads = metric, gap, threads
         return self

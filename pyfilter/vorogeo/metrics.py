@@ -13,20 +13,49 @@ from . import _core
 from .errors import InvalidInput
 
 
+class FaceSplits(NamedTuple):
+    """Faces in parts, where a metric varies too much for one triangle.
+
+    Attributes
+    ----------
+    middle_of : ndarray of int32, shape (k, 2)
+        Of each vertex that is added behind the n given ones: the ends of the line whose middle it is.
+    faces : ndarray of int32, shape (p, 3)
+        All faces, the parts of a face in its place.
+    given_face : ndarray of int32, shape (p,)
+        Which face each is, or is a part of.
+    lengths : ndarray of float64, shape (p, 3)
+        Of the side opposite each corner.
+    """
+
+    middle_of: NDArray[np.int32]
+    faces: NDArray[np.int32]
+    given_face: NDArray[np.int32]
+    lengths: NDArray[np.float64]
+
+
 class MetricLengths(NamedTuple):
     """The lengths that a metric gives to the sides of faces.
 
     Attributes
     ----------
     lengths : ndarray of float64, shape (m, 3)
-        Of the side opposite each corner; 0 in a face that names a vertex twice.
+        Of the side opposite each corner; 0 in a face that names a vertex twice. In a face that is split, the longest
+        side has the length of the other two together.
     shortened_edges : int
-        Edges that would have been longer than the other two sides of a face together. No shortest path follows them,
-        and they have the length of these two sides.
+        Edges that would still be longer than the other two sides of a face together, after faces were split. No
+        shortest path follows them, and they have the length of these two sides.
+    split_faces : int
+        Faces with a side that would be longer than the other two together. They are split in the middle of it, with the
+        other face there, and so on for their parts.
+    splits : FaceSplits or None
+        What is measured on where faces are split; results refer to the vertices and faces that were given.
     """
 
     lengths: NDArray[np.float64]
     shortened_edges: int
+    split_faces: int = 0
+    splits: FaceSplits | None = None
 
 
 @runtime_checkable
@@ -102,8 +131,7 @@ class VertexCost:
             (a ValueError) If a cost is not above 0 and finite, or their number is not that of the vertices.
         """
         points, triangles = arrays(self, vertices, faces)
-        sides, shortened = _core.lengths_by_cost(points, triangles, np.asarray(self.cost))
-        return MetricLengths(sides.reshape(-1, 3), shortened)
+        return _lengths(*_core.lengths_by_cost(points, triangles, np.asarray(self.cost)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,8 +166,7 @@ class VertexTensor:
             (a ValueError) If a tensor is not finite, symmetric and positive on the faces of its vertex.
         """
         points, triangles = arrays(self, vertices, faces)
-        sides, shortened = _core.lengths_by_tensor(points, triangles, np.asarray(self.tensors).ravel())
-        return MetricLengths(sides.reshape(-1, 3), shortened)
+        return _lengths(*_core.lengths_by_tensor(points, triangles, np.asarray(self.tensors).ravel()))
 
 
 def slope_cost(
@@ -226,16 +253,26 @@ def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
     return metric.edge_lengths(vertices, faces)
 
 
-def sides(
-    metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]
-) -> tuple[NDArray[np.float64], int] | None:
+CoreSides = tuple[NDArray[np.float64], int, FaceSplits | None]
+
+
+def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> CoreSides | None:
     """What the compiled core takes of a metric."""
     return core_sides(metric, lengths(metric, vertices, faces))
 
 
-def core_sides(metric: Any, found: MetricLengths | None) -> tuple[NDArray[np.float64], int] | None:
-    """These lengths, and the number of points on each edge where the metric jumps, 0 in others."""
-    return None if found is None else (found.lengths, getattr(metric, "points", 0))
+def core_sides(metric: Any, found: MetricLengths | None) -> CoreSides | None:
+    """These lengths, the number of points on each edge where the metric jumps (0 in others), and splits of faces."""
+    return None if found is None else (found.lengths, getattr(metric, "points", 0), found.splits)
+
+
+def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any) -> MetricLengths:
+    """What the compiled core returns, in shape."""
+    if splits is None:
+        return MetricLengths(sides.reshape(-1, 3), shortened)
+    ends, faces, given, lengths = splits
+    shaped = FaceSplits(ends.reshape(-1, 2), faces.reshape(-1, 3), given, lengths.reshape(-1, 3))
+    return MetricLengths(sides.reshape(-1, 3), shortened, split, shaped)
 
 
 def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:

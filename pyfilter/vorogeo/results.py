@@ -208,6 +208,8 @@ class IndexStatistics:
         Seed of the random numbers that placed the patches.
     shortened_edges : int
         With a metric, edges that got the length of the other two sides of a face, which are shorter; 0 without.
+    split_faces : int
+        With a metric, faces that are measured in parts, since a side would be longer than the other two; 0 without.
     """
 
     vertices: int
@@ -228,6 +230,7 @@ class IndexStatistics:
     delta: float
     seed: int
     shortened_edges: int = 0
+    split_faces: int = 0
 
 
 @dataclass(frozen=True)
