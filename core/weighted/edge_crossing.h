@@ -5,6 +5,10 @@
 
 namespace vorogeo {
 
+/// Waves of a radius of more than this many times the distance count as this flat: the sources of flatter
+/// ones would be placed so far away that rounding exceeds the least gain.
+inline constexpr double flattest = 1e3;
+
 /// A piece of an edge, from one of its points to the next.
 struct EdgePiece {
   double length = 0.0;    ///< in the face that is entered

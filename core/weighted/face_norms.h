@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "mesh/surface_point.h"
 
 namespace vorogeo {
+
+/// Heights below this part of a face's longest side are rounding: the height of three points on a line is the
+/// root of a difference of rounded squares.
+inline constexpr double no_height = 1e-7;
 
 /// A face laid beside one of its edges: the edge on the x axis from its first vertex on, the apex above it.
 struct EdgeFrame {
@@ -42,6 +47,11 @@ class FaceNorms {
     const auto& [along, x, y] = layout_[face];
     return {Place{0.0, 0.0}, Place{along, 0.0}, Place{x, y}};
   }
+  /// Whether all points of a face lie on one line, as far as sides can tell: its area is 0, and it can be
+  /// crossed at no cost.
+  bool is_flat(Index face) const { return layout_[face][2] == 0.0; }
+  /// Whether a face belongs to a fan of more than a few faces that have next to no width.
+  bool in_thin_fan(Index face) const { return !in_thin_fan_.empty() && in_thin_fan_[face] != 0; }
   /// A point in a face.
   Place place(Index face, const std::array<double, 3>& weights) const {
     const auto corner = corners(face);
@@ -71,12 +81,17 @@ class FaceNorms {
     const double t = along ? fraction : 1.0 - fraction;
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
   }
-  std::size_t memory_bytes() const { return layout_.capacity() * sizeof(layout_[0]); }
+  std::size_t memory_bytes() const {
+    return layout_.capacity() * sizeof(layout_[0]) + in_thin_fan_.capacity();
+  }
 
  private:
+  void find_thin_fans();
+
   std::shared_ptr<const Mesh> mesh_;
   Index per_edge_;
-  std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2
+  std::vector<std::uint8_t> in_thin_fan_;      ///< by face; empty if none does
+  std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2, at height 0 if flat
 };
 
 }  // namespace vorogeo

@@ -12,9 +12,6 @@ namespace vorogeo {
 
 namespace {
 
-/// Heights and lengths below this part of a face's longest side are rounding: the height of three points on
-/// a line is the root of a difference of rounded squares.
-constexpr double no_height = 1e-7;
 /// Places at which a search stops to look for more.
 constexpr std::size_t most_places = 256;
 
@@ -81,10 +78,9 @@ class FlatSearch {
 }  // namespace
 
 double flat_height(const FaceNorms& norms, Index face) {
+  if (!norms.is_flat(face)) return 0.0;
   const auto side = norms.mesh().side_lengths(face);
   const double longest = std::max({side[0], side[1], side[2]});
-  const auto corner = norms.corners(face);
-  if (corner[1][0] * corner[2][1] > no_height * longest * longest) return 0.0;
   return std::max(no_height * longest, std::numeric_limits<double>::min());
 }
 

@@ -158,6 +158,12 @@ WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, do
   return best;
 }
 
+double WeightedSolver::distance(const SurfacePoint& point) const {
+  const SurfacePoint target = validated(mesh(), point);
+  if (target.is_vertex()) return distance(target.vertex);
+  return within_limit(best_step(target, unreachable).distance);
+}
+
 double WeightedSolver::distance(const EdgePoint& point) const {
   const double cost = norms_->edge_cost(point.edge);
   if (!(cost > 0.0)) return distance(mesh().edge_vertices(point.edge)[0]);

@@ -16,9 +16,10 @@ namespace {
 /// Gains below this, relative to the distance, are rounding.
 constexpr double least_gain = 1e-12;
 
-/// Waves of a radius of more than this many times the distance count as this flat: the sources of flatter
-/// ones would be placed so far away that rounding exceeds the least gain.
-constexpr double flattest = 1e3;
+/// How often a point is reached until each time takes twice the gain of the last: pieces of the sides of
+/// needles would bring each other's distances down by ever less, thousands of times. Four times is usual.
+constexpr int patience = 24;
+constexpr int most_doublings = 32;
 
 /// Width of a bucket in typical pieces of an edge: narrow enough for few points that are settled again.
 constexpr double bucket_width = 0.5;
@@ -29,7 +30,7 @@ constexpr std::size_t points_per_report = 4096;
 }  // namespace
 
 WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
-    : norms_(std::move(norms)), state_(norms_->point_count()) {
+    : norms_(std::move(norms)), state_(norms_->point_count()), times_reached_(state_.size(), 0) {
   queue_.resize(state_.size());
 }
 
@@ -43,7 +44,10 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   }
   corridor_distance_ = unreachable;
   for (const Index target : limits.targets) validated(mesh(), SurfacePoint::at_vertex(target));
-  for (const Index point : touched_) state_[point] = {};
+  for (const Index point : touched_) {
+    state_[point] = {};
+    times_reached_[point] = 0;
+  }
   touched_.clear();
   queue_.reset(bucket_width * mesh().typical_edge_length() * norms_->fraction(1));
   sources_ = std::move(checked);
@@ -61,6 +65,11 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
 void WeightedSolver::reach(Index point, double distance, Index source, double farther) {
   PointState& state = state_[point];
   if (!(distance < state.distance * (1.0 - least_gain))) return;
+  std::uint8_t& times = times_reached_[point];
+  if (times > patience && !(distance < state.distance * (1.0 - std::ldexp(least_gain, times - patience)))) {
+    return;
+  }
+  if (times < patience + most_doublings) ++times;
   if (state.distance == unreachable) touched_.push_back(point);
   state.distance = distance;
   state.source = source;
@@ -196,6 +205,10 @@ PlacedSource WeightedSolver::placed_source(Index edge, Index first, double lengt
 /// Crosses a face from a point of a side, and from between it and those beside it that are settled, to the
 /// points of the other two sides.
 void WeightedSolver::cross_from(Index halfedge, Index from) {
+  if (norms_->in_thin_fan(Mesh::face_of(halfedge))) {
+    cross_thin(halfedge, from);
+    return;
+  }
   const EdgeFrame frame = norms_->frame(halfedge);
   const Index edge = mesh().edge_of(halfedge);
   const Index last = norms_->points_per_edge() + 1;
@@ -278,12 +291,6 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
 double WeightedSolver::settled_distance() const { return std::min(settled_distance_, max_distance_); }
 
 double WeightedSolver::distance(Index vertex) const { return within_limit(state_[vertex].distance); }
-
-double WeightedSolver::distance(const SurfacePoint& point) const {
-  const SurfacePoint target = validated(mesh(), point);
-  if (target.is_vertex()) return distance(target.vertex);
-  return within_limit(best_step(target, unreachable).distance);
-}
 
 Index WeightedSolver::nearest_source(Index vertex) const {
   return distance(vertex) == unreachable ? no_index : state_[vertex].source;

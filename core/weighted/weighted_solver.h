@@ -83,6 +83,7 @@ class WeightedSolver {
   bool may_enter(Index face, double distance);
   void settle(Index point);
   void cross_from(Index halfedge, Index from);
+  void cross_thin(Index halfedge, Index from);
   BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
   BackStep step_along(Index edge, double fraction, double below) const;
   /// `below`: the distance of where the piece begins is less.
@@ -92,6 +93,7 @@ class WeightedSolver {
 
   std::shared_ptr<const FaceNorms> norms_;
   std::vector<PointState> state_;
+  std::vector<std::uint8_t> times_reached_;  ///< by point
   std::vector<Index> touched_;
   std::vector<ExactSource> sources_;
   std::vector<Index> face_sources_;  ///< numbers of those that are no vertices
