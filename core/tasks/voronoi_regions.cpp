@@ -7,6 +7,7 @@
 
 #include "support/error.h"
 #include "support/parallel.h"
+#include "tasks/divided_faces.h"
 #include "tasks/voronoi_borders.h"
 
 namespace vorogeo {
@@ -42,12 +43,12 @@ std::vector<double> reach_of_vertices(const Mesh& mesh) {
 }
 
 Candidates find_candidates(FieldTeam& team, const PointList& sites, const std::vector<Index>& owners,
-                           const Progress& progress) {
+                           double& radius, const Progress& progress) {
   const Mesh& mesh = team.mesh();
   const auto nearest = team.field_on_all_threads(sites);
   const auto reach = reach_of_vertices(mesh);
   std::vector<double> bound(mesh.vertex_count(), -1.0);
-  double radius = 0.0;
+  radius = 0.0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (nearest[v] == unreachable) continue;
     bound[v] = bounded_field_slack * (nearest[v] + 2.0 * reach[v]);
@@ -108,6 +109,25 @@ void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   }
 }
 
+/// Areas, borders and the labels of the centres of faces with several sites where the metric jumps.
+void divide_faces(const DividedFaces& divided, const Mesh& mesh, VoronoiRegions& regions) {
+  BorderTracer tracer(divided.parts(), regions.border_regions);
+  for (Index part = 0; part < divided.parts().face_count(); ++part) {
+    const Index face = divided.contested()[part / DividedFaces::parts_per_face].face;
+    const auto sites = divided.sites_of(part);
+    const double area = mesh.face_area(face) / DividedFaces::parts_per_face;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      regions.area[sites[i].site] += area * share_of_face(sites, i);
+    }
+    tracer.trace(part, sites);
+    if (part % DividedFaces::parts_per_face != DividedFaces::central_part || sites.empty()) continue;
+    regions.face_region[face] = std::ranges::min_element(sites, {}, [](const FaceSite& site) {
+                                  return site.square[0] + site.square[1] + site.square[2];
+                                })->site;
+  }
+  regions.borders = tracer.take();
+}
+
 }  // namespace
 
 VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Progress& progress) {
@@ -119,7 +139,10 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
   for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
     if (seen.try_emplace(sites[i], i).second) owners.push_back(i);
   }
-  const Candidates candidates = find_candidates(team, sites, owners, progress);
+  double radius = 0.0;
+  const bool jumps = mesh.metric_jumps();
+  const Candidates candidates =
+      find_candidates(team, sites, owners, radius, jumps ? progress.part(0.0, 0.5) : progress);
 
   VoronoiRegions regions;
   regions.vertex_region.assign(mesh.vertex_count(), no_index);
@@ -129,6 +152,7 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
   label_vertices(candidates, regions);
   BorderTracer tracer(mesh, regions.border_regions);
   std::vector<FaceSite> in_face;
+  std::vector<ContestedFace> contested;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     sites_of_face(mesh, candidates, f, in_face);
     double least = unreachable;
@@ -137,6 +161,11 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
       if (at_centre >= least) continue;
       least = at_centre;
       regions.face_region[f] = site.site;
+    }
+    if (jumps && in_face.size() > 1) {
+      contested.push_back({f, {}});
+      for (const FaceSite& site : in_face) contested.back().sites.push_back(site.site);
+      continue;
     }
     const double area = mesh.is_bridge(f) ? 0.0 : mesh.face_area(f);
     if (in_face.size() < 2) {
@@ -149,7 +178,12 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
     }
     tracer.trace(f, in_face);
   }
-  regions.borders = tracer.take();
+  if (jumps) {
+    divide_faces(DividedFaces(team, sites, std::move(contested), 2.0 * radius, progress.part(0.5, 1.0)), mesh,
+                 regions);
+  } else {
+    regions.borders = tracer.take();
+  }
   return regions;
 }
 

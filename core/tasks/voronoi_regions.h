@@ -26,9 +26,9 @@ struct VoronoiRegions {
 ///
 /// In a face, the difference of the squares of two distances is interpolated linearly between the corners,
 /// which is exact on flat parts of the surface. A site owns the points at which its square is the least, so
-/// borders continue over edges, and three or more regions may meet in a face. A region is found in every face
-/// that it reaches into, even if it owns none of the corners.
-/// \throw InvalidInput for no site or one that is not on the mesh, Cancelled.
+/// borders continue over edges, and three or more regions may meet in a face. Where the metric jumps, the
+/// same holds for parts of faces (DividedFaces). A region is found in every face that it reaches into, even
+/// if it owns none of the corners. \throw InvalidInput for no site or one that is not on the mesh, Cancelled.
 /// Complexity: a field for each site, bounded by the greatest distance of a vertex from its site.
 VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& sites, const Progress& progress = {});
 
