@@ -108,7 +108,7 @@ void require_positive(std::span<const Point> positions, const std::array<Index, 
   const long double uv = form(g, u, v);
   const long double side =
       form(g, edge_vector(positions, face[1], face[2]), edge_vector(positions, face[1], face[2]));
-  const bool has_width = area > 1e-20 * form(unit, u, u) * form(unit, v, v);
+  const bool has_width = area > 1e-17 * form(unit, u, u) * form(unit, v, v);
   if (uu >= 0.0 && vv >= 0.0 && side >= 0.0 && (!has_width || (uu > 0.0 && uu * vv > uv * uv))) return;
   std::ostringstream text;
   text << "The tensor of " << element << " " << owner << " is not positive on the plane of face " << number

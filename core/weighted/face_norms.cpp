@@ -19,6 +19,8 @@ constexpr double length_rounding = 1e-13;
 /// placed before them err by more than their height.
 constexpr double thin_height = 1e-3;
 constexpr double different_cost = 1.01;
+/// The same for a few such faces, as at a T-junction.
+constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
@@ -64,19 +66,20 @@ void FaceNorms::find_thin_fans() {
     seen.resize(mesh_->face_count(), 0);
     seen[first] = 1;
     fan.assign(1, first);
-    bool differs = false;
+    double greatest_ratio = 1.0;
     for (std::size_t at = 0; at < fan.size(); ++at) {
       for (Index h = 3 * fan[at]; h < 3 * fan[at] + 3; ++h) {
         // Over edges without length, as between the parts of a seam, a fan does not go on.
         if (!(mesh_->side_length(h) > 0.0)) continue;
-        differs = differs || mesh_->side_length(h) > different_cost * edge_cost(mesh_->edge_of(h));
+        const double cost = edge_cost(mesh_->edge_of(h));
+        if (cost > 0.0) greatest_ratio = std::max(greatest_ratio, mesh_->side_length(h) / cost);
         const Index other = Mesh::face_of(mesh_->next_around_edge(h));
         if (seen[other] != 0 || !is_thin(other)) continue;
         seen[other] = 1;
         fan.push_back(other);
       }
     }
-    if (fan.size() <= small_fan || !differs) continue;
+    if (greatest_ratio < (fan.size() <= small_fan ? very_different_cost : different_cost)) continue;
     in_thin_fan_.resize(mesh_->face_count(), 0);
     for (Index f : fan) in_thin_fan_[f] = 1;
   }

@@ -117,6 +117,13 @@ TEST(Metric, RefusesWhatIsNoMetric) {
   EXPECT_NE(tensor({1, 2, 0, 2, 1, 0, 0, 0, 1}).find("face 0"), std::string::npos);
   EXPECT_EQ(tensor({1, 1e-12, 0, 0, 1, 0, 0, 0, -5}), "accepted");  // only the plane of the face counts
   EXPECT_NE(tensor({1, 0.5, 0, 0, 1, 0, 0, 0, 1}).find("not symmetric"), std::string::npos);
+  // Three points on a line have no plane: what rounding leaves of it says nothing.
+  const std::vector<Point> line{{1.0 / 6, 0.5, 0}, {0.25, 0.5, 0}, {1.0 / 3, 0.5, 0}};
+  const double c = std::cos(0.7);
+  const double s = std::sin(0.7);
+  const std::vector<Tensor> along{
+      {1 + 1e6 * c * c, 1e6 * c * s, 0, 1e6 * c * s, 1 + 1e6 * s * s, 0, 0, 0, 1}};
+  EXPECT_EQ(refusal([&] { sides_by_face_tensor(line, face, along); }), "accepted");
   EXPECT_NE(tensor({1, NAN, 0, NAN, 1, 0, 0, 0, 1}).find("not finite"), std::string::npos);
 }
 
