@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "index/min_plus.h"
-#include "mesh/unfolded_distance.h"
 
 namespace vorogeo {
 
@@ -72,36 +71,26 @@ void BorderField::cross_long_edges() {
 
 void BorderField::cross_long_edges(Index patch) {
   const PatchLayer& layer = data_.second;
-  const double least = long_edge_for_nodes * layer.edges.typical_length();
   const auto nodes = layer.nodes(patch);
   // Only what was reached from outside passes on into the patch.
-  auto is_reached = [&](Index node) {
-    return search_.distance(node) <= max_distance_ && search_.distance(node) < unreachable &&
-           search_.predecessor_patch(node) != patch;
+  auto distance = [&](Index node) {
+    const double found = search_.distance(node);
+    return found <= max_distance_ && search_.predecessor_patch(node) != patch ? found : unreachable;
   };
-  for (Index row = 0; row < layer.border_size(patch); ++row) {
-    for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
-      const Index a = nodes[row];
-      const Index b = nodes[next.row];
-      if (next.row <= row || next.length < least || !is_reached(a) || !is_reached(b) ||
-          !BoundaryDijkstra::may_share_wave(search_.predecessor(a), search_.predecessor(b))) {
-        continue;
-      }
-      const double source[] = {search_.distance(a), search_.distance(b)};
-      for (Index column = 0; column < layer.border_size(patch); ++column) {
-        const Index node = nodes[column];
-        // Seeds are exact.
-        if (column == row || column == next.row || search_.predecessor_patch(node) == no_index) continue;
-        const double target[] = {layer.distance(patch, row, column), layer.distance(patch, next.row, column)};
-        const double over_ends = source[0] + target[0] + source[1] + target[1];
-        // What a path over a point of the edge takes at least, by the triangle inequality.
-        if (over_ends - 2.0 * next.length >= 2.0 * search_.distance(node)) continue;
-        const double through = unfolded_distance(next.length, source[0], source[1], target[0], target[1]);
-        if (!(through < search_.distance(node) * (1.0 - least_repair))) continue;
-        const bool first = source[0] + target[0] <= source[1] + target[1];
-        search_.settle(node, {patch, first ? row : next.row},
-                       first ? source[0] + target[0] : source[1] + target[1], through);
-      }
+  find_long_border_edges(
+      layer, patch, long_edge_for_nodes * layer.edges.typical_length(), distance,
+      [&](Index node) { return search_.predecessor(node); }, long_edges_);
+  for (const LongBorderEdge& edge : long_edges_) {
+    const Index ends[] = {nodes[edge.end[0].row], nodes[edge.end[1].row]};
+    for (Index column = 0; column < layer.border_size(patch); ++column) {
+      const Index node = nodes[column];
+      // Seeds are exact.
+      if (node == ends[0] || node == ends[1] || search_.predecessor_patch(node) == no_index) continue;
+      const auto target = [&](Index row) { return static_cast<double>(layer.distance(patch, row, column)); };
+      const auto through = edge.across(search_.distance(node) * (1.0 - least_repair), target);
+      if (through.row == no_index) continue;
+      search_.settle(node, {patch, through.row}, search_.distance(nodes[through.row]) + target(through.row),
+                     through.distance);
     }
   }
 }

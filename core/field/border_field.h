@@ -47,6 +47,7 @@ class BorderField {
   std::vector<Index> predecessor_;
   std::vector<double> first_distance_;
   std::vector<Index> first_predecessor_;
+  std::vector<LongBorderEdge> long_edges_;
   std::vector<Index> rows_;  ///< first-layer nodes around the seeds
   /// Distances of the nodes of a group, minus the lowest; infinite for nodes that are not in rows_.
   struct GroupBase {

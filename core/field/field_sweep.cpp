@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "index/min_plus.h"
-#include "mesh/unfolded_distance.h"
 
 namespace vorogeo {
 
@@ -125,44 +124,19 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
   }
 }
 
-void FieldSweep::find_long_edges(const PatchLayer& layer, const BorderDistances& border, Index patch) {
-  long_edges_.clear();
-  const auto nodes = layer.nodes(patch);
-  const auto least = static_cast<float>(long_border_edge * layer.edges.typical_length());
-  for (Index row = 0; row < layer.border_size(patch); ++row) {
-    for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
-      if (next.row <= row || next.length < least) continue;
-      const Index a = nodes[row];
-      const Index b = nodes[next.row];
-      if (border.distance[a] == unreachable || border.distance[b] == unreachable ||
-          !BoundaryDijkstra::may_share_wave(border.predecessor[a], border.predecessor[b])) {
-        continue;
-      }
-      long_edges_.push_back({{row, next.row}, next.length});
-    }
-  }
-}
-
-/// Right behind the middle of a long edge, the sums over its ends are so much too long that one over another
-/// border may be less: so such an edge is unfolded wherever it may pay, not only where its sum is the least.
 void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count) {
   const TableScale scale = layer.scale[patch];
   const std::uint16_t* entries = layer.tile(patch, column / PatchLayer::tile_width);
-  for (const LongEdge& edge : long_edges_) {
-    const std::uint16_t* first = entries + static_cast<std::size_t>(edge.row[0]) * PatchLayer::tile_width;
-    const std::uint16_t* second = entries + static_cast<std::size_t>(edge.row[1]) * PatchLayer::tile_width;
-    const double source[] = {lowest_ + above_[edge.row[0]], lowest_ + above_[edge.row[1]]};
+  for (const LongBorderEdge& edge : long_edges_) {
     for (int k = 0; k < count; ++k) {
-      if (first[k] == PatchLayer::infinite_entry || second[k] == PatchLayer::infinite_entry) continue;
       const double offset = layer.offset_of(patch, column + k);
-      const double target[] = {offset + scale.distance(first[k]), offset + scale.distance(second[k])};
-      // What a path over a point of the edge takes at least, by the triangle inequality.
-      if (source[0] + target[0] + source[1] + target[1] - 2.0 * edge.length >= 2.0 * result_[column + k])
-        continue;
-      const double through = unfolded_distance(edge.length, source[0], source[1], target[0], target[1]);
-      if (!(through < result_[column + k])) continue;
-      result_[column + k] = through;
-      crossing_row_[column + k] = edge.row[source[0] + target[0] <= source[1] + target[1] ? 0 : 1];
+      const auto through = edge.across(result_[column + k], [&](Index from) {
+        const std::uint16_t entry = entries[static_cast<std::size_t>(from) * PatchLayer::tile_width + k];
+        return entry == PatchLayer::infinite_entry ? unreachable : offset + scale.distance(entry);
+      });
+      if (through.row == no_index) continue;
+      result_[column + k] = through.distance;
+      crossing_row_[column + k] = through.row;
     }
   }
 }
@@ -196,7 +170,12 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
                      ? static_cast<std::int16_t>(lowest_base + std::nearbyint(units))
                      : std::int16_t{0};
   }
-  if (layer.order == TableOrder::tiles) find_long_edges(layer, border, patch);
+  if (layer.order == TableOrder::tiles) {
+    find_long_border_edges(
+        layer, patch, long_border_edge * layer.edges.typical_length(),
+        [&](Index node) { return border.distance[node]; },
+        [&](Index node) { return border.predecessor[node]; }, long_edges_);
+  }
   // Tiles begin among the border nodes, which keep their own distances.
   const Index begin =
       layer.order == TableOrder::tiles ? rows / PatchLayer::tile_width * PatchLayer::tile_width : rows;

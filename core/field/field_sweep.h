@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "index/boundary_dijkstra.h"
+#include "field/long_border_edges.h"
 #include "index/crossing_gains.h"
 #include "index/patch_layer.h"
 
@@ -30,7 +30,6 @@ class FieldSweep {
  private:
   void look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row);
   void cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column, int count);
-  void find_long_edges(const PatchLayer& layer, const BorderDistances& border, Index patch);
   void cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_tiles(const PatchLayer& layer, Index patch, Index column, int count);
   void scan_lines(const PatchLayer& layer, Index patch, Index column, int count);
@@ -42,16 +41,11 @@ class FieldSweep {
     float length[2] = {0.0f, 0.0f};
     bool known = false;
   };
-  /// A long border edge whose ends may belong to one wave.
-  struct LongEdge {
-    Index row[2];
-    float length;
-  };
   double lowest_ = 0.0;
   std::vector<float> above_;        ///< by row: distance minus the lowest
   std::vector<std::int16_t> base_;  ///< the same on the even scale of the patch, as min_plus.h expects it
   std::vector<Beside> beside_;
-  std::vector<LongEdge> long_edges_;
+  std::vector<LongBorderEdge> long_edges_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;
   std::vector<float> line_;

@@ -77,11 +77,11 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance, b
     patch_faces += data_.first_face[p + 1] - data_.first_face[p];
   }
   around_.clear();
-  double least_offset = unreachable;
+  double nearest_offset = unreachable;
   for (const ExactSource& one : sources) {
     for_each_face_at(*data_.work.mesh, one.point,
                      [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
-    least_offset = std::min(least_offset, one.offset);
+    nearest_offset = std::min(nearest_offset, one.offset);
   }
   halo().surround(patches_, growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
@@ -92,7 +92,7 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance, b
   const double most = most_widened * static_cast<double>(halo_->faces().size());
   // Each round doubles the faces or is the last.
   while (static_cast<double>(halo_->faces().size()) <= most &&
-         solver_->barrier_distance() - least_offset < least_certain * median_distance(sources)) {
+         solver_->barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
     const std::size_t before = halo_->faces().size();
     halo_->surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
     solve(sources, max_distance, distances_only);

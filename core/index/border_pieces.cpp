@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "index/near_saddles.h"
 #include "mesh/outliers.h"
 #include "support/checkpoint.h"
 
@@ -43,11 +44,20 @@ constexpr double added_anyway = 128.0;
 struct BorderEdge {
   Index edge;
   double length;
+  double piece_factor;  ///< see NearSaddles
 };
 
+/// How long pieces may be in those roots, away from saddle vertices and if tables have room.
+double wanted_length(const Mesh& mesh) {
+  const double defect = mesh.mean_angle_defect();
+  return defect > 0.0
+             ? std::clamp(edge_by_defect / std::sqrt(defect), finest_border_edge, longest_border_edge)
+             : longest_border_edge;
+}
+
 Index pieces_of(const BorderEdge& border, double longest) {
-  return static_cast<Index>(
-      std::clamp(std::ceil(border.length / longest), 1.0, static_cast<double>(max_pieces)));
+  return static_cast<Index>(std::clamp(std::ceil(border.length / (longest * border.piece_factor)), 1.0,
+                                       static_cast<double>(max_pieces)));
 }
 
 /// The border edges between patches that have an area.
@@ -61,6 +71,7 @@ std::vector<BorderEdge> border_edges(const Mesh& mesh, const Partition& partitio
         std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
     if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
   }
+  const NearSaddles saddles(mesh, wanted_length(mesh));
   std::vector<BorderEdge> result;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
@@ -72,7 +83,9 @@ std::vector<BorderEdge> border_edges(const Mesh& mesh, const Partition& partitio
       border |= patch != partition.second_layer[Mesh::face_of(first)];
       least = std::min(least, area[patch]);
     }
-    if (border && least > 0.0) result.push_back({e, mesh.edge_length(e) / std::sqrt(least)});
+    if (!border || !(least > 0.0)) continue;
+    const double size = std::sqrt(least);
+    result.push_back({e, mesh.edge_length(e) / size, saddles.piece_factor(e, size)});
   }
   return result;
 }
@@ -133,21 +146,27 @@ struct LongestPiece {
   bool fits;
 };
 
-LongestPiece longest_piece(const Mesh& mesh, const Partition& partition,
-                           std::span<const BorderEdge> borders) {
-  const double defect = mesh.mean_angle_defect();
-  double longest =
-      defect > 0.0 ? std::clamp(edge_by_defect / std::sqrt(defect), finest_border_edge, longest_border_edge)
-                   : longest_border_edge;
+/// Where tables have no room for shorter pieces near saddle vertices, all are as long.
+LongestPiece longest_piece(const Mesh& mesh, const Partition& partition, std::span<BorderEdge> borders) {
   const auto vertices = static_cast<double>(mesh.vertex_count());
   const double most =
       (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+  double longest = 0.0;
   auto fits = [&] { return expected_entries(mesh, partition, borders, longest) <= most; };
-  for (int step = 0; step < max_steps; ++step) {
-    if (fits()) return {longest, true};
-    longest *= longer_per_step;
+  auto find = [&] {
+    longest = wanted_length(mesh);
+    for (int step = 0; step < max_steps; ++step) {
+      if (fits()) return true;
+      longest *= longer_per_step;
+    }
+    return fits();
+  };
+  bool found = find();
+  if (!found) {
+    for (BorderEdge& border : borders) border.piece_factor = 1.0;
+    found = find();
   }
-  return {longest, fits()};
+  return {longest, found};
 }
 
 /// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
@@ -169,7 +188,7 @@ void limit_pieces(std::vector<Index>& pieces, Index vertices) {
 }  // namespace
 
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
-  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  std::vector<BorderEdge> borders = border_edges(mesh, partition);
   const double longest = longest_piece(mesh, partition, borders).length;
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, longest);
@@ -178,7 +197,8 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
 }
 
 bool tables_have_room(const Mesh& mesh, const Partition& partition) {
-  return longest_piece(mesh, partition, border_edges(mesh, partition)).fits;
+  std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  return longest_piece(mesh, partition, borders).fits;
 }
 
 }  // namespace vorogeo

@@ -10,8 +10,9 @@ namespace vorogeo {
 
 /// Number of pieces of each edge of the mesh: 1 unless it is a border edge that is long for the patches
 /// beside it. How long an edge may be follows from the mean angle defect of the mesh: the stronger paths bend
-/// at its vertices, the less the distances at both ends of an edge tell of those between. Where tables would
-/// become too large, edges may be longer. Complexity: O(edges).
+/// at its vertices, the less the distances at both ends of an edge tell of those between; near a saddle
+/// vertex, pieces are shorter (near_saddles.h). Where tables would become too large, edges may be longer.
+/// Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 
 /// Whether the tables keep to their share even so: edges as long as they may be, and no more entries than

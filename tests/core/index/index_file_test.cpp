@@ -184,7 +184,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   std::string newer = sample.good;
   newer[8] = 99;
   EXPECT_EQ(sample.reading_of(newer),
-            sample.named(" has format version 99, this program reads version 10; build the index again."));
+            sample.named(" has format version 99, this program reads version 11; build the index again."));
   const std::string other_order =
       sample.named(" was written on a machine of the other byte order; build the index again on this one.");
   std::string swapped = sample.good;
