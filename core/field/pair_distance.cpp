@@ -1,4 +1,4 @@
-// Ends in touching patches are solved exactly, all others are routed.
+// Ends that are close or in touching patches are solved exactly, all others are routed.
 #include "field/pair_distance.h"
 
 #include <algorithm>
@@ -180,14 +180,16 @@ double PairDistance::distance_around_patches(Index source, Index target, double 
 }
 
 /// Whether near ends are solved by propagation. Over points on edges it takes many times as long as by
-/// windows, so ends in different patches are routed there, unless they are as close as what a near field
-/// solves.
+/// windows, so ends in different patches are routed there, unless they are close.
 bool PairDistance::is_solved(double bound) const {
   if (patches_.empty()) return false;
-  const Mesh& mesh = *data_.work.mesh;
-  if (share_patch_ || !mesh.metric_jumps()) return true;
-  const auto members = static_cast<double>(data_.second.member_count(patches_.front()));
-  return bound <= NearField::reach * std::sqrt(members) * mesh.typical_edge_length();
+  return share_patch_ || !data_.work.mesh->metric_jumps() || is_close(bound);
+}
+
+/// Whether a length is no more than what a near field solves around its source.
+bool PairDistance::is_close(double length) const {
+  const double members = static_cast<double>(data_.work.mesh->vertex_count()) / data_.second.patch_count;
+  return length <= NearField::reach * std::sqrt(members) * data_.work.mesh->typical_edge_length();
 }
 
 /// Length of the shortest route of the tables or the graph, unfolded.
@@ -206,7 +208,10 @@ double PairDistance::distance(Index a, Index b) {
   const auto [source, target] = std::minmax(a, b);
   const double bound = bound_by_tables(source, target);
   if (is_solved(bound)) return distance_nearby(source, target, bound);
-  return route_length(source, target);
+  const double routed = route_length(source, target);
+  // Beyond a patch as narrow as this, crossings are so close to both ends that they are off by most.
+  if (is_close(routed) && !data_.work.mesh->has_metric()) return distance_nearby(source, target, routed);
+  return routed;
 }
 
 }  // namespace vorogeo

@@ -26,6 +26,7 @@ class PairDistance {
   double bound_by_tables(Index source, Index target);
   void bound_rest(Index target, std::span<const Index> vertex_of_run);
   bool is_solved(double bound) const;
+  bool is_close(double length) const;
   double distance_nearby(Index source, Index target, double bound);
   double distance_around_patches(Index source, Index target, double bound, const UnsplitSurface* unsplit);
   double route_length(Index source, Index target);
