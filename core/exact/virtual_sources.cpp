@@ -32,52 +32,54 @@ double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Moves points from the frame of one half-edge into that of another one of the same face.
-struct FrameChange {
-  PlanePoint origin;     ///< the tail of the other half-edge
-  PlanePoint direction;  ///< from there to its head, of length 1
-
-  PlanePoint operator()(const PlanePoint& p) const {
-    const double x = p[0] - origin[0];
-    const double y = p[1] - origin[1];
-    return {x * direction[0] + y * direction[1], y * direction[0] - x * direction[1]};
-  }
-};
-
 }  // namespace
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), faces_(mesh_->face_count()) {
   require_agreeing_faces(*mesh_, "Quick distances");
   require_lengths(*mesh_, "quick distances take", exact_lengths.least_mean, exact_lengths.greatest);
-  apexes_.resize(3 * faces_.size());
+  records_.resize(faces_.size());
   for (Index f = 0; f < mesh_->face_count(); ++f) {
     if (f % elements_per_checkpoint == 0) checkpoint();
-    const double area = 2.0 * mesh_->face_area(f);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const double edge = length(h);
-      const double to_head = length(Mesh::next_in_face(h));
-      const double to_tail = length(Mesh::previous_in_face(h));
-      apexes_[h] = edge > 0.0
-                       ? Apex{0.5 * (edge + (to_tail - to_head) * (to_tail + to_head) / edge), area / edge}
-                       : Apex{0.0, to_tail};
+    FaceRecord& record = records_[f];
+    for (int i = 0; i < 3; ++i) {
+      record.length[i] = mesh_->edge_length(mesh_->edge_of(3 * f + i));
+      record.next[i] = mesh_->next_around_edge(3 * f + i);
     }
+    record.vertex = mesh_->face_vertices(f);
+    record.twice_area = 2.0 * mesh_->face_area(f);
   }
-  defect_.resize(mesh_->vertex_count());
+  vertices_.resize(mesh_->vertex_count());
   for (Index v = 0; v < mesh_->vertex_count(); ++v) {
     const double defect = 2.0 * std::numbers::pi - mesh_->total_angle(v);
-    defect_[v] = mesh_->fan(v) == Mesh::Fan::closed ? PlanePoint{std::cos(defect), std::sin(defect)}
-                                                    : PlanePoint{2.0, 0.0};
+    vertices_[v].defect = mesh_->fan(v) == Mesh::Fan::closed ? PlanePoint{std::cos(defect), std::sin(defect)}
+                                                             : PlanePoint{2.0, 0.0};
   }
   queue_.resize(faces_.size());
+}
+
+inline VirtualSources::FaceOver VirtualSources::over(const FaceRecord& face, int side) {
+  const int next = side == 2 ? 0 : side + 1;
+  const int previous = side == 0 ? 2 : side - 1;
+  const double edge = face.length[side];
+  const double to_head = face.length[next];
+  const double to_tail = face.length[previous];
+  PlanePoint apex{0.0, to_tail};
+  if (edge > 0.0) {
+    const double per_edge = 1.0 / edge;
+    apex = {0.5 * (edge + (to_tail - to_head) * (to_tail + to_head) * per_edge), face.twice_area * per_edge};
+  }
+  return {edge, apex, face.vertex[side], face.vertex[next], face.vertex[previous]};
 }
 
 void VirtualSources::run(std::span<const ExactSource> sources, double max_distance) {
   const std::vector<ExactSource> checked = validated(*mesh_, sources);
   max_distance_ = max_distance;
-  faces_.assign(faces_.size(), {});
-  distance_.assign(mesh_->vertex_count(), unreachable);
-  label_.assign(mesh_->vertex_count(), no_index);
+  for (FaceRecord& face : records_) face.distance = unreachable;
+  for (VertexRecord& vertex : vertices_) {
+    vertex.distance = unreachable;
+    vertex.source = no_index;
+  }
   queue_.reset(face_bucket_width * mesh_->typical_edge_length());
   turning_.clear();
   for (std::size_t i = 0; i < checked.size(); ++i)
@@ -88,7 +90,7 @@ void VirtualSources::run(std::span<const ExactSource> sources, double max_distan
     while (!turning_.empty()) {
       const Index vertex = turning_.back();
       turning_.pop_back();
-      start_at(SurfacePoint::at_vertex(vertex), distance_[vertex], label_[vertex]);
+      start_at(SurfacePoint::at_vertex(vertex), vertices_[vertex].distance, vertices_[vertex].source);
     }
     const Index face = queue_.pop();
     if (face == no_index) return;
@@ -98,24 +100,24 @@ void VirtualSources::run(std::span<const ExactSource> sources, double max_distan
 }
 
 void VirtualSources::reach_vertex(Index vertex, double distance, Index source) {
-  if (!(distance < distance_[vertex]) || distance > max_distance_) return;
-  // Faces that meet in this vertex only are not reached across edges.
-  if (mesh_->fan(vertex) == Mesh::Fan::non_manifold && distance < distance_[vertex] * (1.0 - 1e-12)) {
+  VertexRecord& record = vertices_[vertex];
+  if (!(distance < record.distance) || distance > max_distance_) return;
+  // Faces that meet in this vertex only are not reached across edges. The cosine is at hand, the fan is not.
+  if (record.defect[0] > 1.0 && mesh_->fan(vertex) == Mesh::Fan::non_manifold &&
+      distance < record.distance * (1.0 - 1e-12)) {
     turning_.push_back(vertex);
   }
-  distance_[vertex] = distance;
-  label_[vertex] = source;
+  record.distance = distance;
+  record.source = source;
 }
 
-void VirtualSources::take(const FaceSource& found) {
+/// Gives a face a source that is nearer to its centroid. `reach`: how far the face is across.
+void VirtualSources::take(const FaceSource& found, double distance, double reach) {
   const Index face = Mesh::face_of(found.base);
-  FaceSource& old = faces_[face];
-  // Without this threshold, negligible gains would circle a vertex forever.
-  if (!(found.distance < old.distance * (1.0 - 1e-12))) return;
-  old = found;
+  records_[face].distance = distance;
+  faces_[face] = found;
   // A face beyond the limit is not left again; one that the limit cuts is.
-  const double reach = std::max(length(found.base), apexes_[found.base].y);
-  if (found.distance - reach <= max_distance_) queue_.push(face, found.distance);
+  if (distance - reach <= max_distance_) queue_.push(face, distance);
 }
 
 /// Starts in all faces that hold the point.
@@ -123,121 +125,150 @@ void VirtualSources::start_at(const SurfacePoint& point, double offset, Index id
   if (point.is_vertex()) reach_vertex(point.vertex, offset, id);
   for_each_face_at(*mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
     const Index base = 3 * face;
-    const double edge = length(base);
-    const PlanePoint apex{apexes_[base].x, apexes_[base].y};
+    const auto [edge, apex, tail, head, opposite] = over(records_[face], 0);
     FaceSource found;
     found.at = {weights[1] * edge + weights[2] * apex[0], weights[2] * apex[1]};
     found.sigma = offset;
     found.base = base;
     found.source = id;
-    found.distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
     const PlanePoint corners[3] = {{0.0, 0.0}, {edge, 0.0}, apex};
     for (int i = 0; i < 3; ++i) {
       reach_vertex(mesh_->face_vertices(face)[i], offset + between(found.at, corners[i]), id);
     }
-    take(found);
+    const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
+    if (is_nearer(face, distance)) take(found, distance, std::max(edge, apex[1]));
   });
 }
 
-/// Hands the source of a face to all faces around it, except through the edge by which it came.
+/// Hands the source of a face to all faces around it that are farther away, except through the edge by which
+/// it came.
 void VirtualSources::hand_on(Index face) {
-  const FaceSource own = faces_[face];
-  const double edge = length(own.base);
-  const PlanePoint head{edge, 0.0};
-  const PlanePoint apex{apexes_[own.base].x, apexes_[own.base].y};
+  const FaceRecord& record = records_[face];
+  const FaceSource& own = faces_[face];
+  int side = own.base - 3 * face;
+  const auto [edge, apex, tail, head, opposite] = over(record, side);
   const bool is_start = own.left.vertex == no_index && own.right.vertex == no_index;
-  Index exit = own.base;
-  for (const auto& [from, to] : {std::pair(PlanePoint{}, head), {head, apex}, {apex, PlanePoint{}}}) {
-    const Index h = exit;
-    exit = Mesh::next_in_face(exit);
-    const double exit_length = between(from, to);
-    if ((h == own.base && !is_start) || !(exit_length > 0.0)) continue;
-    const FrameChange to_exit{from, {(to[0] - from[0]) / exit_length, (to[1] - from[1]) / exit_length}};
-    FaceSource seen = own;
-    seen.at = to_exit(own.at);
-    seen.left.at = to_exit(own.left.at);
-    seen.right.at = to_exit(own.right.at);
-    for (Index g = mesh_->next_around_edge(h); g != h; g = mesh_->next_around_edge(g)) {
-      if (own.distance >= faces_[Mesh::face_of(g)].distance) continue;
+  const std::array<PlanePoint, 4> corner{PlanePoint{}, PlanePoint{edge, 0.0}, apex, PlanePoint{}};
+  for (int i = 0; i < 3; ++i, side = side == 2 ? 0 : side + 1) {
+    if (i == 0 && !is_start) continue;
+    const Index h = 3 * face + side;
+    for (Index g = record.next[side]; g != h; g = records_[Mesh::face_of(g)].next[g % 3]) {
+      const FaceRecord& other = records_[Mesh::face_of(g)];
+      if (record.distance >= other.distance) continue;
+      const PlanePoint& from = corner[i];
+      const PlanePoint& to = corner[i + 1];
+      const double length = record.length[side];
+      if (!(length > 0.0)) continue;
+      const double scale = 1.0 / length;
+      const PlanePoint direction{(to[0] - from[0]) * scale, (to[1] - from[1]) * scale};
       // Half a turn, or a reflection where both faces run along the edge in one direction.
-      const bool same = mesh_->tail(g) == mesh_->tail(h);
-      auto moved = [&](const PlanePoint& p) { return PlanePoint{same ? p[0] : exit_length - p[0], -p[1]}; };
-      FaceSource across = seen;
-      across.at = moved(seen.at);
-      across.left.at = moved(same ? seen.right.at : seen.left.at);
-      across.left.vertex = same ? own.right.vertex : own.left.vertex;
-      across.right.at = moved(same ? seen.left.at : seen.right.at);
-      across.right.vertex = same ? own.left.vertex : own.right.vertex;
-      enter(across, g);
+      const bool same = other.vertex[g % 3] == record.vertex[side];
+      auto moved = [&](const PlanePoint& p) {
+        const double x = p[0] - from[0];
+        const double y = p[1] - from[1];
+        const double along = x * direction[0] + y * direction[1];
+        return PlanePoint{same ? along : length - along, x * direction[1] - y * direction[0]};
+      };
+      const Bound& left = same ? own.right : own.left;
+      const Bound& right = same ? own.left : own.right;
+      FaceSource crossing;
+      crossing.at = moved(own.at);
+      crossing.sigma = own.sigma;
+      crossing.left = {moved(left.at), left.vertex};
+      crossing.right = {moved(right.at), right.vertex};
+      crossing.base = g;
+      crossing.source = own.source;
+      enter(crossing);
     }
   }
 }
 
-/// Enters the face of the half-edge `base`, in whose frame the source and its bounds are given.
-void VirtualSources::enter(const FaceSource& crossing, Index base) {
-  const PlanePoint head{length(base), 0.0};
-  const PlanePoint apex{apexes_[base].x, apexes_[base].y};
+/// Enters the face of the half-edge `crossing.base`, in whose frame the source and its bounds are given.
+void VirtualSources::enter(const FaceSource& crossing) {
+  const FaceRecord& record = records_[Mesh::face_of(crossing.base)];
+  const FaceOver face = over(record, crossing.base % 3);
+  const PlanePoint& apex = face.apex;
+  const PlanePoint head{face.edge, 0.0};
   FaceSource seen = crossing;
-  seen.base = base;
   // The ends of the edge bound the sector where they lie inside it.
   if (crossing.left.vertex == no_index || side(seen.at, crossing.left.at, {}) <= 0.0) {
-    seen.left = {{}, mesh_->tail(base)};
+    seen.left = {{}, face.tail};
   }
   if (crossing.right.vertex == no_index || side(seen.at, crossing.right.at, head) >= 0.0) {
-    seen.right = {head, mesh_->head(base)};
+    seen.right = {head, face.head};
   }
-  const FaceSource of_apex = source_of(seen, apex);
-  reach_vertex(mesh_->apex(base), of_apex.sigma + between(of_apex.at, apex), of_apex.source);
-  const PlanePoint centre{(head[0] + apex[0]) / 3.0, apex[1] / 3.0};
-  FaceSource found = source_of(seen, centre);
-  found.distance = found.sigma + between(found.at, centre);
-  take(found);
+  const Reached at_apex = reached(seen, face, apex);
+  reach_vertex(face.opposite, at_apex.sigma + between(at_apex.at, apex), at_apex.source);
+  const PlanePoint centre{(face.edge + apex[0]) * (1.0 / 3.0), apex[1] * (1.0 / 3.0)};
+  const Reached at_centre = reached(seen, face, centre);
+  const double distance = at_centre.sigma + between(at_centre.at, centre);
+  if (!is_nearer(Mesh::face_of(crossing.base), distance)) return;
+  seen.at = at_centre.at;
+  seen.sigma = at_centre.sigma;
+  seen.source = at_centre.source;
+  const Bound tail_bound{{}, face.tail};
+  const Bound head_bound{head, face.head};
+  switch (at_centre.how) {
+    case Reached::directly:
+      break;
+    case Reached::past_left:
+      seen.right = seen.left;
+      seen.left = tail_bound;
+      break;
+    case Reached::past_right:
+      seen.left = seen.right;
+      seen.right = head_bound;
+      break;
+    case Reached::round_bound:
+      seen.left = tail_bound;
+      seen.right = head_bound;
+      break;
+    case Reached::round_end:
+      seen.left = seen.right = {};
+      break;
+  }
+  take(seen, distance, std::max(face.edge, apex[1]));
 }
 
-/// The source from which a point of the face is reached.
-VirtualSources::FaceSource VirtualSources::source_of(const FaceSource& seen, const PlanePoint& point) const {
-  if (side(seen.at, seen.left.at, point) > 0.0) return beyond_bound(seen, true, point);
-  if (side(seen.at, seen.right.at, point) < 0.0) return beyond_bound(seen, false, point);
-  return seen;
+inline VirtualSources::Reached VirtualSources::reached(const FaceSource& seen, const FaceOver& face,
+                                                       const PlanePoint& point) const {
+  if (side(seen.at, seen.left.at, point) > 0.0) return beyond_bound(seen, face, true, point);
+  if (side(seen.at, seen.right.at, point) < 0.0) return beyond_bound(seen, face, false, point);
+  return {seen.at, seen.sigma, seen.source, Reached::directly};
 }
 
-VirtualSources::FaceSource VirtualSources::beyond_bound(const FaceSource& seen, bool left,
-                                                        const PlanePoint& point) const {
+VirtualSources::Reached VirtualSources::beyond_bound(const FaceSource& seen, const FaceOver& face, bool left,
+                                                     const PlanePoint& point) const {
   const Bound& bound = left ? seen.left : seen.right;
-  const Bound tail{{}, mesh_->tail(seen.base)};
-  const Bound head{{length(seen.base), 0.0}, mesh_->head(seen.base)};
-  const bool at_end = bound.vertex == tail.vertex || bound.vertex == head.vertex;
-  FaceSource found = seen;
-  const auto [cosine, sine] = defect_[bound.vertex];
-  if (cosine <= 1.0 && !at_end) {
-    const double signed_sine = left ? -sine : sine;
-    const double x = seen.at[0] - bound.at[0];
-    const double y = seen.at[1] - bound.at[1];
-    found.at = {bound.at[0] + cosine * x - signed_sine * y, bound.at[1] + signed_sine * x + cosine * y};
-    const double aside = side(found.at, bound.at, point) * (left ? 1.0 : -1.0);
-    const bool is_close = aside > 0.0 && aside <= max_aside * head.at[0] * between(found.at, bound.at);
-    if (is_close && side(found.at, tail.at, point) <= 0.0 && side(found.at, head.at, point) >= 0.0) {
-      found.left = left ? tail : bound;
-      found.right = left ? bound : head;
-      return found;
+  const VertexRecord& vertex = vertices_[bound.vertex];
+  const bool at_end = bound.vertex == face.tail || bound.vertex == face.head;
+  const double x = seen.at[0] - bound.at[0];
+  const double y = seen.at[1] - bound.at[1];
+  const double beyond = std::sqrt(x * x + y * y);
+  if (!at_end) {
+    const auto [cosine, sine] = vertex.defect;
+    if (cosine <= 1.0) {
+      const double signed_sine = left ? -sine : sine;
+      const PlanePoint at{bound.at[0] + cosine * x - signed_sine * y,
+                          bound.at[1] + signed_sine * x + cosine * y};
+      const double aside = side(at, bound.at, point) * (left ? 1.0 : -1.0);
+      const bool is_close = aside > 0.0 && aside <= max_aside * face.edge * beyond;
+      if (is_close && side(at, {}, point) <= 0.0 && side(at, {face.edge, 0.0}, point) >= 0.0) {
+        return {at, seen.sigma, seen.source, left ? Reached::past_left : Reached::past_right};
+      }
     }
   }
-  found.at = bound.at;
-  found.sigma = seen.sigma + between(seen.at, bound.at);
+  const Reached::How how = at_end ? Reached::round_end : Reached::round_bound;
+  const double sigma = seen.sigma + beyond;
   // The vertex may have been reached by a shorter path.
-  if (distance_[bound.vertex] < found.sigma) {
-    found.sigma = distance_[bound.vertex];
-    found.source = label_[bound.vertex];
-  }
-  found.left = at_end ? Bound{} : tail;
-  found.right = at_end ? Bound{} : head;
-  return found;
+  if (vertex.distance < sigma) return {bound.at, vertex.distance, vertex.source, how};
+  return {bound.at, sigma, seen.source, how};
 }
 
 std::size_t VirtualSources::memory_bytes() const {
-  return faces_.capacity() * (sizeof(FaceSource) + sizeof(std::int64_t)) + apexes_.capacity() * sizeof(Apex) +
-         defect_.capacity() * sizeof(PlanePoint) + distance_.capacity() * sizeof(double) +
-         (label_.capacity() + turning_.capacity()) * sizeof(Index);
+  return faces_.capacity() * (sizeof(FaceSource) + sizeof(std::int64_t)) +
+         records_.capacity() * sizeof(FaceRecord) + vertices_.capacity() * sizeof(VertexRecord) +
+         turning_.capacity() * sizeof(Index);
 }
 
 }  // namespace vorogeo

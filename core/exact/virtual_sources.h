@@ -29,9 +29,9 @@ class VirtualSources {
   /// \throw Cancelled at a checkpoint, InvalidInput for a bad source.
   void run(std::span<const ExactSource> sources, double max_distance = unreachable);
 
-  double distance(Index vertex) const { return distance_[mesh_->representative(vertex)]; }
+  double distance(Index vertex) const { return vertices_[mesh_->representative(vertex)].distance; }
   /// Which source (position in the list given to run) a vertex belongs to; no_index if unreachable.
-  Index nearest_source(Index vertex) const { return label_[mesh_->representative(vertex)]; }
+  Index nearest_source(Index vertex) const { return vertices_[mesh_->representative(vertex)].source; }
   std::size_t memory_bytes() const;
 
  private:
@@ -44,34 +44,62 @@ class VirtualSources {
   /// What a face knows. The edge of the half-edge `base` lies on the x axis, its tail at 0; the face above
   /// it, and what is below unfolded into the same plane.
   struct FaceSource {
-    PlanePoint at{};                ///< the virtual source
-    double sigma = unreachable;     ///< how far it is from the real one
-    double distance = unreachable;  ///< of the face's centroid, by which faces are compared
-    Bound left, right;              ///< as seen from the source: on the side of the tail, and of the head
+    PlanePoint at{};             ///< the virtual source
+    double sigma = unreachable;  ///< how far it is from the real one
+    Bound left, right;           ///< as seen from the source: on the side of the tail, and of the head
     Index base = no_index;
     Index source = no_index;  ///< the real one
   };
-  /// The third vertex of a face over one of its edges, which lies on the x axis from its half-edge's tail.
-  struct Apex {
-    double x, y;
+  /// What a run reads of a face, in one line of the cache.
+  struct alignas(64) FaceRecord {
+    std::array<double, 3> length;  ///< of the edges of its half-edges
+    double twice_area;
+    double distance;            ///< of the centroid, by which the sources of a face are compared
+    std::array<Index, 3> next;  ///< around the edges of its half-edges
+    std::array<Index, 3> vertex;
+  };
+  /// Likewise of a vertex.
+  struct alignas(32) VertexRecord {
+    /// Cosine and sine of its angle defect; a cosine above 1 where there is no other side.
+    PlanePoint defect;
+    double distance;
+    Index source;
+  };
+  /// A face over one of its edges, which lies on the x axis from its half-edge's tail.
+  struct FaceOver {
+    double edge;      ///< its length
+    PlanePoint apex;  ///< the third vertex
+    Index tail, head, opposite;
+  };
+  static FaceOver over(const FaceRecord& face, int side);
+
+  /// From where a point of a face is reached: the face's source, that source rotated about the bound on its
+  /// left or right, or a bend round that bound, which may be an end of the edge that was crossed.
+  struct Reached {
+    enum How : std::uint8_t { directly, past_left, past_right, round_end, round_bound };
+    PlanePoint at;
+    double sigma;
+    Index source;
+    How how;
   };
 
-  double length(Index halfedge) const { return mesh_->edge_length(mesh_->edge_of(halfedge)); }
   void start_at(const SurfacePoint& point, double offset, Index id);
   void reach_vertex(Index vertex, double distance, Index source);
   void hand_on(Index face);
-  void enter(const FaceSource& crossing, Index base);
-  FaceSource beyond_bound(const FaceSource& seen, bool left, const PlanePoint& point) const;
-  FaceSource source_of(const FaceSource& seen, const PlanePoint& point) const;
-  void take(const FaceSource& found);
+  void enter(const FaceSource& crossing);
+  Reached reached(const FaceSource& seen, const FaceOver& face, const PlanePoint& point) const;
+  Reached beyond_bound(const FaceSource& seen, const FaceOver& face, bool left,
+                       const PlanePoint& point) const;
+  bool is_nearer(Index face, double distance) const {
+    // Without this threshold, negligible gains would circle a vertex forever.
+    return distance < records_[face].distance * (1.0 - 1e-12);
+  }
+  void take(const FaceSource& found, double distance, double reach);
 
   std::shared_ptr<const Mesh> mesh_;
+  std::vector<FaceRecord> records_;
+  std::vector<VertexRecord> vertices_;
   std::vector<FaceSource> faces_;
-  std::vector<Apex> apexes_;
-  /// By vertex: cosine and sine of its angle defect; a cosine above 1 where there is no other side.
-  std::vector<PlanePoint> defect_;
-  std::vector<double> distance_;
-  std::vector<Index> label_;
   std::vector<Index> turning_;  ///< non-manifold vertices that were reached and have to emit
   double max_distance_ = unreachable;
   BucketQueue queue_;

@@ -106,6 +106,19 @@ TEST(VirtualSources, PassVerticesInWhichFacesMeetAndLeaveOtherComponentsOut) {
   EXPECT_EQ(apart.distance(two->vertex_count() - 1), unreachable);
 }
 
+TEST(VirtualSources, CrossASpineIntoEachOfThreePages) {
+  const test::Shape book = test::book_of_three_pages(8, 1.0, 0.7);
+  VirtualSources runs(test::make_mesh(book.soup));
+  const Index middle = runs.mesh().vertex_count() / 2;
+  const ExactSource source{SurfacePoint::at_vertex(middle)};
+  runs.run({&source, 1});
+  for (Index v = 0; v < runs.mesh().vertex_count(); ++v) {
+    const double straight = book.vertex_distance(middle, v);
+    EXPECT_GE(runs.distance(v), straight - 1e-12);
+    EXPECT_LE(runs.distance(v), 1.02 * straight + 1e-12);
+  }
+}
+
 TEST(VirtualSources, GiveVerticesThatAGapMadeOneTheSameDistance) {
   const test::Shape shape = test::plane_grid(6, 5, 1.0, 0.8);
   const test::Cut loose = test::exploded(shape.soup);
