@@ -86,6 +86,21 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
   return mesh_in_metric_of(mesh, std::move(positions), corners, std::move(sides));
 }
 
+/// The patches asked for that a part gets of a mesh with `scale` times its faces and so many first-layer
+/// patches: as dense as on the whole.
+PartitionOptions share_of(const PartitionOptions& asked, double first_patches, const Mesh& part,
+                          double scale) {
+  PartitionOptions share = asked;
+  if (scale == 1.0) return share;
+  auto at_least_one = [](double patches) { return static_cast<Index>(std::max(1L, std::lround(patches))); };
+  if (asked.first_layer_patches > 0) share.first_layer_patches = at_least_one(first_patches / scale);
+  if (asked.second_layer_patches > 0) {
+    const double own_first = planned_first_layer(part, part.vertex_count(), share);
+    share.second_layer_patches = at_least_one(asked.second_layer_patches * first_patches / scale / own_first);
+  }
+  return share;
+}
+
 }  // namespace
 
 BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options,
@@ -97,16 +112,16 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   data.mesh = mesh->face_count() > max_faces ? part_of(*mesh) : mesh;
   const double scale = static_cast<double>(mesh->face_count()) / std::max<Index>(1, data.mesh->face_count());
   const double vertices = static_cast<double>(data.mesh->vertex_count()) * scale;
-  const PartitionOptions patches{0, 0, options.seed, 1};
+  const PartitionOptions asked{options.first_layer_patches, options.second_layer_patches, options.seed, 1};
+  const double first_patches = planned_first_layer(*data.mesh, vertices, asked);
   const auto start = Clock::now();
-  data.partition = partition_for_index(*data.mesh, patches, still);
+  data.partition = partition_for_index(*data.mesh, share_of(asked, first_patches, *data.mesh, scale), still);
   data.lay_out(1, still);
   const TableSurface surface = make_table_surface(*data.mesh, data.work, data.geometry);
   const double layout_seconds = seconds_since(start) * scale;
   const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
 
   // The borders of n1 round patches on n vertices grow in length with the square roots of both.
-  const double first_patches = planned_first_layer(*data.mesh, vertices, patches);
   const double longer = std::sqrt(scale * first_patches / std::max<Index>(1, data.first.patch_count));
   const double transit = static_cast<double>(transit_table_bytes(data.first)) * longer * longer;
   const double first = static_cast<double>(table_bytes(data.first)) * longer * scale *

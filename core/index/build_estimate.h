@@ -20,8 +20,8 @@ struct BuildEstimate {
   double exact_field_seconds = 0.0;  ///< of an exact field, on one thread
 };
 
-/// Estimates the cost of an index with these options (patches are those chosen by default) from the layout
-/// and some exact runs of the mesh, or of parts of a large one. Takes a few percent of the build, on large
+/// Estimates the cost of an index with these options from the layout and some exact runs of the mesh, or of
+/// parts of a large one. Takes a few percent of the build, on large
 /// meshes about a second. `with_fields`: also times an exact field, for up to half a second more. \throw
 /// InvalidInput as GeodesicIndex::build; Cancelled.
 BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options = {},

@@ -112,11 +112,8 @@ void require_memory_for_layout(const Mesh& mesh) {
 /// Tables that are not in a file, and those that are not yet written.
 void require_memory_for_tables(const IndexData& data, IndexForm form, bool in_file) {
   std::int64_t bytes = std::max(local_draft_bytes(data.second), composed_draft_bytes(data.first));
-  if (!in_file) {
-    bytes += table_bytes(data.second) + table_bytes(data.first);
-    if (form == IndexForm::tables) bytes += transit_table_bytes(data.first);
-  }
-  if (form == IndexForm::tables) bytes += access_bounds_bytes(data);
+  if (!in_file) bytes += table_bytes(data.second) + table_bytes(data.first);
+  if (form == IndexForm::tables) bytes += transit_bytes(data.first, in_file) + access_bounds_bytes(data);
   require_memory(static_cast<double>(bytes), 0, "Building the tables of this index", memory_advice);
 }
 

@@ -19,6 +19,12 @@ std::int64_t table_bytes(const PatchLayer& layer) {
                                    layer.patch_count * (sizeof(layer.scale[0]) + sizeof(layer.complete[0])));
 }
 
+std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file) {
+  const auto count = static_cast<std::int64_t>(first.node_count());
+  const auto entries = static_cast<std::int64_t>(sizeof(TransitTable::infinite_entry)) * count * count;
+  return transit_table_bytes(first) - (entries_in_file ? entries : 0);
+}
+
 std::int64_t MemoryBudget::mib() const {
   if (options_.memory_budget != 0) return options_.memory_budget;
   return tables_in_file_ ? std::numeric_limits<std::int64_t>::max() : default_memory_budget;
@@ -45,8 +51,8 @@ IndexForm MemoryBudget::form_of(const IndexData& data) const {
       static_cast<std::int64_t>(sizeof(double)) * SearchGraph::landmark_count * data.second.node_count();
   auto in_memory = [&](std::int64_t bytes) { return tables_in_file_ ? 0 : bytes; };
   const std::int64_t both = data.bytes() + in_memory(table_bytes(data.second)) + landmarks;
-  const std::int64_t tables =
-      both + in_memory(table_bytes(data.first) + transit_table_bytes(data.first)) + access_bounds_bytes(data);
+  const std::int64_t tables = both + in_memory(table_bytes(data.first)) +
+                              transit_bytes(data.first, tables_in_file_) + access_bounds_bytes(data);
   if (options_.form == IndexForm::tables) {
     if (!fits(tables)) refuse(tables, "at least");
     return IndexForm::tables;

@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-/// The memory an index may take, and the form that suits it. Tables in a file take none; then there is no
+/// The memory an index may take, and the form that suits it. Entries in a file take none; then there is no
 /// limit unless one is given.
 class MemoryBudget {
  public:
@@ -33,5 +33,8 @@ class MemoryBudget {
 
 /// Memory that the tables of a laid out layer take, in bytes.
 std::int64_t table_bytes(const PatchLayer& layer);
+/// The same of its transit table; with the entries in a file, of the rest: its groups and their least
+/// distances.
+std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file);
 
 }  // namespace vorogeo

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "index/memory_budget.h"
+#include "partition/partition.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -31,6 +33,32 @@ TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
   EXPECT_GT(parts.bytes, 2.5 * whole.bytes);
   EXPECT_LT(parts.bytes, 9.0 * whole.bytes);
   EXPECT_EQ(parts.exact_field_seconds, 0.0);
+}
+
+TEST(BuildEstimate, KeepsToThePatchesAskedFor) {
+  IndexOptions options;
+  options.first_layer_patches = 30;
+  options.second_layer_patches = 6;
+  const test::Soup soup = test::icosphere(4);
+  const double held = test::make_index(soup, 30, 6)->statistics().bytes;
+  const double estimated = estimate_build(test::make_mesh(soup), options, false).bytes;
+  EXPECT_NEAR(estimated, held, 0.3 * held);
+  const double of_usual_patches = estimate_build(test::make_mesh(soup), {}, false).bytes;
+  EXPECT_GT(estimated, 1.5 * of_usual_patches);
+}
+
+TEST(BuildEstimate, PartsOfALargeMeshHaveTheirShareOfThePatchesAskedFor) {
+  IndexData data;
+  data.mesh = test::make_mesh(test::torus(300, 150, 3.0, 1.0));
+  IndexOptions options;
+  options.first_layer_patches = 60;
+  options.second_layer_patches = 5;
+  data.partition = make_partition(*data.mesh, {60, 5}, {});
+  data.lay_out(2, {});
+  // All tables follow from the layout.
+  const double held = static_cast<double>(data.bytes() + table_bytes(data.second) + table_bytes(data.first) +
+                                          transit_bytes(data.first, false));
+  EXPECT_NEAR(estimate_build(data.mesh, options, false).bytes, held, 0.3 * held);
 }
 
 TEST(BuildEstimate, ChoosesTheFormByTheMemoryBudget) {

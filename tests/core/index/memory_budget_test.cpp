@@ -114,6 +114,15 @@ TEST(MemoryBudget, BothFormsAnswerAlike) {
   }
 }
 
+TEST(MemoryBudget, CountsWhatOfATransitTableIsInNoFile) {
+  const auto index = test::make_index(test::hills(30, 0.12), 5, 4);
+  const TransitTable& table = index->data().transit_table;
+  const std::int64_t rest =
+      sizeof(float) * table.least.size() + sizeof(Index) * (table.group_begin.size() + table.group_of.size());
+  EXPECT_EQ(transit_bytes(index->data().first, true), rest);
+  EXPECT_EQ(transit_bytes(index->data().first, false), rest + 2 * std::int64_t{table.count} * table.count);
+}
+
 TEST(MemoryBudget, NamesOfForms) {
   EXPECT_STREQ(to_string(IndexForm::tables), "tables");
   EXPECT_STREQ(to_string(IndexForm::graph), "graph");
