@@ -9,15 +9,16 @@ namespace vorogeo {
 
 namespace {
 
-/// How far outside a window, relative to the edge's length, a vertex may lie and still be reached by it.
+/// How far outside a window a vertex may lie and still be reached, relative to the edge's length or, up to
+/// `greatest_tolerance` of that, to the pseudo-source's distance. Windows that passed a vertex on both sides
+/// drift apart by the rounding of angles, and in a grid the next vertices of the row lie in that gap.
 constexpr double vertex_tolerance = 1e-11;
+constexpr double greatest_tolerance = 1e-6;
 
-/// Windows narrower than this, relative to their edge, come from rounding at ties and would break edges into
-/// ever more slivers.
+/// Windows narrower than this, relative to their edge, come from rounding at ties.
 constexpr double least_width = 1e-11;
 
-/// Pseudo-sources this close to the edge, relative to its length, send rays in widely different directions
-/// through points of it that rounding cannot tell apart.
+/// Pseudo-sources this close to the edge, relative to its length, send all rays through its next point.
 constexpr double near_edge = 1e-6;
 
 /// Pseudo-sources of neighbouring windows this close together, relative to their distance and the edge's
@@ -199,7 +200,9 @@ void ExactSolver::State::cross_face(Index halfedge) {
       tolerance =
           vertex_tolerance * geometry->scale_at(edge, item.to_apex, window.offset + window.source_y, length);
     }
-    if (item.to_apex >= window.begin - tolerance && item.to_apex <= window.end + tolerance) {
+    const double drift = vertex_tolerance * (std::abs(window.source_x) + window.source_y);
+    const double outside = std::max(tolerance, std::min(drift, greatest_tolerance * length));
+    if (item.to_apex >= window.begin - outside && item.to_apex <= window.end + outside) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (distance < vertices[frame.apex].distance) reach_apex(window, halfedge, distance);
     }

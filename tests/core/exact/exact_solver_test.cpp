@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -71,6 +72,31 @@ TEST(ExactSolver, SaddleCone) {
 TEST(ExactSolver, Box) {
   expect_closed_form(test::box({1.0, 1.0, 1.0}, 4));
   expect_closed_form(test::box({1.0, 1.7, 3.1}, 5));
+}
+TEST(ExactSolver, AFoldedGridWhereRaysPassManyVertices) {
+  // A rectangle folded along a row of vertices, and turned so that all positions are rounded: a ray through a
+  // vertex of the fold leads to others at the same slope.
+  Soup soup = test::plane_grid(100, 100, 20.0, 1.0).soup;
+  const std::vector<Point> flat = soup.positions;
+  for (Point& p : soup.positions) {
+    const double beyond = std::max(0.0, p[0] - 10.0);
+    const Point folded{p[0] - beyond * (1.0 - std::cos(1.1)), p[1], beyond * std::sin(1.1)};
+    const double y = folded[1] * std::cos(0.7) - folded[2] * std::sin(0.7);
+    const double z = folded[1] * std::sin(0.7) + folded[2] * std::cos(0.7);
+    p = {folded[0] * std::cos(0.4) - y * std::sin(0.4) + 3.3,
+         folded[0] * std::sin(0.4) + y * std::cos(0.4) + 1.7, z};
+  }
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver solver(mesh);
+  ExactLimits limits;
+  limits.distances_only = true;
+  for (const Index source : {0, 5083}) {
+    solver.run_from_vertices(std::array{source}, limits);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const double straight = std::hypot(flat[v][0] - flat[source][0], flat[v][1] - flat[source][1]);
+      EXPECT_NEAR(solver.distance(v), straight, 1e-11 * straight) << source << " to " << v;
+    }
+  }
 }
 TEST(ExactSolver, BookWithNonManifoldSpine) { expect_closed_form(test::book_of_three_pages(6, 2.0, 1.0)); }
 TEST(ExactSolver, BowTie) { expect_closed_form(test::bow_tie(5)); }
