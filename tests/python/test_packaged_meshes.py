@@ -45,6 +45,6 @@ def test_fields_of_one_patch_are_exact(name):
 
 def test_folds_of_a_cortex():
     errors = errors_in_percent(back_of_a_cortex())
-    assert errors.mean() <= 2 * 0.0159
-    assert np.quantile(errors, 0.99) <= 2 * 0.160
-    assert errors.max() <= 2 * 0.60
+    assert errors.mean() <= 2 * 0.0107
+    assert np.quantile(errors, 0.99) <= 2 * 0.146
+    assert errors.max() <= 2 * 0.41
