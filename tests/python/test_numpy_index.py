@@ -33,23 +33,17 @@ def test_plane_field_is_euclidean():
     assert errors.max() <= 1e-3
 
 
-# Twice the errors in percent of docs/accuracy.md: mean, 99th percentile, largest.
-@pytest.mark.parametrize(
-    ("name", "documented"),
-    [
-        ("bunny10k_textured.obj", (0.0151, 0.118, 1.08)),
-        ("spot", (0.0066, 0.059, 0.34)),
-        ("rocker_arm", (0.0118, 0.093, 0.55)),
-    ],
-)
-def test_field_is_near_pygeodesic(name, documented):
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "rocker_arm"])
+def test_field_is_near_pygeodesic(name):
     geodesic = pytest.importorskip("pygeodesic.geodesic")
     vertices, faces = real_mesh(name)
     index = vorogeo.GeodesicIndex(vertices, faces)
     reference, _ = geodesic.PyGeodesicAlgorithmExact(vertices, faces).geodesicDistances(np.array([1500]))
     errors = relative_errors(index.distance_field(1500), reference)
-    for found, percent in zip((errors.mean(), np.quantile(errors, 0.99), errors.max()), documented, strict=True):
-        assert found <= 2 * percent / 100
+    # What an index promises on every mesh: mean, 99th percentile, largest.
+    assert errors.mean() <= 3e-4
+    assert np.quantile(errors, 0.99) <= 2e-3
+    assert errors.max() <= 1e-2
 
 
 def test_pairs_are_near_exact(index):
