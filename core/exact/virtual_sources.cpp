@@ -19,6 +19,10 @@ constexpr double face_bucket_width = 0.5;
 /// by passing that vertex on its other side: farther away, other vertices are likely to be in between.
 constexpr double max_aside = 0.6;
 
+/// Edges shorter than this part of the longest one of their face are not crossed: the apex is placed with so
+/// much rounding that their direction is unknown, and hardly anything is reached through them alone.
+constexpr double least_length = 1e-12;
+
 using PlanePoint = std::array<double, 2>;
 
 double between(const PlanePoint& a, const PlanePoint& b) {
@@ -148,6 +152,7 @@ void VirtualSources::hand_on(Index face) {
   int side = own.base - 3 * face;
   const auto [edge, apex, tail, head, opposite] = over(record, side);
   const bool is_start = own.left.vertex == no_index && own.right.vertex == no_index;
+  const double longest = std::ranges::max(record.length);
   const std::array<PlanePoint, 4> corner{PlanePoint{}, PlanePoint{edge, 0.0}, apex, PlanePoint{}};
   for (int i = 0; i < 3; ++i, side = side == 2 ? 0 : side + 1) {
     if (i == 0 && !is_start) continue;
@@ -158,7 +163,7 @@ void VirtualSources::hand_on(Index face) {
       const PlanePoint& from = corner[i];
       const PlanePoint& to = corner[i + 1];
       const double length = record.length[side];
-      if (!(length > 0.0)) continue;
+      if (!(length > least_length * longest)) continue;
       const double scale = 1.0 / length;
       const PlanePoint direction{(to[0] - from[0]) * scale, (to[1] - from[1]) * scale};
       // Half a turn, or a reflection where both faces run along the edge in one direction.
