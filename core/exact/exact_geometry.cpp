@@ -13,12 +13,8 @@ namespace vorogeo {
 
 namespace {
 
-/// A vertex with less than this beyond 2 pi is no saddle: what is in its shadow is as near to the rays on
-/// both sides as rounding (see vertex_tolerance). As pseudo-sources, the vertices of a plane would cut its
-/// windows into five times as many.
-constexpr double least_excess = 1e-12;
-/// But one that lies on an edge of a face without width may be all that rays through that face come from; its
-/// angles are right up to this.
+/// Angle deficits below this are treated as flat: a path may then pass through the vertex as through a
+/// saddle.
 constexpr double flat_tolerance = 1e-7;
 
 FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
@@ -87,14 +83,11 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
     if (v % per_checkpoint == 0) checkpoint();
     const auto fan = mesh->fan(v);
     if (fan == Mesh::Fan::non_manifold) can_bend[v] = anywhere;
-    const auto corners = mesh->corners(v);
-    const bool lies_on_edge = std::ranges::any_of(corners, [&](Index corner) {
-      return mesh->corner_angle(corner) > std::numbers::pi - flat_tolerance;
-    });
-    const double least = 2.0 * std::numbers::pi + (lies_on_edge ? -flat_tolerance : least_excess);
-    const bool is_saddle = fan == Mesh::Fan::closed && mesh->total_angle(v) > least;
+    const bool is_saddle =
+        fan == Mesh::Fan::closed && mesh->total_angle(v) > 2.0 * std::numbers::pi - flat_tolerance;
     if (can_bend[v] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[v] = by_angle;
     if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) continue;
+    const auto corners = mesh->corners(v);
     // The first corner begins at its edge on a border of the mesh, if there is one; each of the others where
     // the previous one ended.
     Index entered = corners[0];

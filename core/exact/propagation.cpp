@@ -14,6 +14,8 @@ namespace {
 /// drift apart by the rounding of angles, and in a grid the next vertices of the row lie in that gap.
 constexpr double vertex_tolerance = 1e-11;
 constexpr double greatest_tolerance = 1e-6;
+/// By how much nearer a vertex in such a gap has to become, relative to its distance.
+constexpr double least_gain = 1e-10;
 
 /// Windows narrower than this, relative to their edge, come from rounding at ties.
 constexpr double least_width = 1e-11;
@@ -202,9 +204,16 @@ void ExactSolver::State::cross_face(Index halfedge) {
     }
     const double drift = vertex_tolerance * (std::abs(window.source_x) + window.source_y);
     const double outside = std::max(tolerance, std::min(drift, greatest_tolerance * length));
-    if (item.to_apex >= window.begin - outside && item.to_apex <= window.end + outside) {
-      const double distance = window.offset + std::sqrt(dx * dx + height * height);
-      if (distance < vertices[frame.apex].distance) reach_apex(window, halfedge, distance);
+    auto is_within = [&](double margin) {
+      return item.to_apex >= window.begin - margin && item.to_apex <= window.end + margin;
+    };
+    if (!is_within(outside)) continue;
+    const double distance = window.offset + std::sqrt(dx * dx + height * height);
+    const double known = vertices[frame.apex].distance;
+    // In the gap, a vertex is reached only if nothing that sees it has come as near: each time it is reached,
+    // it sends out windows.
+    if (distance < (is_within(tolerance) ? known : (1.0 - least_gain) * known)) {
+      reach_apex(window, halfedge, distance);
     }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),

@@ -82,6 +82,8 @@ void BorderField::cross_long_edges(Index patch) {
       [&](Index node) { return search_.predecessor(node); }, long_edges_);
   for (const LongBorderEdge& edge : long_edges_) {
     const Index ends[] = {nodes[edge.end[0].row], nodes[edge.end[1].row]};
+    // Another edge may have reached them through the patch meanwhile.
+    if (distance(ends[0]) == unreachable || distance(ends[1]) == unreachable) continue;
     for (Index column = 0; column < layer.border_size(patch); ++column) {
       const Index node = nodes[column];
       // Seeds are exact.

@@ -74,7 +74,7 @@ void find_long_border_edges(const PatchLayer& layer, Index patch, double least, 
   auto end_of = [&](Index row, Index other) {
     LongBorderEdge::End end{row, source(nodes[row])};
     for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
-      if (next.row == other || !share_wave(row, next.row)) continue;
+      if (next.row == other || !(next.length > 0.0f) || !share_wave(row, next.row)) continue;
       end.beside = next.row;
       end.beside_source = source(nodes[next.row]);
       end.beside_length = next.length;

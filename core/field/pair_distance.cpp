@@ -12,8 +12,8 @@ namespace {
 /// A sum of two table entries can be too short by their rounding; multiplied by this it nearly always is an
 /// upper bound. A run within less is much narrower: a tenth fewer windows than at 1.001.
 constexpr double bound_slack = 1.0003;
-/// Where nothing was found within that, and where the metric jumps: there, propagated distances have errors
-/// of their own.
+/// Where nothing was found within that, and in a metric: where it jumps, propagated distances have errors of
+/// their own.
 constexpr double wide_bound_slack = 1.01;
 
 /// Bounds by tables where the metric jumps: their entries have errors as those of points on edges.

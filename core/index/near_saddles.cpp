@@ -70,7 +70,8 @@ double NearSaddles::piece_factor(Index edge, double size) const {
   double factor = 1.0;
   auto look_at = [&](Index item) {
     const Index v = vertex_[item];
-    if (v != first && v != second) {
+    // Copies of the ends, on the other lip of a slit say, are no more in the way than the ends.
+    if (mesh_.position(v) != a && mesh_.position(v) != b) {
       const double apart = distance_from_segment(mesh_.position(v), a, b);
       factor = std::min(factor, std::max({std::sqrt(apart / reach), least_[item], finest_part}));
     }

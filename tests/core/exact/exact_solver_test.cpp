@@ -73,13 +73,26 @@ TEST(ExactSolver, Box) {
   expect_closed_form(test::box({1.0, 1.0, 1.0}, 4));
   expect_closed_form(test::box({1.0, 1.7, 3.1}, 5));
 }
-TEST(ExactSolver, AFoldedGridWhereRaysPassManyVertices) {
-  // A rectangle folded along a row of vertices, and turned so that all positions are rounded: a ray through a
-  // vertex of the fold leads to others at the same slope.
-  Soup soup = test::plane_grid(100, 100, 20.0, 1.0).soup;
+/// A rectangle of cells x cells cells, turned over every second diagonal or not, folded along a row of
+/// vertices, and turned so that all positions are rounded: a ray through a vertex of the fold leads to others
+/// at the same slope. Distances are straight lines.
+void expect_straight_on_a_folded_grid(int cells, double width, double height, bool alternating) {
+  SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+  Soup soup = test::plane_grid(cells, cells, width, height).soup;
   const std::vector<Point> flat = soup.positions;
+  for (std::size_t f = 0; alternating && f < soup.faces.size(); f += 2) {
+    const Index a = static_cast<Index>(f / 2 / cells * (cells + 1) + f / 2 % cells);
+    const Index c = a + cells + 2;
+    if ((f / 2 / cells + f / 2 % cells) % 2 != 0) {
+      soup.faces[f] = {a, a + 1, c - 1};
+      soup.faces[f + 1] = {a + 1, c, c - 1};
+    } else {
+      soup.faces[f] = {a, a + 1, c};
+      soup.faces[f + 1] = {a, c, c - 1};
+    }
+  }
   for (Point& p : soup.positions) {
-    const double beyond = std::max(0.0, p[0] - 10.0);
+    const double beyond = std::max(0.0, p[0] - 0.5 * width);
     const Point folded{p[0] - beyond * (1.0 - std::cos(1.1)), p[1], beyond * std::sin(1.1)};
     const double y = folded[1] * std::cos(0.7) - folded[2] * std::sin(0.7);
     const double z = folded[1] * std::sin(0.7) + folded[2] * std::cos(0.7);
@@ -90,13 +103,18 @@ TEST(ExactSolver, AFoldedGridWhereRaysPassManyVertices) {
   ExactSolver solver(mesh);
   ExactLimits limits;
   limits.distances_only = true;
-  for (const Index source : {0, 5083}) {
+  for (const Index source : {0, mesh->vertex_count() / 2 - cells / 2}) {
     solver.run_from_vertices(std::array{source}, limits);
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       const double straight = std::hypot(flat[v][0] - flat[source][0], flat[v][1] - flat[source][1]);
       EXPECT_NEAR(solver.distance(v), straight, 1e-11 * straight) << source << " to " << v;
     }
   }
+}
+TEST(ExactSolver, FoldedGridsWhereRaysPassManyVertices) {
+  expect_straight_on_a_folded_grid(100, 20.0, 1.0, false);
+  expect_straight_on_a_folded_grid(40, 40.0, 4.0, true);
+  expect_straight_on_a_folded_grid(40, 40.0, 0.4, true);
 }
 TEST(ExactSolver, BookWithNonManifoldSpine) { expect_closed_form(test::book_of_three_pages(6, 2.0, 1.0)); }
 TEST(ExactSolver, BowTie) { expect_closed_form(test::bow_tie(5)); }
