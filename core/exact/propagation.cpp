@@ -49,11 +49,7 @@ void ExactSolver::State::reach_vertex(Index vertex, double distance, Index sourc
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
   state = {distance, arrival, source, along_edge_from};
-  if (territories == nullptr) {
-    queue.push(vertex, distance);
-  } else {
-    announce(vertex);
-  }
+  territories == nullptr ? queue.push(vertex, distance) : announce(vertex);
 }
 
 bool ExactSolver::State::open_edge(Index edge) {
@@ -202,19 +198,14 @@ void ExactSolver::State::cross_face(Index halfedge) {
       tolerance =
           vertex_tolerance * geometry->scale_at(edge, item.to_apex, window.offset + window.source_y, length);
     }
+    const double outside = std::max(window.begin - item.to_apex, item.to_apex - window.end);
     const double drift = vertex_tolerance * (std::abs(window.source_x) + window.source_y);
-    const double outside = std::max(tolerance, std::min(drift, greatest_tolerance * length));
-    auto is_within = [&](double margin) {
-      return item.to_apex >= window.begin - margin && item.to_apex <= window.end + margin;
-    };
-    if (!is_within(outside)) continue;
+    if (!(outside <= std::max(tolerance, std::min(drift, greatest_tolerance * length)))) continue;
     const double distance = window.offset + std::sqrt(dx * dx + height * height);
+    // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
     const double known = vertices[frame.apex].distance;
-    // In the gap, a vertex is reached only if nothing that sees it has come as near: each time it is reached,
-    // it sends out windows.
-    if (distance < (is_within(tolerance) ? known : (1.0 - least_gain) * known)) {
+    if (distance < (outside <= tolerance ? 1.0 : 1.0 - least_gain) * known)
       reach_apex(window, halfedge, distance);
-    }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
           false, edge, frame.apex_x);
