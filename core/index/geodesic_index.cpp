@@ -71,7 +71,7 @@ std::int64_t IndexData::bytes() const {
 }
 
 void IndexData::count() {
-  statistics.vertices = mesh->vertex_count();
+  statistics.vertices = mesh->given_vertex_count();
   statistics.faces = mesh->face_count();
   statistics.components = mesh->component_count();
   statistics.first_layer_patches = first.patch_count;

@@ -56,8 +56,8 @@ std::shared_ptr<Surface> RulerSurface::surface() {
   };
   const std::lock_guard one(making_);
   if (auto surface = known()) return surface;
-  auto made = std::make_shared<Surface>(
-      measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_, arrays_.points_per_edge));
+  auto made = std::make_shared<Surface>(measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_,
+                                                      arrays_.points_per_edge, arrays_.splits));
   const std::lock_guard lock(mutex_);
   if (!surface_) surface_ = std::move(made);
   return surface_;

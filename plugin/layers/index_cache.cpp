@@ -2,14 +2,25 @@
 #include "layers/index_cache.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace vorogeo::plugin {
 
+namespace {
+
+bool are_equal(const FaceSplits& a, const FaceSplits& b) {
+  return a.middle_of == b.middle_of && a.faces == b.faces && a.given_face == b.given_face &&
+         a.sides == b.sides;
+}
+
+}  // namespace
+
 bool IndexCache::Entry::fits(const VcgMeshArrays& arrays, const GapLimit& asked) const {
+  const Mesh& mesh = *index->mesh();
   return gap == asked && faces == arrays.faces && sides == arrays.sides &&
-         index->mesh()->points_per_edge() == arrays.points_per_edge &&
-         index->mesh()->positions() == arrays.positions;
+         mesh.points_per_edge() == arrays.points_per_edge && are_equal(splits, arrays.splits) &&
+         std::ranges::equal(std::span(mesh.positions()).first(mesh.given_vertex_count()), arrays.positions);
 }
 
 std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& arrays, const GapLimit& gap,
@@ -26,7 +37,7 @@ std::shared_ptr<const GeodesicIndex> IndexCache::find(const VcgMeshArrays& array
 void IndexCache::put(const VcgMeshArrays& arrays, const GapLimit& gap,
                      std::shared_ptr<const GeodesicIndex> index, const void* document) {
   const std::lock_guard lock(mutex_);
-  Entry entry{arrays.faces, arrays.sides, std::move(index), {}, gap};
+  Entry entry{arrays.faces, arrays.sides, arrays.splits, std::move(index), {}, gap};
   if (document != nullptr) entry.documents.insert(document);
   for (const Entry& e : entries_) {  // other documents that used the replaced index now use this one
     if (e.fits(arrays, gap)) entry.documents.insert(e.documents.begin(), e.documents.end());

@@ -49,6 +49,7 @@ class IndexCache {
     /// face.
     std::vector<std::array<Index, 3>> faces;
     SideLengths sides;
+    FaceSplits splits;  ///< sides are those of whole faces, which may be equal in two metrics
     std::shared_ptr<const GeodesicIndex> index;
     std::set<const void*> documents;
     GapLimit gap;

@@ -51,6 +51,9 @@ TEST(IndexCache, KnowsTheMetric) {
   cache.put(costly, {}, all[0].index);
   EXPECT_EQ(cache.find(costly, {}), all[0].index);
   EXPECT_EQ(cache.find(all[0].arrays, {}), all[0].index);
+  VcgMeshArrays split = costly;  // sides of whole faces do not tell
+  split.splits.sides = costly.sides;
+  EXPECT_EQ(cache.find(split, {}), nullptr);
   costly.sides.back()[2] = 1.5;
   EXPECT_EQ(cache.find(costly, {}), nullptr);
 }
