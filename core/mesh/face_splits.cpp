@@ -42,12 +42,12 @@ class Splitter {
     }
   }
 
-  /// \return whether the part was split.
-  bool split(Index part) {
+  /// Splits a part, if it needs that and can be split.
+  void split(Index part) {
     const Part at = parts_[part];
-    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return false;
+    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return;
     const auto sides = sides_of(at.corners);
-    if (!breaks_triangle(sides, split_slack)) return false;
+    if (!breaks_triangle(sides, split_slack)) return;
     const auto apex = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
     const Index a = at.corners[(apex + 1) % 3];
     const Index b = at.corners[(apex + 2) % 3];
@@ -58,7 +58,6 @@ class Splitter {
     lines_.add_middle(low, high);
     const std::vector<Index> around = faces_at_[key(a, b)];
     for (Index each : around) bisect(each, low, high, middle);
-    return true;
   }
 
   /// The parts that a split has made or changed since the last call.
@@ -139,21 +138,25 @@ bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
 FaceSplits split_faces_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                            const SideLengths& sides, const LengthsAlongLines& lines, Index& split_faces) {
   split_faces = 0;
-  std::deque<Index> open;
+  std::vector<Index> broken;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (breaks_triangle(sides[f], split_slack)) open.push_back(static_cast<Index>(f));
+    if (breaks_triangle(sides[f], split_slack)) broken.push_back(static_cast<Index>(f));
   }
-  if (open.empty()) return {};
-  const auto given = static_cast<Index>(faces.size());
+  if (broken.empty()) return {};
+  std::deque<Index> open(broken.begin(), broken.end());
   Splitter splitter(positions, faces, lines);
   while (!open.empty()) {
     checkpoint();
     const Index part = open.front();
     open.pop_front();
-    if (splitter.split(part) && part < given) ++split_faces;
+    splitter.split(part);
     for (Index fresh : splitter.take_new()) open.push_back(fresh);
   }
-  return split_faces > 0 ? splitter.take() : FaceSplits{};
+  FaceSplits splits = splitter.take();
+  if (splits.empty()) return {};
+  // A face may have been split by its neighbour only.
+  for (const Index f : broken) split_faces += std::ranges::equal_range(splits.given_face, f).size() > 1;
+  return splits;
 }
 
 }  // namespace vorogeo

@@ -48,6 +48,14 @@ TEST(FaceSplits, ADearSideIsSplitInItsMiddleInBothOfItsFaces) {
   }
 }
 
+TEST(FaceSplits, FacesThatTheirNeighboursSplitAreCountedIfTheyBreakTheInequality) {
+  const std::vector<Point> position{{0, 0, 0}, {1, 0, 0}, {0.5, 0.3, 0}, {0.5, -0.3, 0}};
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {1, 0, 3}};
+  // The common side costs 100, the others 50.5 * 0.583 = 29.4 each, or 100 * 0.583 with the dear corner.
+  EXPECT_EQ(lengths_by_cost(position, faces, std::vector<double>{100, 100, 1, 1}).split_faces, 2);
+  EXPECT_EQ(lengths_by_cost(position, faces, std::vector<double>{100, 100, 1, 100}).split_faces, 1);
+}
+
 TEST(FaceSplits, NothingIsSplitWhereTheMetricIsEven) {
   const Soup grid = plane_grid(6, 6, 1.0, 1.0, 0.3, 1).soup;
   const std::vector<Tensor> tensors(grid.positions.size(), along(0.4, 1e4));
