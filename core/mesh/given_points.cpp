@@ -79,6 +79,24 @@ std::array<double, 3> weights_in_given(const Mesh& mesh, Index face, const std::
   return result;
 }
 
+Index given_face_at(const Mesh& mesh, const SurfacePoint& point) {
+  if (!point.is_vertex()) return mesh.input_face(point.face);
+  if (point.vertex < mesh.given_vertex_count()) return no_index;
+  return mesh.input_face(Mesh::face_of(mesh.corners(point.vertex).front()));
+}
+
+std::vector<Index> central_parts(const Mesh& mesh) {
+  constexpr double third = 1.0 / 3.0;
+  std::vector<Index> parts;
+  for (Index f = 0; f < mesh.first_bridge();) {
+    Index end = f + 1;
+    while (end < mesh.first_bridge() && mesh.input_face(end) == mesh.input_face(f)) ++end;
+    parts.push_back(end == f + 1 ? f : point_in_given(mesh, f, {third, third, third}).face);
+    f = end;
+  }
+  return parts;
+}
+
 std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b) {
   const Index edge = edge_between(mesh, a, b);
   if (edge != no_index) return {edge};

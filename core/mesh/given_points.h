@@ -19,6 +19,13 @@ SurfacePoint point_in_given(const Mesh& mesh, Index first, const std::array<doub
 /// The weights of the corners of the given face in a point that has `weights` in its part `face`.
 std::array<double, 3> weights_in_given(const Mesh& mesh, Index face, const std::array<double, 3>& weights);
 
+/// The face given that holds a point, the first of those at a vertex that was added; no_index at a vertex
+/// that was given. \pre The point is not in a bridge.
+Index given_face_at(const Mesh& mesh, const SurfacePoint& point);
+
+/// Of each given face that was not left out, itself or the part of it with its centre; without bridges.
+std::vector<Index> central_parts(const Mesh& mesh);
+
 /// The edges that make up the edge between two given vertices, in order; empty if there is none.
 std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b);
 

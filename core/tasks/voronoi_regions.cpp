@@ -2,9 +2,11 @@
 #include "tasks/voronoi_regions.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 
+#include "mesh/given_points.h"
 #include "support/error.h"
 #include "support/parallel.h"
 #include "tasks/divided_faces.h"
@@ -98,6 +100,17 @@ void sites_of_face(const Mesh& mesh, const Candidates& candidates, Index face, s
   }
 }
 
+/// The weights of the corners in the centre of a face, or in that of the split face of which it is the
+/// central part, up to a factor.
+std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
+  constexpr std::array<double, 3> own{1.0, 1.0, 1.0};
+  if (!mesh.has_split_faces() || mesh.is_bridge(face)) return own;
+  constexpr double third = 1.0 / 3.0;
+  const SurfacePoint centre =
+      point_in_given(mesh, first_part(mesh, mesh.input_face(face)), {third, third, third});
+  return centre.face == face ? centre.barycentric : own;
+}
+
 /// The site of least distance at each vertex; of equal ones, the first.
 void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
@@ -155,9 +168,11 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
   std::vector<ContestedFace> contested;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     sites_of_face(mesh, candidates, f, in_face);
+    const auto& weights = centre_weights(mesh, f);
     double least = unreachable;
     for (const FaceSite& site : in_face) {
-      const double at_centre = site.square[0] + site.square[1] + site.square[2];
+      const double at_centre =
+          weights[0] * site.square[0] + weights[1] * site.square[1] + weights[2] * site.square[2];
       if (at_centre >= least) continue;
       least = at_centre;
       regions.face_region[f] = site.site;

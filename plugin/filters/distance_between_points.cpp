@@ -10,6 +10,7 @@
 #include "layers/end_points.h"
 #include "layers/index_of_layer.h"
 #include "layers/surface_of_layer.h"
+#include "mesh/given_points.h"
 
 namespace vorogeo::plugin {
 
@@ -23,8 +24,9 @@ RichParameterList two_points_parameters(const MeshDocument& document) {
 }
 
 std::string name_of(const LayerMesh& layer_mesh, const Mesh& mesh, const SurfacePoint& point) {
-  return point.is_vertex() ? "Vertex " + std::to_string(layer_mesh.host_vertex(point.vertex))
-                           : "Point in face " + std::to_string(layer_mesh.host_face(mesh, point.face));
+  const Index face = given_face_at(mesh, point);
+  return face == no_index ? "Vertex " + std::to_string(layer_mesh.host_vertex(point.vertex))
+                          : "Point in face " + std::to_string(layer_mesh.arrays().input_of_face[face]);
 }
 
 Results distance_between_points(FilterCall& call) {

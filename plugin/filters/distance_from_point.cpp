@@ -5,6 +5,7 @@
 #include "layers/distance_field.h"
 #include "layers/index_of_layer.h"
 #include "layers/start_vertex.h"
+#include "mesh/given_points.h"
 
 namespace vorogeo::plugin {
 
@@ -30,8 +31,9 @@ Results distances_from_point(FilterCall& call, AnswerMethod method) {
   const LayerMesh layer_mesh(call);
   const auto mesh = read_mesh(call, layer_mesh);
   const StartPoint start = start_point(call, layer_mesh, mesh);
+  const Index face = given_face_at(*mesh, start.point);
   Results results;
-  if (start.point.is_vertex()) {
+  if (face == no_index) {
     results = write_distance_field(call, layer_mesh, {start.point.vertex}, method);
     results["start_vertex"] = layer_mesh.host_vertex(start.point.vertex);
   } else {
@@ -40,7 +42,7 @@ Results distances_from_point(FilterCall& call, AnswerMethod method) {
     results["source_vertices"] = 0;
     results["start_vertex"] = -1;
   }
-  results["start_face"] = start.point.is_vertex() ? -1 : layer_mesh.host_face(*mesh, start.point.face);
+  results["start_face"] = face == no_index ? -1 : layer_mesh.arrays().input_of_face[face];
   results["snap_distance"] = start.distance;
   return results;
 }

@@ -5,6 +5,7 @@
 #include "filters/rows.h"
 #include "layers/index_of_layer.h"
 #include "layers/parameters.h"
+#include "mesh/given_points.h"
 #include "partition/patch_coloring.h"
 
 namespace vorogeo::plugin {
@@ -35,7 +36,7 @@ Results color_patches(FilterCall& call) {
 
   call.layer.updateDataMask(MeshModel::MM_FACECOLOR);
   for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = color_without_patch();
-  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+  for (Index f : central_parts(mesh)) {
     const Rgb& color = coloring.palette[coloring.color_of_patch[patches[f]]];
     call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
   }

@@ -10,6 +10,7 @@
 #include "layers/parameters.h"
 #include "layers/task_points.h"
 #include "layers/team_of_layer.h"
+#include "mesh/given_points.h"
 #include "partition/patch_coloring.h"
 
 namespace vorogeo::plugin {
@@ -52,7 +53,7 @@ Results color_voronoi_regions(FilterCall& call) {
     unreached += regions.vertex_region[v] == no_index;
   }
   for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
-  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+  for (Index f : central_parts(mesh)) {
     if (regions.face_region[f] == no_index) continue;
     const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
     call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};

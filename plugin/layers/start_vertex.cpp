@@ -8,6 +8,7 @@
 
 #include "host/logged_length.h"
 #include "layers/parameters.h"
+#include "mesh/given_points.h"
 #include "mesh/surface_locator.h"
 
 namespace vorogeo::plugin {
@@ -38,8 +39,8 @@ Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
 
 double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
-/// The corner of the point's face, if the point equals it up to the precision in which the host passes points
-/// on.
+/// The corner of the point's face that the host has, if the point equals it up to the precision in which the
+/// host passes points on.
 SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return point;
   constexpr double precision = 1e-6;
@@ -47,7 +48,8 @@ SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
   double scale = 0.0;
   for (double coordinate : at) scale = std::max(scale, std::abs(coordinate));
   for (Index v : mesh.face_vertices(point.face)) {
-    if (straight(at, mesh.position(v)) <= precision * scale) return SurfacePoint::at_vertex(v);
+    if (v < mesh.given_vertex_count() && straight(at, mesh.position(v)) <= precision * scale)
+      return SurfacePoint::at_vertex(v);
   }
   return point;
 }
@@ -76,10 +78,10 @@ StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
     const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, "start_point"));
     start = {at_corner(*mesh, found.point), found.distance};
   }
-  if (start.point.is_vertex()) {
+  if (const Index face = given_face_at(*mesh, start.point); face == no_index) {
     text << "Start: vertex " << layer_mesh.host_vertex(start.point.vertex);
   } else {
-    text << "Start: a point in face " << layer_mesh.host_face(*mesh, start.point.face);
+    text << "Start: a point in face " << layer_mesh.arrays().input_of_face[face];
   }
   if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
   call.log(text.str());

@@ -10,6 +10,7 @@
 
 #include "arrays.h"
 #include "index/geodesic_index.h"
+#include "mesh/given_points.h"
 #include "progress_bridge.h"
 #include "query_pool.h"
 #include "support/checkpoint.h"
@@ -69,12 +70,11 @@ class IndexHandle {
     return of_given_vertices(*index().mesh(), std::move(values));
   }
 
-  /// Patches by input face; no_index for a face that the mesh leaves out.
+  /// Patches by input face, of one in parts that at its centre; no_index for a face that the mesh leaves out.
   IndexArray face_patches(int layer) const {
     const std::span<const Index> patches = index().face_patches(layer);
     std::vector<Index> values(input_faces_, no_index);
-    for (Index f = 0; f < index().mesh()->first_bridge(); ++f)
-      values[index().mesh()->input_face(f)] = patches[f];
+    for (Index f : central_parts(*index().mesh())) values[index().mesh()->input_face(f)] = patches[f];
     return to_numpy(std::move(values));
   }
 
@@ -94,7 +94,7 @@ class IndexHandle {
     for (Index f = 0; f < mesh.first_bridge(); ++f) {
       faces += f == 0 || mesh.input_face(f) != mesh.input_face(f - 1);
     }
-    d["vertices"] = mesh.given_vertex_count();
+    d["vertices"] = s.vertices;
     d["faces"] = faces;
     d["bridges"] = bridge_count();
     d["components"] = s.components;

@@ -20,15 +20,6 @@ std::vector<Tensor> tensors_of(const ValueArray& values) {
   return tensors;
 }
 
-/// Rows of equal size as one flat array; Python reshapes it.
-template <class T, std::size_t size>
-nb::ndarray<nb::numpy, T, nb::ndim<1>> flattened(const std::vector<std::array<T, size>>& rows) {
-  std::vector<T> values;
-  values.reserve(rows.size() * size);
-  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
-  return to_numpy(std::move(values));
-}
-
 /// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
 nb::tuple as_tuple(const MetricLengths& found) {
   nb::object splits = nb::none();

@@ -1,5 +1,6 @@
 // The functions of _core for what is built on distance fields.
 #include "arrays.h"
+#include "mesh/given_points.h"
 #include "point_arrays.h"
 #include "tasks/extent.h"
 #include "tasks/isolines.h"
@@ -17,20 +18,11 @@ using FieldArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::devi
 
 std::span<const double> values_of(const FieldArray& values) { return {values.data(), values.shape(0)}; }
 
-/// Rows of equal size as one flat array; Python reshapes it.
-template <class T, std::size_t size>
-nb::ndarray<nb::numpy, T, nb::ndim<1>> flat(const std::vector<std::array<T, size>>& rows) {
-  std::vector<T> values;
-  values.reserve(rows.size() * size);
-  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
-  return to_numpy(std::move(values));
-}
-
-/// Values of the mesh's faces, by row of the faces given; no_index for a face that was left out.
+/// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.
 IndexArray by_input_face(const HeldIndex& held, const std::vector<Index>& of_face) {
   std::vector<Index> values(held.input_faces, no_index);
   const Mesh& mesh = *held.index->mesh();
-  for (Index f = mesh.first_bridge(); f-- > 0;) values[mesh.input_face(f)] = of_face[f];
+  for (Index f : central_parts(mesh)) values[mesh.input_face(f)] = of_face[f];
   return to_numpy(std::move(values));
 }
 
@@ -51,7 +43,8 @@ nb::tuple voronoi(nb::handle index, const PointArrays& points, bool exact, nb::o
   return nb::make_tuple(of_given_vertices(mesh, std::move(found.vertex_region)),
                         of_given_vertices(mesh, std::move(found.distance)),
                         by_input_face(held_index(index), found.face_region), to_numpy(std::move(found.area)),
-                        flat(found.borders.points), flat(found.borders.segments), flat(found.border_regions));
+                        flattened(found.borders.points), flattened(found.borders.segments),
+                        flattened(found.border_regions));
 }
 
 nb::tuple iso(nb::handle index, const FieldArray& field, const FieldArray& levels, int interpolation) {
@@ -62,7 +55,7 @@ nb::tuple iso(nb::handle index, const FieldArray& field, const FieldArray& level
     found = isolines(*held.index->mesh(), values_of(field), values_of(levels),
                      static_cast<Interpolation>(interpolation));
   }
-  return nb::make_tuple(flat(found.lines.points), flat(found.lines.segments),
+  return nb::make_tuple(flattened(found.lines.points), flattened(found.lines.segments),
                         to_numpy(std::move(found.level_of_point)));
 }
 

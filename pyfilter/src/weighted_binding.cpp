@@ -15,12 +15,6 @@ namespace vorogeo::python {
 
 namespace {
 
-DoubleArray flattened(const SideLengths& rows) {
-  std::vector<double> values;
-  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
-  return to_numpy(std::move(values));
-}
-
 DoubleArray sides_by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
   return flattened(
       sides_by_face_cost(points_of(vertices), triangles_of(faces), std::span(cost.data(), cost.shape(0))));

@@ -49,7 +49,8 @@ class MetricLengths(NamedTuple):
         Faces with a side that would be longer than the other two together. They are split in the middle of it, with the
         other face there, and so on for their parts.
     splits : FaceSplits or None
-        What is measured on where faces are split; results refer to the vertices and faces that were given.
+        What is measured on where faces are split, by its own `lengths`: the `lengths` of whole faces do not count then.
+        Results refer to the vertices and faces that were given.
     """
 
     lengths: NDArray[np.float64]

@@ -9,6 +9,7 @@ from support import (
     DESCRIBE_INDEX,
     EXACT_FROM_POINT,
     FROM_POINT,
+    INDEX,
     LOAD_INDEX,
     PATH,
     SAVE_INDEX,
@@ -69,6 +70,36 @@ def test_an_index_belongs_to_its_metric(tmp_path):
     assert costly["distance"] == pytest.approx(2 * first["distance"], rel=1e-3)
     ms.compute_scalar_by_function_per_vertex(q="0.5 * q")
     assert ms.apply_filter(TWO_POINTS, source=0, target=150, method="index", **chosen)["index_reused"] == 1
+
+
+def test_an_index_is_found_again_where_faces_are_split(tmp_path):
+    vertices, faces = grid(12, 12)
+    ms = mesh_set(vertices, faces)
+    ms.compute_scalar_by_function_per_vertex(q="1 + 10000 * exp(-((x - 6)^2 + (y - 6)^2) / 3)")
+    chosen = {"metric": "Vertex quality as cost"}
+    built = ms.apply_filter(INDEX, **chosen)
+    assert built["vertices"] == len(vertices)
+    assert ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
+    assert ms.apply_filter(TWO_POINTS, source=0, target=90, method="index", **chosen)["index_reused"] == 1
+    file = tmp_path / "cost.vgi"
+    ms.apply_filter(SAVE_INDEX, index_file=str(file), **chosen)
+    ms.compute_scalar_by_function_per_vertex(q="2 * q")
+    assert not ms.apply_filter(DESCRIBE_INDEX, **chosen)["has_index"]
+    ms.compute_scalar_by_function_per_vertex(q="0.5 * q")
+    assert ms.apply_filter(LOAD_INDEX, index_file=str(file), **chosen)["vertices"] == len(vertices)
+
+
+def test_vertices_that_splits_add_are_points_in_faces():
+    vertices, faces = np.array([[0, 0, 0], [2, 0, 0], [1, 0.5, 0], [1, -1, 0.0]]), np.array([[0, 1, 2], [1, 0, 3]])
+    ms = mesh_set(vertices, faces)
+    ms.compute_scalar_by_function_per_vertex(q="vi == 2 ? 2 : 5")
+    chosen = {"metric": "Vertex quality as cost"}
+    ends = {"source": -1, "source_point": [1, 0, 0], "target": 0}
+    assert ms.apply_filter(TWO_POINTS, **ends, **chosen)["distance"] == pytest.approx(5, rel=1e-6)
+    start = ms.apply_filter(EXACT_FROM_POINT, start_point=[1, 0, 0], **chosen)
+    assert start["start_vertex"] == -1
+    assert start["start_face"] in (0, 1)
+    np.testing.assert_allclose(field(ms)[:3], [5, 5, 1.75], rtol=1e-6)  # the mean cost along each part
 
 
 def test_slope_penalty_and_curvature():

@@ -87,6 +87,41 @@ def test_all_questions_refer_to_what_was_given(hill, index):
     np.testing.assert_array_equal(surface.distance_field(5), exact)
 
 
+def test_faces_have_the_region_of_their_centre(hill, index):
+    vertices, faces, metric, _ = hill
+    sites = np.random.default_rng(0).choice(len(vertices), 12, replace=False)
+    found = index.voronoi(sites, exact=True).face_region
+    centres = vorogeo.SurfacePoints(np.arange(len(faces)), np.full((len(faces), 3), 1 / 3))
+    distance = index.distance_matrix(centres, sites, exact=True)
+    parts = np.bincount(metric.edge_lengths(vertices, faces).splits.given_face)
+    farther = distance[np.arange(len(faces)), found] > 1.05 * distance.min(axis=1)
+    assert farther[parts > 1].mean() <= 0.02  # a field is not linear within a face: in whole faces it is 0.01
+
+
+@pytest.mark.parametrize(
+    ("part", "value", "message"),
+    [
+        ("middle_of", 10**6, "splits.middle_of: row 0 is wrong; give two vertices that come before"),
+        ("faces", -1, "splits.faces: row 0 is wrong; give vertices given or added"),
+        ("given_face", 10**6, "splits.given_face: row 0 is wrong; give numbers of the faces given"),
+        ("lengths", None, "splits: has .* faces, but .* lengths of"),
+    ],
+)
+def test_wrong_splits_of_a_metric_of_ones_own_are_refused(hill, part, value, message):
+    vertices, faces, metric, _ = hill
+
+    class Own:
+        def edge_lengths(self, vertices, faces):
+            found = metric.edge_lengths(vertices, faces)
+            wrong = getattr(found.splits, part).copy()
+            wrong[0] = 0 if value is None else value
+            wrong = wrong[1:] if value is None else wrong
+            return found._replace(splits=found.splits._replace(**{part: wrong}))
+
+    with pytest.raises(vorogeo.InvalidInput, match=message):
+        vorogeo.exact_distance_field(vertices, faces, 0, metric=Own())
+
+
 def test_points_and_paths_name_the_faces_given(hill, index):
     vertices, faces, metric, _ = hill
     places = np.column_stack([np.random.default_rng(1).random((40, 2)), np.zeros(40)])
