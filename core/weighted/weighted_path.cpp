@@ -138,6 +138,21 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
     if (!(distance < best.distance && at_point < below)) continue;
     best = {distance, at_point, no_index, edge, norms_->fraction(k), no_index};
   }
+  // The apex of a face without width lies on the edge, between its points.
+  const Index first = mesh().edge_halfedge(edge);
+  Index h = first;
+  do {
+    if (norms_->is_flat(Mesh::face_of(h))) {
+      const EdgeFrame frame = norms_->frame(h);
+      const double at_apex = state_[mesh().apex(h)].distance;
+      const double foot = frame.length > 0.0 ? frame.apex_x / frame.length : 0.0;
+      const double distance = at_apex + std::abs(foot - fraction) * cost;
+      if (foot > 0.0 && foot < 1.0 && distance < best.distance && at_apex < below) {
+        best = {distance, at_apex, no_index, edge, foot, no_index};
+      }
+    }
+    h = mesh().next_around_edge(h);
+  } while (h != first);
   return best;
 }
 

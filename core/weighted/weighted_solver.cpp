@@ -3,11 +3,9 @@
 #include "weighted/weighted_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "support/checkpoint.h"
-#include "weighted/edge_crossing.h"
 
 namespace vorogeo {
 
@@ -62,7 +60,7 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   rest_ = 0.0;
 }
 
-void WeightedSolver::reach(Index point, double distance, Index source, double farther) {
+void WeightedSolver::reach(Index point, double distance, Index source, double farther, double slope) {
   PointState& state = state_[point];
   if (!(distance < state.distance * (1.0 - least_gain))) return;
   std::uint8_t& times = times_reached_[point];
@@ -74,6 +72,7 @@ void WeightedSolver::reach(Index point, double distance, Index source, double fa
   state.distance = distance;
   state.source = source;
   state.flatness = distance > 0.0 ? static_cast<float>(farther / distance) : 0.0f;
+  state.slope = static_cast<float>(slope);
   // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, so that points
   // behind a jump would be reached, and settled, again and again.
   queue_.push(point, distance);
@@ -156,9 +155,9 @@ void WeightedSolver::settle(Index point) {
   own.settled = true;
   const Index last = norms_->points_per_edge() + 1;
   auto along = [&](Index edge, Index from, Index to) {
-    reach(norms_->point(edge, to),
-          own.distance + norms_->edge_cost(edge) * norms_->fraction(std::abs(to - from)), own.source,
-          norms_->is_vertex(point) ? 0.0 : own.farther());
+    const double cost = norms_->edge_cost(edge);
+    reach(norms_->point(edge, to), own.distance + cost * norms_->fraction(std::abs(to - from)), own.source,
+          norms_->is_vertex(point) ? 0.0 : own.farther(), to > from ? cost : -cost);
   };
   if (!norms_->is_vertex(point)) {
     const Index edge = norms_->edge_of(point);
@@ -185,105 +184,6 @@ void WeightedSolver::settle(Index point) {
       const bool begins = mesh().edge_vertices(edge)[0] == point;
       along(edge, begins ? 0 : last, begins ? 1 : last - 1);
       cross_from(side, begins ? 0 : last);
-    }
-  }
-}
-
-/// Where the wave between a point of an edge and the next one comes from. `length`: of the piece, in the face
-/// that is entered.
-PlacedSource WeightedSolver::placed_source(Index edge, Index first, double length) const {
-  const PointState& a = state_[norms_->point(edge, first)];
-  const PointState& b = state_[norms_->point(edge, first + 1)];
-  // A vertex belongs to edges with many cheapest faces. Where two waves meet, the flatter one is not too
-  // short.
-  const double at_first = first == 0 ? 0.0 : a.farther();
-  const double at_second = first == norms_->points_per_edge() ? 0.0 : b.farther();
-  return PlacedSource({length, norms_->edge_cost(edge) * norms_->fraction(1), a.distance, b.distance,
-                       std::max(at_first, at_second)});
-}
-
-/// Crosses a face from a point of a side, and from between it and those beside it that are settled, to the
-/// points of the other two sides.
-void WeightedSolver::cross_from(Index halfedge, Index from) {
-  if (norms_->in_thin_fan(Mesh::face_of(halfedge))) {
-    cross_thin(halfedge, from);
-    return;
-  }
-  const EdgeFrame frame = norms_->frame(halfedge);
-  const Index edge = mesh().edge_of(halfedge);
-  const Index last = norms_->points_per_edge() + 1;
-  const double spacing = norms_->fraction(1);
-  const double at = norms_->fraction(from) * frame.length;
-  const PointState own = state_[norms_->point(edge, from)];
-  const double cost = norms_->edge_cost(edge);
-  const double dearer = cost > 0.0 ? frame.length / cost : 1.0;
-  struct Piece {
-    PlacedSource source;
-    double begin = 0.0;
-    Index nearest = no_index;
-  };
-  std::array<Piece, 2> pieces;
-  int piece_count = 0;
-  double least = own.distance;
-  for (const Index begin : {from - 1, from}) {
-    if (begin < 0 || begin == last) continue;
-    const PointState& other = state_[norms_->point(edge, begin == from ? from + 1 : begin)];
-    // A point beside this one that is settled later crosses the piece itself.
-    if (!(other.settled || other.distance <= own.distance)) continue;
-    Piece& piece = pieces[piece_count];
-    piece.source = placed_source(edge, begin, frame.length * spacing);
-    if (!piece.source.exists()) continue;
-    piece.begin = norms_->fraction(begin) * frame.length;
-    piece.nearest = other.distance < own.distance ? other.source : own.source;
-    least = std::min(least, piece.source.least());
-    ++piece_count;
-  }
-  /// `side`: the direction of the side that the point is on, in this face; `side_dearer`: as of RayAtEdge.
-  auto look = [&](Index point, double x, double y, const FaceNorms::Place& side, double side_dearer) {
-    const double known = state_[point].distance;
-    if (!(least + y < known)) return;
-    double after = std::sqrt((x - at) * (x - at) + y * y);
-    double best = own.distance + after;
-    double crossing = at;
-    Index source = own.source;
-    double farther = norms_->is_vertex(norms_->point(edge, from)) ? 0.0 : own.farther();
-    for (int i = 0; i < piece_count; ++i) {
-      const Piece& piece = pieces[i];
-      if (!(piece.source.least() + y < std::min(best, known))) continue;
-      const auto [through, share] = piece.source.cross(x - piece.begin, y);
-      if (!(through < best)) continue;
-      best = through;
-      source = piece.nearest;
-      farther = piece.source.farther();
-      crossing = piece.begin + share * frame.length * spacing;
-    }
-    if (!(best < known)) return;
-    if (farther > 0.0 || dearer > 1.0 || side_dearer > 1.0) {
-      after = std::hypot(x - crossing, y);
-      const FaceNorms::Place ray{after > 0.0 ? (x - crossing) / after : 0.0, after > 0.0 ? y / after : 1.0};
-      double radius = refracted_radius(best - after + farther, {ray[0], dearer}, true) + after;
-      radius = refracted_radius(radius, {ray[0] * side[0] + ray[1] * side[1], side_dearer}, false);
-      farther = std::clamp(radius - best, 0.0, flattest * best);
-    }
-    reach(point, best, source, farther);
-  };
-  const Index first_side = frame.along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
-  const Index second_side = frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
-  const Index apex = mesh().apex(halfedge);
-  look(apex, frame.apex_x, frame.apex_y, {1.0, 0.0}, 1.0);
-  for (const Index side : {first_side, second_side}) {
-    const Index other = mesh().edge_of(side);
-    const double x = side == first_side ? 0.0 : frame.length;
-    const bool from_apex = mesh().edge_vertices(other)[0] == apex;
-    const Index first_point = norms_->point(other, 1);
-    const double length = mesh().side_length(side);
-    const double scale = length > 0.0 ? 1.0 / length : 0.0;
-    const FaceNorms::Place along{(frame.apex_x - x) * scale, frame.apex_y * scale};
-    const double other_cost = norms_->edge_cost(other);
-    const double side_dearer = other_cost > 0.0 ? length / other_cost : 1.0;
-    for (Index k = 1; k < last; ++k) {
-      const double t = spacing * (from_apex ? last - k : k);  // from the edge to the apex
-      look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y, along, side_dearer);
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -55,7 +56,8 @@ class WeightedSolver {
  private:
   struct PointState {
     double distance = unreachable;
-    float flatness = 0.0f;  ///< EdgePiece::farther, in parts of the distance
+    float flatness = 0.0f;                                  ///< EdgePiece::farther, in parts of the distance
+    float slope = std::numeric_limits<float>::quiet_NaN();  ///< along its edge, for its length; NaN: unknown
     Index source : 31 = no_index;
     bool settled : 1 = false;
 
@@ -73,7 +75,9 @@ class WeightedSolver {
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
-  void reach(Index point, double distance, Index source, double farther = 0.0);
+  void reach(Index point, double distance, Index source, double farther = 0.0,
+             double slope = std::numeric_limits<double>::quiet_NaN());
+  bool is_one_wave(Index edge, Index first) const;
   PlacedSource placed_source(Index edge, Index first, double length) const;
   bool is_final(const ExactLimits& limits, double bound);
   double longest_piece() const { return mesh().longest_edge_length() * norms_->fraction(1); }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "arrays.h"
+#include "mesh/edge_points.h"
 #include "mesh/metric.h"
 #include "mesh_points.h"
 #include "path/mesh_path.h"
@@ -27,6 +28,10 @@ DoubleArray sides_by_tensor(const VertexArray& vertices, const FaceArray& faces,
     for (double& entry : tensor) entry = *value++;
   }
   return flattened(sides_by_face_tensor(points_of(vertices), triangles_of(faces), tensors));
+}
+
+Index points_for(const VertexArray& vertices, const FaceArray& faces, const VertexArray& sides) {
+  return edge_points_for(points_of(vertices), triangles_of(faces), points_of(sides));
 }
 
 /// The number of targets of one source from which one propagation over the mesh, which serves them all, is
@@ -85,6 +90,7 @@ void bind_weighted(nb::module_& module) {
   const nb::arg vertices("vertices"), faces("faces");
   module.def("sides_by_face_cost", &sides_by_cost, vertices, faces, nb::arg("cost"));
   module.def("sides_by_face_tensor", &sides_by_tensor, vertices, faces, nb::arg("tensors"));
+  module.def("edge_points_for", &points_for, vertices, faces, nb::arg("sides"));
   module.def("paths_without_index", &paths_without_index, vertices, faces, nb::arg("sides").none(),
              nb::arg("sources"), nb::arg("targets"), nb::arg("gap"), nb::arg("folds"),
              nb::arg("progress").none());

@@ -123,7 +123,7 @@ class GeodesicIndex(Queries):
         budget = check.memory_budget(memory_budget)
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
-        sides = metrics.core_sides(metric, lengths)
+        sides = metrics.core_sides(lengths)
         bridged = gap_limit(gap, bridge_folds)
         path = None if file is None else check.file_path(file)
         options = n1, n2, delta, workers, seed, budget
@@ -177,7 +177,7 @@ class GeodesicIndex(Queries):
         kept = face_mask(mask, triangles, len(points))
         surface = without_masked(triangles, kept)
         lengths = metrics.lengths(metric, points, surface)
-        sides = metrics.core_sides(metric, lengths)
+        sides = metrics.core_sides(lengths)
         bridged = gap_limit(gap, bridge_folds)
         handle = _core.Index.load(path, points, surface, sides, workers, *bridged, bool(mapped))
         return cls.__new__(cls)._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
@@ -286,5 +286,5 @@ def _restored(
     """The index that pickle took apart."""
     surface = without_masked(faces, mask)
     lengths = metrics.lengths(metric, vertices, surface)
-    handle = loaded(contents, vertices, surface, metrics.core_sides(metric, lengths), threads, gap)
+    handle = loaded(contents, vertices, surface, metrics.core_sides(lengths), threads, gap)
     return cls.__new__(cls)._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)

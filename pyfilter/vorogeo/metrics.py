@@ -51,12 +51,15 @@ class MetricLengths(NamedTuple):
     splits : FaceSplits or None
         What is measured on where faces are split, by its own `lengths`: the `lengths` of whole faces do not count then.
         Results refer to the vertices and faces that were given.
+    points : int
+        Points on each edge from which faces are crossed, where the two faces of an edge disagree; 0 in other metrics.
     """
 
     lengths: NDArray[np.float64]
     shortened_edges: int
     split_faces: int = 0
     splits: FaceSplits | None = None
+    points: int = 0
 
 
 @runtime_checkable
@@ -259,12 +262,12 @@ CoreSides = tuple[NDArray[np.float64], int, FaceSplits | None]
 
 def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> CoreSides | None:
     """What the compiled core takes of a metric."""
-    return core_sides(metric, lengths(metric, vertices, faces))
+    return core_sides(lengths(metric, vertices, faces))
 
 
-def core_sides(metric: Any, found: MetricLengths | None) -> CoreSides | None:
-    """These lengths, the number of points on each edge where the metric jumps (0 in others), and splits of faces."""
-    return None if found is None else (found.lengths, getattr(metric, "points", 0), found.splits)
+def core_sides(found: MetricLengths | None) -> CoreSides | None:
+    """These lengths, the number of points on each edge, and splits of faces."""
+    return None if found is None else (found.lengths, found.points, found.splits)
 
 
 def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any) -> MetricLengths:

@@ -96,8 +96,8 @@ class Surface(OnMesh):
     ) -> Surface:
         self._vertices, self._faces, self._threads, self._budget = vertices, faces, threads, budget
         self._of_index = of_index
-        mask, metric, lengths, bridged = of_index
-        sides = metrics.core_sides(metric, lengths)
+        mask, _, lengths, bridged = of_index
+        sides = metrics.core_sides(lengths)
         held = None if index is None else index._handle
         surface = without_masked(faces, mask)
         self._handle = _core.Surface(vertices, surface, sides, threads, budget, *bridged, held)

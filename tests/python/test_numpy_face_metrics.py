@@ -181,6 +181,76 @@ def test_points_in_faces_are_as_far_in_both_directions():
         np.testing.assert_allclose(there.points, back.points[::-1])
 
 
+def t_junctions(cells=6):
+    """Cells beside others of half their width: faces without width close the T-junctions."""
+    below, lower = plane_grid(cells + 1, cells + 1)
+    above, upper = plane_grid(2 * cells + 1, 2 * cells + 1)
+    vertices = np.vstack([below * [1, 0.5, 1] / below.max(), above * [1, 0.5, 1] / above.max() + [0, 0.5, 0]])
+    first, row = len(below), np.arange(cells)
+    faces = np.vstack([lower, upper + first])
+    last = first - cells - 1
+    closing = np.column_stack([last + row, first + 2 * row + 1, last + row + 1])
+    one = np.arange(len(vertices))
+    one[first : first + 2 * cells + 1 : 2] = np.arange(last, first)
+    faces = np.vstack([one[faces], closing]).astype(np.int32)
+    used, faces = np.unique(faces, return_inverse=True)
+    return vertices[used], faces.reshape(-1, 3).astype(np.int32)
+
+
+@pytest.mark.parametrize(("ratio", "seed"), [(1e4, 18), (1e6, 1)])
+def test_costs_far_apart_beside_t_junctions(ratio, seed):
+    vertices, faces = t_junctions()
+    random = np.random.default_rng(seed)
+    cost = ratio ** random.uniform(0, 1, len(faces))
+    source = int(random.integers(len(vertices)))
+    every = np.arange(len(vertices))
+
+    def lengths(points):
+        metric = vorogeo.FaceCost(cost, points=points)
+        return np.array(
+            [path.length for path in vorogeo.exact_path(vertices, faces, source + 0 * every, every, metric=metric)]
+        )
+
+    found = lengths(6)
+    known = np.minimum(found, lengths(40))
+    others = every != source
+    assert np.isfinite(known).all()
+    assert (found <= 1.02 * known)[others].all()
+    field = vorogeo.exact_distance_field(vertices, faces, source, metric=vorogeo.FaceCost(cost))
+    assert np.abs(field / np.where(others, known, 1) - 1)[others].max() < 0.1
+    assert (field >= 0.95 * known)[others].all()
+
+
+def stretched(angle, stretch):
+    """Lengths times `stretch` along a direction."""
+    along = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+    return np.eye(3) + (stretch**2 - 1) * along[:, :, None] * along[:, None, :]
+
+
+@pytest.mark.parametrize(("mesh", "stretch", "points"), [(plane_grid(13, 13), 10, 25), (t_junctions(), 31.6, 79)])
+def test_tensors_without_order_get_more_points(mesh, stretch, points):
+    vertices, faces = mesh
+    tensors = stretched(np.random.default_rng(0).uniform(0, np.pi, len(faces)), stretch)
+    assert abs(vorogeo.FaceTensor(tensors).edge_lengths(vertices, faces).points - points) <= 1
+    exact = vorogeo.exact_distance_field(vertices, faces, 8, metric=vorogeo.FaceTensor(tensors, points=2 * points))
+    others = exact > 0
+    field = vorogeo.exact_distance_field(vertices, faces, 8, metric=vorogeo.FaceTensor(tensors))
+    error = np.abs(field - exact)[others] / exact[others]
+    assert error.mean() < 1.2e-2
+    assert error.max() < 6e-2
+
+
+def test_tensors_that_no_points_suffice_for_are_refused():
+    vertices, faces = t_junctions()
+    tensors = stretched(np.random.default_rng(0).uniform(0, np.pi, len(faces)), 1000.0)
+    refusal = r"The tensor of face \d+ makes its sides .* stretches lengths 1000 times .* `points`"
+    with pytest.raises(vorogeo.InvalidInput, match=refusal):
+        vorogeo.GeodesicIndex(vertices, faces, metric=vorogeo.FaceTensor(tensors))
+    assert np.isfinite(
+        vorogeo.exact_distance_field(vertices, faces, 8, metric=vorogeo.FaceTensor(tensors, points=3))
+    ).all()
+
+
 def test_what_is_no_face_metric_is_refused():
     vertices, faces = plane_grid(4, 4)
 

@@ -118,8 +118,9 @@ TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
     const double length = solver.path_to_source(SurfacePoint::at_vertex(v)).length;
     const double known = std::min(length, finer.path_to_source(SurfacePoint::at_vertex(v)).length);
     EXPECT_LT(known, unreachable) << v;
-    EXPECT_LE(length, 1.1 * known) << v;
+    EXPECT_LE(length, 1.02 * known) << v;
     EXPECT_NEAR(solver.distance(v), known, 0.1 * known) << v;
+    EXPECT_GE(solver.distance(v), 0.99 * known) << v;
   }
 }
 
