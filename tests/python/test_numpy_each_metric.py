@@ -78,7 +78,7 @@ def test_fields_pairs_and_matrices(asked):
     np.testing.assert_allclose(index.distance_matrix(IDS), fields[:, IDS], rtol=2e-2, atol=1e-12)
     np.testing.assert_allclose(index.distance_matrix(IDS, exact=True), fields[:, IDS], rtol=2 * slack, atol=1e-12)
     distances, _ = index.nearest(IDS, [5, 200], 2)
-    np.testing.assert_allclose(distances, np.sort(fields[:, [5, 200]], axis=0)[:2].T, rtol=1e-2)
+    np.testing.assert_allclose(distances, np.sort(fields[:, [5, 200]], axis=0)[:2].T, rtol=3e-2)
 
 
 def test_paths_are_as_long_as_distances(asked):
