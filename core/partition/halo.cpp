@@ -8,10 +8,7 @@ namespace vorogeo {
 namespace {
 
 /// Number of faces at which a ring is cut short: far more than the rings of meshes without hubs have.
-std::size_t broken_off(std::size_t wanted) {
-  constexpr std::size_t least_room = 1000;
-  return 2 * wanted + least_room;
-}
+std::size_t broken_off(std::size_t wanted) { return 2 * wanted + Halo::greatest_fan; }
 
 }  // namespace
 
@@ -34,12 +31,23 @@ std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, st
                            Visit&& visit) {
   const std::size_t end = list.size();
   for (std::size_t i = begin; i < end; ++i) {
-    for (Index v : mesh_.face_vertices(list[i])) {
+    const Index first_corner = 3 * list[i];
+    for (Index corner = first_corner; corner < first_corner + 3; ++corner) {
+      const Index v = mesh_.tail(corner);
       if (passed_[v] == stamp_) continue;
+      const auto corners = mesh_.corners(v);
+      if (corners.size() > greatest_fan) {
+        for (Index side : {corner, Mesh::previous_in_face(corner)}) {
+          for (Index h = mesh_.next_around_edge(side); h != side; h = mesh_.next_around_edge(h)) {
+            visit(Mesh::face_of(h));
+          }
+        }
+        continue;
+      }
       passed_[v] = stamp_;
-      for (Index corner : mesh_.corners(v)) {
+      for (Index around : corners) {
         if (list.size() >= max_faces) return end;
-        visit(Mesh::face_of(corner));
+        visit(Mesh::face_of(around));
       }
     }
   }

@@ -25,10 +25,13 @@ class Halo {
   /// Faces of patches and rim together, relative to those of the patches alone: enough for paths between
   /// points of the patches.
   static constexpr double default_growth = 1.5;
+  /// A vertex with more faces than this is a hub of needles.
+  static constexpr std::size_t greatest_fan = 1000;
 
   /// Marks the patches and a rim around them; earlier marks are cleared. A ring of faces is taken whole,
-  /// unless that would make the rim much larger than asked for: at the hub of a fan of needles a ring may be
-  /// most of the mesh. Complexity: O(faces marked), plus the faces at the vertex where a ring is cut short.
+  /// unless that would make the rim much larger than asked for. At a hub of needles it goes on to the next
+  /// one on either side only: the others may be most of the mesh, and would leave no room for those beside
+  /// the patches. Complexity: O(faces marked), plus the faces at the vertex where a ring is cut short.
   void surround(std::span<const Index> patches, double growth = default_growth);
   /// Marks also what is within some rings of faces around the given faces, up to about `max_faces` faces: the
   /// last ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "exact/exact_solver.h"
 #include "field/geodesic_query.h"
@@ -29,6 +31,22 @@ TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {
   EXPECT_EQ(found.second_layer_count, 1);
   EXPECT_EQ(found.first_layer_count, 1);
   EXPECT_GT(partition_for_index(*mesh, {0, 3, 0, 1}, {}).second_layer_count, 1) << "asked for";
+}
+
+TEST(IndexPartition, AFanOfThousandsOfNeedlesIsNotDivided) {
+  const test::Soup disc = test::needle_disc(12000);
+  EXPECT_EQ(partition_for_index(*test::make_mesh(disc), {0, 0, 0, 1}, {}).second_layer_count, 1);
+  const auto index = test::make_index(disc);
+  EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
+  GeodesicQuery query(index, 1);
+  const auto field = query.distance_field(std::array{Index{5}});
+  for (Index v = 1; v < index->mesh()->vertex_count(); v += 7) {
+    const double chord = 2.0 * std::abs(std::sin(std::numbers::pi * (v - 5) / 12000));
+    EXPECT_NEAR(field[v], chord, 1e-9) << v;
+  }
+  // Beside a surface as large, it is a part like others.
+  const auto joined = test::make_mesh(test::two_components(test::icosphere(5), disc));
+  EXPECT_GT(partition_for_index(*joined, {0, 0, 0, 1}, {}).second_layer_count, 2);
 }
 
 TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {

@@ -86,6 +86,19 @@ TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
 }
 
+TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
+  // Face i of the disc lies between the rim's vertices i and i + 1.
+  constexpr Index needles = 5000;
+  const auto mesh = test::make_mesh(test::needle_disc(needles));
+  const std::array<Index, 4> first_face{0, 2000, 2100, needles};
+  Halo halo(*mesh, first_face);
+  halo.surround(std::array{Index{1}}, 3.0);
+  const auto [least, greatest] = std::ranges::minmax(halo.faces());
+  EXPECT_EQ(halo.faces().size(), 300U);
+  EXPECT_EQ(least, 1900);
+  EXPECT_EQ(greatest, 2199);
+}
+
 TEST(Halo, TakesTheFacesOfPatchesInAnyOrder) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);
   const IndexData& data = index->data();
