@@ -8,6 +8,7 @@
 
 #include "mesh/length_limits.h"
 #include "support/checkpoint.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
@@ -61,15 +62,13 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   find_long_edges();
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);
-  constexpr Index per_checkpoint = 1 << 13;
-  for (Index h = 0; h < halfedges; ++h) {
-    if (h % per_checkpoint == 0) checkpoint();
-    frame[h] = frame_of(*this, h);
-  }
+  parallel_ranges(halfedges, [&](Index begin, Index end) {
+    for (Index h = begin; h < end; ++h) frame[h] = frame_of(*this, h);
+  });
 
   can_bend.assign(mesh->vertex_count(), never);
   for (Index f = 0; f < mesh->face_count(); ++f) {
-    if (f % per_checkpoint == 0) checkpoint();
+    if (f % elements_per_checkpoint == 0) checkpoint();
     std::array<double, 3> side{};
     for (int i = 0; i < 3; ++i) side[i] = mesh->edge_length(mesh->edge_of(3 * f + i));
     for (int i = 0; i < 3; ++i) {
@@ -79,28 +78,32 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   }
   corner_begin.assign(halfedges, 0.0);
   begins_at_own_edge.assign(halfedges, 1);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    if (v % per_checkpoint == 0) checkpoint();
-    const auto fan = mesh->fan(v);
-    if (fan == Mesh::Fan::non_manifold) can_bend[v] = anywhere;
-    const bool is_saddle =
-        fan == Mesh::Fan::closed && mesh->total_angle(v) > 2.0 * std::numbers::pi - flat_tolerance;
-    if (can_bend[v] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[v] = by_angle;
-    if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) continue;
-    const auto corners = mesh->corners(v);
-    // The first corner begins at its edge on a border of the mesh, if there is one; each of the others where
-    // the previous one ended.
-    Index entered = corners[0];
-    if (fan == Mesh::Fan::open && mesh->next_around_edge(entered) != entered) {
-      entered = Mesh::previous_in_face(entered);
-    }
-    double angle = 0.0;
-    for (Index corner : corners) {
-      corner_begin[corner] = angle;
-      begins_at_own_edge[corner] = entered == corner;
-      angle += mesh->corner_angle(corner);
-      entered = mesh->next_around_edge(entered == corner ? Mesh::previous_in_face(corner) : corner);
-    }
+  parallel_ranges(mesh->vertex_count(), [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) lay_out_corners(v);
+  });
+}
+
+/// The angles at which the corners around a vertex begin, and whether paths can bend there.
+void ExactGeometry::lay_out_corners(Index vertex) {
+  const auto fan = mesh->fan(vertex);
+  if (fan == Mesh::Fan::non_manifold) can_bend[vertex] = anywhere;
+  const bool is_saddle =
+      fan == Mesh::Fan::closed && mesh->total_angle(vertex) > 2.0 * std::numbers::pi - flat_tolerance;
+  if (can_bend[vertex] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[vertex] = by_angle;
+  if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) return;
+  const auto corners = mesh->corners(vertex);
+  // The first corner begins at its edge on a border of the mesh, if there is one; each of the others where
+  // the previous one ended.
+  Index entered = corners[0];
+  if (fan == Mesh::Fan::open && mesh->next_around_edge(entered) != entered) {
+    entered = Mesh::previous_in_face(entered);
+  }
+  double angle = 0.0;
+  for (Index corner : corners) {
+    corner_begin[corner] = angle;
+    begins_at_own_edge[corner] = entered == corner;
+    angle += mesh->corner_angle(corner);
+    entered = mesh->next_around_edge(entered == corner ? Mesh::previous_in_face(corner) : corner);
   }
 }
 

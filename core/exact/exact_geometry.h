@@ -96,6 +96,7 @@ struct ExactGeometry {
   /// Sides shorter than this fraction of the edge lose more than three digits.
   static constexpr double short_side = 1e-3;
   void find_long_edges();
+  void lay_out_corners(Index vertex);
 };
 
 }  // namespace vorogeo

@@ -7,6 +7,7 @@
 
 #include "mesh/length_limits.h"
 #include "support/checkpoint.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
@@ -43,22 +44,26 @@ VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
   require_agreeing_faces(*mesh_, "Quick distances");
   require_lengths(*mesh_, "quick distances take", exact_lengths.least_mean, exact_lengths.greatest);
   records_.resize(faces_.size());
-  for (Index f = 0; f < mesh_->face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
-    FaceRecord& record = records_[f];
-    for (int i = 0; i < 3; ++i) {
-      record.length[i] = mesh_->edge_length(mesh_->edge_of(3 * f + i));
-      record.next[i] = mesh_->next_around_edge(3 * f + i);
+  parallel_ranges(mesh_->face_count(), [&](Index begin, Index end) {
+    for (Index f = begin; f < end; ++f) {
+      FaceRecord& record = records_[f];
+      for (int i = 0; i < 3; ++i) {
+        record.length[i] = mesh_->edge_length(mesh_->edge_of(3 * f + i));
+        record.next[i] = mesh_->next_around_edge(3 * f + i);
+      }
+      record.vertex = mesh_->face_vertices(f);
+      record.twice_area = 2.0 * mesh_->face_area(f);
     }
-    record.vertex = mesh_->face_vertices(f);
-    record.twice_area = 2.0 * mesh_->face_area(f);
-  }
+  });
   vertices_.resize(mesh_->vertex_count());
-  for (Index v = 0; v < mesh_->vertex_count(); ++v) {
-    const double defect = 2.0 * std::numbers::pi - mesh_->total_angle(v);
-    vertices_[v].defect = mesh_->fan(v) == Mesh::Fan::closed ? PlanePoint{std::cos(defect), std::sin(defect)}
-                                                             : PlanePoint{2.0, 0.0};
-  }
+  parallel_ranges(mesh_->vertex_count(), [&](Index begin, Index end) {
+    for (Index v = begin; v < end; ++v) {
+      const double defect = 2.0 * std::numbers::pi - mesh_->total_angle(v);
+      vertices_[v].defect = mesh_->fan(v) == Mesh::Fan::closed
+                                ? PlanePoint{std::cos(defect), std::sin(defect)}
+                                : PlanePoint{2.0, 0.0};
+    }
+  });
   queue_.resize(faces_.size());
 }
 

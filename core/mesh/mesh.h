@@ -80,7 +80,7 @@ class Mesh {
   /// area stay as connections without width: they can be crossed at no cost and hold no area.
   /// \throw InvalidInput for a vertex index out of range (names the face), a coordinate that is NaN
   ///        or infinite (names the vertex), or more than 2^31 / 3 faces; Cancelled at a checkpoint.
-  /// Complexity: O(n + m log m) for n vertices and m faces.
+  /// Complexity: O(n + m log m) for n vertices and m faces; large meshes are read on all cores.
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces);
   /// The same with a metric: the sides of the faces have the given lengths. `positions` may all be
   /// `no_position`; what only needs lengths then works, and positions in results are NaN.
@@ -142,7 +142,10 @@ class Mesh {
   /// Of a metric that jumps; 0 in any other.
   Index points_per_edge() const { return points_per_edge_; }
   /// The corners of a face: in space, or with a metric laid into the plane z = 0 by the lengths of its sides.
-  std::array<Point, 3> face_corners(Index face) const;
+  std::array<Point, 3> face_corners(Index face) const {
+    const auto& [a, b, c] = face_vertices_[face];
+    return has_metric_ ? corners_by_lengths(face) : std::array{positions_[a], positions_[b], positions_[c]};
+  }
   /// Each opposite its corner.
   std::array<double, 3> side_lengths(Index face) const;
   /// Length of an edge in the face of one of its half-edges.
@@ -218,12 +221,17 @@ class Mesh {
  private:
   Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces, const SideLengths* sides,
        Index points_per_edge = 0);
+  void list_corners();
+  void leave_out_faces();
   void link_edges();
   void take_sides(const SideLengths& sides);
   void require_agreement(Index edge, const SideLengths& sides) const;
   void bound_straight_lines();
   void measure_edges();
   void sort_fans();
+  Fan sort_fan(Index vertex, std::vector<Index>& chain);
+  double angle_around(Index vertex) const;
+  std::array<Point, 3> corners_by_lengths(Index face) const;
   void find_components();
 
   std::vector<Point> positions_;
@@ -256,6 +264,7 @@ class Mesh {
   double longest_edge_length_ = 0.0;
   double straight_scale_ = 1.0;
   Index points_per_edge_ = 0;
+  bool has_zero_edges_ = false;
   bool has_metric_ = false;
   bool has_positions_ = true;
 };

@@ -134,11 +134,8 @@ std::array<double, 3> Mesh::side_lengths(Index face) const {
   return side;
 }
 
-std::array<Point, 3> Mesh::face_corners(Index face) const {
-  if (!has_metric_) {
-    const auto& v = face_vertices_[face];
-    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
-  }
+/// The corners of a face, laid into the plane by the lengths of its sides.
+std::array<Point, 3> Mesh::corners_by_lengths(Index face) const {
   // The longest side lies on the x axis and begins where the shorter of the other two ends, so differences
   // are taken of numbers that have all their digits. Area: Kahan (2014), Miscalculating area and angles of a
   // needle-like triangle.

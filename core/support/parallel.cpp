@@ -140,4 +140,16 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
   report();
 }
 
+void parallel_ranges(Index count, const std::function<void(Index begin, Index end)>& body) {
+  constexpr std::size_t ranges_per_thread = 4;  // starting a thread costs as much as a part of a range
+  const std::size_t ranges = range_count(count);
+  const std::size_t useful = 1 + ranges / ranges_per_thread;
+  const auto threads = static_cast<int>(std::min<std::size_t>(useful, resolve_thread_count(0)));
+  parallel_for(ranges, threads, {}, "", [&](std::size_t range, int) {
+    checkpoint();
+    const auto begin = static_cast<Index>(range) * elements_per_range;
+    body(begin, begin + std::min(elements_per_range, count - begin));
+  });
+}
+
 }  // namespace vorogeo

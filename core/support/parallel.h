@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/progress.h"
+#include "support/types.h"
 
 namespace vorogeo {
 
@@ -23,5 +24,16 @@ int resolve_thread_count(int requested);
 /// item, or Cancelled, is rethrown here once all workers have stopped; running items stop at a checkpoint.
 void parallel_for(std::size_t count, int threads, const Progress& progress, const std::string& activity,
                   const std::function<void(std::size_t item, int worker)>& body);
+
+/// Elements of a range of `parallel_ranges`.
+inline constexpr Index elements_per_range = 1 << 13;
+inline std::size_t range_of(Index element) { return static_cast<std::size_t>(element / elements_per_range); }
+inline std::size_t range_count(Index count) {
+  return range_of(count) + (count % elements_per_range != 0 ? 1 : 0);
+}
+/// Calls `body(begin, end)` for ranges that together are [0, count), on all cores: for loops that do little
+/// for each element. Few elements are one range, on the calling thread. The beginning of a range is a
+/// checkpoint.
+void parallel_ranges(Index count, const std::function<void(Index begin, Index end)>& body);
 
 }  // namespace vorogeo

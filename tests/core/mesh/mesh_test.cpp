@@ -135,37 +135,6 @@ TEST(Mesh, ZeroAreaFaceStaysAsAConnection) {
   EXPECT_DOUBLE_EQ(mesh.corner_angle(2), pi);
 }
 
-TEST(Mesh, FanKinds) {
-  const auto bow_tie = make_mesh(test::bow_tie(1).soup);
-  EXPECT_EQ(bow_tie->fan(0), Mesh::Fan::non_manifold);
-  EXPECT_EQ(bow_tie->fan(1), Mesh::Fan::open);
-  const auto book = make_mesh(test::book_of_three_pages(2, 1.0, 1.0).soup);
-  for (Index v : {0, 1, 2}) EXPECT_EQ(book->fan(v), Mesh::Fan::non_manifold);
-  const auto sphere = make_mesh(test::with_isolated_vertex(test::icosphere(0), {5, 0, 0}));
-  EXPECT_EQ(sphere->fan(0), Mesh::Fan::closed);
-  EXPECT_EQ(sphere->fan(12), Mesh::Fan::isolated);
-}
-
-TEST(Mesh, AnEdgeOfLengthZeroLetsPathsTurnAtItsEnds) {
-  // Two squares side by side, one end of their common side doubled and joined by a face without area.
-  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
-                  {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 2}, {1, 4, 2}});
-  EXPECT_EQ(mesh.fan(1), Mesh::Fan::non_manifold);
-  EXPECT_EQ(mesh.fan(4), Mesh::Fan::non_manifold);
-  EXPECT_EQ(mesh.fan(2), Mesh::Fan::open);
-}
-
-TEST(Mesh, FlippedFacesLeaveEdgesAndFansAsTheyAre) {
-  const Soup soup = test::torus(6, 5, 2.0, 0.5);
-  const auto straight = make_mesh(soup);
-  const auto flipped = make_mesh(test::with_flipped_faces(soup, 3));
-  EXPECT_EQ(straight->edge_count(), flipped->edge_count());
-  for (Index v = 0; v < straight->vertex_count(); ++v) {
-    EXPECT_EQ(flipped->fan(v), Mesh::Fan::closed);
-    EXPECT_NEAR(straight->total_angle(v), flipped->total_angle(v), 1e-14);
-  }
-}
-
 TEST(Mesh, ComponentsAreNumberedByFirstVertex) {
   const auto mesh =
       make_mesh(test::with_isolated_vertex(test::two_components(test::icosphere(0), test::icosphere(0)), {}));
@@ -174,20 +143,6 @@ TEST(Mesh, ComponentsAreNumberedByFirstVertex) {
   EXPECT_EQ(mesh->component(11), 0);
   EXPECT_EQ(mesh->component(12), 1);
   EXPECT_EQ(mesh->component(24), 2);
-}
-
-TEST(Mesh, RepeatedAndDuplicateFacesAreLeftOut) {
-  const Soup clean = test::icosphere(0);
-  const auto mesh = make_mesh(test::with_duplicate_face(test::with_repeated_vertex_face(clean, 2), 7));
-  EXPECT_EQ(mesh->face_count(), 20);
-  for (Index f = 0; f < 20; ++f) EXPECT_EQ(mesh->input_face(f), f);
-
-  Soup first_bad = clean;
-  first_bad.faces.insert(first_bad.faces.begin(), {3, 3, 4});
-  const auto shifted = make_mesh(first_bad);
-  EXPECT_EQ(shifted->face_count(), 20);
-  EXPECT_EQ(shifted->input_face(0), 1);
-  EXPECT_EQ(shifted->face_vertices(0), clean.faces[0]);
 }
 
 TEST(Mesh, NoFacesAndNoVertices) {

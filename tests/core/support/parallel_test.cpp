@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <limits>
@@ -40,6 +41,29 @@ TEST(Parallel, EveryItemOnce) {
       for (const auto& n : calls) EXPECT_EQ(n, 1);
     }
   }
+}
+
+TEST(Parallel, RangesCoverEveryElementOnce) {
+  for (const Index count : {0, 1, elements_per_range, elements_per_range + 1, 20 * elements_per_range - 1}) {
+    std::vector<int> calls(count, 0);
+    std::atomic<std::size_t> ranges = 0;
+    parallel_ranges(count, [&](Index begin, Index end) {
+      EXPECT_EQ(begin % elements_per_range, 0);
+      EXPECT_EQ(range_of(begin), range_of(end - 1));
+      ++ranges;
+      for (Index i = begin; i < end; ++i) ++calls[i];
+    });
+    EXPECT_EQ(ranges, range_count(count));
+    EXPECT_TRUE(std::ranges::all_of(calls, [](int n) { return n == 1; }));
+  }
+}
+
+TEST(Parallel, RangesPassErrorsOn) {
+  EXPECT_THROW(parallel_ranges(40 * elements_per_range,
+                               [](Index begin, Index) {
+                                 if (range_of(begin) == 7) throw std::runtime_error("range 7");
+                               }),
+               std::runtime_error);
 }
 
 TEST(Parallel, AWorkerRunsOneItemAtATime) {
