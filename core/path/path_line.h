@@ -65,6 +65,8 @@ class PathLine {
   const std::vector<Joint>& joints() const { return joints_; }
   const SurfacePoint& source() const { return source_; }
   const SurfacePoint& target() const { return target_; }
+  /// Whether it may have crossed an edge so short that unfolding across it loses the length of the line.
+  bool is_rough() const { return is_rough_; }
   double length() const;
   /// Angle by which the line turns towards the vertex of a joint; negative if the bend is not needed.
   double turn(std::size_t joint) const;
@@ -83,7 +85,7 @@ class PathLine {
   void settle(std::size_t joint) { joints_[joint].settled = true; }
 
  private:
-  UnfoldedCrossing crossing_at(Index exit, Index entry, Index left, Index right) const;
+  UnfoldedCrossing crossing_at(Index exit, Index entry, Index left, Index right);
   void push(const UnfoldedCrossing& crossing);
   void copy(Index begin, Index end);
   bool push_other_side(const Joint& joint);
@@ -99,6 +101,7 @@ class PathLine {
   Index first_face_ = no_index;
   std::vector<UnfoldedCrossing> crossings_;
   std::vector<Joint> joints_;
+  bool is_rough_ = false;
 
   // Used only during a change.
   Funnel funnel_;

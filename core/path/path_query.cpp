@@ -121,7 +121,7 @@ SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& 
   refiner->refine(strip);
   SurfacePath path = refiner->path();
   // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
-  path.length = measured_length(*data.work.mesh, path.points).length;
+  if (refiner->line().is_rough()) path.length = measured_length(*data.work.mesh, path.points).length;
   return path.length < unreachable ? path : none;
 }
 
