@@ -14,7 +14,7 @@ class RentOrBuy {
   /// For a mesh of so many vertices.
   explicit RentOrBuy(Index vertices) : least_price_(least_seconds_per_vertex * vertices) {}
 
-  /// An exact answer took so many seconds.
+  /// An exact answer took so many seconds, of the same clock as the price.
   void pay(double seconds);
   /// Whether the price may have been reached, so that it is time to estimate it.
   bool wants_price() const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "partition/partition.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/thread_clock.h"
 #include "weighted/field_timing.h"
 
 namespace vorogeo {
@@ -33,16 +33,12 @@ constexpr double max_field_seconds = 0.5;
 // Seconds of one core for what is not timed, measured on scans and parts (docs/choosing.md).
 constexpr double seconds_per_first_byte = 2.5e-7;
 constexpr double seconds_per_transit_byte = 1.2e-7;
-/// A field from the index: exact around the source, then over all tables.
-constexpr double seconds_near_source = 2e-3;
-/// The same by points on edges, where the metric jumps.
+/// A field from the index: exact around the source, in a larger part than the runs from border vertices, then
+/// over all tables.
+constexpr double runs_near_source = 1.6;
+/// The exact part by points on edges, where the metric jumps.
 constexpr double seconds_near_source_of_jumps = 1.5e-2;
 constexpr double seconds_per_vertex = 1.2e-7;
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Faces around a few places, as a mesh of its own.
 std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
@@ -114,11 +110,11 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double vertices = static_cast<double>(data.mesh->vertex_count()) * scale;
   const PartitionOptions asked{options.first_layer_patches, options.second_layer_patches, options.seed, 1};
   const double first_patches = planned_first_layer(*data.mesh, vertices, asked);
-  const auto start = Clock::now();
+  const double start = thread_seconds();
   data.partition = partition_for_index(*data.mesh, share_of(asked, first_patches, *data.mesh, scale), still);
   data.lay_out(1, still);
   const TableSurface surface = make_table_surface(*data.mesh, data.work, data.geometry);
-  const double layout_seconds = seconds_since(start) * scale;
+  const double layout_seconds = (thread_seconds() - start) * scale;
   const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
 
   // The borders of n1 round patches on n vertices grow in length with the square roots of both.
@@ -142,7 +138,8 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
       layout_seconds + run_seconds + seconds_per_first_byte * first + seconds_per_transit_byte * transit;
   estimate.build_seconds = estimate.core_seconds / threads;
   if (with_fields) {
-    estimate.field_seconds = (mesh->metric_jumps() ? seconds_near_source_of_jumps : seconds_near_source) +
+    const double run = run_seconds / (scale * std::max<Index>(1, data.second.node_count()));
+    estimate.field_seconds = (mesh->metric_jumps() ? seconds_near_source_of_jumps : runs_near_source * run) +
                              seconds_per_vertex * vertices / threads;
     const auto geometry = std::make_shared<const LocalGeometry>(mesh);
     estimate.exact_field_seconds =

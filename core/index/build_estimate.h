@@ -10,7 +10,8 @@
 
 namespace vorogeo {
 
-/// Times are those of this machine as it is now: parts of the work are done and measured.
+/// Times are those of this machine with nothing else to do: parts of the work are done, and measured in time
+/// of the processor.
 struct BuildEstimate {
   double build_seconds = 0.0;  ///< on the threads of the options
   double core_seconds = 0.0;   ///< the same as work of one core

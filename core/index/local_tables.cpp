@@ -2,7 +2,6 @@
 #include "index/local_tables.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -15,6 +14,7 @@
 #include "support/error.h"
 #include "support/parallel.h"
 #include "support/per_worker.h"
+#include "support/thread_clock.h"
 #include "weighted/field_timing.h"
 #include "weighted/local_solver.h"
 
@@ -117,9 +117,9 @@ class GroupSolver {
 };
 
 double seconds_of(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = thread_seconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return thread_seconds() - begin;
 }
 
 constexpr const char* table_phase = "Computing exact distances inside patches";

@@ -1,10 +1,10 @@
 // A run that its progress stops.
 #include "weighted/field_timing.h"
 
-#include <chrono>
 #include <cmath>
 #include <span>
 
+#include "support/thread_clock.h"
 #include "weighted/local_solver.h"
 
 namespace vorogeo {
@@ -22,10 +22,8 @@ double FieldTiming::expected_seconds() const {
 
 FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity) {
-  const auto begin = std::chrono::steady_clock::now();
-  auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const double begin = thread_seconds();
+  auto elapsed = [&] { return thread_seconds() - begin; };
   FieldTiming timing;
   const Progress until([&](double reached, const std::string&) {
     progress.report(reached, activity);

@@ -11,7 +11,7 @@ struct LocalGeometry;
 
 /// A run from one vertex that was stopped after some time.
 struct FieldTiming {
-  double seconds = 0.0;     ///< that it took
+  double seconds = 0.0;     ///< of the processor that it took
   double reached = 0.0;     ///< part of the vertices that it reached
   bool is_complete = true;  ///< nothing was left to do
 
@@ -20,7 +20,7 @@ struct FieldTiming {
   double expected_seconds() const;
 };
 
-/// Runs for at most about `max_seconds`. \throw Cancelled if the progress asks for it.
+/// Runs for at most about `max_seconds` of the processor. \throw Cancelled if the progress asks for it.
 FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity);
 
