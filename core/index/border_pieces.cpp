@@ -55,9 +55,16 @@ double wanted_length(const Mesh& mesh) {
              : longest_border_edge;
 }
 
-Index pieces_of(const BorderEdge& border, double longest) {
-  return static_cast<Index>(std::clamp(std::ceil(border.length / (longest * border.piece_factor)), 1.0,
-                                       static_cast<double>(max_pieces)));
+/// How long pieces of border edges may be.
+struct PieceLength {
+  double longest;     ///< in those roots
+  bool near_saddles;  ///< whether pieces near saddle vertices are shorter
+};
+
+Index pieces_of(const BorderEdge& border, const PieceLength& lengths) {
+  const double longest = lengths.longest * (lengths.near_saddles ? border.piece_factor : 1.0);
+  return static_cast<Index>(
+      std::clamp(std::ceil(border.length / longest), 1.0, static_cast<double>(max_pieces)));
 }
 
 /// The border edges between patches that have an area.
@@ -97,9 +104,9 @@ struct PatchCounts {
   double added = 0.0;
 };
 
-/// About how many entries all tables have if no piece is longer than `longest`.
+/// About how many entries all tables have with such pieces.
 double expected_entries(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders,
-                        double longest) {
+                        const PieceLength& lengths) {
   std::vector<PatchCounts> patches(partition.second_layer_count);
   for (Index patch : partition.second_layer) patches[patch].faces += 1.0;
   // Nodes of both layers, by first-layer patch.
@@ -107,7 +114,7 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   std::vector<double> nodes(partition.first_layer_count, 0.0);
   double all_nodes = 0.0;
   for (const BorderEdge& border : borders) {
-    const Index pieces = pieces_of(border, longest);
+    const Index pieces = pieces_of(border, lengths);
     const Index first = mesh.edge_halfedge(border.edge);
     const Index parent = partition.first_layer[Mesh::face_of(first)];
     bool between_parents = false;
@@ -140,33 +147,31 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   return entries;
 }
 
-/// How long pieces may be, and whether tables then keep to their share.
-struct LongestPiece {
-  double length;
-  bool fits;
+/// How many entries tables should have at most.
+double most_entries(const Mesh& mesh) {
+  const auto vertices = static_cast<double>(mesh.vertex_count());
+  return (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+}
+
+struct ChosenPieces {
+  PieceLength lengths;
+  bool fit;  ///< whether tables keep to their share
 };
 
-/// Where tables have no room for shorter pieces near saddle vertices, all are as long.
-LongestPiece longest_piece(const Mesh& mesh, const Partition& partition, std::span<BorderEdge> borders) {
-  const auto vertices = static_cast<double>(mesh.vertex_count());
-  const double most =
-      (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
-  double longest = 0.0;
-  auto fits = [&] { return expected_entries(mesh, partition, borders, longest) <= most; };
-  auto find = [&] {
-    longest = wanted_length(mesh);
-    for (int step = 0; step < max_steps; ++step) {
-      if (fits()) return true;
-      longest *= longer_per_step;
+/// The finest pieces for which tables do, else the longest that may be. Where tables have no room for shorter
+/// pieces near saddle vertices, all are as long.
+ChosenPieces choose_pieces(const Mesh& mesh, const Partition& partition,
+                           std::span<const BorderEdge> borders) {
+  const double most = most_entries(mesh);
+  PieceLength lengths{};
+  for (const bool near_saddles : {true, false}) {
+    lengths = {wanted_length(mesh), near_saddles};
+    for (int step = 0; step <= max_steps; ++step) {
+      if (step > 0) lengths.longest *= longer_per_step;
+      if (expected_entries(mesh, partition, borders, lengths) <= most) return {lengths, true};
     }
-    return fits();
-  };
-  bool found = find();
-  if (!found) {
-    for (BorderEdge& border : borders) border.piece_factor = 1.0;
-    found = find();
   }
-  return {longest, found};
+  return {lengths, false};
 }
 
 /// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
@@ -188,17 +193,21 @@ void limit_pieces(std::vector<Index>& pieces, Index vertices) {
 }  // namespace
 
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
-  std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  const double longest = longest_piece(mesh, partition, borders).length;
+  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  const PieceLength lengths = choose_pieces(mesh, partition, borders).lengths;
   std::vector<Index> pieces(mesh.edge_count(), 1);
-  for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, longest);
+  for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, lengths);
   limit_pieces(pieces, mesh.vertex_count());
   return pieces;
 }
 
+double wanted_entries(const Mesh& mesh, const Partition& partition) {
+  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  return expected_entries(mesh, partition, borders, {wanted_length(mesh), true}) / most_entries(mesh);
+}
+
 bool tables_have_room(const Mesh& mesh, const Partition& partition) {
-  std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  return longest_piece(mesh, partition, borders).fits;
+  return choose_pieces(mesh, partition, border_edges(mesh, partition)).fit;
 }
 
 }  // namespace vorogeo

@@ -15,6 +15,10 @@ namespace vorogeo {
 /// Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 
+/// About how many entries tables would have, as a multiple of the most they should have, if all border edges
+/// were as short as the shape of the mesh asks for. Complexity: O(edges).
+double wanted_entries(const Mesh& mesh, const Partition& partition);
+
 /// Whether the tables keep to their share even so: edges as long as they may be, and no more entries than
 /// tables should have. Complexity: O(edges).
 bool tables_have_room(const Mesh& mesh, const Partition& partition);

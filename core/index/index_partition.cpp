@@ -1,4 +1,4 @@
-// The usual patches, and the check whether tables have room for them.
+// The usual patches, those counted in edges where their tables take less, and one where borders do not pay.
 #include "index/index_partition.h"
 
 #include <algorithm>
@@ -12,6 +12,10 @@ namespace {
 
 /// With more patches than this, some ten thousand vertices, an exact run takes over a tenth of a second.
 constexpr Index few_patches = 24;
+/// Of the entries that tables should have at most: with fewer, another partition would save little.
+constexpr double many_entries = 0.55;
+/// Another partition has to have fewer than this part of the entries of the usual one.
+constexpr double worth_changing = 0.9;
 
 /// Faces at hubs, as a share of all. Where two fans are joined by a wall, as in a prism, an exact run makes
 /// windows by the square of their number, and patches stay: there it is half.
@@ -32,15 +36,21 @@ bool consists_of_fans(const Mesh& mesh) {
 
 Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
   const bool is_automatic = options.first_layer_patches == 0 && options.second_layer_patches == 0;
+  if (!is_automatic) return make_partition(mesh, options, progress);
   // Where the metric jumps, runs over whole components take too long for pairs.
-  const bool may_be_undivided = is_automatic && !mesh.metric_jumps();
+  const bool may_be_undivided = !mesh.metric_jumps();
   const PartitionOptions undivided{1, 1, options.seed, options.threads};
   if (may_be_undivided && consists_of_fans(mesh)) return make_partition(mesh, undivided, progress);
-  Partition partition = make_partition(mesh, options, progress);
-  if (!may_be_undivided || partition.second_layer_count > few_patches || tables_have_room(mesh, partition)) {
-    return partition;
+  Partition usual = make_partition(mesh, options, progress.part(0.0, 0.5));
+  if (may_be_undivided && usual.second_layer_count <= few_patches && !tables_have_room(mesh, usual)) {
+    return make_partition(mesh, undivided, progress.part(0.5, 1.0));
   }
-  return make_partition(mesh, undivided, progress.part(1.0, 1.0));
+  const double entries = wanted_entries(mesh, usual);
+  if (entries <= many_entries) return usual;
+  PartitionOptions by_edges = options;
+  by_edges.cells = FrontMeasure::edge_count;
+  Partition other = make_partition(mesh, by_edges, progress.part(0.5, 1.0));
+  return wanted_entries(mesh, other) < worth_changing * entries ? other : usual;
 }
 
 }  // namespace vorogeo

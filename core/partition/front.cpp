@@ -9,7 +9,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Bucket width in typical edge lengths.
+/// Bucket width in typical edge lengths, or in edges.
 constexpr double bucket_width = 0.5;
 /// Around faces without area, vertices may relax each other without end, by ever smaller amounts: a smaller
 /// gain than this (relative) is ignored, and a vertex is relaxed at most `max_relaxed` times.
@@ -19,8 +19,9 @@ constexpr int vertices_per_checkpoint = 4096;
 
 }  // namespace
 
-Front::Front(const Mesh& mesh)
+Front::Front(const Mesh& mesh, FrontMeasure measure)
     : mesh_(mesh),
+      measure_(measure),
       distance_(mesh.vertex_count(), unreachable),
       source_(mesh.vertex_count(), no_index),
       relaxed_(mesh.vertex_count(), 0) {
@@ -41,6 +42,10 @@ void Front::pass(Index vertex, Index halfedge) {
   const Index edge = mesh_.edge_of(halfedge);
   const bool forth = mesh_.tail(halfedge) == vertex;
   const Index target = forth ? mesh_.head(halfedge) : mesh_.tail(halfedge);
+  if (measure_ == FrontMeasure::edge_count) {
+    relax(target, distance_[vertex] + 1.0, source_[vertex]);
+    return;
+  }
   const Index other = mesh_.apex(halfedge);
   const double length = mesh_.edge_length(edge);
   double distance = distance_[vertex] + length;
@@ -64,7 +69,7 @@ void Front::grow(std::span<const Index> sources, std::span<const std::uint8_t> f
     relaxed_[v] = 0;
   }
   touched_.clear();
-  queue_.reset(bucket_width * mesh_.typical_edge_length());
+  queue_.reset(bucket_width * (measure_ == FrontMeasure::distance ? mesh_.typical_edge_length() : 1.0));
   for (std::size_t i = 0; i < sources.size(); ++i) relax(sources[i], 0.0, static_cast<Index>(i));
   int taken = 0;
   for (Index v = queue_.pop(); v != no_index; v = queue_.pop()) {

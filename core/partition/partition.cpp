@@ -124,7 +124,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   placing.reset();
   {
     const Watch watch(progress.part(0.3, 0.5), "Growing first-layer patches");
-    Front front(mesh);
+    Front front(mesh, options.cells);
     label_voronoi_faces(front, mesh, whole, all_faces, samples, outliers, partition.first_layer);
     BorderCut(mesh).shorten(all_faces, static_cast<Index>(samples.size()), faces_per_patch, outliers,
                             partition.first_layer);
@@ -138,8 +138,8 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
 
   const int threads = std::min<int>(resolve_thread_count(options.threads), partition.first_layer_count);
   struct Scratch {
-    explicit Scratch(const Mesh& mesh)
-        : sampler(mesh), front(mesh), cut(mesh), allowed(mesh.face_count(), 0) {}
+    Scratch(const Mesh& mesh, FrontMeasure cells)
+        : sampler(mesh), front(mesh, cells), cut(mesh), allowed(mesh.face_count(), 0) {}
     Sampler sampler;
     Front front;
     BorderCut cut;
@@ -148,7 +148,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   PerWorker<Scratch> scratch(threads);
   parallel_for(partition.first_layer_count, threads, progress.part(0.5, 1.0), "Growing second-layer patches",
                [&](std::size_t patch, int worker) {
-                 Scratch& own = scratch.of(worker, mesh);
+                 Scratch& own = scratch.of(worker, mesh, options.cells);
                  const auto& list = patch_faces[patch];
                  for (Index f : list) own.allowed[f] = 1;
                  const auto patch_vertices = vertices_of(mesh, list);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "partition/front.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -15,6 +16,7 @@ struct PartitionOptions {
   Index second_layer_patches = 0;  ///< per first-layer patch, on average; 0: chosen
   std::uint64_t seed = 0;
   int threads = 0;
+  FrontMeasure cells = FrontMeasure::distance;  ///< which sample is the nearest one
 };
 
 /// Patch of each face in both layers. Each second-layer patch lies in one first-layer patch; no patch is

@@ -47,6 +47,7 @@ struct Generated {
 };
 const Generated generated[] = {
     {"drilled_plate", [] { return vorogeo::test::drilled_plate(14, 14, 0.6, 1); }},
+    {"thick_plate", [] { return vorogeo::test::drilled_plate(14, 14, 3.0, 2); }},
     {"drilled_block", [] { return vorogeo::test::drilled_plate(10, 10, 6.0, 2); }},
     {"gear", [] { return vorogeo::test::gear(200, 24, 8.0); }},
     {"small_plate", [] { return vorogeo::test::drilled_plate(6, 6, 0.6, 1); }},

@@ -84,7 +84,7 @@ TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
 TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
   // In a flat fan of needles, some edges are split into many pieces: behind such an edge a wave comes in as
   // many windows, all of them with one source.
-  const auto index = test::make_index(test::needle_disc(2000));
+  const auto index = test::make_index(test::needle_disc(2000), 2, 3);
   ASSERT_GT(index->data().work.edge_points.size(), 50U);
   ExactSolver whole(index->mesh());
   ExactSolver split(index->data().geometry->windows);

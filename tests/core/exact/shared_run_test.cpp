@@ -121,7 +121,8 @@ TEST(SharedRun, IsTheSameEachTime) {
 }
 
 TEST(SharedRun, IsCancelledAndReportsProgress) {
-  const auto mesh = test::make_mesh(test::icosphere(5));
+  // Large enough for several reports.
+  const auto mesh = test::make_mesh(test::icosphere(6));
   ExactSolver solver(mesh);
   double reached = 0.0;
   const Progress watching([&](double fraction, const std::string&) {

@@ -73,6 +73,9 @@ void expect_accurate(HostileBase base, const Documented& documented) {
 TEST(GeodesicQueryAccuracy, DrilledPlate) {
   expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0060, 0.069, 0.32}, 6);
 }
+TEST(GeodesicQueryAccuracy, PlateWithDeepHoles) {
+  expect_accurate(test::drilled_plate(8, 8, 3.0, 2), {0.0207, 0.125, 1.02}, 4);
+}
 TEST(GeodesicQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {1e-7, 1e-7, 1e-7}, 6); }
 TEST(GeodesicQueryAccuracy, CoarseSphere) {
   expect_accurate(test::random_sphere(1500, 2), {0.0205, 0.144, 0.49}, 6);

@@ -1,5 +1,5 @@
-// Patches of an index: the usual ones, one for each component where tables have no room, those that were
-// asked for.
+// Patches of an index: the usual ones, better ones where tables would be large, one for each component where
+// tables have no room, those that were asked for.
 #include "index/index_partition.h"
 
 #include <gtest/gtest.h>
@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "exact/exact_solver.h"
 #include "field/geodesic_query.h"
+#include "index/border_pieces.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -23,6 +25,23 @@ TEST(IndexPartition, UsualMeshesKeepTheirPatches) {
   const Partition found = partition_for_index(*mesh, options, {});
   EXPECT_GT(found.second_layer_count, 1);
   EXPECT_EQ(found.second_layer, usual.second_layer);
+}
+
+TEST(IndexPartition, PatchesOfAPlateWithDeepHolesGoThroughIt) {
+  // By distance, the patches of both sides of the plate have borders around each hole between them.
+  const auto mesh = test::make_mesh(test::drilled_plate(8, 8, 3.0, 2));
+  const PartitionOptions options{0, 0, 1, 1};
+  const Partition usual = make_partition(*mesh, options, {});
+  const Partition found = partition_for_index(*mesh, options, {});
+  ASSERT_GT(found.second_layer_count, 1);
+  EXPECT_LT(wanted_entries(*mesh, found), 0.7 * wanted_entries(*mesh, usual));
+  // Every patch has faces on both sides.
+  std::vector<std::array<bool, 2>> has(found.second_layer_count, {false, false});
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    for (Index v : mesh->face_vertices(f))
+      has[found.second_layer[f]][mesh->position(v)[2] > 1.5 ? 1 : 0] = true;
+  }
+  for (const auto& sides : has) EXPECT_TRUE(sides[0] && sides[1]);
 }
 
 TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {

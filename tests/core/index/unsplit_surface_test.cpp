@@ -40,7 +40,7 @@ TEST(UnsplitSurface, IsNotTakenWhereNothingWasSplit) {
 TEST(UnsplitSurface, NeighboursInAFanOfNeedlesAreSolvedOnItsFaces) {
   constexpr int needles = 3000;
   auto angle = [](Index v) { return 2.0 * std::acos(-1.0) * (v - 1) / needles; };
-  const auto index = test::make_index(test::needle_disc(needles));
+  const auto index = test::make_index(test::needle_disc(needles), 2, 3);
   ASSERT_NE(index->data().unsplit(), nullptr);
   GeodesicQuery query(index, 1);
   PathQuery paths(index);

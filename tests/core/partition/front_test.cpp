@@ -52,6 +52,30 @@ TEST(Front, EachVertexBelongsToItsNearestSource) {
   }
 }
 
+TEST(Front, CountsEdgesWhereLengthsDifferMuch) {
+  // A strip 8 long in one step, then 1 in each of four.
+  const std::array<double, 6> at{0, 8, 9, 10, 11, 12};
+  test::Soup strip;
+  for (double x : at) {
+    strip.positions.push_back({x, 0, 0});
+    strip.positions.push_back({x, 1, 0});
+  }
+  for (Index k = 0; k < 10; k += 2) {
+    strip.faces.push_back({k, k + 2, k + 3});
+    strip.faces.push_back({k, k + 3, k + 1});
+  }
+  const auto mesh = test::make_mesh(strip);
+  const std::array<Index, 2> ends{0, 10};
+  Front front(*mesh, FrontMeasure::edge_count);
+  front.grow(ends, {});
+  const std::array<double, 6> edges{0, 1, 2, 2, 1, 0};
+  for (Index k = 0; k < 6; ++k) EXPECT_EQ(front.distance(2 * k), edges[k]);
+  EXPECT_EQ(front.source(2), 0);
+  Front by_length(*mesh);
+  by_length.grow(ends, {});
+  EXPECT_EQ(by_length.source(2), 1);
+}
+
 TEST(Front, EntersAllowedFacesOnlyAndStartsAnew) {
   const auto mesh = test::make_mesh(test::plane_grid(16, 16, 1.0, 1.0).soup);
   std::vector<std::uint8_t> allowed(mesh->face_count(), 0);
