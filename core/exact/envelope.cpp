@@ -14,6 +14,24 @@ constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
+/// By how much `fresh` is nearer than `old` at x, without the difference of two distances: at the far end of a
+/// long edge, these have lost the digits that tell what lies behind them.
+double gain_at(const Window& fresh, const Window& old, double x) {
+  const double across = old.source_x - fresh.source_x;
+  const double squares = across * (old.source_x + fresh.source_x - 2.0 * x) +
+                         (old.source_y - fresh.source_y) * (old.source_y + fresh.source_y);
+  const double sum = old.plane_distance(x) + fresh.plane_distance(x);
+  return old.offset - fresh.offset + (sum > 0.0 ? squares / sum : 0.0);
+}
+
+/// What the rounding of such a gain is relative to, where the old window has the distance `old_x`: not to the
+/// position.
+double gain_scale(const Window& fresh, const Window& old, double old_x) {
+  const double of_sources = old.offset + std::abs(old.source_x) + old.source_y + fresh.offset +
+                            std::abs(fresh.source_x) + fresh.source_y;
+  return std::min(old_x, of_sources);
+}
+
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
 struct Division {
   bool new_first = false;
@@ -49,19 +67,27 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
 /// Where in (l, r) the difference of the distances, of opposite signs at the ends, is zero: a root in closed
 /// form, refined by Newton's method within the bracket, since the closed form cancels when the pseudo-sources
 /// are far.
-double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
+double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l,
+                   bool is_long) {
+  // On a long edge, the crossing is next to its beginning or far away: halves of the bracket in that scale.
+  const double scale = is_long ? gain_scale(fresh, old, unreachable) : 0.0;
+  auto middle = [&] {
+    return scale > 0.0 ? l + scale * (std::sqrt(1.0 + (r - l) / scale) - 1.0) : 0.5 * (l + r);
+  };
   std::array<double, 2> root{};
-  double x = crossings(fresh, old, l, r, root) > 0 ? root[0] : 0.5 * (l + r);
+  double x = crossings(fresh, old, l, r, root) > 0 ? root[0] : middle();
   for (int step = 0; step < max_steps; ++step) {
     const double to_fresh = fresh.plane_distance(x);
     const double to_old = old.plane_distance(x);
-    const double difference = fresh.offset + to_fresh - (old.offset + to_old);
-    if (std::abs(difference) <= sharp * (old.offset + to_old)) break;
+    const double difference =
+        is_long ? -gain_at(fresh, old, x) : fresh.offset + to_fresh - (old.offset + to_old);
+    const double at_old = old.offset + to_old;
+    if (std::abs(difference) <= sharp * (is_long ? std::min(scale, at_old) : at_old)) break;
     ((difference < 0.0) == fresh_at_l ? l : r) = x;
     if (r - l <= 1e-15 * (std::abs(l) + std::abs(r))) break;
     const double slope = (x - fresh.source_x) / to_fresh - (x - old.source_x) / to_old;
     const double next = x - difference / slope;
-    x = next > l && next < r ? next : 0.5 * (l + r);
+    x = next > l && next < r ? next : middle();
   }
   return x;
 }
@@ -69,18 +95,23 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 /// Divides [l, r], which both windows cover. The new window gets a part only if it is strictly shorter at an
 /// end of it, or in the middle between two crossings: equal windows would otherwise replace each other
 /// forever.
-Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
+Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
+                bool is_long) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
-  const double gain_l = old_l - fresh_l;
-  const double gain_r = old_r - fresh_r;
-  const double tie_l = tie * old_l;
-  const double tie_r = tie * old_r;
+  auto gain = [&](double x, double at_old, double at_fresh) {
+    return is_long ? gain_at(fresh, old, x) : at_old - at_fresh;
+  };
+  auto tie_at = [&](double at_old) { return tie * (is_long ? gain_scale(fresh, old, at_old) : at_old); };
+  const double gain_l = gain(l, old_l, fresh_l);
+  const double gain_r = gain(r, old_r, fresh_r);
+  const double tie_l = tie_at(old_l);
+  const double tie_r = tie_at(old_r);
   Division division;
   if ((gain_l > tie_l && gain_r < -tie_r) || (gain_l < -tie_l && gain_r > tie_r)) {
     division.new_first = gain_l > 0.0;
     division.cuts = 1;
-    division.at[0] = sign_change(fresh, old, l, r, division.new_first);
+    division.at[0] = sign_change(fresh, old, l, r, division.new_first, is_long);
     return division;
   }
   const bool tied_l = std::abs(gain_l) <= tie_l;
@@ -93,9 +124,9 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
       const double cut = tied_r ? x[found - 1] : x[0];
       const double probe = 0.5 * (cut + (tied_r ? r : l));
       const double at_old = old.distance(probe);
-      const double gain_at_probe = at_old - fresh.distance(probe);
+      const double gain_at_probe = gain(probe, at_old, fresh.distance(probe));
       const double gain_at_end = tied_r ? gain_l : gain_r;
-      if (std::abs(gain_at_probe) > tie * at_old && (gain_at_probe > 0.0) != (gain_at_end > 0.0)) {
+      if (std::abs(gain_at_probe) > tie_at(at_old) && (gain_at_probe > 0.0) != (gain_at_end > 0.0)) {
         division.new_first = (tied_r ? gain_at_end : gain_at_probe) > 0.0;
         division.cuts = 1;
         division.at[0] = cut;
@@ -115,7 +146,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   if (crossings(fresh, old, l, r, x) != 2) return division;
   const double middle = 0.5 * (x[0] + x[1]);
   const double at_old = old.distance(middle);
-  if ((fresh.distance(middle) < at_old - tie * at_old) == division.new_first) return division;
+  if ((gain(middle, at_old, fresh.distance(middle)) > tie_at(at_old)) == division.new_first) return division;
   division.cuts = 2;
   division.at = x;
   return division;
@@ -195,6 +226,7 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
   double reached = window.begin;
   double piece = window.begin;
   bool open = false;
+  const bool is_long = sliver_.slope > 0.0;
   const double end = window.end - sliver_.at(window.end, at_end);
   while (!none_after() && first_after().begin < end) {
     const Window old = first_after();
@@ -205,7 +237,7 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
       piece = reached;
     }
     const Division division = divide(window, old, l, r, l == window.begin ? at_begin : window.distance(l),
-                                     r == window.end ? at_end : window.distance(r));
+                                     r == window.end ? at_end : window.distance(r), is_long);
     reached = r;
     if (division.cuts == 0 && !division.new_first && old.end <= window.end) {
       // The usual case of a window that stays as it is.

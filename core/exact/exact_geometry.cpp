@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/length_limits.h"
+#include "mesh/outliers.h"
 #include "support/checkpoint.h"
 #include "support/parallel.h"
 
@@ -116,6 +117,13 @@ void ExactGeometry::find_long_edges() {
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
   const double typical = mesh->typical_edge_length();
+  // Outliers may be close to each other, too: positions count from the end at which most of the mesh is, and
+  // on all edges of a group from the same side, or windows would come back from it changed by rounding.
+  const Outliers outliers = find_outliers(*mesh);
+  auto counts_from_second = [&](Index a, Index b) {
+    const bool away = outliers.is_outlier(a);
+    return away == outliers.is_outlier(b) ? shortest[b] < shortest[a] : away;
+  };
   for (Index e = 0; e < mesh->edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
     const auto [a, b] = mesh->edge_vertices(e);
@@ -124,8 +132,8 @@ void ExactGeometry::find_long_edges() {
     if (!(length > long_edge * typical || length > long_beside_small * small)) continue;
     turned.resize(mesh->edge_count(), 0);
     fineness.resize(mesh->edge_count(), 0.0);
-    turned[e] = shortest[b] < shortest[a];
-    fineness[e] = std::min(small, typical);
+    turned[e] = counts_from_second(a, b);
+    fineness[e] = std::min(shortest[turned[e] != 0 ? b : a], typical);
   }
 }
 

@@ -37,8 +37,8 @@ struct ExactGeometry {
 
   std::shared_ptr<const Mesh> mesh;
   std::vector<FaceFrame> frame;  ///< by half-edge
-  /// Edges on which positions count from the mesh's second vertex, as the first one is far away from small
-  /// edges: near it, no digits would be left for those. Empty if no edge is long.
+  /// Edges on which positions count from the mesh's second vertex, as the first one is an outlier or far away
+  /// from small edges: near the second, no digits would be left for those. Empty if no edge is long.
   std::vector<std::uint8_t> turned;
   /// The length of small edges at the beginning of a long edge, 0 for other edges. Empty if no edge is long.
   std::vector<double> fineness;

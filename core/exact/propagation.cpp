@@ -267,17 +267,16 @@ inline bool ExactSolver::State::is_continued(Index edge, const Window& window, c
   const double length = mesh.edge_length(edge);
   if (window.offset != next.offset || window.source != next.source || window.came_from != next.came_from)
     return false;
-  const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + length);
-  if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
-      window.source_y < near_edge * length)
-    return false;
   const double scale = geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
+  const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + scale);
+  if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
+      window.source_y < near_edge * scale)
+    return false;
   return next.begin - window.end <= least_width * scale;
 }
 
 void ExactSolver::State::take_edge(Index edge) {
   const Index first = mesh.edge_halfedge(edge);
-  const double length = mesh.edge_length(edge);
   Index h = first;
   do {
     crossing.clear();
@@ -289,7 +288,7 @@ void ExactSolver::State::take_edge(Index edge) {
         crossing.push_back({window, 0.0});
       }
     }
-    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(length);
+    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(edge);
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);

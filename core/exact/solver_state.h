@@ -174,7 +174,7 @@ struct ExactSolver::State {
   bool passes_through = false;
   std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).
-  void merge_crossing(double length);
+  void merge_crossing(Index edge);
   double merge_tolerance = 0.0;
   /// The open edge, to which windows are being added, and the distances of its ends.
   Index open = no_index;

@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "exact/exact_solver.h"
 #include "support/exhaustive.h"
 #include "support/hostile_meshes.h"
+#include "support/indexes.h"
 #include "support/near.h"
 #include "support/shapes.h"
 
@@ -194,6 +196,34 @@ TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
           const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
           ASSERT_NEAR(path.length, straight, 1e-9 * straight) << lift << ", " << source << " to " << v;
         }
+      }
+    }
+  }
+}
+
+TEST(ExactDefects, HowFarOutOutliersAreChangesNothing) {
+  // Beside a spike, faces hardly change when it is ten thousand times longer.
+  const Soup hills = test::hills(40, 2.0);
+  const auto n = static_cast<Index>(hills.positions.size());
+  const double edge = test::make_mesh(hills)->typical_edge_length();
+  std::vector<Index> outliers;
+  for (Index v : test::random_vertices(n, 40, 2)) outliers.push_back(v);
+  auto with_outliers_at = [&](double edges) {
+    Soup soup = hills;
+    for (Index v : outliers) soup.positions[v][2] -= edges * edge;
+    return test::make_mesh(soup);
+  };
+  ExactSolver near_out(with_outliers_at(1e8));
+  for (const double edges : {1e10, 1e12, 1e13}) {
+    ExactSolver far_out(with_outliers_at(edges));
+    for (Index source = 3; source < n; source += 211) {
+      if (std::ranges::find(outliers, source) != outliers.end()) continue;
+      near_out.run_from_vertices(std::array{source});
+      far_out.run_from_vertices(std::array{source});
+      for (Index v = 0; v < n; ++v) {
+        if (std::ranges::find(outliers, v) != outliers.end()) continue;
+        const double expected = near_out.distance(v);
+        ASSERT_NEAR(far_out.distance(v), expected, 1e-7 * expected) << edges << ", " << source << " to " << v;
       }
     }
   }
