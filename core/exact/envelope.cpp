@@ -14,8 +14,8 @@ constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
-/// By how much `fresh` is nearer than `old` at x, without the difference of two distances: at the far end of a
-/// long edge, these have lost the digits that tell what lies behind them.
+/// By how much `fresh` is nearer than `old` at x, without the difference of two distances: at the far end of
+/// a long edge, these have lost the digits that tell what lies behind them.
 double gain_at(const Window& fresh, const Window& old, double x) {
   const double across = old.source_x - fresh.source_x;
   const double squares = across * (old.source_x + fresh.source_x - 2.0 * x) +
