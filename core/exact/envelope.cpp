@@ -67,8 +67,8 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
 /// Where in (l, r) the difference of the distances, of opposite signs at the ends, is zero: a root in closed
 /// form, refined by Newton's method within the bracket, since the closed form cancels when the pseudo-sources
 /// are far.
-double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l,
-                   bool is_long) {
+template <bool is_long>
+double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
   // On a long edge, the crossing is next to its beginning or far away: halves of the bracket in that scale.
   const double scale = is_long ? gain_scale(fresh, old, unreachable) : 0.0;
   auto middle = [&] {
@@ -95,8 +95,8 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 /// Divides [l, r], which both windows cover. The new window gets a part only if it is strictly shorter at an
 /// end of it, or in the middle between two crossings: equal windows would otherwise replace each other
 /// forever.
-Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
-                bool is_long) {
+template <bool is_long>
+Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
   auto gain = [&](double x, double at_old, double at_fresh) {
@@ -111,7 +111,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   if ((gain_l > tie_l && gain_r < -tie_r) || (gain_l < -tie_l && gain_r > tie_r)) {
     division.new_first = gain_l > 0.0;
     division.cuts = 1;
-    division.at[0] = sign_change(fresh, old, l, r, division.new_first, is_long);
+    division.at[0] = sign_change<is_long>(fresh, old, l, r, division.new_first);
     return division;
   }
   const bool tied_l = std::abs(gain_l) <= tie_l;
@@ -236,8 +236,10 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
       open = true;
       piece = reached;
     }
-    const Division division = divide(window, old, l, r, l == window.begin ? at_begin : window.distance(l),
-                                     r == window.end ? at_end : window.distance(r), is_long);
+    const double fresh_l = l == window.begin ? at_begin : window.distance(l);
+    const double fresh_r = r == window.end ? at_end : window.distance(r);
+    const Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r)
+                                      : divide<false>(window, old, l, r, fresh_l, fresh_r);
     reached = r;
     if (division.cuts == 0 && !division.new_first && old.end <= window.end) {
       // The usual case of a window that stays as it is.

@@ -114,9 +114,8 @@ std::vector<std::string> MeshReport::sentences() const {
       "vertex lies " + ratio + " times farther out than the rest|vertices lie " + ratio +
           " times farther out than the rest",
       vertex(outliers),
-      "distances between the others are not affected; remove them if they are errors of measurement or "
-      "no-data "
-      "values.");
+      "distances between the others are not affected (up to 1e13 times); remove them if they are errors of "
+      "measurement or no-data values.");
   if (components > 1) {
     result.push_back(std::to_string(components) + " components, of " + sizes_of(component_sizes) +
                      "; no path leads from one to another.");

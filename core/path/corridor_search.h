@@ -29,6 +29,13 @@ MeasuredLength set_ends(const Mesh& mesh, const SurfacePoint& first, const Surfa
 bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
              const SurfacePoint& first, const SurfacePoint& last, double distance);
 
+/// Up to edges this many typical ones long, exact distances between the other vertices keep their digits.
+inline constexpr double provable_edges = 1e13;
+/// Whether a propagated distance is a proof on this mesh.
+inline bool is_provable(const Mesh& mesh) {
+  return mesh.longest_edge_length() <= provable_edges * mesh.typical_edge_length();
+}
+
 /// Runs of one exact solver from point to point. Each run ends: the solver passes a window on only where it
 /// shortens a distance by more than rounding. One object belongs to one thread.
 class CorridorSearch {

@@ -104,6 +104,7 @@ ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoi
   taken_over(corridor_.within(from, to, bound));
   // On faces without area, the bound may be off by more than rounding.
   if (!result.certified && bound < unreachable) taken_over(corridor_.run(from, to, {}));
+  result.certified = result.certified && is_provable(mesh_);
   return result;
 }
 

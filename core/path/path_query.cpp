@@ -249,6 +249,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
       asked = std::move(anywhere);
     }
   }
+  result.certified = result.certified && is_provable(mesh);
   result.path = std::move(asked.path);
   return result;
 }

@@ -62,6 +62,23 @@ TEST(ExactGeometry, PathsBendAtSaddlesBordersAndNonManifoldVertices) {
   }
 }
 
+TEST(ExactGeometry, PositionsCountFromTheEndThatIsNoOutlier) {
+  // Two outliers next to each other, whose common edge is shorter than those of all others.
+  test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
+  for (const Index v : {40, 41}) soup.positions[v][2] = 1e12;
+  soup.positions[40][0] = soup.positions[41][0] - 0.25;
+  const auto mesh = test::make_mesh(soup);
+  const ExactGeometry geometry(mesh);
+  int long_edges = 0;
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    if (!geometry.is_long(e)) continue;
+    ++long_edges;
+    EXPECT_TRUE(geometry.ends(e)[0] != 40 && geometry.ends(e)[0] != 41) << e;
+    EXPECT_DOUBLE_EQ(geometry.fineness[e], 1.0);
+  }
+  EXPECT_EQ(long_edges, 10);
+}
+
 TEST(ExactGeometry, CornersFollowOneAnotherAroundAVertex) {
   const auto mesh = test::make_mesh(test::with_flipped_faces(test::hills(12, 0.2), 7));
   const ExactGeometry geometry(mesh);

@@ -77,5 +77,17 @@ TEST(WindowMerging, DistancesInASmallPartAreAsRightAsOthers) {
   }
 }
 
+TEST(WindowMerging, DoesNotBringWindowsRoundAFarOutlierNearer) {
+  // High up, each time round an outlier takes less than the rounding of distances there: the run had no end.
+  test::Soup soup = test::hills(60, 2.0);
+  const double height = 1e12 * test::make_mesh(soup)->typical_edge_length();
+  for (const Index v : test::random_vertices(static_cast<Index>(soup.positions.size()), 100, 1)) {
+    soup.positions[v][2] -= height;
+  }
+  ExactSolver solver(test::make_mesh(soup));
+  solver.run_from_vertices(std::array<Index, 1>{912}, {.merge_tolerance = 2e-4});
+  EXPECT_LT(solver.window_count(), 100000U);
+}
+
 }  // namespace
 }  // namespace vorogeo

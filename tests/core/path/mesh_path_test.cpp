@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "exact/exact_geometry.h"
 #include "support/error.h"
 #include "support/indexes.h"
@@ -81,6 +83,18 @@ TEST(MeshPath, HasNoPointsBetweenComponentsAndRefusesWhatIsNoPoint) {
     EXPECT_TRUE(none.certified);
   }
   EXPECT_THROW(query.exact_path(SurfacePoint::at_vertex(-1), SurfacePoint::at_vertex(0)), InvalidInput);
+}
+
+TEST(MeshPath, NothingIsProvenBesideEdgesWithoutDigits) {
+  for (const double lift : {1e12, 1e15}) {
+    test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
+    soup.positions[40][2] = lift;
+    const auto mesh = test::make_mesh(soup);
+    MeshPathQuery query = query_on(mesh);
+    const ExactPath exact = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(26));
+    EXPECT_EQ(exact.certified, lift < 1e13) << lift;
+    EXPECT_NEAR(exact.path.length, std::hypot(8.0, 2.0), 1e-9);
+  }
 }
 
 }  // namespace
