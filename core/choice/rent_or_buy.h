@@ -14,7 +14,8 @@ class RentOrBuy {
   /// For a mesh of so many vertices.
   explicit RentOrBuy(Index vertices) : least_price_(least_seconds_per_vertex * vertices) {}
 
-  /// An exact answer took so many seconds, of the same clock as the price.
+  /// An exact answer took so many seconds, of the same clock as the price. With several threads, those of the
+  /// calling one, which does its share.
   void pay(double seconds);
   /// Whether the price may have been reached, so that it is time to estimate it.
   bool wants_price() const {

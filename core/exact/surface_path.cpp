@@ -130,14 +130,16 @@ std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint
   return over;
 }
 
+bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
+             const SurfacePoint& first, const SurfacePoint& last, double distance) {
+  return !path.points.empty() && is_same_point(mesh, path.points.front(), first) &&
+         is_same_point(mesh, path.points.back(), last) && measured.agrees_with(distance) &&
+         measured.agrees_with(path.length);
+}
+
 bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,
              double distance) {
-  if (path.points.empty() || !is_same_point(mesh, path.points.front(), first) ||
-      !is_same_point(mesh, path.points.back(), last)) {
-    return false;
-  }
-  const MeasuredLength measured = measured_length(mesh, path.points);
-  return measured.agrees_with(distance) && measured.agrees_with(path.length);
+  return is_path(mesh, path, measured_length(mesh, path.points), first, last, distance);
 }
 
 }  // namespace vorogeo

@@ -40,6 +40,9 @@ std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint
 
 /// Whether a path runs from `first` to `last`, every two consecutive points share a face, and its steps sum
 /// to `distance` and to what it says its length is.
+bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
+             const SurfacePoint& first, const SurfacePoint& last, double distance);
+/// The same for a path that has not been measured along its points.
 bool is_path(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& first, const SurfacePoint& last,
              double distance);
 

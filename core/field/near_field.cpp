@@ -37,6 +37,8 @@ void NearField::add_at(const SurfacePoint& point) {
     for (int i = 0; i < 3; ++i) {
       const Index own = 3 * face + i;
       const double length = mesh.side_length(own);
+      // The faces at a side that the point is on are visited themselves.
+      if (!(weights[(i + 2) % 3] > 0.0)) continue;
       if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * length) continue;
       for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
         add(data_.work.second_layer[Mesh::face_of(h)]);

@@ -110,6 +110,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double vertices = static_cast<double>(data.mesh->vertex_count()) * scale;
   const PartitionOptions asked{options.first_layer_patches, options.second_layer_patches, options.seed, 1};
   const double first_patches = planned_first_layer(*data.mesh, vertices, asked);
+  // Of loops that all cores share this counts one thread's part; they are a small part of the layout.
   const double start = thread_seconds();
   data.partition = partition_for_index(*data.mesh, share_of(asked, first_patches, *data.mesh, scale), still);
   data.lay_out(1, still);

@@ -9,9 +9,9 @@ namespace vorogeo {
 
 /// The partition that make_partition() chooses, or where its tables would take much, that with cells counted
 /// in edges if its tables are smaller: patches of a plate with deep holes then have the walls of needles
-/// inside, instead of a border around each hole. Where there are few patches and tables would have no room
-/// for their borders, or the mesh consists of fans of thousands of needles, each component is one patch
-/// instead: the borders of such a mesh have so many vertices for its patches that tables err more and take
+/// inside, instead of a border around each hole. Components that are fans of more than a thousand needles
+/// are one patch; so is the whole mesh where there are few patches and tables would have no room for their
+/// borders: the borders of such a mesh have so many vertices for its patches that tables err more and take
 /// longer to fill than some hundred exact fields and longer to read than to solve one. An index without
 /// borders has no tables; its near fields and near pairs are the whole answer, and exact. If the options ask
 /// for patches, they get the usual ones.

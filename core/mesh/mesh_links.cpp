@@ -59,6 +59,8 @@ void Mesh::leave_out_faces() {
   });
   if (!any) return;
   std::vector<std::array<Index, 3>> kept;
+  kept.reserve(face_vertices_.size());
+  input_face_.reserve(face_vertices_.size());
   for (Index f = 0; f < face_count(); ++f) {
     if (left_out[f] != 0) continue;
     input_face_.push_back(f);

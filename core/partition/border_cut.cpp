@@ -23,6 +23,18 @@ constexpr double cost_unit = 1.0 / 16.0;
 constexpr double greatest_cost = 1e6;
 /// Length of a piece, in roots of a patch's area: between the finest and the longest border edges.
 constexpr double cost_piece = 0.065;
+/// Of the faces at one edge, each looks at no more than this many others.
+constexpr int most_around = 64;
+
+/// Calls visit(face) for other faces at the edge of a half-edge.
+template <class Visit>
+void for_faces_around(const Mesh& mesh, Index h, Visit&& visit) {
+  int seen = 0;
+  for (Index g = mesh.next_around_edge(h); g != h && seen < most_around;
+       g = mesh.next_around_edge(g), ++seen) {
+    visit(Mesh::face_of(g));
+  }
+}
 
 }  // namespace
 
@@ -37,9 +49,9 @@ void BorderCut::take_band(Index patch, Index other, std::span<const Index> label
   };
   auto for_neighbours = [&](Index f, auto&& visit) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      for (Index g = mesh_.next_around_edge(h); g != h; g = mesh_.next_around_edge(g)) {
-        if (place_[Mesh::face_of(g)] != no_index) visit(Mesh::face_of(g));
-      }
+      for_faces_around(mesh_, h, [&](Index g) {
+        if (place_[g] != no_index) visit(g);
+      });
     }
   };
   const auto& faces = patches_[patch].faces;
@@ -70,14 +82,13 @@ void BorderCut::cut(Index p, Index q, double faces_per_patch, std::span<Index> l
       const double length = piece > 0.0 ? mesh_.edge_length(mesh_.edge_of(h)) / piece : 0.0;
       const double cost = std::min(std::max(1.0, length) + length, greatest_cost);
       const auto capacity = static_cast<std::int64_t>(cost / cost_unit);
-      for (Index g = mesh_.next_around_edge(h); g != h; g = mesh_.next_around_edge(g)) {
-        const Index other = Mesh::face_of(g);
+      for_faces_around(mesh_, h, [&](Index other) {
         if (place_[other] >= 0) {
           if (f < other) flow_.join(place_[f], place_[other], capacity);
         } else if (place_[other] == no_place && (label[other] == p || label[other] == q)) {
           flow_.join(place_[f], label[other] == p ? MinCut::source : MinCut::sink, capacity);
         }
-      }
+      });
     }
   }
   flow_.run();
@@ -119,10 +130,9 @@ void BorderCut::shorten(std::span<const Index> faces, Index labels, double faces
   for (Index f : faces) {
     checkpoint_if_due();
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      for (Index g = mesh_.next_around_edge(h); g != h; g = mesh_.next_around_edge(g)) {
-        const Index other = Mesh::face_of(g);
+      for_faces_around(mesh_, h, [&](Index other) {
         if (place_[other] == no_place && label[f] < label[other]) pairs.emplace_back(label[f], label[other]);
-      }
+      });
     }
   }
   std::sort(pairs.begin(), pairs.end());

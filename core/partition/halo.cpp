@@ -38,8 +38,10 @@ std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, st
       const auto corners = mesh_.corners(v);
       if (corners.size() > greatest_fan) {
         for (Index side : {corner, Mesh::previous_in_face(corner)}) {
+          // The next face taken already has its turn, too: so each of the faces at an edge is met twice.
           for (Index h = mesh_.next_around_edge(side); h != side; h = mesh_.next_around_edge(h)) {
-            visit(Mesh::face_of(h));
+            if (list.size() >= max_faces) return end;
+            if (!visit(Mesh::face_of(h))) break;
           }
         }
         continue;
@@ -75,9 +77,10 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   std::size_t ring = 0;
   while (ring < faces_.size() && faces_.size() < wanted) {
     ring = for_ring(faces_, ring, broken_off(wanted), [&](Index f) {
-      if (mask_[f] != 0) return;
+      if (mask_[f] != 0) return false;
       mask_[f] = surrounded;
       faces_.push_back(f);
+      return true;
     });
   }
 }
@@ -86,10 +89,11 @@ void Halo::widen(std::span<const Index> around, int rings, std::size_t max_faces
   ringed_.clear();
   forget_vertices();
   auto mark = [&](Index f) {
-    if ((mask_[f] & in_rings) != 0) return;
+    if ((mask_[f] & in_rings) != 0) return false;
     if (mask_[f] == 0) faces_.push_back(f);
     mask_[f] |= in_rings;
     ringed_.push_back(f);
+    return true;
   };
   for (Index f : around) mark(f);
   std::size_t ring = 0;

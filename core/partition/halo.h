@@ -43,8 +43,9 @@ class Halo {
   std::span<const Index> faces() const { return faces_; }
 
  private:
-  /// Calls visit(face) for the faces at the vertices of the faces list[begin ...], which may extend the list,
-  /// until it has `max_faces` faces; returns the size that the list had at first.
+  /// Calls visit(face) for the faces at the vertices of the faces list[begin ...], which adds a face to the
+  /// list and is true unless it is there already, until it has `max_faces` faces; returns the size that the
+  /// list had at first.
   template <class Visit>
   std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t max_faces,
                        Visit&& visit);
@@ -60,7 +61,8 @@ class Halo {
   std::vector<std::uint8_t> mask_;
   std::vector<Index> faces_;
   std::vector<Index> ringed_;
-  /// By vertex: the value of stamp_ when its faces were visited, so that those at a hub are visited once.
+  /// By vertex: the value of stamp_ when its faces were visited, so that each fan but those of hubs is
+  /// visited once.
   std::vector<std::uint32_t> passed_;
   std::uint32_t stamp_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "partition/border_cut.h"
+#include "partition/patch_labels.h"
 #include "partition/voronoi.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
@@ -66,18 +67,6 @@ std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
-}
-
-/// Renumbers labels so that those in use are 0, 1, ... in the same order; returns how many there are.
-Index compact(std::vector<Index>& label, const std::vector<Index>& faces, Index labels) {
-  std::vector<Index> renamed(labels, no_index);
-  for (Index f : faces) renamed[label[f]] = 0;
-  Index used = 0;
-  for (Index& name : renamed) {
-    if (name != no_index) name = used++;
-  }
-  for (Index f : faces) label[f] = renamed[label[f]];
-  return used;
 }
 
 void check_patches(const char* which, Index requested, Index faces) {

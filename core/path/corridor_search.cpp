@@ -31,13 +31,6 @@ MeasuredLength set_ends(const Mesh& mesh, const SurfacePoint& first, const Surfa
   return measured;
 }
 
-bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
-             const SurfacePoint& first, const SurfacePoint& last, double distance) {
-  return !path.points.empty() && is_same_point(mesh, path.points.front(), first) &&
-         is_same_point(mesh, path.points.back(), last) && measured.agrees_with(distance) &&
-         measured.agrees_with(path.length);
-}
-
 FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, ExactLimits limits) {
   const ExactSource source{from};
   if (limits.max_distance < unreachable) {

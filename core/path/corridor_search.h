@@ -25,10 +25,6 @@ struct FoundPath {
 MeasuredLength set_ends(const Mesh& mesh, const SurfacePoint& first, const SurfacePoint& last,
                         SurfacePath& path);
 
-/// is_path() (core/exact) for a path whose length along its points is known.
-bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
-             const SurfacePoint& first, const SurfacePoint& last, double distance);
-
 /// Up to edges this many typical ones long, exact distances between the other vertices keep their digits.
 inline constexpr double provable_edges = 1e13;
 /// Whether a propagated distance is a proof on this mesh.

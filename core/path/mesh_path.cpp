@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "path/path_edges.h"
@@ -70,42 +71,52 @@ double MeshPathQuery::upper_bound(const SurfacePoint& source, const SurfacePoint
   double bound = unreachable;
   if (!lay_strip(source, target, bound)) return bound;
   refiner_->refine(strip_);
-  // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
-  const SurfacePath tight = refiner_->path();
-  if (!tight.points.empty()) bound = std::min(bound, measured_length(mesh_, tight.points).length);
+  bound = std::min(bound, refiner_->path().length);
   const auto nearby = surroundings_.surround(refiner_->line(), rings_around);
   return std::min(bound, corridor_.within(source, target, bound, nearby).path.length);
+}
+
+std::optional<ExactPath> MeshPathQuery::known_path(const SurfacePoint& from, const SurfacePoint& to) const {
+  auto component = [&](const SurfacePoint& p) {
+    return mesh_.component(p.is_vertex() ? p.vertex : mesh_.face_vertices(p.face).front());
+  };
+  if (!is_on_surface(mesh_, from) || !is_on_surface(mesh_, to) || component(from) != component(to)) {
+    return ExactPath{{{}, unreachable}, true};
+  }
+  if (is_same_point(mesh_, from, to)) return ExactPath{{{from, to}, 0.0}, true};
+  return std::nullopt;
+}
+
+ExactPath MeshPathQuery::checked(FoundPath found, const SurfacePoint& from, const SurfacePoint& to) const {
+  ExactPath result{std::move(found.path), false};
+  const MeasuredLength measured = set_ends(mesh_, from, to, result.path);
+  result.certified = !mesh_.metric_jumps() && is_provable(mesh_) &&
+                     is_path(mesh_, result.path, measured, from, to, found.distance);
+  return result;
 }
 
 ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
   const SurfacePoint from = validated(mesh_, source);
   const SurfacePoint to = validated(mesh_, target);
-  auto component = [&](const SurfacePoint& p) {
-    return mesh_.component(p.is_vertex() ? p.vertex : mesh_.face_vertices(p.face).front());
-  };
-  ExactPath result;
-  result.path.length = unreachable;
-  result.certified = true;
-  if (!is_on_surface(mesh_, from) || !is_on_surface(mesh_, to) || component(from) != component(to)) {
-    return result;
-  }
-  if (is_same_point(mesh_, from, to)) return {{{from, to}, 0.0}, true};
-  auto taken_over = [&](FoundPath found) {
-    result.path = std::move(found.path);
-    const MeasuredLength measured = set_ends(mesh_, from, to, result.path);
-    result.certified = is_path(mesh_, result.path, measured, from, to, found.distance);
-  };
-  if (!refiner_) {
-    taken_over(corridor_.run(from, to, {}));
-    result.certified = false;
-    return result;
-  }
+  if (auto known = known_path(from, to)) return *std::move(known);
+  if (!refiner_) return checked(corridor_.run(from, to, {}), from, to);
   const double bound = upper_bound(from, to);
-  taken_over(corridor_.within(from, to, bound));
+  ExactPath result = checked(corridor_.within(from, to, bound), from, to);
   // On faces without area, the bound may be off by more than rounding.
-  if (!result.certified && bound < unreachable) taken_over(corridor_.run(from, to, {}));
-  result.certified = result.certified && is_provable(mesh_);
+  if (!result.certified && bound < unreachable) result = checked(corridor_.run(from, to, {}), from, to);
   return result;
+}
+
+ExactPath MeshPathQuery::exact_path(PathsFromPoint& from_source, const SurfacePoint& target) {
+  const SurfacePoint& from = from_source.source();
+  const SurfacePoint to = validated(mesh_, target);
+  if (auto known = known_path(from, to)) return *std::move(known);
+  FoundPath found{from_source.path_to(to), unreachable, false};
+  found.distance = from_source.distance(to);
+  ExactPath result = checked(std::move(found), from, to);
+  // Where nothing can be proven, a corridor would not find more.
+  if (result.certified || mesh_.metric_jumps() || !is_provable(mesh_)) return result;
+  return exact_path(from, to);
 }
 
 }  // namespace vorogeo

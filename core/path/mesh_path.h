@@ -8,6 +8,7 @@
 #include "path/path_neighbourhood.h"
 #include "path/path_query.h"
 #include "path/path_refine.h"
+#include "weighted/paths_from_point.h"
 
 namespace vorogeo {
 
@@ -22,8 +23,14 @@ class MeshPathQuery {
   /// degenerate; where the metric jumps at edges, a refracted one of which nothing is proven. \throw
   /// InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target);
+  /// The same from the source of a propagation that serves many targets.
+  ExactPath exact_path(PathsFromPoint& from_source, const SurfacePoint& target);
 
  private:
+  /// The answer where no propagation is needed: to the point itself, or where no path exists.
+  std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;
+  /// What is found runs from `from` to `to` up to rounding, and is certified if it is valid.
+  ExactPath checked(FoundPath found, const SurfacePoint& from, const SurfacePoint& to) const;
   double upper_bound(const SurfacePoint& source, const SurfacePoint& target);
   bool lay_strip(const SurfacePoint& source, const SurfacePoint& target, double& length);
 

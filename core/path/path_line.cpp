@@ -10,8 +10,9 @@ namespace vorogeo {
 
 namespace {
 
-/// Behind an edge this many times shorter than its face is large, positions keep ten digits.
-constexpr double short_beside_face = 1e5;
+/// Edges crossed, and the line itself, are this fraction of the longest of them: ten digits remain of its
+/// length.
+constexpr double least_scale = 1e-6;
 
 double distance_between(const PlanePoint& a, const PlanePoint& b) {
   const double dx = a[0] - b[0], dy = a[1] - b[1];
@@ -24,16 +25,16 @@ UnfoldedCrossing PathLine::crossing_at(Index exit, Index entry, Index left, Inde
   const Mesh& mesh = *geometry_->mesh;
   const FaceFrame& frame = geometry_->frame[entry];
   const double length = mesh.edge_length(mesh.edge_of(entry));
+  shortest_crossed_ = std::min(shortest_crossed_, length);
+  longest_crossed_ = std::max(longest_crossed_, length);
   UnfoldedCrossing crossing{exit, entry, left, right, 0.0, 0.0, 0.0, {}, {}};
   if (!(length > 0.0)) {
     crossing.corner_distance = mesh.edge_length(mesh.edge_of(frame.first_side(entry)));
-    is_rough_ = true;
     return crossing;
   }
   const bool left_first = (mesh.tail(entry) == left) == frame.along;
   crossing.along = (left_first ? frame.apex_x : length - frame.apex_x) / length;
   crossing.aside = frame.apex_depth / length;
-  is_rough_ |= std::abs(crossing.along) > short_beside_face || crossing.aside > short_beside_face;
   return crossing;
 }
 
@@ -42,7 +43,8 @@ void PathLine::assign(const FaceStrip& strip) {
   source_ = strip.source;
   target_ = strip.target;
   first_face_ = strip.faces.front();
-  is_rough_ = false;
+  shortest_crossed_ = unreachable;
+  longest_crossed_ = 0.0;
   crossings_.clear();
   for (std::size_t i = 0; i < strip.entry.size(); ++i) {
     // Corners are counterclockwise in the plane: leaving across a half-edge, its head is on the left.
@@ -66,7 +68,13 @@ void PathLine::assign(const PathLine& other) {
   first_face_ = other.first_face_;
   crossings_ = other.crossings_;
   joints_ = other.joints_;
-  is_rough_ = other.is_rough_;
+  shortest_crossed_ = other.shortest_crossed_;
+  longest_crossed_ = other.longest_crossed_;
+}
+
+bool PathLine::is_rough() const {
+  const double line = length();
+  return std::min(shortest_crossed_, line) < least_scale * std::max(longest_crossed_, line);
 }
 
 double PathLine::length() const {

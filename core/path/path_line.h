@@ -65,8 +65,10 @@ class PathLine {
   const std::vector<Joint>& joints() const { return joints_; }
   const SurfacePoint& source() const { return source_; }
   const SurfacePoint& target() const { return target_; }
-  /// Whether it may have crossed an edge so short that unfolding across it loses the length of the line.
-  bool is_rough() const { return is_rough_; }
+  /// Whether edges that it crosses, or crossed before a change, differ so much in length from each other or
+  /// from the line that unfolding loses the line's length: a position is rounded by a part of the longest,
+  /// and a direction by that over the shortest.
+  bool is_rough() const;
   double length() const;
   /// Angle by which the line turns towards the vertex of a joint; negative if the bend is not needed.
   double turn(std::size_t joint) const;
@@ -101,7 +103,8 @@ class PathLine {
   Index first_face_ = no_index;
   std::vector<UnfoldedCrossing> crossings_;
   std::vector<Joint> joints_;
-  bool is_rough_ = false;
+  double shortest_crossed_ = unreachable;
+  double longest_crossed_ = 0.0;
 
   // Used only during a change.
   Funnel funnel_;

@@ -120,8 +120,6 @@ SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& 
   if (!strip_along_chain(data, chain, strip)) return none;
   refiner->refine(strip);
   SurfacePath path = refiner->path();
-  // Across edges of negligible length, an unfolded line may be off by any amount; its points are still right.
-  if (refiner->line().is_rough()) path.length = measured_length(*data.work.mesh, path.points).length;
   return path.length < unreachable ? path : none;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/surface_path.h"
+
 namespace vorogeo {
 
 namespace {
@@ -177,6 +179,8 @@ SurfacePath PathRefiner::path() const {
   const SurfacePoint& last = path.points.back();
   const bool same_vertex = last.is_vertex() && target.is_vertex() && last.vertex == target.vertex;
   if (!same_vertex || path.points.size() == 1) path.points.push_back(target);
+  // The points are right even where unfolding has lost the length.
+  if (line_.is_rough()) path.length = measured_length(mesh_, path.points).length;
   return path;
 }
 

@@ -16,7 +16,8 @@ class PathRefiner {
 
   /// \return the length of the line in the shortened strip.
   double refine(const FaceStrip& strip);
-  /// The line last refined: points on edges, at vertices, and the two ends.
+  /// The line last refined: points on edges, at vertices, and the two ends; its length is measured along
+  /// these where unfolding may have lost it.
   SurfacePath path() const;
   const PathLine& line() const { return line_; }
 

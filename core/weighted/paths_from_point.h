@@ -22,6 +22,10 @@ class PathsFromPoint {
   /// constant factor beyond the target.
   SurfacePath path_to(const SurfacePoint& target, const Progress& progress = {});
 
+  /// The distance that the last path_to(target) went by.
+  double distance(const SurfacePoint& target) const { return solver_.distance(target); }
+  const SurfacePoint& source() const { return source_; }
+
   /// Whether path_to(target) needs no propagation. \throw InvalidInput for a point that is not on the mesh.
   bool reaches(const SurfacePoint& target) const;
   /// Propagates, if need be, so that targets up to this distance are reached. \throw Cancelled; nothing is

@@ -60,12 +60,8 @@ std::vector<ExactPath> exact_paths(const std::shared_ptr<const Mesh>& mesh, cons
     if (together && !propagation) propagation = std::make_unique<PathsFromPoint>(geometry);
     if (together) propagation->reset(source);
     for (const std::size_t i : pairs) {
-      if (together) {
-        found[i].path = propagation->path_to(targets[i]);
-        found[i].certified = !mesh->metric_jumps();
-      } else {
-        found[i] = corridors.exact_path(source, targets[i]);
-      }
+      found[i] = together ? corridors.exact_path(*propagation, targets[i])
+                          : corridors.exact_path(source, targets[i]);
       watch.reach(static_cast<double>(++done) / static_cast<double>(sources.size()));
     }
   });

@@ -15,7 +15,7 @@ from .progress import ProgressFunction, reporter
 
 @dataclass(frozen=True)
 class IndexEstimate:
-    """What an index of a mesh would cost, and what it would save, on this machine as it is now.
+    """What an index of a mesh would cost, and what it would save, on this machine with nothing else to do.
 
     Attributes
     ----------

@@ -38,7 +38,8 @@ class GeodesicIndex(Queries):
         Average relative error that pruning of the graph may add, in [0, 1). 0 loses nothing; a value above 0 selects
         the form of a graph.
     threads : int, optional
-        Threads of the build and of each field; None is one per core. The results do not depend on it.
+        Threads of the build and of each field; None is one per core. The results do not depend on it. Reading the
+        mesh, the first percent of a build, takes all cores in any case.
     seed : int, default 0
         Seed of the random numbers that place the patches, 0 to 2**64 - 1.
     progress : callable or bool, optional

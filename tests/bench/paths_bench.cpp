@@ -9,7 +9,6 @@
 // exact_path with landmarks.
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "mesh_file.h"
 #include "path/path_query.h"
 #include "support/parallel.h"
+#include "support/thread_clock.h"
 #include "tasks/landmark_fields.h"
 
 namespace {
@@ -27,18 +27,11 @@ namespace {
 using vorogeo::Index;
 using vorogeo::SurfacePoint;
 
-/// Seconds of the calling thread alone.
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 template <class Call>
 double seconds_of(Call&& call) {
-  const double start = thread_seconds();
+  const double start = vorogeo::thread_seconds();
   call();
-  return thread_seconds() - start;
+  return vorogeo::thread_seconds() - start;
 }
 
 std::shared_ptr<const vorogeo::GeodesicIndex> index_of(const std::shared_ptr<const vorogeo::Mesh>& mesh,

@@ -84,6 +84,15 @@ def test_paths_of_pairs_and_of_many_targets_from_one_source_are_exact():
         assert steps.sum() == pytest.approx(path.length, rel=1e-12, abs=1e-14)
 
 
+def test_no_path_is_certified_beside_an_edge_too_long_for_digits():
+    vertices, faces = plane_grid(14, 14, 1.0)
+    vertices[100, 2] = 1e15
+    for count in (5, 150):  # a corridor for each, one propagation for all
+        targets = np.setdiff1d(np.arange(1, 160), [100])[:count]
+        paths = vorogeo.exact_path(vertices, faces, np.zeros(count, int), targets)
+        assert not any(path.certified for path in paths)
+
+
 def test_a_path_to_another_component_has_no_points():
     vertices, faces = side_by_side(cube(), cube())
     none = vorogeo.exact_path(vertices, faces, 0, len(vertices) - 1)

@@ -63,9 +63,24 @@ TEST(IndexPartition, AFanOfThousandsOfNeedlesIsNotDivided) {
     const double chord = 2.0 * std::abs(std::sin(std::numbers::pi * (v - 5) / 12000));
     EXPECT_NEAR(field[v], chord, 1e-9) << v;
   }
-  // Beside a surface as large, it is a part like others.
-  const auto joined = test::make_mesh(test::two_components(test::icosphere(5), disc));
-  EXPECT_GT(partition_for_index(*joined, {0, 0, 0, 1}, {}).second_layer_count, 2);
+}
+
+TEST(IndexPartition, ASurfaceBesideAFanIsDividedWithoutIt) {
+  // Three quarters of the faces are needles.
+  const test::Soup sphere = test::icosphere(5);
+  const auto mesh = test::make_mesh(test::two_components(sphere, test::needle_disc(61500)));
+  const Partition found = partition_for_index(*mesh, {0, 0, 0, 1}, {});
+  const auto sphere_faces = static_cast<Index>(sphere.faces.size());
+  const Partition alone = make_partition(*test::make_mesh(sphere), {0, 0, 0, 1}, {});
+  EXPECT_GT(found.second_layer_count, alone.second_layer_count / 2);
+  std::vector<Index> faces_of(found.second_layer_count, 0);
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    ++faces_of[found.second_layer[f]];
+    EXPECT_EQ(found.parent[found.second_layer[f]], found.first_layer[f]);
+    EXPECT_EQ(found.second_layer[f] == found.second_layer[sphere_faces], f >= sphere_faces);
+  }
+  for (Index faces : faces_of) EXPECT_GT(faces, 0);
+  for (std::size_t p = 1; p < found.parent.size(); ++p) EXPECT_LE(found.parent[p - 1], found.parent[p]);
 }
 
 TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {

@@ -10,6 +10,7 @@
 
 #include "support/indexes.h"
 #include "support/shapes.h"
+#include "support/thread_clock.h"
 
 namespace vorogeo {
 namespace {
@@ -97,6 +98,25 @@ TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
   EXPECT_EQ(halo.faces().size(), 300U);
   EXPECT_EQ(least, 1900);
   EXPECT_EQ(greatest, 2199);
+}
+
+TEST(Halo, TakesAllPagesOfABookOnce) {
+  // Face i joins the spine, from vertex 0 to 1, to vertex i + 2.
+  constexpr Index pages = 20'000;
+  test::Soup book;
+  book.positions = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+  for (Index i = 0; i < pages; ++i) {
+    book.positions.push_back({std::cos(1e-4 * i), std::sin(1e-4 * i), 0.5});
+    book.faces.push_back({0, 1, i + 2});
+  }
+  const auto mesh = test::make_mesh(book);
+  const std::array<Index, 4> first_face{0, 100, 200, pages};
+  Halo halo(*mesh, first_face);
+  const auto start = thread_seconds();
+  halo.surround(std::array{Index{1}}, 1000.0);
+  EXPECT_EQ(halo.faces().size(), static_cast<std::size_t>(pages));
+  // Quadratic work would take half a second.
+  EXPECT_LT(thread_seconds() - start, 0.1);
 }
 
 TEST(Halo, TakesTheFacesOfPatchesInAnyOrder) {

@@ -56,6 +56,37 @@ TEST(MeshPath, IsAsLongAsTheExactFieldSaysOnHills) {
   }
 }
 
+TEST(MeshPath, IsTheSameFromAPropagationThatServesManyTargets) {
+  const test::Shape box = test::box({1.0, 2.0, 1.5}, 4);
+  const auto mesh = test::make_mesh(box.soup);
+  const auto geometry = std::make_shared<const LocalGeometry>(mesh);
+  MeshPathQuery query(geometry);
+  PathsFromPoint from_source(geometry);
+  const auto source = SurfacePoint::in_face(3, {0.5, 0.2, 0.3});
+  from_source.reset(source);
+  for (Index v = 0; v < mesh->vertex_count(); v += 3) {
+    const auto target = SurfacePoint::at_vertex(v);
+    const ExactPath found = query.exact_path(from_source, target);
+    EXPECT_TRUE(found.certified) << v;
+    EXPECT_NEAR(found.path.length, box.distance(source, target), 1e-9) << v;
+    EXPECT_EQ(test::path_fault(*mesh, found.path, source, target), "");
+  }
+  EXPECT_EQ(query.exact_path(from_source, source).path.length, 0.0);
+}
+
+TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
+  test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
+  soup.positions[80][2] = 1e15;
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
+  MeshPathQuery query(geometry);
+  PathsFromPoint from_source(geometry);
+  from_source.reset(SurfacePoint::at_vertex(0));
+  for (const Index v : {5, 40, 100}) {
+    EXPECT_FALSE(query.exact_path(from_source, SurfacePoint::at_vertex(v)).certified) << v;
+    EXPECT_FALSE(query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(v)).certified) << v;
+  }
+}
+
 TEST(MeshPath, IsAsLongAsTheMetricSays) {
   const test::Shape plane = test::plane_grid(9, 9, 1.0, 1.0, 0.2);
   const auto flat = test::make_mesh(plane.soup);

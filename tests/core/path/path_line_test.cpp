@@ -84,5 +84,56 @@ TEST(PathRefiner, GoesRoundTheOtherSide) {
   EXPECT_EQ(test::path_fault(*mesh, refiner.path(), from, to), "");
 }
 
+/// A flat strip that narrows in steps to a gate of 1e-8 and widens again, and is turned in space. The
+/// straight line of length 2 from vertex 0 to the last passes the middle.
+test::Soup hourglass() {
+  const double heights[] = {1.0, 1e-4, 1e-8, 1e-4};
+  const double places[] = {-0.5, -1e-4, 0.0, 1e-4};
+  test::Soup soup;
+  const std::array<double, 3> along{2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0}, aside{-2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0};
+  auto add = [&](double x, double y) {
+    soup.positions.push_back(
+        {x * along[0] + y * aside[0], x * along[1] + y * aside[1], x * along[2] + y * aside[2]});
+  };
+  add(-1.0, 0.0);
+  for (int i = 0; i < 4; ++i) {
+    add(places[i], -0.4 * heights[i]);
+    add(places[i], 0.7 * heights[i]);
+  }
+  add(1.0, 0.0);
+  soup.faces = {{0, 1, 2}, {1, 4, 2}, {1, 3, 4}, {3, 6, 4}, {3, 5, 6}, {5, 8, 6}, {5, 7, 8}, {7, 9, 8}};
+  return soup;
+}
+
+TEST(PathRefiner, KeepsTheLengthOfALineThroughATinyGate) {
+  const auto mesh = test::make_mesh(hourglass());
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip;
+  strip.faces.push_back(0);
+  ASSERT_TRUE(turn_around(*mesh, strip, 1, 2));
+  ASSERT_TRUE(turn_around(*mesh, strip, 3, 4));
+  ASSERT_TRUE(turn_around(*mesh, strip, 5, 6));
+  ASSERT_TRUE(turn_around(*mesh, strip, 7, 7));
+  strip.source = SurfacePoint::at_vertex(0);
+  strip.target = SurfacePoint::at_vertex(9);
+  PathRefiner refiner(geometry);
+  refiner.refine(strip);
+  EXPECT_TRUE(refiner.line().is_rough());
+  const SurfacePath path = refiner.path();
+  EXPECT_NEAR(path.length, 2.0, 1e-11);
+  EXPECT_EQ(test::path_fault(*mesh, path, strip.source, strip.target), "");
+}
+
+TEST(PathLine, IsNotRoughOnUsualFaces) {
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip = strip_around(*mesh, 0, 2);
+  strip.source = SurfacePoint::in_face(strip.faces.front(), {0.2, 0.4, 0.4});
+  strip.target = SurfacePoint::in_face(strip.faces.back(), {0.2, 0.4, 0.4});
+  PathLine line(geometry);
+  line.assign(strip);
+  EXPECT_FALSE(line.is_rough());
+}
+
 }  // namespace
 }  // namespace vorogeo
