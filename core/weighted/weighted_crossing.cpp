@@ -21,12 +21,12 @@ constexpr double slope_slack = 0.3;
 bool WeightedSolver::is_one_wave(Index edge, Index first) const {
   const PointState& a = state_[norms_->point(edge, first)];
   const PointState& b = state_[norms_->point(edge, first + 1)];
-  const double part = norms_->fraction(1);
-  const double slack = slope_slack * part * norms_->edge_cost(edge);
+  const double cost = norms_->fraction(1) * norms_->edge_cost(edge);
   const double rise = b.distance - a.distance;
   // A vertex belongs to many edges.
-  const bool bends_at_first = first > 0 && part * a.slope > rise + slack;
-  const bool bends_at_second = first < norms_->points_per_edge() && rise > part * b.slope + slack;
+  const bool bends_at_first = first > 0 && cost * a.slope > rise + slope_slack * cost;
+  const bool bends_at_second =
+      first < norms_->points_per_edge() && rise > cost * b.slope + slope_slack * cost;
   return !bends_at_first && !bends_at_second;
 }
 
@@ -81,9 +81,9 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
     ++piece_count;
   }
   /// `side`: the direction of the side that the point is on, in this face; `side_dearer`: as of RayAtEdge;
-  /// `side_length`: its length, below 0 if the direction is not that of its edge.
+  /// `sign`: -1 if the direction is not that of its edge.
   auto look = [&](Index point, double x, double y, const FaceNorms::Place& side, double side_dearer,
-                  double side_length) {
+                  double sign) {
     const double known = state_[point].distance;
     if (!(least + y < known)) return;
     double best = own.distance + std::sqrt((x - at) * (x - at) + y * y);
@@ -109,7 +109,7 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
       radius = refracted_radius(radius, {cosine, side_dearer}, false);
       farther = std::clamp(radius - best, 0.0, flattest * best);
     }
-    reach(point, best, source, farther, cosine * side_length);
+    reach(point, best, source, farther, sign * cosine * side_dearer);
   };
   const Index first_side = frame.along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
   const Index second_side = frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
@@ -128,7 +128,7 @@ void WeightedSolver::cross_from(Index halfedge, Index from) {
     for (Index k = 1; k < last; ++k) {
       const double t = spacing * (from_apex ? last - k : k);  // from the edge to the apex
       look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y, along, side_dearer,
-           from_apex ? -length : length);
+           from_apex ? -1.0 : 1.0);
     }
   }
 }

@@ -157,7 +157,7 @@ void WeightedSolver::settle(Index point) {
   auto along = [&](Index edge, Index from, Index to) {
     const double cost = norms_->edge_cost(edge);
     reach(norms_->point(edge, to), own.distance + cost * norms_->fraction(std::abs(to - from)), own.source,
-          norms_->is_vertex(point) ? 0.0 : own.farther(), to > from ? cost : -cost);
+          norms_->is_vertex(point) ? 0.0 : own.farther(), to > from ? 1.0 : -1.0);
   };
   if (!norms_->is_vertex(point)) {
     const Index edge = norms_->edge_of(point);

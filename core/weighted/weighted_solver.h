@@ -56,8 +56,9 @@ class WeightedSolver {
  private:
   struct PointState {
     double distance = unreachable;
-    float flatness = 0.0f;                                  ///< EdgePiece::farther, in parts of the distance
-    float slope = std::numeric_limits<float>::quiet_NaN();  ///< along its edge, for its length; NaN: unknown
+    // In parts of lengths, which floats would not hold.
+    float flatness = 0.0f;                                  ///< EdgePiece::farther, of the distance
+    float slope = std::numeric_limits<float>::quiet_NaN();  ///< along its edge, of its cost; NaN: unknown
     Index source : 31 = no_index;
     bool settled : 1 = false;
 
