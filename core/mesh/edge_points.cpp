@@ -5,9 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
-#include <tuple>
 #include <vector>
 
+#include "mesh/sorted_sides.h"
+#include "mesh/triangle_area.h"
 #include "mesh/vectors.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
@@ -25,24 +26,21 @@ constexpr double jumping_share = 0.1;
 /// For a mean error of about half a percent.
 constexpr double points_per_stretch = 2.5;
 
-/// Area of a face, in parts of the square of its longest side, below which it has no width.
+/// Twice the area of a face, in parts of the square of its longest side: less is rounding.
 constexpr double no_area = 1e-7;
 
-/// Twice the area, by Kahan's form of Heron's formula; 0 if it is rounding.
-double twice_area(std::array<double, 3> sides) {
-  std::ranges::sort(sides, std::greater{});
-  const auto [a, b, c] = sides;
-  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  const double area = 0.5 * std::sqrt(std::max(0.0, product));
-  return area > no_area * a * a ? area : 0.0;
+double least_area(const std::array<double, 3>& sides) {
+  const double longest = std::ranges::max(sides);
+  return no_area * longest * longest;
 }
 
 }  // namespace
 
 double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space) {
-  const double area = twice_area(sides);
   const double area_in_space = twice_area(in_space);
-  if (!(area > 0.0 && area_in_space > 0.0)) return 1.0;
+  if (!(area_in_space > least_area(in_space))) return 1.0;
+  // Where stretches leave rounding of the area, they are at least those that this one gives.
+  const double area = std::max(twice_area(sides), least_area(sides));
   // The squared lengths of two sides and their product, in either metric: the ratio of the eigenvalues of one
   // in the other follows from trace and determinant.
   auto form = [](const std::array<double, 3>& s) {
@@ -60,16 +58,11 @@ double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3
 
 Index edge_points_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                       const SideLengths& sides) {
-  struct SideOf {
-    Index a, b;
-    std::size_t face;
-    double length;
-  };
-  std::vector<double> stretch(faces.size());
-  std::vector<SideOf> sorted;
+  std::vector<double> stretch(faces.size(), 1.0);
   double greatest = 1.0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (f % elements_per_checkpoint == 0) checkpoint();
+    if (!is_usable(faces[f])) continue;
     std::array<double, 3> in_space{};
     for (int i = 0; i < 3; ++i) {
       in_space[i] = distance_between(positions[faces[f][(i + 1) % 3]], positions[faces[f][(i + 2) % 3]]);
@@ -80,31 +73,23 @@ Index edge_points_for(std::span<const Point> positions, std::span<const std::arr
   const Index fewest = FaceSides{}.points_per_edge;
   if (points_per_stretch * greatest <= fewest) return fewest;
 
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
-      if (a != b) sorted.push_back({a, b, f, sides[f][i]});
-    }
-  }
-  std::ranges::sort(sorted, [](const SideOf& p, const SideOf& q) {
-    return std::tie(p.a, p.b, p.length) < std::tie(q.a, q.b, q.length);
-  });
   struct Jump {
     double stretch = 1.0;
-    std::size_t face = 0;
+    Index face = 0;
   };
   std::vector<Jump> jumps;  // of edges between faces
   std::size_t between = 0;
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    std::size_t most = begin;
-    for (end = begin;
-         end < sorted.size() && sorted[end].a == sorted[begin].a && sorted[end].b == sorted[begin].b; ++end) {
-      if (stretch[sorted[end].face] > stretch[sorted[most].face]) most = end;
-    }
+  const std::vector<SideOfFace> sorted = sorted_sides(faces);
+  for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
+    end = std::find_if(begin, sorted.end(), [&](const SideOfFace& s) { return s.ends != begin->ends; });
     if (end - begin < 2) continue;
     ++between;
-    const bool turns = sorted[end - 1].length > side_jump * sorted[begin].length;
-    if (turns) jumps.push_back({stretch[sorted[most].face], sorted[most].face});
+    const std::ranges::subrange edge(begin, end);
+    const auto [least, most] =
+        std::ranges::minmax(edge, {}, [&](const SideOfFace& s) { return sides[s.face][s.corner]; });
+    if (!(sides[most.face][most.corner] > side_jump * sides[least.face][least.corner])) continue;
+    const Index face = std::ranges::max(edge, {}, [&](const SideOfFace& s) { return stretch[s.face]; }).face;
+    jumps.push_back({stretch[face], face});
   }
   const auto rank = static_cast<std::size_t>(jumping_share * static_cast<double>(between));
   if (rank >= jumps.size()) return fewest;

@@ -16,7 +16,8 @@ Index edge_points_for(std::span<const Point> positions, std::span<const std::arr
                       const SideLengths& sides);
 
 /// How many times longer the longest step of a unit of length is in a face with these sides than the
-/// shortest; 1 for faces that have no width. `in_space`: its sides there.
+/// shortest; 1 for faces that have no width in space. Those of over some 1e7, which sides of double precision
+/// do not tell apart, come out as that or more. `in_space`: its sides there.
 double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space);
 
 /// More are not chosen without being asked for: time and memory grow with them.

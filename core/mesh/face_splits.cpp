@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mesh/sorted_sides.h"
 #include "mesh/vectors.h"
 #include "support/checkpoint.h"
 
@@ -36,9 +37,8 @@ class Splitter {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (f % elements_per_checkpoint == 0) checkpoint();
       const auto& v = faces[f];
-      const bool is_usable = v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
       parts_.push_back({v, static_cast<Index>(f), 0});
-      if (is_usable) link(static_cast<Index>(f));
+      if (is_usable(v)) link(static_cast<Index>(f));
     }
   }
 

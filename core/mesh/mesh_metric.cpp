@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesh/mesh.h"
+#include "mesh/triangle_area.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
 
@@ -137,8 +138,7 @@ std::array<double, 3> Mesh::side_lengths(Index face) const {
 /// The corners of a face, laid into the plane by the lengths of its sides.
 std::array<Point, 3> Mesh::corners_by_lengths(Index face) const {
   // The longest side lies on the x axis and begins where the shorter of the other two ends, so differences
-  // are taken of numbers that have all their digits. Area: Kahan (2014), Miscalculating area and angles of a
-  // needle-like triangle.
+  // are taken of numbers that have all their digits.
   const auto side = side_lengths(face);
   const auto apex = static_cast<int>(std::ranges::max_element(side) - side.begin());
   int origin = (apex + 1) % 3;
@@ -152,9 +152,7 @@ std::array<Point, 3> Mesh::corners_by_lengths(Index face) const {
   corner[end][0] = longest;
   const double more = longest - to_end;
   corner[apex][0] = (to_origin * to_origin + more * (longest + to_end)) / (2.0 * longest);
-  const double square = (longest + (to_end + to_origin)) * (to_origin - more) * (to_origin + more) *
-                        (longest + (to_end - to_origin));
-  corner[apex][1] = std::sqrt(std::max(0.0, square)) / (2.0 * longest);
+  corner[apex][1] = twice_area(side) / longest;
   return corner;
 }
 

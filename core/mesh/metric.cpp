@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <string>
-#include <tuple>
 
 #include "mesh/face_splits.h"
+#include "mesh/sorted_sides.h"
 #include "mesh/vectors.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
@@ -50,10 +51,6 @@ void require_symmetric(const Tensor& g, const char* element, std::size_t number)
   throw InvalidInput(
       "The tensor of " + std::string(element) + " " + std::to_string(number) + " is " +
       (finite ? "not symmetric; give G with G[i][k] = G[k][i]." : "not finite; give nine finite numbers."));
-}
-
-bool is_usable(const std::array<Index, 3>& face) {
-  return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }
 
 /// Where lengths differ much between directions, most digits of the sum cancel in the cheap ones, and needles
@@ -214,21 +211,8 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     if (is_broken(f)) open.push_back(f);
   }
   if (open.empty()) return 0;
-  struct SideOf {
-    Index a, b;
-    std::size_t face;
-    int corner;
-    bool changed;
-  };
-  auto by_ends = [](const SideOf& x, const SideOf& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
-  std::vector<SideOf> sorted;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int i = 0; i < 3 && is_usable(faces[f]); ++i) {
-      const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
-      sorted.push_back({a, b, f, i, false});
-    }
-  }
-  std::ranges::sort(sorted, by_ends);
+  const std::vector<SideOfFace> sorted = sorted_sides(faces);
+  std::vector<std::uint8_t> changed(sorted.size(), 0);  // at the first side of each edge
   // This loop ends: lengths only decrease, and each is that of a path along the edges as they were given.
   Index count = 0;
   while (!open.empty()) {
@@ -238,13 +222,13 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     const int k = longest_of(f);
     const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
     const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
-    const auto [begin, end] =
-        std::equal_range(sorted.begin(), sorted.end(), SideOf{a, b, 0, 0, false}, by_ends);
-    count += !begin->changed;
-    for (auto at = begin; at != end; ++at) {
-      at->changed = true;
-      sides[at->face][at->corner] = length;
-      open.push_back(at->face);
+    const auto edge = std::ranges::equal_range(sorted, std::array<Index, 2>{a, b}, {}, &SideOfFace::ends);
+    std::uint8_t& counted = changed[edge.begin() - sorted.begin()];
+    count += counted == 0;
+    counted = 1;
+    for (const SideOfFace& side : edge) {
+      sides[side.face][side.corner] = length;
+      open.push_back(side.face);
     }
   }
   return count;

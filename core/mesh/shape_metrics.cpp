@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 
+#include "mesh/sorted_sides.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -55,25 +55,13 @@ std::vector<Point> vertex_normals(std::span<const Point> positions,
 /// across the edge.
 std::vector<Tensor> bend_tensors(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces) {
-  struct SideOf {
-    Index a, b, apex;
-    std::size_t face;
-  };
-  std::vector<SideOf> sides;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(faces[f][i], faces[f][(i + 1) % 3]);
-      sides.push_back({a, b, faces[f][(i + 2) % 3], f});
-    }
-  }
-  std::ranges::sort(sides, [](const SideOf& x, const SideOf& y) {
-    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
-  });
+  const std::vector<SideOfFace> sides = sorted_sides(faces);
   std::vector<Tensor> sum(positions.size(), Tensor{});
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const auto& [a, b, apex, face] = sides[i];
-    const SideOf& next = sides[i + 1];
-    if (next.a != a || next.b != b || a == b) continue;
+    const auto& [ends, face, corner] = sides[i];
+    const auto& [next_ends, next_face, next_corner] = sides[i + 1];
+    if (next_ends != ends) continue;
+    const auto [a, b] = ends;
     const Point along = step_to(positions[a], positions[b]);
     const Point edge = unit_of(along);
     // Directions in both faces away from the edge: opposite on a plane.
@@ -83,8 +71,8 @@ std::vector<Tensor> bend_tensors(std::span<const Point> positions,
       for (int k = 0; k < 3; ++k) aside[k] -= x * edge[k];
       return unit_of(aside);
     };
-    const Point left = away(apex);
-    const Point right = away(next.apex);
+    const Point left = away(faces[face][corner]);
+    const Point right = away(faces[next_face][next_corner]);
     const Point bisector{left[0] + right[0], left[1] + right[1], left[2] + right[2]};
     const Point across = unit_of(step_to(right, left));
     // The sign tells ridges from valleys; which is which does not matter.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "mesh/triangle_area.h"
+
 namespace vorogeo {
 
 namespace {
@@ -17,12 +19,8 @@ constexpr double cotangent_slack = 1e-9;
 }  // namespace
 
 double IntrinsicMesh::double_area(const Face& face) {
-  // Kahan's order, in which nothing of a needle's area is lost.
-  std::array<double, 3> l = face.length;
-  std::sort(l.begin(), l.end(), std::greater<>());
-  const double square =
-      (l[0] + (l[1] + l[2])) * (l[2] - (l[0] - l[1])) * (l[2] + (l[0] - l[1])) * (l[0] + (l[1] - l[2]));
-  return std::max(0.5 * std::sqrt(std::max(0.0, square)), least_area_part * l[0] * l[0]);
+  const double longest = *std::max_element(face.length.begin(), face.length.end());
+  return std::max(twice_area(face.length), least_area_part * longest * longest);
 }
 
 double IntrinsicMesh::cotangent(const Face& face, int i) {

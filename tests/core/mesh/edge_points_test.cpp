@@ -41,10 +41,27 @@ TEST(EdgePoints, StretchIsThatOfTheTensor) {
   EXPECT_EQ(stretch_of({2, 1, 1}, {2, 1, 1}), 1.0);
 }
 
-/// Points chosen on a grid for a direction and a stretch of each face.
+/// Right angles along the directions of the tensor. What is left of the area is rounding.
+TEST(EdgePoints, StretchesBeyondDoublesAreNotSmall) {
+  const std::array<double, 3> in_space{std::numbers::sqrt2, 1, 1};
+  for (const double stretch : {3e7, 1e8, 1e10, 1e20}) {
+    const double found = stretch_of({std::hypot(1.0, stretch), 1, stretch}, in_space);
+    EXPECT_GE(found, 5e6);
+    EXPECT_LE(found, stretch);
+  }
+  // A needle that four times the length leaves thinner than rounding, and one that is so in space.
+  EXPECT_LE(stretch_of({4, 2, 2}, {1, 0.5, 0.5 + 1e-13}), 4.0);
+  EXPECT_EQ(stretch_of({5, 4, 3}, {2, 1, 1}), 1.0);
+}
+
+/// Points chosen on a grid for a direction and a stretch of each face. `repeats`: all faces come again, with
+/// one vertex named twice.
 template <class TensorOf>
-Index chosen(const TensorOf& tensor_of) {
-  const test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
+Index chosen(const TensorOf& tensor_of, bool repeats = false) {
+  test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
+  for (std::size_t f = 0, count = soup.faces.size(); repeats && f < count; ++f) {
+    soup.faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][1]});
+  }
   std::vector<Tensor> tensors;
   for (std::size_t f = 0; f < soup.faces.size(); ++f) tensors.push_back(tensor_of(f));
   return edge_points_for(soup.positions, soup.faces,
@@ -59,6 +76,21 @@ TEST(EdgePoints, MoreWhereFacesStretchInDifferentDirections) {
   EXPECT_EQ(chosen([&](std::size_t) { return stretched(angle(), 2.0); }), 6);
   EXPECT_NEAR(chosen([&](std::size_t) { return stretched(angle(), 10.0); }), 25, 1);
   EXPECT_NEAR(chosen([&](std::size_t) { return stretched(angle(), 100.0); }), 250, 1);
+}
+
+TEST(EdgePoints, FacesThatNameAVertexTwiceAreNoNeighbours) {
+  EXPECT_EQ(chosen([](std::size_t) { return stretched(0.3, 10.0); }, true), 6);
+  EXPECT_EQ(chosen([](std::size_t) { return stretched(0.3, 400.0); }, true), 6);
+  std::mt19937 random(1);
+  EXPECT_NEAR(chosen([&](std::size_t) { return stretched(random() / 1e9, 10.0); }, true), 25, 1);
+}
+
+TEST(EdgePoints, TooManyAreRefusedHoweverMany) {
+  for (const double stretch : {1e3, 1e6, 1e7, 3e7}) {
+    std::mt19937 random(1);
+    EXPECT_THROW(chosen([&](std::size_t) { return stretched(random() / 1e9, stretch); }), InvalidInput)
+        << stretch;
+  }
 }
 
 TEST(EdgePoints, TooManyAreRefusedWithTheFace) {

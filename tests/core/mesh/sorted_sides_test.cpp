@@ -1,0 +1,23 @@
+// Sides of few faces, by hand.
+#include "mesh/sorted_sides.h"
+
+#include <gtest/gtest.h>
+
+namespace vorogeo {
+namespace {
+
+TEST(SortedSides, ThoseOfAnEdgeStandTogether) {
+  const std::vector<std::array<Index, 3>> faces{{2, 1, 0}, {1, 2, 3}};
+  const std::vector<SideOfFace> expected{{{0, 1}, 0, 0}, {{0, 2}, 0, 1}, {{1, 2}, 0, 2},
+                                         {{1, 2}, 1, 2}, {{1, 3}, 1, 1}, {{2, 3}, 1, 0}};
+  EXPECT_EQ(sorted_sides(faces), expected);
+}
+
+TEST(SortedSides, FacesThatNameAVertexTwiceHaveNone) {
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 1}, {2, 3, 2}, {4, 4, 0}, {5, 5, 5}};
+  for (const auto& face : faces) EXPECT_FALSE(is_usable(face));
+  EXPECT_TRUE(sorted_sides(faces).empty());
+}
+
+}  // namespace
+}  // namespace vorogeo
