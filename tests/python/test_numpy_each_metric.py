@@ -12,6 +12,10 @@ from sample_meshes import bent_grid
 
 VERTICES, FACES = bent_grid(22, 16)
 IDS = np.array([3, 60, 121, 180, 222, 300, 351])
+# Mean, 99th percentile and largest error of an index: twice those of docs/accuracy.md, and for values of faces twice
+# those of the field on igea in docs/metrics.md; the largest, which hardly any vertex has, is bounded closer.
+OF_VERTICES = 2e-4, 1.5e-3, 5e-3
+OF_FACES = 1.7e-3, 8e-3, 3e-2
 
 
 def metric_named(name, scale=1.0):
@@ -47,7 +51,7 @@ def asked(request):
     """An index, exact fields from all vertices in question, and how exact such fields are."""
     metric = metric_named(request.param)
     vertices = None if request.param == "lengths" else VERTICES
-    index = vorogeo.GeodesicIndex(vertices, FACES, patches=(4, 3), metric=metric)
+    index = vorogeo.GeodesicIndex(vertices, FACES, patches=(3, 3), metric=metric)
     fields = np.array([vorogeo.exact_distance_field(vertices, FACES, i, metric=metric) for i in IDS])
     return request.param, index, fields, 5e-3 if request.param.startswith("face") else 1e-9
 
@@ -66,19 +70,22 @@ def test_distances_are_those_of_a_metric(asked):
 
 
 def test_fields_pairs_and_matrices(asked):
-    _, index, fields, slack = asked
+    name, index, fields, slack = asked
+    mean, most, largest = OF_FACES if name.startswith("face") else OF_VERTICES
     others = fields > 0
     for found in (np.array([index.distance_field(i) for i in IDS]), index.fields(IDS)):
         error = np.abs(found - fields)[others] / fields[others]
-        assert error.mean() < 2e-3
-        assert error.max() < 0.1  # a single vertex right behind a border of such small patches
+        assert error.mean() < mean
+        assert np.quantile(error, 0.99) < most
+        assert error.max() < largest
     np.testing.assert_allclose([index.distance_field(i, exact=True) for i in IDS], fields, rtol=slack, atol=1e-12)
     pairs = index.distance(np.repeat(IDS, len(IDS)), np.tile(IDS, len(IDS))).reshape(len(IDS), -1)
-    np.testing.assert_allclose(pairs, fields[:, IDS], rtol=1e-2, atol=1e-12)
-    np.testing.assert_allclose(index.distance_matrix(IDS), fields[:, IDS], rtol=2e-2, atol=1e-12)
+    np.testing.assert_allclose(pairs, fields[:, IDS], rtol=most, atol=1e-12)
+    np.testing.assert_allclose(index.distance_matrix(IDS), fields[:, IDS], rtol=most, atol=1e-12)
     np.testing.assert_allclose(index.distance_matrix(IDS, exact=True), fields[:, IDS], rtol=2 * slack, atol=1e-12)
-    distances, _ = index.nearest(IDS, [5, 200], 2)
-    np.testing.assert_allclose(distances, np.sort(fields[:, [5, 200]], axis=0)[:2].T, rtol=3e-2)
+    queries = np.arange(0, len(VERTICES), 7)
+    distances, _ = index.nearest(IDS, queries, 2)
+    np.testing.assert_allclose(distances, np.sort(fields[:, queries], axis=0)[:2].T, rtol=largest, atol=1e-12)
 
 
 def test_paths_are_as_long_as_distances(asked):
