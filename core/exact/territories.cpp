@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
@@ -18,6 +20,9 @@ constexpr Index least_faces = 64;
 /// would wait for the next step at every border, while all of them propagated what it is about to replace.
 constexpr double least_size = 1.0 / 32.0;
 
+/// Of the faces at one edge, each asks no more than this many others whether they stay together with it.
+constexpr int most_asked = 64;
+
 /// Sweeps over the patches in which each takes the owner that fewest of its neighbours have.
 constexpr int sweeps = 4;
 
@@ -28,10 +33,11 @@ std::vector<Index> grow_patches(const Mesh& mesh) {
   std::vector<Index> patch(faces, no_index);
   std::vector<Index> reached;
   reached.reserve(faces);
+  // Goes on around an edge as long as visit(halfedge, face beside it) wants.
   auto for_each_beside = [&](Index face, auto&& visit) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       for (Index other = mesh.next_around_edge(h); other != h; other = mesh.next_around_edge(other)) {
-        visit(h, Mesh::face_of(other));
+        if (!visit(h, Mesh::face_of(other))) break;
       }
     }
   };
@@ -46,18 +52,27 @@ std::vector<Index> grow_patches(const Mesh& mesh) {
     reached.push_back(face);
     for (std::size_t i = reached.size() - 1; i < reached.size(); ++i) {
       const Index small = reached[i];
+      int asked = 0;
       for_each_beside(small, [&](Index h, Index beside) {
-        if (patch[beside] != no_index || !stay_together(small, beside, h)) return;
-        patch[beside] = id;
-        reached.push_back(beside);
+        if (patch[beside] == no_index && stay_together(small, beside, h)) {
+          patch[beside] = id;
+          reached.push_back(beside);
+        }
+        return ++asked < most_asked;
       });
     }
   };
   std::size_t next = 0;
   auto grow = [&] {
     for (; next < reached.size(); ++next) {
+      if (next % elements_per_checkpoint == 0) checkpoint();
       const Index face = reached[next];
-      for_each_beside(face, [&](Index, Index beside) { take(beside, patch[face]); });
+      // The faces behind one that is taken are its own to take.
+      for_each_beside(face, [&](Index, Index beside) {
+        const bool is_free = patch[beside] == no_index;
+        take(beside, patch[face]);
+        return is_free;
+      });
     }
   };
   for (Index i = 0; i < seeds; ++i) {

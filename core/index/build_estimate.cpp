@@ -56,7 +56,7 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
       for (; at < faces.size() && faces.size() < wanted; ++at) {
         for (Index h = 3 * faces[at]; h < 3 * faces[at] + 3; ++h) {
           for (Index g = mesh.next_around_edge(h); g != h; g = mesh.next_around_edge(g)) {
-            if (taken[Mesh::face_of(g)] != 0) continue;
+            if (taken[Mesh::face_of(g)] != 0) break;  // those behind it are its own to take
             taken[Mesh::face_of(g)] = 1;
             faces.push_back(Mesh::face_of(g));
           }

@@ -10,7 +10,8 @@
 
 namespace vorogeo {
 
-/// Whether a face names three vertices. Others are left out of a Mesh.
+/// Whether a face names three vertices. Others are left out of a Mesh, as are faces over the same vertices as
+/// an earlier one.
 inline bool is_usable(const std::array<Index, 3>& face) {
   return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
 }

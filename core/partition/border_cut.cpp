@@ -2,6 +2,7 @@
 #include "partition/border_cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -23,17 +24,20 @@ constexpr double cost_unit = 1.0 / 16.0;
 constexpr double greatest_cost = 1e6;
 /// Length of a piece, in roots of a patch's area: between the finest and the longest border edges.
 constexpr double cost_piece = 0.065;
-/// Of the faces at one edge, each looks at no more than this many others.
-constexpr int most_around = 64;
+/// Around an edge with more faces, each looks at the next one only.
+constexpr std::size_t most_around = 64;
 
-/// Calls visit(face) for other faces at the edge of a half-edge.
+/// Calls visit(face, sees) for other faces at the edge of a half-edge; `sees`: whether they see this one,
+/// too.
 template <class Visit>
 void for_faces_around(const Mesh& mesh, Index h, Visit&& visit) {
-  int seen = 0;
-  for (Index g = mesh.next_around_edge(h); g != h && seen < most_around;
-       g = mesh.next_around_edge(g), ++seen) {
-    visit(Mesh::face_of(g));
+  std::array<Index, most_around> around;
+  std::size_t count = 0;
+  for (Index g = mesh.next_around_edge(h); g != h; g = mesh.next_around_edge(g)) {
+    if (count == most_around) return visit(around[0], false);
+    around[count++] = Mesh::face_of(g);
   }
+  for (std::size_t i = 0; i < count; ++i) visit(around[i], true);
 }
 
 }  // namespace
@@ -49,7 +53,7 @@ void BorderCut::take_band(Index patch, Index other, std::span<const Index> label
   };
   auto for_neighbours = [&](Index f, auto&& visit) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      for_faces_around(mesh_, h, [&](Index g) {
+      for_faces_around(mesh_, h, [&](Index g, bool) {
         if (place_[g] != no_index) visit(g);
       });
     }
@@ -82,9 +86,9 @@ void BorderCut::cut(Index p, Index q, double faces_per_patch, std::span<Index> l
       const double length = piece > 0.0 ? mesh_.edge_length(mesh_.edge_of(h)) / piece : 0.0;
       const double cost = std::min(std::max(1.0, length) + length, greatest_cost);
       const auto capacity = static_cast<std::int64_t>(cost / cost_unit);
-      for_faces_around(mesh_, h, [&](Index other) {
+      for_faces_around(mesh_, h, [&](Index other, bool sees) {
         if (place_[other] >= 0) {
-          if (f < other) flow_.join(place_[f], place_[other], capacity);
+          if (f < other || !sees) flow_.join(place_[f], place_[other], capacity);
         } else if (place_[other] == no_place && (label[other] == p || label[other] == q)) {
           flow_.join(place_[f], label[other] == p ? MinCut::source : MinCut::sink, capacity);
         }
@@ -130,8 +134,9 @@ void BorderCut::shorten(std::span<const Index> faces, Index labels, double faces
   for (Index f : faces) {
     checkpoint_if_due();
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      for_faces_around(mesh_, h, [&](Index other) {
-        if (place_[other] == no_place && label[f] < label[other]) pairs.emplace_back(label[f], label[other]);
+      for_faces_around(mesh_, h, [&](Index other, bool) {
+        if (place_[other] != no_place || label[f] == label[other]) return;
+        pairs.push_back(std::minmax(label[f], label[other]));
       });
     }
   }

@@ -31,7 +31,8 @@ class Halo {
   /// Marks the patches and a rim around them; earlier marks are cleared. A ring of faces is taken whole,
   /// unless that would make the rim much larger than asked for. At a hub of needles it goes on to the next
   /// one on either side only: the others may be most of the mesh, and would leave no room for those beside
-  /// the patches. Complexity: O(faces marked), plus the faces at the vertex where a ring is cut short.
+  /// the patches. Of the many faces at an edge of a hub, some may come a ring later. Complexity: O(faces
+  /// marked), plus the faces at the vertex where a ring is cut short.
   void surround(std::span<const Index> patches, double growth = default_growth);
   /// Marks also what is within some rings of faces around the given faces, up to about `max_faces` faces: the
   /// last ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as

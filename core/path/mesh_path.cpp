@@ -95,6 +95,11 @@ ExactPath MeshPathQuery::checked(FoundPath found, const SurfacePoint& from, cons
   return result;
 }
 
+/// Whether a path is missing, or could be proven but is not.
+bool MeshPathQuery::needs_another_run(const ExactPath& found) const {
+  return found.path.points.empty() || (!found.certified && is_provable(mesh_));
+}
+
 ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
   const SurfacePoint from = validated(mesh_, source);
   const SurfacePoint to = validated(mesh_, target);
@@ -103,7 +108,9 @@ ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoi
   const double bound = upper_bound(from, to);
   ExactPath result = checked(corridor_.within(from, to, bound), from, to);
   // On faces without area, the bound may be off by more than rounding.
-  if (!result.certified && bound < unreachable) result = checked(corridor_.run(from, to, {}), from, to);
+  if (needs_another_run(result) && bound < unreachable) {
+    result = checked(corridor_.run(from, to, {}), from, to);
+  }
   return result;
 }
 
@@ -114,8 +121,7 @@ ExactPath MeshPathQuery::exact_path(PathsFromPoint& from_source, const SurfacePo
   FoundPath found{from_source.path_to(to), unreachable, false};
   found.distance = from_source.distance(to);
   ExactPath result = checked(std::move(found), from, to);
-  // Where nothing can be proven, a corridor would not find more.
-  if (result.certified || mesh_.metric_jumps() || !is_provable(mesh_)) return result;
+  if (mesh_.metric_jumps() || !needs_another_run(result)) return result;
   return exact_path(from, to);
 }
 

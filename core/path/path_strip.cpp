@@ -1,6 +1,11 @@
 // Walks around vertices, and removal of detours from strips.
 #include "path/path_strip.h"
 
+#include <algorithm>
+#include <unordered_set>
+
+#include "support/checkpoint.h"
+
 namespace vorogeo {
 
 namespace {
@@ -34,28 +39,30 @@ double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& s
 }
 
 /// The path around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
+/// `passed` is empty.
 bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<HalfedgePair>& passed) {
   struct Visit {
     Index face;
     HalfedgePair by;
     std::size_t predecessor;
   };
-  // Each face of the fan is visited once.
+  // Each face of the fan is visited once, and the faces around each edge are passed once.
   std::vector<Visit> visited{{from, {no_index, no_index}, 0}};
+  std::unordered_set<Index> faces{from}, edges;
   for (std::size_t i = 0; i < visited.size(); ++i) {
+    if (i % elements_per_checkpoint == 0) checkpoint();
     if (visited[i].face == to) {
-      for (std::size_t at = i; at != 0; at = visited[at].predecessor)
-        passed.insert(passed.begin(), visited[at].by);
+      for (std::size_t at = i; at != 0; at = visited[at].predecessor) passed.push_back(visited[at].by);
+      std::ranges::reverse(passed);
       return true;
     }
     for (int k = 0; k < 3; ++k) {
       const Index exit = 3 * visited[i].face + k;
       if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+      if (!edges.insert(mesh.edge_of(exit)).second) continue;
       for (Index entry = mesh.next_around_edge(exit); entry != exit; entry = mesh.next_around_edge(entry)) {
         const Index face = Mesh::face_of(entry);
-        bool known = false;
-        for (const Visit& visit : visited) known |= visit.face == face;
-        if (!known) visited.push_back({face, {exit, entry}, i});
+        if (faces.insert(face).second) visited.push_back({face, {exit, entry}, i});
       }
     }
   }

@@ -111,7 +111,7 @@ def exact_path(
     Returns
     -------
     GeodesicPath, or list of k GeodesicPath
-        `certified` says whether it is exact: not with values of faces.
+        `certified` says whether it is exact: with values of faces only of no path, and of one from a point to itself.
 
     Raises
     ------

@@ -35,6 +35,17 @@ std::string loading(const std::filesystem::path& file, const std::shared_ptr<con
   return "loaded";
 }
 
+Soup book_of_pages(int pages) {
+  Soup book;
+  book.positions = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+  for (int i = 0; i < pages; ++i) {
+    const double angle = 6.0 * i / pages;
+    book.positions.push_back({std::cos(angle), std::sin(angle), 0.5});
+    book.faces.push_back({0, 1, i + 2});
+  }
+  return book;
+}
+
 Soup needle_disc(int needles) {
   Soup soup;
   soup.positions.push_back({0.0, 0.0, 0.0});

@@ -34,6 +34,8 @@ Soup hills(int cells, double height);
 
 /// The unit disc as a fan of needles round vertex 0; vertex 1 + i lies at the angle 2 pi i / needles.
 Soup needle_disc(int needles);
+/// Triangles of height 1 on one spine, from vertex 0 to 1; page i has vertex i + 2. Two of these are 2 apart.
+Soup book_of_pages(int pages);
 
 /// Relative errors of distances, over all pairs with a finite exact distance above 0.
 struct ErrorStatistics {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <set>
 
+#include "support/indexes.h"
 #include "support/small_copy.h"
+#include "support/thread_clock.h"
 
 namespace vorogeo {
 namespace {
@@ -56,6 +58,16 @@ TEST(Territories, PartsMuchSmallerThanAnEdgeHaveOneOwner) {
   for (int owner = 0; owner < 3; ++owner) {
     EXPECT_GT(std::count(territories.of_edge.begin(), territories.of_edge.end(), owner), 1000);
   }
+}
+
+TEST(Territories, OfABookOfThousandsOfPagesAreFoundAtOnce) {
+  const auto mesh = test::make_mesh(test::book_of_pages(20'000));
+  const double start = thread_seconds();
+  const Territories territories(*mesh, 2);
+  // Quadratic work takes seconds.
+  EXPECT_LT(thread_seconds() - start, 0.5);
+  const auto owned = std::count(territories.of_edge.begin(), territories.of_edge.end(), 0);
+  EXPECT_NEAR(static_cast<double>(owned), 20'000.0, 4'000.0);
 }
 
 TEST(Territories, OfAMeshWithoutFacesAreEmpty) {

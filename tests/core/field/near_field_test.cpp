@@ -120,6 +120,29 @@ TEST(NearField, IsWidenedWhereManyFacesLieWithinATinyDistance) {
   }
 }
 
+TEST(NearField, TakesThePatchesOfAllPagesAtTheSource) {
+  const auto index = test::make_index(test::book_of_three_pages(12, 1.0, 1.0).soup, 3, 4);
+  const IndexData& data = index->data();
+  const Mesh& mesh = *data.work.mesh;
+  int spine_edges = 0;
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
+    const Index next = mesh.next_around_edge(h);
+    if (next == h || mesh.next_around_edge(next) == h) continue;
+    ++spine_edges;
+    std::array<double, 3> middle{};
+    middle[h % 3] = middle[Mesh::next_in_face(h) % 3] = 0.5;
+    for (const auto& point :
+         {SurfacePoint::in_face(Mesh::face_of(h), middle), SurfacePoint::at_vertex(mesh.tail(h))}) {
+      NearField near(data);
+      near.add_at(point);
+      for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>&) {
+        EXPECT_TRUE(near.inside(face)) << face;
+      });
+    }
+  }
+  EXPECT_GE(spine_edges, 3 * 12);
+}
+
 TEST(NearField, TakesThePatchBehindABorderCloseToTheSource) {
   const auto index = test::make_index(test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, 4, 4);
   const IndexData& data = index->data();

@@ -85,6 +85,18 @@ TEST(EdgePoints, FacesThatNameAVertexTwiceAreNoNeighbours) {
   EXPECT_NEAR(chosen([&](std::size_t) { return stretched(random() / 1e9, 10.0); }, true), 25, 1);
 }
 
+TEST(EdgePoints, FacesOverTheSameVerticesAsEarlierOnesAreNoNeighbours) {
+  test::Soup soup = test::plane_grid(8, 8, 1.0, 1.0).soup;
+  const std::size_t count = soup.faces.size();
+  for (std::size_t f = 0; f < count; ++f)
+    soup.faces.push_back({soup.faces[f][1], soup.faces[f][2], soup.faces[f][0]});
+  std::vector<Tensor> tensors;
+  for (std::size_t f = 0; f < 2 * count; ++f) tensors.push_back(stretched(f < count ? 0.3 : 1.8, 400.0));
+  EXPECT_EQ(
+      edge_points_for(soup.positions, soup.faces, sides_by_face_tensor(soup.positions, soup.faces, tensors)),
+      6);
+}
+
 TEST(EdgePoints, TooManyAreRefusedHoweverMany) {
   for (const double stretch : {1e3, 1e6, 1e7, 3e7}) {
     std::mt19937 random(1);

@@ -7,7 +7,9 @@
 #include <numeric>
 #include <vector>
 
+#include "support/indexes.h"
 #include "support/shapes.h"
+#include "support/thread_clock.h"
 
 namespace vorogeo {
 namespace {
@@ -84,6 +86,20 @@ TEST(BorderCut, NoPatchVanishesAndNoBorderBecomesDearer) {
   std::vector<Index> size(8, 0);
   for (Index l : label) ++size[l];
   for (int l = 0; l < 8; ++l) EXPECT_GT(size[l], 0.3 * old_size[l]) << l;
+}
+
+TEST(BorderCut, PagesOfABookMakeARing) {
+  // Three patches one after the other, and a page of the first in the middle of the second.
+  constexpr Index pages = 20'000;
+  const auto mesh = test::make_mesh(test::book_of_pages(pages));
+  std::vector<Index> label(pages);
+  for (Index f = 0; f < pages; ++f) label[f] = f < 5000 || f == 8000 ? 0 : f < 12'000 ? 2 : 1;
+  const double start = thread_seconds();
+  BorderCut(*mesh).shorten(all_faces(*mesh), 3, 6000.0, {}, label);
+  // Quadratic work would take seconds.
+  EXPECT_LT(thread_seconds() - start, 0.5);
+  EXPECT_EQ(label[8000], 2);
+  for (Index patch : {0, 1, 2}) EXPECT_GT(std::ranges::count(label, patch), 1000) << patch;
 }
 
 TEST(BorderCut, OtherFacesKeepTheirLabels) {

@@ -101,15 +101,8 @@ TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
 }
 
 TEST(Halo, TakesAllPagesOfABookOnce) {
-  // Face i joins the spine, from vertex 0 to 1, to vertex i + 2.
   constexpr Index pages = 20'000;
-  test::Soup book;
-  book.positions = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
-  for (Index i = 0; i < pages; ++i) {
-    book.positions.push_back({std::cos(1e-4 * i), std::sin(1e-4 * i), 0.5});
-    book.faces.push_back({0, 1, i + 2});
-  }
-  const auto mesh = test::make_mesh(book);
+  const auto mesh = test::make_mesh(test::book_of_pages(pages));
   const std::array<Index, 4> first_face{0, 100, 200, pages};
   Halo halo(*mesh, first_face);
   const auto start = thread_seconds();

@@ -10,6 +10,7 @@
 #include "support/indexes.h"
 #include "support/path_check.h"
 #include "support/shapes.h"
+#include "support/thread_clock.h"
 
 namespace vorogeo {
 namespace {
@@ -72,6 +73,18 @@ TEST(MeshPath, IsTheSameFromAPropagationThatServesManyTargets) {
     EXPECT_EQ(test::path_fault(*mesh, found.path, source, target), "");
   }
   EXPECT_EQ(query.exact_path(from_source, source).path.length, 0.0);
+}
+
+TEST(MeshPath, CrossesTheSpineOfABookOfThousandsOfPages) {
+  const auto mesh = test::make_mesh(test::book_of_pages(8000));
+  MeshPathQuery query = query_on(mesh);
+  const double start = thread_seconds();
+  const auto from = SurfacePoint::at_vertex(5), to = SurfacePoint::at_vertex(4000);
+  const ExactPath found = query.exact_path(from, to);
+  EXPECT_TRUE(found.certified);
+  EXPECT_NEAR(found.path.length, 2.0, 1e-12);
+  EXPECT_EQ(test::path_fault(*mesh, found.path, from, to), "");
+  EXPECT_LT(thread_seconds() - start, 1.0);
 }
 
 TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
