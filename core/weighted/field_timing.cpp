@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "support/thread_clock.h"
 #include "weighted/local_solver.h"
@@ -13,6 +14,15 @@ namespace {
 
 /// Measured on scans: the time of a field grows with this power of the vertices reached.
 constexpr double field_growth = 1.25;
+
+Index vertex_of_largest_component(const Mesh& mesh) {
+  std::vector<Index> vertices(mesh.component_count(), 0);
+  Index largest = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (++vertices[mesh.component(v)] > vertices[mesh.component(largest)]) largest = v;
+  }
+  return largest;
+}
 
 }  // namespace
 
@@ -31,10 +41,7 @@ FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometr
     timing.is_complete = elapsed() <= max_seconds;
     return timing.is_complete;
   });
-  // The first vertex with a face.
-  Index source = 0;
-  const Mesh& mesh = *geometry->mesh;
-  if (mesh.face_count() > 0) source = mesh.face_vertices(0)[0];
+  const Index source = vertex_of_largest_component(*geometry->mesh);
   LocalSolver exact(geometry);
   ExactLimits limits;
   limits.distances_only = true;

@@ -20,7 +20,8 @@ struct FieldTiming {
   double expected_seconds() const;
 };
 
-/// Runs for at most about `max_seconds` of the processor. \throw Cancelled if the progress asks for it.
+/// Runs in the largest component for at most about `max_seconds` of the processor. \throw Cancelled if the
+/// progress asks for it.
 FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity);
 

@@ -26,6 +26,17 @@ TEST(FieldTiming, StopsAndExtrapolates) {
   EXPECT_GT(timing.expected_seconds(), timing.seconds / timing.reached);
 }
 
+TEST(FieldTiming, IsThatOfTheLargestComponent) {
+  const test::Soup sphere = test::icosphere(4);
+  const auto seconds = [](const test::Soup& soup) {
+    const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
+    return time_exact_field(geometry, 1000.0, {}, "Timing").seconds;
+  };
+  // A triangle beside it, with the first faces and vertices, takes a thousandth.
+  const test::Soup triangle{{{9.0, 0.0, 0.0}, {9.0, 1.0, 0.0}, {9.0, 0.0, 1.0}}, {{0, 1, 2}}};
+  EXPECT_GT(seconds(test::two_components(triangle, sphere)), 0.1 * seconds(sphere));
+}
+
 TEST(FieldTiming, IsCancelled) {
   const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
   const Progress stop([](double, const std::string&) { return false; });
