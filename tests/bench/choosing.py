@@ -1,6 +1,7 @@
 """Measures the time of 1 to 1,000 fields by the automatic choice beside each fixed one, and draws it.
 
-Usage: tests/bench/choosing.sh [--write] [MESH...]; measured meshes are kept in build/bench-work/choosing.
+Usage: tests/bench/choosing.sh [--write] [MESH[:SIZE]...]; SIZE as for growth.sh (mountain:loop3 is a terrain of 1.6
+million vertices). Measured meshes are kept in build/bench-work/choosing.
 """
 
 from __future__ import annotations
@@ -103,13 +104,15 @@ def draw(results: list[dict[str, Any]]) -> None:
 def main() -> None:
     """Measure the meshes of the command line, then print all that are kept."""
     parser = argparse.ArgumentParser(prog="tests/bench/choosing.sh", description="Time of many fields by each choice.")
-    parser.add_argument("meshes", nargs="*", default=["bunny", "igea"], metavar="MESH", help="default: bunny igea")
+    parser.add_argument("meshes", nargs="*", default=["bunny", "igea"], metavar="MESH[:SIZE]", help="default: bunny igea")
     parser.add_argument("--write", action="store_true", help="also draw the picture of docs/choosing.md")
     arguments = parser.parse_args()
     RESULTS.mkdir(parents=True, exist_ok=True)
     for name in arguments.meshes:
-        file = meshes.find(name)
+        mesh, _, size = name.partition(":")
+        file = meshes.find(mesh)
         if file:
+            file = meshes.resized(file, size or "1")
             result = measured(file.stem, meshes.load(file))
             (RESULTS / f"{file.stem}.json").write_text(json.dumps(result))
     results = [json.loads(kept.read_text()) for kept in RESULTS.glob("*.json")]
