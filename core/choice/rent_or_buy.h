@@ -19,7 +19,8 @@ class RentOrBuy {
   void pay(double seconds);
   /// Whether the price may have been reached, so that it is time to estimate it.
   bool wants_price() const {
-    return !has_price_ && rent_with_next() >= (answers_ >= least_answers ? 1.0 : likely_price) * least_price_;
+    const double enough = answers_ >= least_answers ? least_price_ : likely_price * least_price_;
+    return !has_price_ && answers_ >= 2 && rent_with_next() >= enough;
   }
   void set_price(double seconds);
   /// The index cannot be had: rent for ever.
@@ -32,13 +33,13 @@ class RentOrBuy {
  private:
   /// No build on any mesh and machine is as fast as this.
   static constexpr double least_seconds_per_vertex = 2e-5;
-  /// A build takes as long as tens of exact fields, so that a few slow answers say nothing.
+  /// A build mostly takes as long as tens of exact fields, so that a few slow answers say little.
   static constexpr int least_answers = 8;
   /// On large meshes it may take as long as few of them: a rent of so many times the least price counts
   /// sooner.
   static constexpr double likely_price = 4.0;
 
-  double rent_with_next() const { return answers_ < 2 ? 0.0 : rent_ + rent_ / answers_; }
+  double rent_with_next() const { return answers_ == 0 ? 0.0 : rent_ + rent_ / answers_; }
 
   double least_price_;
   double price_ = 0.0;

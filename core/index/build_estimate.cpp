@@ -56,7 +56,8 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
       for (; at < faces.size() && faces.size() < wanted; ++at) {
         for (Index h = 3 * faces[at]; h < 3 * faces[at] + 3; ++h) {
           for (Index g = mesh.next_around_edge(h); g != h; g = mesh.next_around_edge(g)) {
-            if (taken[Mesh::face_of(g)] != 0) break;  // those behind it are its own to take
+            // Those behind a face of this part are its own to take.
+            if (taken[Mesh::face_of(g)] != 0 || faces.size() >= wanted) break;
             taken[Mesh::face_of(g)] = 1;
             faces.push_back(Mesh::face_of(g));
           }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr Index nodes_per_group = 16;
 
-/// Number of runs from which the cost of all is estimated.
+/// From so many groups of nodes, or up to twice as many, the cost of all runs is estimated.
 constexpr std::size_t groups_to_estimate = 8;
 /// Shorter builds need no warning.
 constexpr double least_seconds = 1.0;

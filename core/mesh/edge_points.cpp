@@ -79,19 +79,12 @@ Index edge_points_for(std::span<const Point> positions, std::span<const std::arr
   };
   std::vector<Jump> jumps;  // of edges between faces
   std::size_t between = 0;
-  const std::vector<SideOfFace> sorted = sorted_sides(faces);
-  std::vector<SideOfFace> edge;
+  const std::vector<SideOfFace> sorted = sides_in_mesh(faces);
   for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
     end = std::find_if(begin, sorted.end(), [&](const SideOfFace& s) { return s.ends != begin->ends; });
     if (end - begin < 2) continue;
-    // Of faces over the same three vertices, a Mesh keeps the first.
-    edge.assign(begin, end);
-    const auto opposite = [&](const SideOfFace& s) { return faces[s.face][s.corner]; };
-    std::ranges::stable_sort(edge, {}, opposite);
-    const auto repeated = std::ranges::unique(edge, {}, opposite);
-    edge.erase(repeated.begin(), repeated.end());
-    if (edge.size() < 2) continue;
     ++between;
+    const std::ranges::subrange edge(begin, end);
     const auto [least, most] =
         std::ranges::minmax(edge, {}, [&](const SideOfFace& s) { return sides[s.face][s.corner]; });
     if (!(sides[most.face][most.corner] > side_jump * sides[least.face][least.corner])) continue;

@@ -55,7 +55,7 @@ std::vector<Point> vertex_normals(std::span<const Point> positions,
 /// across the edge.
 std::vector<Tensor> bend_tensors(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces) {
-  const std::vector<SideOfFace> sides = sorted_sides(faces);
+  const std::vector<SideOfFace> sides = sides_in_mesh(faces);
   std::vector<Tensor> sum(positions.size(), Tensor{});
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const auto& [ends, face, corner] = sides[i];

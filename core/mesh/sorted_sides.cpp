@@ -22,4 +22,19 @@ std::vector<SideOfFace> sorted_sides(std::span<const std::array<Index, 3>> faces
   return sides;
 }
 
+std::vector<SideOfFace> sides_in_mesh(std::span<const std::array<Index, 3>> faces) {
+  std::vector<SideOfFace> sides = sorted_sides(faces);
+  const auto opposite = [&](const SideOfFace& side) { return faces[side.face][side.corner]; };
+  auto kept = sides.begin();
+  for (auto begin = sides.begin(), end = begin; begin != sides.end(); begin = end) {
+    end = std::find_if(begin, sides.end(), [&](const SideOfFace& side) { return side.ends != begin->ends; });
+    std::ranges::stable_sort(begin, end, {}, opposite);
+    const auto repeated = std::ranges::unique(begin, end, {}, opposite).begin();
+    std::sort(begin, repeated);
+    kept = kept == begin ? repeated : std::move(begin, repeated, kept);
+  }
+  sides.erase(kept, sides.end());
+  return sides;
+}
+
 }  // namespace vorogeo

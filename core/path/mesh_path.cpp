@@ -95,9 +95,10 @@ ExactPath MeshPathQuery::checked(FoundPath found, const SurfacePoint& from, cons
   return result;
 }
 
-/// Whether a path is missing, or could be proven but is not.
-bool MeshPathQuery::needs_another_run(const ExactPath& found) const {
-  return found.path.points.empty() || (!found.certified && is_provable(mesh_));
+/// Whether what was found is no path, or could be proven but is not.
+bool MeshPathQuery::needs_another_run(const ExactPath& found, const SurfacePoint& from,
+                                      const SurfacePoint& to) const {
+  return !found.certified && (is_provable(mesh_) || !is_path(mesh_, found.path, from, to, found.path.length));
 }
 
 ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
@@ -108,7 +109,7 @@ ExactPath MeshPathQuery::exact_path(const SurfacePoint& source, const SurfacePoi
   const double bound = upper_bound(from, to);
   ExactPath result = checked(corridor_.within(from, to, bound), from, to);
   // On faces without area, the bound may be off by more than rounding.
-  if (needs_another_run(result) && bound < unreachable) {
+  if (needs_another_run(result, from, to) && bound < unreachable) {
     result = checked(corridor_.run(from, to, {}), from, to);
   }
   return result;
@@ -121,7 +122,7 @@ ExactPath MeshPathQuery::exact_path(PathsFromPoint& from_source, const SurfacePo
   FoundPath found{from_source.path_to(to), unreachable, false};
   found.distance = from_source.distance(to);
   ExactPath result = checked(std::move(found), from, to);
-  if (mesh_.metric_jumps() || !needs_another_run(result)) return result;
+  if (mesh_.metric_jumps() || !needs_another_run(result, from, to)) return result;
   return exact_path(from, to);
 }
 

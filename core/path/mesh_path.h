@@ -31,7 +31,7 @@ class MeshPathQuery {
   std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;
   /// What is found runs from `from` to `to` up to rounding, and is certified if it is valid.
   ExactPath checked(FoundPath found, const SurfacePoint& from, const SurfacePoint& to) const;
-  bool needs_another_run(const ExactPath& found) const;
+  bool needs_another_run(const ExactPath& found, const SurfacePoint& from, const SurfacePoint& to) const;
   double upper_bound(const SurfacePoint& source, const SurfacePoint& target);
   bool lay_strip(const SurfacePoint& source, const SurfacePoint& target, double& length);
 

@@ -1,8 +1,9 @@
 // A run that its progress stops.
 #include "weighted/field_timing.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "support/thread_clock.h"
@@ -15,11 +16,18 @@ namespace {
 /// Measured on scans: the time of a field grows with this power of the vertices reached.
 constexpr double field_growth = 1.25;
 
-Index vertex_of_largest_component(const Mesh& mesh) {
-  std::vector<Index> vertices(mesh.component_count(), 0);
-  Index largest = 0;
+/// A vertex of the component with the most vertices, and how many these are.
+struct LargestComponent {
+  Index vertex = 0;
+  Index size = 0;
+};
+
+LargestComponent largest_component(const Mesh& mesh) {
+  std::vector<Index> sizes(mesh.component_count(), 0);
+  LargestComponent largest;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (++vertices[mesh.component(v)] > vertices[mesh.component(largest)]) largest = v;
+    const Index size = ++sizes[mesh.component(v)];
+    if (size > largest.size) largest = {v, size};
   }
   return largest;
 }
@@ -32,22 +40,24 @@ double FieldTiming::expected_seconds() const {
 
 FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometry, double max_seconds,
                              const Progress& progress, const char* activity) {
+  const Mesh& mesh = *geometry->mesh;
+  const LargestComponent largest = largest_component(mesh);
+  const double share = static_cast<double>(largest.size) / mesh.vertex_count();
   const double begin = thread_seconds();
   auto elapsed = [&] { return thread_seconds() - begin; };
   FieldTiming timing;
   const Progress until([&](double reached, const std::string&) {
     progress.report(reached, activity);
-    timing.reached = reached;
+    timing.reached = std::min(1.0, reached / share);
     timing.is_complete = elapsed() <= max_seconds;
     return timing.is_complete;
   });
-  const Index source = vertex_of_largest_component(*geometry->mesh);
   LocalSolver exact(geometry);
   ExactLimits limits;
   limits.distances_only = true;
   limits.progress = &until;
   try {
-    exact.run_from_vertices(std::span(&source, 1), limits);
+    exact.run_from_vertices(std::array{largest.vertex}, limits);
   } catch (const Cancelled&) {
     if (timing.is_complete) throw;
   }

@@ -12,7 +12,7 @@ struct LocalGeometry;
 /// A run from one vertex that was stopped after some time.
 struct FieldTiming {
   double seconds = 0.0;     ///< of the processor that it took
-  double reached = 0.0;     ///< part of the vertices that it reached
+  double reached = 0.0;     ///< part of the component's vertices that it reached
   bool is_complete = true;  ///< nothing was left to do
 
   /// Seconds of the whole field: windows grow in number with the distance, so the part that was reached takes

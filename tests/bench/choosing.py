@@ -104,7 +104,9 @@ def draw(results: list[dict[str, Any]]) -> None:
 def main() -> None:
     """Measure the meshes of the command line, then print all that are kept."""
     parser = argparse.ArgumentParser(prog="tests/bench/choosing.sh", description="Time of many fields by each choice.")
-    parser.add_argument("meshes", nargs="*", default=["bunny", "igea"], metavar="MESH[:SIZE]", help="default: bunny igea")
+    parser.add_argument(
+        "meshes", nargs="*", default=["bunny", "igea"], metavar="MESH[:SIZE]", help="default: bunny igea"
+    )
     parser.add_argument("--write", action="store_true", help="also draw the picture of docs/choosing.md")
     arguments = parser.parse_args()
     RESULTS.mkdir(parents=True, exist_ok=True)

@@ -42,9 +42,10 @@ TEST(ShapeMetrics, CylindersHaveADirection) {
 
 TEST(ShapeMetrics, PlanesHaveNone) {
   test::Soup soup = test::plane_grid(4, 3, 2.0, 1.0).soup;
-  // Faces that name a vertex twice bend nothing.
+  // Faces that name a vertex twice, and faces that come again, bend nothing.
   for (std::size_t f = soup.faces.size(); f-- > 0;) {
     soup.faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][1]});
+    soup.faces.push_back({soup.faces[f][2], soup.faces[f][1], soup.faces[f][0]});
   }
   const Tensor unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
   for (const Tensor& tensor : curvature_tensors(soup.positions, soup.faces, 7.0)) EXPECT_EQ(tensor, unit);

@@ -37,6 +37,19 @@ TEST(FieldTiming, IsThatOfTheLargestComponent) {
   EXPECT_GT(seconds(test::two_components(triangle, sphere)), 0.1 * seconds(sphere));
 }
 
+TEST(FieldTiming, IsExtrapolatedToTheComponentOnly) {
+  const auto stopped = [](const test::Soup& soup) {
+    const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
+    return time_exact_field(geometry, 0.0, {}, "Timing");
+  };
+  const test::Soup sphere = test::icosphere(5);
+  const FieldTiming alone = stopped(sphere);
+  const FieldTiming beside = stopped(test::two_components(sphere, sphere));
+  ASSERT_FALSE(alone.is_complete || beside.is_complete);
+  // Reports come by the number of steps, so that both stop at the same vertices.
+  EXPECT_NEAR(beside.reached, alone.reached, 0.1 * alone.reached);
+}
+
 TEST(FieldTiming, IsCancelled) {
   const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
   const Progress stop([](double, const std::string&) { return false; });
