@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "index/min_plus.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
@@ -14,11 +15,14 @@ namespace {
 constexpr double long_edge_for_nodes = 1.0;
 /// What is shorter by less is rounding of tables.
 constexpr double least_repair = 1e-4;
+/// Groups of the transit table that a thread takes at a time.
+constexpr Index groups_at_once = 32;
 
 }  // namespace
 
-BorderField::BorderField(const IndexData& data)
+BorderField::BorderField(const IndexData& data, int threads)
     : data_(data),
+      threads_(threads),
       search_(data.second),
       distance_(data.second.node_count(), unreachable),
       predecessor_(data.second.node_count(), no_index),
@@ -80,19 +84,32 @@ void BorderField::cross_long_edges(Index patch) {
   find_long_border_edges(
       layer, patch, long_edge_for_nodes * layer.edges.typical_length(), distance,
       [&](Index node) { return search_.predecessor(node); }, long_edges_);
+  if (long_edges_.empty()) return;
+  const Index count = layer.border_size(patch);
+  auto most_of = [&](Index node) {
+    // Seeds are exact.
+    return search_.predecessor_patch(node) == no_index ? 0.0 : search_.distance(node) * (1.0 - least_repair);
+  };
+  most_.resize(count);
+  for (Index column = 0; column < count; ++column) most_[column] = most_of(nodes[column]);
+  for (std::vector<float>& line : beyond_) line.resize(count);
   for (const LongBorderEdge& edge : long_edges_) {
     const Index ends[] = {nodes[edge.end[0].row], nodes[edge.end[1].row]};
     // Another edge may have reached them through the patch meanwhile.
     if (distance(ends[0]) == unreachable || distance(ends[1]) == unreachable) continue;
-    for (Index column = 0; column < layer.border_size(patch); ++column) {
+    for (int i : {0, 1}) layer.read_border(patch, edge.end[i].row, beyond_[i].data());
+    const double before = edge.end[0].source + edge.end[1].source - 2.0 * edge.length;
+    for (Index column = 0; column < count; ++column) {
+      // Nearly all are as near as they can be: see LongBorderEdge::across.
+      if (before + beyond_[0][column] + beyond_[1][column] >= 2.0 * most_[column]) continue;
       const Index node = nodes[column];
-      // Seeds are exact.
-      if (node == ends[0] || node == ends[1] || search_.predecessor_patch(node) == no_index) continue;
+      if (node == ends[0] || node == ends[1]) continue;
       const auto target = [&](Index row) { return static_cast<double>(layer.distance(patch, row, column)); };
-      const auto through = edge.across(search_.distance(node) * (1.0 - least_repair), target);
+      const auto through = edge.across(most_[column], target);
       if (through.row == no_index) continue;
       search_.settle(node, {patch, through.row}, search_.distance(nodes[through.row]) + target(through.row),
                      through.distance);
+      most_[column] = most_of(node);
     }
   }
 }
@@ -112,14 +129,24 @@ void BorderField::cross_transit_table() {
   }
   least_.assign(count, std::numeric_limits<float>::infinity());
   least_row_.assign(count, no_index);
-  scan_transit_table();
-  for (Index begin = 0; begin < count; begin += Crossings::capacity) {
-    cross_rows(begin, std::min(Crossings::capacity, count - begin));
-  }
+  find_bases();
+  const TransitTable& table = data_.transit_table;
+  const Index groups = table.group_count();
+  worst_.assign(groups, std::numeric_limits<float>::infinity());
+  const auto items = static_cast<std::size_t>((groups + groups_at_once - 1) / groups_at_once);
+  parallel_for(items, threads_, {}, "", [&](std::size_t item, int) {
+    const Index first = static_cast<Index>(item) * groups_at_once;
+    const Index last = std::min(groups, first + groups_at_once);
+    scan_transit_table(first, last);
+    const Index end = table.group_begin[last];
+    for (Index begin = table.group_begin[first]; begin < end; begin += Crossings::capacity) {
+      cross_rows(begin, std::min(Crossings::capacity, end - begin));
+    }
+  });
 }
 
-/// Least sums over rows_. Most cells of the table are skipped because of their least distance.
-void BorderField::scan_transit_table() {
+/// Sorts rows_ into groups, the nearest group first.
+void BorderField::find_bases() {
   const TransitTable& table = data_.transit_table;
   constexpr float infinite = std::numeric_limits<float>::infinity();
   bases_.clear();
@@ -137,10 +164,15 @@ void BorderField::scan_transit_table() {
   std::sort(bases_.begin(), bases_.end(), [](const GroupBase& a, const GroupBase& b) {
     return a.least < b.least || (a.least == b.least && a.group < b.group);
   });
-  worst_.assign(table.group_count(), infinite);
+}
+
+/// Least sums over rows_ for the nodes of some groups. Most cells of the table are skipped because of their
+/// least distance.
+void BorderField::scan_transit_table(Index first_group, Index end_group) {
+  const TransitTable& table = data_.transit_table;
   for (const GroupBase& from : bases_) {
     const float* least = table.least_from(from.group);
-    for (Index to = 0; to < table.group_count(); ++to) {
+    for (Index to = first_group; to < end_group; ++to) {
       if (!(from.least + least[to] < worst_[to])) continue;
       const Index begin = table.group_begin[to];
       worst_[to] = relax_by_cell(table.cell(from.group, to), table.size(from.group), table.size(to),

@@ -19,7 +19,8 @@ namespace vorogeo {
 /// unfolds the crossing there; the search unfolds long border edges for all nodes behind them, too.
 class BorderField {
  public:
-  explicit BorderField(const IndexData& data);
+  /// `threads`: share a reset(); they do not change its result.
+  explicit BorderField(const IndexData& data, int threads = 1);
 
   struct Seed {
     Index node;
@@ -38,17 +39,21 @@ class BorderField {
   void cross_long_edges();
   void cross_long_edges(Index patch);
   void cross_transit_table();
-  void scan_transit_table();
+  void find_bases();
+  void scan_transit_table(Index first_group, Index end_group);
   void cross_rows(Index begin, Index count);
 
   const IndexData& data_;
+  int threads_;
   BoundaryDijkstra search_;
   std::vector<double> distance_;  ///< by second-layer node
   std::vector<Index> predecessor_;
   std::vector<double> first_distance_;
   std::vector<Index> first_predecessor_;
   std::vector<LongBorderEdge> long_edges_;
-  std::vector<Index> rows_;  ///< first-layer nodes around the seeds
+  std::vector<double> most_;      ///< by row of a patch: what a distance over a long edge has to be less than
+  std::vector<float> beyond_[2];  ///< by row: distances from the ends of a long edge
+  std::vector<Index> rows_;       ///< first-layer nodes around the seeds
   /// Distances of the nodes of a group, minus the lowest; infinite for nodes that are not in rows_.
   struct GroupBase {
     Index group;

@@ -13,7 +13,11 @@
 namespace vorogeo {
 
 SourceField::SourceField(const IndexData& data, NearField& near, int threads)
-    : data_(data), near_(near), threads_(resolve_thread_count(threads)), borders_(data), sweeps_(threads_) {}
+    : data_(data),
+      near_(near),
+      threads_(resolve_thread_count(threads)),
+      borders_(data, threads_),
+      sweeps_(threads_) {}
 
 /// Separates the sources on the work mesh from isolated ones. All are checked before anything changes.
 void SourceField::take_sources(std::span<const ExactSource> given, double max_distance) {
