@@ -15,7 +15,7 @@ class RentOrBuy {
   explicit RentOrBuy(Index vertices) : least_price_(least_seconds_per_vertex * vertices) {}
 
   /// An exact answer took so many seconds, of the same clock as the price. With several threads, those of the
-  /// calling one, which does its share.
+  /// calling one, which does its share, and what it waited for the others.
   void pay(double seconds);
   /// Whether the price may have been reached, so that it is time to estimate it.
   bool wants_price() const {

@@ -1,6 +1,7 @@
 // The choice for each question, and the solvers that answer it.
 #include "choice/surface.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "index/build_estimate.h"
@@ -21,8 +22,8 @@ double seconds_since(Clock::time_point start) {
 /// Solvers kept for the next call; each holds memory for the whole mesh.
 constexpr std::size_t max_idle = 2;
 
-/// A field that threads share takes so many times the work of the calling one, as they wait for one another
-/// at each step; in a build they do not.
+/// A field that two threads share takes up to so many times the processor time of the calling one, as they
+/// wait for one another at each step; in a build they do not. What it takes longer is the work of others.
 constexpr double waiting_in_shared_field = 1.25;
 
 /// Lends an object of a list, or a new one, to `body`. After an exception it is not used again.
@@ -182,7 +183,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   }
   answered.seconds = seconds_since(start);
   if (answered.by == AnswerMethod::exact) {
-    pay((thread_seconds() - worked) * (threads > 1 ? waiting_in_shared_field : 1.0));
+    const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
+    pay(std::min(answered.seconds, waiting * (thread_seconds() - worked)));
   }
   return found;
 }

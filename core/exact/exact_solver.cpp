@@ -215,7 +215,8 @@ std::size_t ExactSolver::memory_bytes() const {
 }
 
 int threads_for_field(const Mesh& mesh, int requested) {
-  return mesh.face_count() < least_shared_faces ? 1 : resolve_thread_count(requested);
+  const bool is_shared = mesh.face_count() >= least_shared_faces && !mesh.metric_jumps();
+  return is_shared ? resolve_thread_count(requested) : 1;
 }
 
 std::vector<double> exact_distance_field(std::shared_ptr<const Mesh> mesh,

@@ -126,7 +126,7 @@ class ExactSolver {
 };
 
 /// How many threads should share a field on this mesh: `requested` ones (0: one per core), or one where they
-/// would wait for each other longer than they work.
+/// would wait for each other longer than they work, and where the metric jumps.
 int threads_for_field(const Mesh& mesh, int requested);
 
 /// Exact distances from the sources to all vertices, on one thread. Shape (n).

@@ -134,7 +134,7 @@ void BorderField::cross_transit_table() {
   const Index groups = table.group_count();
   worst_.assign(groups, std::numeric_limits<float>::infinity());
   const auto items = static_cast<std::size_t>((groups + groups_at_once - 1) / groups_at_once);
-  parallel_for(items, threads_, {}, "", [&](std::size_t item, int) {
+  parallel_for(items, bases_.empty() ? 1 : threads_, {}, "", [&](std::size_t item, int) {
     const Index first = static_cast<Index>(item) * groups_at_once;
     const Index last = std::min(groups, first + groups_at_once);
     scan_transit_table(first, last);

@@ -32,7 +32,11 @@ constexpr double max_field_seconds = 0.5;
 
 // Seconds of one core for what is not timed, measured on scans and parts (docs/choosing.md).
 constexpr double seconds_per_first_byte = 2.5e-7;
-constexpr double seconds_per_transit_byte = 1.2e-7;
+constexpr double seconds_per_transit_byte = 1.25e-7;
+/// And for each node on the border of a first-layer patch, as searches that fill the table scan borders.
+constexpr double seconds_per_transit_byte_and_node = 1.75e-10;
+/// Of all tables.
+constexpr double bytes_per_entry = 2.0;
 /// A field from the index: exact around the source, in a larger part than the runs from border vertices, then
 /// over all tables.
 constexpr double runs_near_source = 1.6;
@@ -119,11 +123,18 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double layout_seconds = (thread_seconds() - start) * scale;
   const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
 
-  // The borders of n1 round patches on n vertices grow in length with the square roots of both.
-  const double longer = std::sqrt(scale * first_patches / std::max<Index>(1, data.first.patch_count));
-  const double transit = static_cast<double>(transit_table_bytes(data.first)) * longer * longer;
-  const double first = static_cast<double>(table_bytes(data.first)) * longer * scale *
-                       data.first.patch_count / std::max(1.0, first_patches);
+  // The borders of k round patches on n vertices grow in length with the square roots of both. A part has few
+  // first-layer patches, most of whose borders are its own; those of its second layer tell more.
+  const double second_nodes = data.second.node_count() * scale;
+  const double first_nodes =
+      scale == 1.0 ? data.first.node_count()
+                   : second_nodes * std::sqrt(first_patches / std::max(1.0, data.second.patch_count * scale));
+  const double border_of_first = 2.0 * first_nodes / std::max(1.0, first_patches);
+  const double transit = scale == 1.0 ? static_cast<double>(transit_table_bytes(data.first))
+                                      : bytes_per_entry * first_nodes * first_nodes;
+  // Members are the second-layer nodes; those on its borders belong to two first-layer patches.
+  const double first = scale == 1.0 ? static_cast<double>(table_bytes(data.first))
+                                    : bytes_per_entry * border_of_first * (second_nodes + first_nodes);
   const double second = static_cast<double>(table_bytes(data.second)) * scale;
   const double kept = (static_cast<double>(data.bytes()) + static_cast<double>(access_bounds_bytes(data)) +
                        sizeof(double) * SearchGraph::landmark_count * data.second.node_count()) *
@@ -137,7 +148,8 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   estimate.bytes = estimate.form == IndexForm::tables ? with_tables : static_cast<std::int64_t>(kept);
   const int threads = resolve_thread_count(options.threads);
   estimate.core_seconds =
-      layout_seconds + run_seconds + seconds_per_first_byte * first + seconds_per_transit_byte * transit;
+      layout_seconds + run_seconds + seconds_per_first_byte * first +
+      (seconds_per_transit_byte + seconds_per_transit_byte_and_node * border_of_first) * transit;
   estimate.build_seconds = estimate.core_seconds / threads;
   if (with_fields) {
     const double run = run_seconds / (scale * std::max<Index>(1, data.second.node_count()));

@@ -46,6 +46,27 @@ TEST(BorderField, CloseToExactFromOneNode) {
   }
 }
 
+TEST(BorderField, TheSameToTheLastBitWhateverTheThreads) {
+  const auto index = test::make_index(test::hills(60, 0.12), 20, 3);
+  const IndexData& data = index->data();
+  // Several threads have something to do.
+  ASSERT_GT(data.transit_table.group_count(), 64);
+  FieldSweep sweep;
+  BorderField alone(data);
+  for (Index seed : test::random_vertices(data.second.node_count(), 3, 5)) {
+    const std::array seeds{BorderField::Seed{seed, 0.0, 0}};
+    alone.reset(seeds);
+    fill_all(data, alone, sweep);
+    for (int threads : {2, 3, 8}) {
+      BorderField shared(data, threads);
+      shared.reset(seeds);
+      fill_all(data, shared, sweep);
+      EXPECT_TRUE(std::ranges::equal(shared.border().distance, alone.border().distance)) << threads;
+      EXPECT_TRUE(std::ranges::equal(shared.border().predecessor, alone.border().predecessor)) << threads;
+    }
+  }
+}
+
 /// Greatest relative error of all nodes from exact seeds: the border of the patch around each source.
 double greatest_error(const test::Soup& soup) {
   const auto index = test::make_index(soup, 3, 6);
