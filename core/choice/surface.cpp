@@ -23,7 +23,7 @@ double seconds_since(Clock::time_point start) {
 constexpr std::size_t max_idle = 2;
 
 /// A field that two threads share takes up to so many times the processor time of the calling one, as they
-/// wait for one another at each step; in a build they do not. What it takes longer is the work of others.
+/// wait for one another at each step; in a build they do not. Anything beyond that is other programs' work.
 constexpr double waiting_in_shared_field = 1.25;
 
 /// Lends an object of a list, or a new one, to `body`. After an exception it is not used again.

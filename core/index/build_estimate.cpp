@@ -33,10 +33,12 @@ constexpr double max_field_seconds = 0.5;
 // Seconds of one core for what is not timed, measured on scans and parts (docs/choosing.md).
 constexpr double seconds_per_first_byte = 2.5e-7;
 constexpr double seconds_per_transit_byte = 1.25e-7;
-/// And for each node on the border of a first-layer patch, as searches that fill the table scan borders.
+/// Per byte and node on the border of a first-layer patch: searches that fill the table scan borders.
 constexpr double seconds_per_transit_byte_and_node = 1.75e-10;
-/// Of all tables.
+/// Of an entry of any table.
 constexpr double bytes_per_entry = 2.0;
+/// Part of the borders in parts of a mesh that is taken to be inside them, however few patches they have.
+constexpr double least_inside = 0.5;
 /// A field from the index: exact around the source, in a larger part than the runs from border vertices, then
 /// over all tables.
 constexpr double runs_near_source = 1.6;
@@ -87,6 +89,13 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
   return mesh_in_metric_of(mesh, std::move(positions), corners, std::move(sides));
 }
 
+/// Of those with faces.
+double component_count(const Mesh& mesh) {
+  std::vector<std::uint8_t> has_face(mesh.component_count(), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f) has_face[mesh.component(mesh.face_vertices(f).front())] = 1;
+  return static_cast<double>(std::ranges::count(has_face, 1));
+}
+
 /// The patches asked for that a part gets of a mesh with `scale` times its faces and so many first-layer
 /// patches: as dense as on the whole.
 PartitionOptions share_of(const PartitionOptions& asked, double first_patches, const Mesh& part,
@@ -123,18 +132,24 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double layout_seconds = (thread_seconds() - start) * scale;
   const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
 
-  // The borders of k round patches on n vertices grow in length with the square roots of both. A part has few
-  // first-layer patches, most of whose borders are its own; those of its second layer tell more.
-  const double second_nodes = data.second.node_count() * scale;
-  const double first_nodes =
-      scale == 1.0 ? data.first.node_count()
-                   : second_nodes * std::sqrt(first_patches / std::max(1.0, data.second.patch_count * scale));
-  const double border_of_first = 2.0 * first_nodes / std::max(1.0, first_patches);
-  const double transit = scale == 1.0 ? static_cast<double>(transit_table_bytes(data.first))
-                                      : bytes_per_entry * first_nodes * first_nodes;
-  // Members are the second-layer nodes; those on its borders belong to two first-layer patches.
-  const double first = scale == 1.0 ? static_cast<double>(table_bytes(data.first))
-                                    : bytes_per_entry * border_of_first * (second_nodes + first_nodes);
+  double second_nodes = data.second.node_count() * scale;
+  double first_nodes = data.first.node_count();
+  double first_layer = data.first.patch_count;
+  double transit = static_cast<double>(transit_table_bytes(data.first));
+  double first = static_cast<double>(table_bytes(data.first));
+  if (scale > 1.0) {
+    // The borders of k round patches on n vertices grow in length with the square roots of both. A part has
+    // few first-layer patches; the borders of its second layer tell more. Those along its rim are missing.
+    const double second_patches = std::max(1.0, static_cast<double>(data.second.patch_count));
+    second_nodes /= std::max(least_inside, 1.0 - std::sqrt(parts / second_patches));
+    const double components = component_count(*mesh);
+    first_layer = std::max(first_patches, components);
+    first_nodes =
+        second_nodes * std::sqrt(first_layer / (second_patches * scale)) * (1.0 - components / first_layer);
+    transit = bytes_per_entry * first_nodes * first_nodes;
+    // Members are the second-layer nodes; those on its borders belong to two first-layer patches.
+    first = bytes_per_entry * 2.0 * first_nodes / first_layer * (second_nodes + first_nodes);
+  }
   const double second = static_cast<double>(table_bytes(data.second)) * scale;
   const double kept = (static_cast<double>(data.bytes()) + static_cast<double>(access_bounds_bytes(data)) +
                        sizeof(double) * SearchGraph::landmark_count * data.second.node_count()) *
@@ -147,9 +162,12 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   estimate.form = options.delta == 0.0 && budget.fits(with_tables) ? IndexForm::tables : IndexForm::graph;
   estimate.bytes = estimate.form == IndexForm::tables ? with_tables : static_cast<std::int64_t>(kept);
   const int threads = resolve_thread_count(options.threads);
-  estimate.core_seconds =
-      layout_seconds + run_seconds + seconds_per_first_byte * first +
-      (seconds_per_transit_byte + seconds_per_transit_byte_and_node * border_of_first) * transit;
+  estimate.core_seconds = layout_seconds + run_seconds + seconds_per_first_byte * first;
+  if (estimate.form == IndexForm::tables) {
+    const double border_of_first = 2.0 * first_nodes / std::max(1.0, first_layer);
+    estimate.core_seconds +=
+        (seconds_per_transit_byte + seconds_per_transit_byte_and_node * border_of_first) * transit;
+  }
   estimate.build_seconds = estimate.core_seconds / threads;
   if (with_fields) {
     const double run = run_seconds / (scale * std::max<Index>(1, data.second.node_count()));

@@ -47,18 +47,40 @@ TEST(BuildEstimate, KeepsToThePatchesAskedFor) {
   EXPECT_GT(estimated, 1.5 * of_usual_patches);
 }
 
-TEST(BuildEstimate, PartsOfALargeMeshHaveTheirShareOfThePatchesAskedFor) {
+/// Bytes of an index of tables, which all follow from the layout.
+double bytes_laid_out(const std::shared_ptr<const Mesh>& mesh, const PartitionOptions& options = {}) {
   IndexData data;
-  data.mesh = test::make_mesh(test::torus(300, 150, 3.0, 1.0));
+  data.mesh = mesh;
+  data.partition = make_partition(*data.mesh, options, {});
+  data.lay_out(2, {});
+  return static_cast<double>(data.bytes() + table_bytes(data.second) + table_bytes(data.first) +
+                             transit_bytes(data.first, false) + access_bounds_bytes(data));
+}
+
+TEST(BuildEstimate, PartsOfALargeMeshHaveTheirShareOfThePatchesAskedFor) {
+  const auto mesh = test::make_mesh(test::torus(300, 150, 3.0, 1.0));
   IndexOptions options;
   options.first_layer_patches = 60;
   options.second_layer_patches = 5;
-  data.partition = make_partition(*data.mesh, {60, 5}, {});
-  data.lay_out(2, {});
-  // All tables follow from the layout.
-  const double held = static_cast<double>(data.bytes() + table_bytes(data.second) + table_bytes(data.first) +
-                                          transit_bytes(data.first, false));
-  EXPECT_NEAR(estimate_build(data.mesh, options, false).bytes, held, 0.3 * held);
+  const double held = bytes_laid_out(mesh, {60, 5});
+  EXPECT_NEAR(estimate_build(mesh, options, false).bytes, held, 0.3 * held);
+}
+
+TEST(BuildEstimate, LargeMeshesWhoseComponentsAreFirstLayerPatchesHaveNoBordersThere) {
+  test::Soup many = test::torus(60, 30, 3.0, 1.0);
+  while (many.faces.size() < 80000) many = test::two_components(many, many);
+  const auto mesh = test::make_mesh(many);
+  const double held = bytes_laid_out(mesh);
+  EXPECT_NEAR(estimate_build(mesh, {}, false).bytes, held, 0.3 * held);
+}
+
+TEST(BuildEstimate, ALargeMeshOfOneFirstLayerPatchHasNoBordersThere) {
+  const auto mesh = test::make_mesh(test::torus(240, 150, 3.0, 1.0));
+  IndexOptions options;
+  options.first_layer_patches = 1;
+  options.second_layer_patches = 100;
+  const double held = bytes_laid_out(mesh, {1, 100});
+  EXPECT_NEAR(estimate_build(mesh, options, false).bytes, held, 0.3 * held);
 }
 
 TEST(BuildEstimate, ChoosesTheFormByTheMemoryBudget) {
