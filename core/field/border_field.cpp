@@ -98,10 +98,9 @@ void BorderField::cross_long_edges(Index patch) {
     // Another edge may have reached them through the patch meanwhile.
     if (distance(ends[0]) == unreachable || distance(ends[1]) == unreachable) continue;
     for (int i : {0, 1}) layer.read_border(patch, edge.end[i].row, beyond_[i].data());
-    const double before = edge.end[0].source + edge.end[1].source - 2.0 * edge.length;
     for (Index column = 0; column < count; ++column) {
-      // Nearly all are as near as they can be: see LongBorderEdge::across.
-      if (before + beyond_[0][column] + beyond_[1][column] >= 2.0 * most_[column]) continue;
+      // True of nearly all.
+      if (edge.is_beyond(most_[column], beyond_[0][column], beyond_[1][column])) continue;
       const Index node = nodes[column];
       if (node == ends[0] || node == ends[1]) continue;
       const auto target = [&](Index row) { return static_cast<double>(layer.distance(patch, row, column)); };

@@ -25,6 +25,12 @@ struct LongBorderEdge {
   End end[2];
   double length;
 
+  /// Whether no path over a point of the edge is shorter than `most`, by the triangle inequality, for a
+  /// member at these distances from the ends.
+  bool is_beyond(double most, double from_first, double from_second) const {
+    return end[0].source + from_first + (end[1].source + from_second) - 2.0 * length >= 2.0 * most;
+  }
+
   struct Crossing {
     double distance = unreachable;
     Index row = no_index;  ///< the end over which the sum is less
@@ -36,8 +42,7 @@ struct LongBorderEdge {
   Crossing across(double most, const Target& target) const {
     const double targets[] = {target(end[0].row), target(end[1].row)};
     const double sums[] = {end[0].source + targets[0], end[1].source + targets[1]};
-    // What a path over a point of the edge takes at least, by the triangle inequality.
-    if (sums[0] + sums[1] - 2.0 * length >= 2.0 * most) return {};
+    if (is_beyond(most, targets[0], targets[1])) return {};
     const double through = unfolded_distance(length, end[0].source, end[1].source, targets[0], targets[1]);
     if (!(through < most)) return {};
     if (!is_one_path(0, targets, target) && !is_one_path(1, targets, target)) return {};

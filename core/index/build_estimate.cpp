@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "index/index_data.h"
 #include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
+#include "mesh/components.h"
 #include "mesh/length_limits.h"
 #include "partition/partition.h"
 #include "support/checkpoint.h"
@@ -36,7 +38,7 @@ constexpr double seconds_per_transit_byte = 1.25e-7;
 /// Per byte and node on the border of a first-layer patch: searches that fill the table scan borders.
 constexpr double seconds_per_transit_byte_and_node = 1.75e-10;
 /// Of an entry of any table.
-constexpr double bytes_per_entry = 2.0;
+constexpr double bytes_per_entry = sizeof(std::uint16_t);
 /// Part of the borders in parts of a mesh that is taken to be inside them, however few patches they have.
 constexpr double least_inside = 0.5;
 /// A field from the index: exact around the source, in a larger part than the runs from border vertices, then
@@ -89,13 +91,6 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
   return mesh_in_metric_of(mesh, std::move(positions), corners, std::move(sides));
 }
 
-/// Of those with faces.
-double component_count(const Mesh& mesh) {
-  std::vector<std::uint8_t> has_face(mesh.component_count(), 0);
-  for (Index f = 0; f < mesh.face_count(); ++f) has_face[mesh.component(mesh.face_vertices(f).front())] = 1;
-  return static_cast<double>(std::ranges::count(has_face, 1));
-}
-
 /// The patches asked for that a part gets of a mesh with `scale` times its faces and so many first-layer
 /// patches: as dense as on the whole.
 PartitionOptions share_of(const PartitionOptions& asked, double first_patches, const Mesh& part,
@@ -135,6 +130,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   double second_nodes = data.second.node_count() * scale;
   double first_nodes = data.first.node_count();
   double first_layer = data.first.patch_count;
+  double border_of_first = 2.0 * first_nodes / std::max(1.0, first_layer);
   double transit = static_cast<double>(transit_table_bytes(data.first));
   double first = static_cast<double>(table_bytes(data.first));
   if (scale > 1.0) {
@@ -142,13 +138,14 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
     // few first-layer patches; the borders of its second layer tell more. Those along its rim are missing.
     const double second_patches = std::max(1.0, static_cast<double>(data.second.patch_count));
     second_nodes /= std::max(least_inside, 1.0 - std::sqrt(parts / second_patches));
-    const double components = component_count(*mesh);
+    const double components = components_with_faces(*mesh);
     first_layer = std::max(first_patches, components);
     first_nodes =
         second_nodes * std::sqrt(first_layer / (second_patches * scale)) * (1.0 - components / first_layer);
+    border_of_first = 2.0 * first_nodes / first_layer;
     transit = bytes_per_entry * first_nodes * first_nodes;
     // Members are the second-layer nodes; those on its borders belong to two first-layer patches.
-    first = bytes_per_entry * 2.0 * first_nodes / first_layer * (second_nodes + first_nodes);
+    first = bytes_per_entry * border_of_first * (second_nodes + first_nodes);
   }
   const double second = static_cast<double>(table_bytes(data.second)) * scale;
   const double kept = (static_cast<double>(data.bytes()) + static_cast<double>(access_bounds_bytes(data)) +
@@ -164,7 +161,6 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const int threads = resolve_thread_count(options.threads);
   estimate.core_seconds = layout_seconds + run_seconds + seconds_per_first_byte * first;
   if (estimate.form == IndexForm::tables) {
-    const double border_of_first = 2.0 * first_nodes / std::max(1.0, first_layer);
     estimate.core_seconds +=
         (seconds_per_transit_byte + seconds_per_transit_byte_and_node * border_of_first) * transit;
   }

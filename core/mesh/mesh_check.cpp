@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "mesh/components.h"
 #include "mesh/outliers.h"
 #include "mesh/t_junctions.h"
 
@@ -149,13 +150,7 @@ void check_gaps(const Mesh& mesh, MeshReport& report) {
   const GapBridges bridges = find_gap_bridges(mesh, report.gap);
   const Mesh bridged(mesh.positions(), mesh.faces(), bridges);
   report.joined_borders = count_joined_borders(mesh, bridged);
-  std::vector<std::uint8_t> seen(bridged.component_count(), 0);
-  report.components_after_bridging = 0;
-  for (const auto& face : bridged.faces()) {
-    std::uint8_t& component = seen[bridged.component(face[0])];
-    report.components_after_bridging += component == 0;
-    component = 1;
-  }
+  report.components_after_bridging = components_with_faces(bridged);
 }
 
 }  // namespace

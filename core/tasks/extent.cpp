@@ -88,16 +88,6 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
   return result;
 }
 
-Index first_vertex_of_largest_component(const Mesh& mesh) {
-  std::vector<Index> size(mesh.component_count(), 0);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) ++size[mesh.component(v)];
-  const auto largest = static_cast<Index>(std::max_element(size.begin(), size.end()) - size.begin());
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.component(v) == largest) return v;
-  }
-  return no_index;
-}
-
 GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radius) {
   const Mesh& mesh = team.mesh();
   if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");

@@ -43,9 +43,6 @@ struct Extent {
 /// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress = {});
 
-/// The first vertex of the component with the most vertices.
-Index first_vertex_of_largest_component(const Mesh& mesh);
-
 /// What lies within a radius of the nearest of some sources.
 struct GeodesicDisk {
   std::vector<Index> vertices;   ///< ascending

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "index/index_data.h"
+#include "mesh/components.h"
 #include "support/error.h"
 #include "support/parallel.h"
-#include "tasks/extent.h"
 #include "tasks/spread_points.h"
 #include "weighted/local_solver.h"
 
@@ -20,7 +20,7 @@ namespace {
 /// ones.
 std::vector<Index> spread(const std::shared_ptr<const GeodesicIndex>& index, int count, int threads) {
   FieldTeam team(index, threads);
-  const Index first = first_vertex_of_largest_component(*index->mesh());
+  const Index first = largest_component(*index->mesh()).first_vertex;
   const Index end = eccentricities(team, std::array{first}).front().farthest;
   const FarthestStop stop{count, 0.0, index->mesh()->component(first)};
   return sample_farthest(team, stop, std::array{end}).vertices;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
+#include "mesh/components.h"
 #include "support/thread_clock.h"
 #include "weighted/local_solver.h"
 
@@ -15,22 +15,6 @@ namespace {
 
 /// Measured on scans: the time of a field grows with this power of the vertices reached.
 constexpr double field_growth = 1.25;
-
-/// A vertex of the component with the most vertices, and how many these are.
-struct LargestComponent {
-  Index vertex = 0;
-  Index size = 0;
-};
-
-LargestComponent largest_component(const Mesh& mesh) {
-  std::vector<Index> sizes(mesh.component_count(), 0);
-  LargestComponent largest;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index size = ++sizes[mesh.component(v)];
-    if (size > largest.size) largest = {v, size};
-  }
-  return largest;
-}
 
 }  // namespace
 
@@ -42,7 +26,7 @@ FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometr
                              const Progress& progress, const char* activity) {
   const Mesh& mesh = *geometry->mesh;
   const LargestComponent largest = largest_component(mesh);
-  const double share = static_cast<double>(largest.size) / mesh.vertex_count();
+  const double share = static_cast<double>(largest.vertices) / mesh.vertex_count();
   const double begin = thread_seconds();
   auto elapsed = [&] { return thread_seconds() - begin; };
   FieldTiming timing;
@@ -57,7 +41,7 @@ FieldTiming time_exact_field(const std::shared_ptr<const LocalGeometry>& geometr
   limits.distances_only = true;
   limits.progress = &until;
   try {
-    exact.run_from_vertices(std::array{largest.vertex}, limits);
+    exact.run_from_vertices(std::array{largest.first_vertex}, limits);
   } catch (const Cancelled&) {
     if (timing.is_complete) throw;
   }

@@ -9,6 +9,7 @@
 #include "layers/parameters.h"
 #include "layers/task_points.h"
 #include "layers/team_of_layer.h"
+#include "mesh/components.h"
 
 namespace vorogeo::plugin {
 
@@ -71,7 +72,7 @@ Results measure_extent(FilterCall& call) {
   const int number = call.parameters.getInt("vertex_index");
   Index start = number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
   TeamOfLayer found = team_of_layer(call, layer_mesh);
-  if (start == no_index) start = first_vertex_of_largest_component(found.team.mesh());
+  if (start == no_index) start = largest_component(found.team.mesh()).first_vertex;
   const Extent extent = extent_of_component(found.team, start, fields, found.progress);
   Results results = std::move(found.about_index);
   results["diameter_lower"] = extent.diameter.lower;

@@ -1,5 +1,6 @@
 // The functions of _core for what is built on distance fields.
 #include "arrays.h"
+#include "mesh/components.h"
 #include "mesh/given_points.h"
 #include "point_arrays.h"
 #include "tasks/extent.h"
@@ -101,7 +102,7 @@ nb::tuple eccentricity(nb::handle index, const PointArrays& points, bool exact, 
 /// `start`: no_index for the largest component.
 nb::tuple extent(nb::handle index, Index start, Index max_fields, bool exact, nb::object progress) {
   const Extent found = with_team(index, exact, progress, [&](FieldTeam& team, const Progress& report) {
-    const Index first = start == no_index ? first_vertex_of_largest_component(team.mesh()) : start;
+    const Index first = start == no_index ? largest_component(team.mesh()).first_vertex : start;
     return extent_of_component(team, first, max_fields, report);
   });
   return nb::make_tuple(nb::make_tuple(found.diameter.lower, found.diameter.upper),

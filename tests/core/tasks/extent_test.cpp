@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/components.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -57,7 +58,7 @@ TEST(Extent, EccentricitiesAreThoseOfTheComponent) {
     EXPECT_NEAR(found[i].distance, exact[points[i]], 0.01 * exact[points[i]]);
     EXPECT_NEAR(plane.vertex_distance(points[i], found[i].farthest), exact[points[i]], 0.02);
   }
-  EXPECT_EQ(first_vertex_of_largest_component(team.mesh()), 42);
+  EXPECT_EQ(largest_component(team.mesh()).first_vertex, 42);
   EXPECT_THROW(extent_of_component(team, 0, 1), InvalidInput);
   EXPECT_THROW(extent_of_component(team, -1, 5), InvalidInput);
 }
