@@ -56,6 +56,8 @@ void ExactSolver::State::reset() {
   face_sources.clear();
   queue.reset(bucket_width * mesh.typical_edge_length());
   closing.clear();
+  closing_width = bucket_width * mesh.typical_edge_length();
+  closed_before = 0;
   territories = nullptr;
   open_elsewhere = nullptr;
 }
@@ -206,8 +208,8 @@ std::size_t ExactSolver::window_count() const {
 }
 
 std::size_t ExactSolver::State::memory_bytes() const {
-  return envelope.memory_bytes() + vertices.capacity() * sizeof(VertexState) +
-         (vertices.size() + mesh.edge_count()) * sizeof(std::int64_t);
+  return envelope.memory_bytes() + vertices.capacity() * sizeof(VertexState) + queue.memory_bytes() +
+         closing.memory_bytes();
 }
 
 std::size_t ExactSolver::memory_bytes() const {

@@ -121,11 +121,9 @@ void SharedRun::take_step(int solver) {
 
 void SharedRun::begin_next_step() {
   double front = unreachable;
-  double widest = 0.0;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     ExactSolver::State& state = *all_[i];
     front = std::min(front, state.queue.least_key());
-    widest = std::max(widest, state.queue.bucket_width());
     for (const Outbox& outbox : state.outbox) front = std::min(front, outbox.least);
     std::swap(state.outbox, handed_[i]);
     for (Outbox& outbox : state.outbox) outbox.clear();
@@ -139,9 +137,6 @@ void SharedRun::begin_next_step() {
   const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
   const double least = least_step * all_.front()->mesh.typical_edge_length();
   step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least, 0.5 * step_length_);
-  // Items that came late wait in the first bucket behind the end of the step before. They are not counted in
-  // the front any more, so the new step has to take them: it goes beyond that bucket, whatever the rounding.
-  step_length_ = std::max(step_length_, 1.5 * widest);
   front_ = front;
   end_of_step_ = std::max(end_of_step_, front) + step_length_;
   std::size_t reached = 0;

@@ -16,8 +16,16 @@ namespace vorogeo {
 ///
 /// All advance in steps of distance. Within a step they work alone, on what they were handed when it began;
 /// what they hand on is taken in at the next step, whether or not it belongs there: a window that comes late
-/// replaces what was propagated in its place, as any shorter one does. So the result depends on the number of
-/// solvers, in its last digits, but not on the threads that happened to run them.
+/// replaces what was propagated in its place, as any shorter one does.
+///
+/// Why nothing is lost or overtaken, whatever the sizes and the timing: between two steps, all that is still
+/// to be propagated lies in the queues and in the boxes that are handed on, and `front_` is no more than any
+/// distance in either (BucketQueue::least_key, Outbox::least). Windows and vertices descend only from those,
+/// so none that comes later is below it, and an edge behind it can be closed. A step takes all that lies
+/// below its end, late items included; the end lies above the front, so the run goes on until queues and
+/// boxes are empty. What a solver does in a step depends on its own state and the boxes, which are read in
+/// the order of their senders: the result depends on the number of solvers, in its last digits, but not on
+/// the threads that happened to run them, nor on what the solvers did in an earlier run.
 class SharedRun {
  public:
   SharedRun(std::shared_ptr<const ExactGeometry> geometry, int solvers);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "exact/face_plane.h"
 #include "exact/territories.h"
 #include "support/bucket_queue.h"
+#include "support/timing_wheel.h"
 
 namespace vorogeo {
 
@@ -76,6 +76,7 @@ struct ExactSolver::State {
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
   void close_edges_behind(double front);
+  std::int64_t closing_bucket(double distance) const;
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, Index crossed_edge, double apex_along);
   /// Whether the pseudo-source lies on the edge up to a negligible distance.
@@ -191,8 +192,15 @@ struct ExactSolver::State {
   BucketQueue queue;
   /// Only vertex distances are wanted: edges drop their windows when the front has passed.
   bool distances_only = false;
-  /// Edges with the distance at which the front has passed them, roughly in that order.
-  std::deque<std::pair<double, Index>> closing;
+  /// An edge, and the bucket of the distance behind which no path to it can be shorter than those that it
+  /// has.
+  struct ClosingEdge {
+    std::int64_t bucket;
+    Index edge;
+  };
+  TimingWheel<ClosingEdge> closing;
+  double closing_width = 1.0;      ///< of its buckets
+  std::int64_t closed_before = 0;  ///< edges of lower buckets are closed
 
   /// In a run that several solvers share: who owns what, this one's number there, and what it has for each.
   const Territories* territories = nullptr;

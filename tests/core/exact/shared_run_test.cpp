@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
 #include "exact/exact_solver.h"
 #include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/near.h"
+#include "support/ply.h"
 #include "support/small_copy.h"
 
 namespace vorogeo {
@@ -107,6 +110,59 @@ TEST(SharedRun, EqualsOneSolverOnDefects) {
     for (double& coordinate : outliers.positions[v]) coordinate *= 1e5;
   }
   expect_equal(outliers);
+}
+
+TEST(SharedRun, EqualsOneSolverOnHostileMeshesWithPartsOfVeryDifferentSizes) {
+  // Second copies a millionth as large and smaller: most buckets are empty, and items come late.
+  struct Seed {
+    unsigned seed;
+    int size;
+    std::vector<Index> sources;
+  };
+  for (const auto& [seed, size, sources] : {Seed{600160, 4000, {1948, 3549}}, Seed{1011595, 2500, {364}},
+                                            Seed{600006, 4000, {2838, 3101, 3364, 3627}},
+                                            Seed{600023, 4000, {304, 1995}}, Seed{600089, 4000, {1288}}}) {
+    const auto mesh = test::make_mesh(test::hostile_mesh(seed, size).soup);
+    ExactSolver alone(mesh);
+    ExactSolver several(mesh);
+    for (Index source : sources) {
+      alone.run_from_vertices(std::array{source}, {.distances_only = true});
+      for (int threads : {2, 3, 8}) {
+        several.run_from_vertices(std::array{source}, {.distances_only = true, .threads = threads});
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          if (several.distance(v) == alone.distance(v)) continue;
+          ASSERT_NEAR(several.distance(v), alone.distance(v), 1e-9 * alone.distance(v))
+              << "seed " << seed << ", source " << source << ", " << threads << " threads, vertex " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(SharedRun, EqualsOneSolverBesideDebris) {
+  // A scan and a fine one of a ten-thousandth its size, from vertices of either.
+  VOROGEO_READ_OR_SKIP(bunny, "bunny");
+  VOROGEO_READ_OR_SKIP(dragon, "dragon_raw");
+  test::Soup small = dragon;
+  for (Point& p : small.positions) {
+    for (double& coordinate : p) coordinate *= 1e-4;
+  }
+  const auto mesh = test::make_mesh(test::two_components(bunny, small));
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  ExactSolver alone(mesh);
+  ExactSolver several(mesh);
+  for (int threads : {2, 3, 8}) {
+    const std::array sources{static_cast<Index>(random() % mesh->vertex_count()),
+                             static_cast<Index>(random() % bunny.positions.size())};
+    alone.run_from_vertices(sources, {.distances_only = true});
+    several.run_from_vertices(sources, {.distances_only = true, .threads = threads});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (several.distance(v) == alone.distance(v)) continue;
+      ASSERT_NEAR(several.distance(v), alone.distance(v), 1e-12 * alone.distance(v)) << threads << " threads";
+    }
+  }
 }
 
 TEST(SharedRun, IsTheSameEachTime) {

@@ -1,4 +1,4 @@
-// Queue in buckets: against a plain ordered search, with keys far ahead, relaxed keys, and reuse.
+// Queue in buckets: against a sorted list, with keys far ahead, lowered and late ones, limits, and reuse.
 #include "support/bucket_queue.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <string>
 
 namespace vorogeo {
 namespace {
@@ -23,7 +24,7 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
   BucketQueue queue;
   queue.resize(3000);
   std::mt19937 random(4);
-  // Up to ten times round the ring, so that most items go through the overflow.
+  // Up to eighty times as many buckets as a wheel has.
   std::uniform_real_distribution<double> key(0.0, 10240.0);
   queue.reset(0.5);
   std::vector<double> key_of(3000);
@@ -41,8 +42,7 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
 }
 
 TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
-  // Keys up to twenty times round the ring, taken in steps: an item leaves in the step in which its bucket
-  // begins, and what comes late leaves in the next one.
+  // Taken in steps: an item leaves in the step in which its bucket begins, and what comes late leaves first.
   BucketQueue queue;
   queue.resize(3001);
   queue.reset(0.5);
@@ -65,9 +65,9 @@ TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
   }
   EXPECT_EQ(queue.pop(), no_index);
   EXPECT_EQ(queue.least_key(), unreachable);
-  // Beyond the ring, with nothing in it.
+  // Far away, with nothing before it.
   queue.push(7, 1e6);
-  EXPECT_EQ(queue.least_key(), 1e6);
+  EXPECT_NEAR(queue.least_key(), 1e6, 1e-6);
 }
 
 TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {
@@ -118,36 +118,56 @@ TEST(BucketQueue, KeysOfAllScalesCostAConstantEach) {
   for (int times : taken) ASSERT_EQ(times, 1);
 }
 
-TEST(BucketQueue, WorksLikeAnOrderedMapWhileKeysAreAddedAndLowered) {
-  // The pattern of a propagation: each item taken lowers or adds others, none below its own bucket.
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    std::mt19937 random(seed);
+TEST(BucketQueue, GivesWhatASortedListGivesWhateverTheWidthsLimitsAndLateKeys) {
+  // The pattern of solvers that share a run: items up to a limit are taken, each adds others at distances of
+  // all scales; then others come from elsewhere, also below what was taken, and the limit moves on.
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int round = 0; round < 200; ++round) {
     BucketQueue queue;
-    queue.resize(200);
-    const double width = std::exp(std::uniform_real_distribution<double>(-12.0, 12.0)(random));
+    queue.resize(150);
+    const double width = std::exp(uniform(-30.0, 30.0));
     queue.reset(width);
-    std::map<Index, std::int64_t> expected;  // bucket by item
-    auto push = [&](Index item, double key) {
+    const double spread = uniform(0.0, 30.0);  // scales of the steps, as powers of e
+    std::map<Index, double> expected;          // the least key by item
+    auto push = [&](double from) {
+      const auto item = static_cast<Index>(random() % 150);
+      const double key = from + width * std::exp(uniform(-5.0, spread));
       queue.push(item, key);
-      const auto bucket = static_cast<std::int64_t>(key / width);
-      const auto [at, added] = expected.try_emplace(item, bucket);
-      if (!added) at->second = std::min(at->second, bucket);
+      const auto [at, added] = expected.try_emplace(item, key);
+      if (!added) at->second = std::min(at->second, key);
     };
-    for (Index item = 0; item < 20; ++item) push(item, width * (random() % 3000));
-    std::uniform_real_distribution<double> step(0.0, 5000.0);
-    for (int pushes = 0;;) {
-      const Index item = queue.pop();
-      if (item == no_index) break;
-      ASSERT_TRUE(expected.contains(item)) << "seed " << seed;
-      const std::int64_t bucket = expected[item];
-      for (const auto& [other, other_bucket] : expected)
-        ASSERT_LE(bucket, other_bucket + 1) << "seed " << seed;
-      expected.erase(item);
-      for (int i = 0; i < 3 && pushes < 2000; ++i, ++pushes) {
-        push(static_cast<Index>(random() % 200), (static_cast<double>(bucket) + 1.0 + step(random)) * width);
+    auto least = [&] {
+      double key = unreachable;
+      for (const auto& [item, at] : expected) key = std::min(key, at);
+      return key;
+    };
+    for (int i = 0; i < 20; ++i) push(0.0);
+    double limit = 0.0;
+    double late_from = 0.0;
+    for (int pushes = 0; !expected.empty() || pushes < 1000;) {
+      ASSERT_LE(queue.least_key(), least());
+      late_from = limit;
+      limit = std::max(limit, queue.least_key() < unreachable ? queue.least_key() : 0.0) +
+              width * std::exp(uniform(-3.0, spread));
+      for (Index item = queue.pop(limit); item != no_index; item = queue.pop(limit)) {
+        ASSERT_TRUE(expected.contains(item));
+        const double key = expected[item];
+        ASSERT_LE(key, std::max(limit, least()) + width * (1.0 + 1e-9) + 1e-12 * limit);
+        ASSERT_LE(key, least() + width * (1.0 + 1e-9) + 1e-12 * key) << "overtaken by more than a bucket";
+        ASSERT_LE(queue.lower_bound(), least());
+        expected.erase(item);
+        for (int i = 0; i < 3 && pushes < 1000; ++i, ++pushes) push(key);
       }
+      ASSERT_GE(least(), limit * (1.0 - 1e-12)) << "an item below the limit was not given";
+      for (int i = 0; i < 4 && pushes < 1000; ++i, ++pushes) push(uniform(0.5 * late_from, limit));
     }
-    EXPECT_TRUE(expected.empty()) << "seed " << seed;
+    EXPECT_EQ(queue.pop(), no_index);
+    EXPECT_EQ(queue.least_key(), unreachable);
   }
 }
 
