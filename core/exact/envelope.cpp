@@ -92,8 +92,8 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
   return x;
 }
 
-/// Divides [l, r], which both windows cover. The new window gets a part only if it is strictly shorter at an
-/// end of it, or in the middle between two crossings: equal windows would otherwise replace each other
+/// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old one
+/// by more than rounding at an end of it or in its middle: equal windows would otherwise replace each other
 /// forever.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
@@ -114,41 +114,34 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     division.at[0] = sign_change<is_long>(fresh, old, l, r, division.new_first);
     return division;
   }
-  const bool tied_l = std::abs(gain_l) <= tie_l;
-  const bool tied_r = std::abs(gain_r) <= tie_r;
-  if (tied_l != tied_r && fresh.offset != old.offset) {
-    // Equal at one end: up to a crossing, the window that is longer at the other end may be shorter near this
-    // one.
-    std::array<double, 2> x{};
-    if (const int found = crossings(fresh, old, l, r, x); found > 0) {
-      const double cut = tied_r ? x[found - 1] : x[0];
-      const double probe = 0.5 * (cut + (tied_r ? r : l));
-      const double at_old = old.distance(probe);
-      const double gain_at_probe = gain(probe, at_old, fresh.distance(probe));
-      const double gain_at_end = tied_r ? gain_l : gain_r;
-      if (std::abs(gain_at_probe) > tie_at(at_old) && (gain_at_probe > 0.0) != (gain_at_end > 0.0)) {
-        division.new_first = (tied_r ? gain_at_end : gain_at_probe) > 0.0;
-        division.cuts = 1;
-        division.at[0] = cut;
-        return division;
-      }
-    }
-  }
   division.new_first = gain_l > tie_l || gain_r > tie_r;
-  // The same owner at both ends; the other can own the middle only if its least distance is low enough
-  // and the two are unequally far from their pseudo-sources.
+  // The difference of two distances has two zeros at most, and one if the pseudo-sources are equally far. So
+  // the window that is longer at an end, or at both, can own the middle only if its least distance is low
+  // enough.
+  if (fresh.offset == old.offset) return division;
+  const bool is_tied = std::abs(gain_l) <= tie_l || std::abs(gain_r) <= tie_r;
   const Window& loser = division.new_first ? old : fresh;
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
-  if (fresh.offset == old.offset || loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) {
-    return division;
-  }
+  if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
+  // Zeros at the ends are found on either side of them, or not at all. So it is the middle of each part that
+  // tells its owner; parts without a difference there are no more than rounding, and go with their neighbour.
   std::array<double, 2> x{};
-  if (crossings(fresh, old, l, r, x) != 2) return division;
-  const double middle = 0.5 * (x[0] + x[1]);
-  const double at_old = old.distance(middle);
-  if ((gain(middle, at_old, fresh.distance(middle)) > tie_at(at_old)) == division.new_first) return division;
-  division.cuts = 2;
-  division.at = x;
+  const int zeros = crossings(fresh, old, l, r, x);
+  division = {};
+  bool is_decided = false;
+  bool last_is_new = false;
+  for (int i = 0; i <= zeros; ++i) {
+    const double from = i == 0 ? l : x[i - 1];
+    const double middle = 0.5 * (from + (i == zeros ? r : x[i]));
+    const double at_old = old.distance(middle);
+    const double gained = gain(middle, at_old, fresh.distance(middle));
+    if (std::abs(gained) <= tie_at(at_old)) continue;
+    const bool is_new = gained > 0.0;
+    if (!is_decided) division.new_first = is_new;
+    if (is_decided && is_new != last_is_new) division.at[division.cuts++] = from;
+    is_decided = true;
+    last_is_new = is_new;
+  }
   return division;
 }
 
