@@ -9,11 +9,13 @@ namespace vorogeo {
 
 namespace {
 
-/// How far outside a window a vertex may lie and still be reached, relative to the edge's length or, up to
-/// `greatest_tolerance` of that, to the pseudo-source's distance. Windows that passed a vertex on both sides
-/// drift apart by the rounding of angles, and in a grid the next vertices of the row lie in that gap.
+/// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
+/// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-constexpr double greatest_tolerance = 1e-6;
+/// How far outside it may lie and be reached by way of the window's end. Windows that passed a vertex, or a
+/// cluster of them, on both sides drift apart by the rounding of angles, and in a grid the next vertices of the
+/// row lie in that gap. The way over the end is a path, so it makes no distance too short.
+constexpr double gap_tolerance = 1e-6;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
 
@@ -199,13 +201,16 @@ void ExactSolver::State::cross_face(Index halfedge) {
           vertex_tolerance * geometry->scale_at(edge, item.to_apex, window.offset + window.source_y, length);
     }
     const double outside = std::max(window.begin - item.to_apex, item.to_apex - window.end);
-    const double drift = vertex_tolerance * (std::abs(window.source_x) + window.source_y);
-    if (!(outside <= std::max(tolerance, std::min(drift, greatest_tolerance * length)))) continue;
-    const double distance = window.offset + std::sqrt(dx * dx + height * height);
-    // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
     const double known = vertices[frame.apex].distance;
-    if (distance < (outside <= tolerance ? 1.0 : 1.0 - least_gain) * known)
-      reach_apex(window, halfedge, distance);
+    if (outside <= tolerance) {
+      const double distance = window.offset + std::sqrt(dx * dx + height * height);
+      if (distance < known) reach_apex(window, halfedge, distance);
+    } else if (outside <= gap_tolerance * length) {
+      const double end = std::clamp(item.to_apex, window.begin, window.end);
+      const double distance = window.distance(end) + std::hypot(frame.apex_x - end, frame.apex_depth);
+      // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
+      if (distance < (1.0 - least_gain) * known) reach_apex(window, halfedge, distance);
+    }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
           false, edge, frame.apex_x);
