@@ -12,10 +12,12 @@ namespace {
 /// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-/// How far outside it may lie and be reached by way of the window's end. Windows that passed a vertex, or a
-/// cluster of them, on both sides drift apart by the rounding of angles, and in a grid the next vertices of the
-/// row lie in that gap. The way over the end is a path, so it makes no distance too short.
-constexpr double gap_tolerance = 1e-6;
+/// The angle at the pseudo-source between a window and a vertex outside it that is still reached, by way of the
+/// window's end. Windows that passed a vertex, or a cluster of them, on both sides drift apart by the rounding
+/// of angles, and where two windows are equal up to rounding, one of them keeps what lies in the rays of the
+/// other: as far as the root of that rounding. The way over the end is a path, so it makes no distance too
+/// short; its detour is half the square of the angle.
+constexpr double gap_angle = 1e-5;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
 
@@ -205,7 +207,7 @@ void ExactSolver::State::cross_face(Index halfedge) {
     if (outside <= tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (distance < known) reach_apex(window, halfedge, distance);
-    } else if (outside <= gap_tolerance * length) {
+    } else if (outside * height <= gap_angle * (std::abs(dx) + height) * (std::abs(dx) + height)) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
       const double distance = window.distance(end) + std::hypot(frame.apex_x - end, frame.apex_depth);
       // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
