@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "exact/window.h"
 #include "mesh/mesh.h"
@@ -33,6 +34,14 @@ struct Side {
   }
   double inside(double x) const { return std::clamp(x, 0.0, length); }
 
+  /// A pseudo-source that rounding has taken behind the line of the side is laid on the line, as far from
+  /// where positions count from as it was, (across, away): at an edge of a few units in the last place, it may
+  /// lie anywhere behind.
+  static void lay_on_line(double& x, double& y, double across, double away) {
+    x = std::copysign(std::sqrt(across * across + away * away), x);
+    y = 0.0;
+  }
+
   /// The part [begin, end] of a window, as it arrives at the side. `to_end`: it ends at the ray to the apex.
   /// `second`: the side shares the crossed edge's second vertex.
   Window arriving(const Window& window, double begin, double end, bool to_end, bool second,
@@ -42,8 +51,9 @@ struct Side {
     const double source_y = window.source_y;
     const double from = crossing(second ? crossed_length - end : begin, source_x, source_y);
     const double to = to_end ? length : crossing(second ? crossed_length - begin : end, source_x, source_y);
-    const double turned_x = source_x * cosine - source_y * sine;
-    const double turned_y = std::max(0.0, source_y * cosine + source_x * sine);
+    double turned_x = source_x * cosine - source_y * sine;
+    double turned_y = source_y * cosine + source_x * sine;
+    if (turned_y < 0.0) lay_on_line(turned_x, turned_y, source_x, source_y);
     return {inside(reversed ? length - to : from),
             inside(reversed ? length - from : to),
             reversed ? length - turned_x : turned_x,
@@ -70,10 +80,13 @@ struct Side {
       return inside(length - crossing(from_shared, from_shared - aside, source_y));
     };
     const double source_x = second ? crossed_length - window.source_x : window.source_x;
+    double turned_x = sign * (apex_along - window.source_x) * cosine + height * sine;
+    double turned_y = source_y * cosine + source_x * sine;
+    if (turned_y < 0.0) lay_on_line(turned_x, turned_y, apex_along - window.source_x, height);
     return {to_end ? 0.0 : from_apex(second ? begin : end),
             from_apex(second ? end : begin),
-            sign * (apex_along - window.source_x) * cosine + height * sine,
-            std::max(0.0, source_y * cosine + source_x * sine),
+            turned_x,
+            turned_y,
             window.offset,
             halfedge,
             window.source};
