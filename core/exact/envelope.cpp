@@ -93,8 +93,7 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 }
 
 /// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old one
-/// by more than rounding at an end of it or in its middle: equal windows would otherwise replace each other
-/// forever.
+/// by more than rounding in its middle or at an end: equal windows would otherwise replace each other forever.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
@@ -124,23 +123,28 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
   // Zeros at the ends are found on either side of them, or not at all. So it is the middle of each part that
-  // tells its owner; parts without a difference there are no more than rounding, and go with their neighbour.
+  // tells its owner, or its end. A part without a difference there is no more than rounding, and goes with its
+  // neighbour.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
-  division = {};
   bool is_decided = false;
   bool last_is_new = false;
-  for (int i = 0; i <= zeros; ++i) {
-    const double from = i == 0 ? l : x[i - 1];
-    const double middle = 0.5 * (from + (i == zeros ? r : x[i]));
-    const double at_old = old.distance(middle);
-    const double gained = gain(middle, at_old, fresh.distance(middle));
-    if (std::abs(gained) <= tie_at(at_old)) continue;
+  auto decide = [&](double from, double gained, double tied) {
+    if (std::abs(gained) <= tied) return false;
     const bool is_new = gained > 0.0;
     if (!is_decided) division.new_first = is_new;
     if (is_decided && is_new != last_is_new) division.at[division.cuts++] = from;
     is_decided = true;
     last_is_new = is_new;
+    return true;
+  };
+  for (int i = 0; i <= zeros; ++i) {
+    const double from = i == 0 ? l : x[i - 1];
+    const double middle = 0.5 * (from + (i == zeros ? r : x[i]));
+    const double at_old = old.distance(middle);
+    if (decide(from, gain(middle, at_old, fresh.distance(middle)), tie_at(at_old))) continue;
+    if (i == 0 && decide(from, gain_l, tie_l)) continue;
+    if (i == zeros) decide(from, gain_r, tie_r);
   }
   return division;
 }

@@ -12,11 +12,11 @@ namespace {
 /// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-/// The angle at the pseudo-source between a window and a vertex outside it that is still reached, by way of the
-/// window's end. Windows that passed a vertex, or a cluster of them, on both sides drift apart by the rounding
-/// of angles, and where two windows are equal up to rounding, one of them keeps what lies in the rays of the
-/// other: as far as the root of that rounding. The way over the end is a path, so it makes no distance too
-/// short; its detour is half the square of the angle.
+/// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to which
+/// the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on both sides
+/// drift apart by the rounding of angles, and where two windows are equal up to rounding, one of them keeps
+/// what lies in the rays of the other: as far as the root of that rounding. The way over the end is a path, so
+/// it makes no distance too short; its detour is half the square of the angle.
 constexpr double gap_angle = 1e-5;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
@@ -207,11 +207,14 @@ void ExactSolver::State::cross_face(Index halfedge) {
     if (outside <= tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (distance < known) reach_apex(window, halfedge, distance);
-    } else if (outside * height <= gap_angle * (std::abs(dx) + height) * (std::abs(dx) + height)) {
+    } else if (const double across = outside * height, straight = std::abs(dx) + height;
+               across <= gap_angle * straight * straight) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
-      const double distance = window.distance(end) + std::hypot(frame.apex_x - end, frame.apex_depth);
+      const double rest = std::hypot(frame.apex_x - end, frame.apex_depth);
+      const double distance = window.distance(end) + rest;
       // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
-      if (distance < (1.0 - least_gain) * known) reach_apex(window, halfedge, distance);
+      if (across <= gap_angle * straight * rest && distance < (1.0 - least_gain) * known)
+        reach_apex(window, halfedge, distance);
     }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),

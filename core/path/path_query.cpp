@@ -151,8 +151,7 @@ void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double ex
     found.join(exact.within(from, to, found.path.length, nearby).unproven());
   }
   if (found.path.length > expected * (1.0 + suspicious)) {
-    found.join(data.has_branches ? exact.between_landmarks(from, to, found.path.length)
-                                 : exact.by_index(from, to, found.path.length));
+    found.join(exact.between_landmarks(from, to, found.path.length));
   }
 }
 
