@@ -54,6 +54,7 @@ void ExactSolver::State::reset() {
   touched_vertices.clear();
   envelope.clear();
   face_sources.clear();
+  points_passed.clear();
   queue.reset(bucket_width * mesh.typical_edge_length());
   closing.clear();
   closing_width = bucket_width * mesh.typical_edge_length();

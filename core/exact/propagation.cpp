@@ -256,14 +256,26 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
   if (is_open) store_edge();
 }
 
+bool ExactSolver::State::was_passed(const Window& window) {
+  const Index edge = mesh.edge_of(window.entry());
+  const double x = window.source_x;
+  const double distance = window.offset + window.source_y;
+  const auto [first, last] = points_passed.equal_range(window.entry());
+  const bool passed = std::any_of(first, last, [&](const auto& item) {
+    const PassedPoint& point = item.second;
+    return point.distance + std::abs(x - point.x) <= distance + 1e-12 * (distance + mesh.edge_length(edge));
+  });
+  if (!passed) points_passed.emplace(window.entry(), PassedPoint{x, distance});
+  return passed;
+}
+
 void ExactSolver::State::pass_through(const Window& window) {
-  // Each face is crossed at a place that its corner touches, so more than this many are a heap of faces
-  // without width, whose vertices pass on what they are reached by themselves.
-  constexpr std::size_t max_edges = 64;
   passes_through = true;
   through.assign(1, window);
-  for (std::size_t i = 0; i < std::min(through.size(), max_edges); ++i) {
+  // This loop ends: an edge is passed again only where no point that was passed is nearer along it.
+  for (std::size_t i = 0; i < through.size(); ++i) {
     const Window next = through[i];
+    if (was_passed(next)) continue;
     const Index entry = next.entry();
     for (Index h = mesh.next_around_edge(entry); h != entry; h = mesh.next_around_edge(h)) {
       crossing.assign(1, {next, 0.0});
