@@ -1,0 +1,282 @@
+// Every public question, as the contract tests ask it: the only file here that knows the classes that answer.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "choice/surface.h"
+#include "mesh/edge_points.h"
+#include "mesh/gap_bridges.h"
+#include "mesh/given_points.h"
+#include "mesh/metric.h"
+#include "support/error.h"
+#include "support/shapes.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/extent.h"
+#include "tasks/isolines.h"
+#include "tasks/lloyd.h"
+#include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
+#include "tasks/voronoi_regions.h"
+
+namespace vorogeo::contract {
+
+/// What answers a question.
+enum class By { exact, index, quick };
+inline const char* to_string(By by) {
+  return by == By::exact ? "exact" : by == By::index ? "from the index" : "quick";
+}
+
+// Metrics, each with a value for each vertex or face. EdgeLengths: of the sides opposite the corners.
+struct EdgeLengths {
+  SideLengths sides;
+};
+struct VertexCost {
+  std::vector<double> cost;
+};
+struct VertexTensor {
+  std::vector<Tensor> tensors;
+};
+struct FaceCost {
+  std::vector<double> cost;
+};
+struct FaceTensor {
+  std::vector<Tensor> tensors;
+};
+using Metric = std::variant<std::monostate, EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor>;
+
+/// A surface as a user has it.
+struct Input {
+  test::Soup soup;
+  Metric metric{};
+  double gap = 0.0;
+  bool folds = false;
+};
+
+/// How the index is built. Patches: of the first layer, and of the second in each of these; 0: chosen.
+struct Build {
+  Index patches = 0;
+  Index patches_in_each = 0;
+  int threads = 1;
+  bool small = false;  ///< the form that takes little memory
+  double delta = 0.0;
+};
+
+using Source = ExactSource;
+using Field = LabelledField;
+using Regions = VoronoiRegions;
+using Samples = FarthestSamples;
+using Sparse = SparseDistances;
+using Nearest = NearestOfSet;
+
+/// A path from the first point asked for to the second.
+struct Path {
+  SurfacePath line;
+  bool certified = false;
+
+  double length() const { return line.length; }
+};
+
+/// A surface that answers. Vertices, faces and points are numbered as in the input, in questions and in
+/// answers.
+class Ask {
+ public:
+  explicit Ask(Input input, const Build& build = {})
+      : input_(std::move(input)), mesh_(mesh_of(input_)), options_(options_of(build)) {
+    surface_ = std::make_unique<vorogeo::Surface>(mesh_, options_);
+  }
+  explicit Ask(const test::Soup& soup, const Build& build = {}) : Ask(Input{soup}, build) {}
+  /// With the index in a file.
+  static Ask loaded(const std::filesystem::path& file, const Input& input, const Build& build = {}) {
+    Ask ask(input, build);
+    ask.surface_ = std::make_unique<vorogeo::Surface>(ask.mesh_, GeodesicIndex::load(file, ask.mesh_),
+                                                      RentOrBuy(ask.mesh_->vertex_count()), ask.options_);
+    return ask;
+  }
+  void save(const std::filesystem::path& file) const { index()->save(file); }
+
+  const test::Soup& soup() const { return input_.soup; }
+  Index vertex_count() const { return static_cast<Index>(input_.soup.positions.size()); }
+  double longest_edge() const { return mesh_->longest_edge_length(); }
+
+  Field field(const std::vector<Source>& sources, By by, double limit = unreachable) const {
+    std::vector<Source> inside;
+    for (const auto& [point, offset] : sources) inside.push_back({into(point), offset});
+    Answered answered;
+    Field found = surface_->field(inside, limit, method(by), answered);
+    found.distance.resize(input_.soup.positions.size());
+    found.source.resize(input_.soup.positions.size());
+    return found;
+  }
+  double distance(const SurfacePoint& a, const SurfacePoint& b, By by) const {
+    Answered answered;
+    return surface_->distance(into(a), into(b), method(by), answered);
+  }
+  /// From the index the refined path.
+  Path path(const SurfacePoint& a, const SurfacePoint& b, By by) const { return path(a, b, by, false); }
+  /// The path that is proven to be shortest.
+  Path exact_path(const SurfacePoint& a, const SurfacePoint& b, By by) const { return path(a, b, by, true); }
+
+  std::vector<double> matrix(const std::vector<SurfacePoint>& rows, const std::vector<SurfacePoint>& columns,
+                             By by) const {
+    std::vector<double> result(rows.size() * columns.size());
+    FieldTeam answering = team(by);
+    distance_matrix(answering, into(rows), into(columns), MatrixMethod::automatic, std::span(result));
+    return result;
+  }
+  /// Of one list with itself.
+  std::vector<double> matrix(const std::vector<SurfacePoint>& points, By by) const {
+    std::vector<double> result(points.size() * points.size());
+    FieldTeam answering = team(by);
+    distance_matrix(answering, into(points), MatrixMethod::automatic, std::span(result));
+    return result;
+  }
+  Sparse pairs_within(const std::vector<SurfacePoint>& points, double radius, By by) const {
+    FieldTeam answering = team(by);
+    return vorogeo::pairs_within(answering, into(points), radius);
+  }
+  Sparse pairs_within(const std::vector<SurfacePoint>& points, const std::vector<SurfacePoint>& others,
+                      double radius, By by) const {
+    FieldTeam answering = team(by);
+    return vorogeo::pairs_within(answering, into(points), into(others), radius);
+  }
+  Nearest nearest(const std::vector<SurfacePoint>& set, const std::vector<SurfacePoint>& queries,
+                  std::size_t count, By by) const {
+    FieldTeam answering = team(by);
+    return nearest_of_set(answering, into(set), into(queries), count);
+  }
+  Regions regions(const std::vector<SurfacePoint>& sites, By by) const {
+    FieldTeam answering = team(by);
+    Regions found = voronoi_regions(answering, into(sites));
+    found.vertex_region.resize(input_.soup.positions.size());
+    found.distance.resize(input_.soup.positions.size());
+    return found;
+  }
+  Samples farthest_points(Index count, double radius, const std::vector<SurfacePoint>& start, By by,
+                          std::uint64_t seed = 0) const {
+    FieldTeam answering = team(by);
+    Samples found = sample_farthest(answering, {count, radius}, into(start), seed);
+    found.distance.resize(input_.soup.positions.size());
+    return found;
+  }
+  std::vector<Index> poisson_disk(double radius, By by, std::uint64_t seed = 0) const {
+    FieldTeam answering = team(by);
+    return sample_poisson_disk(answering, radius, seed);
+  }
+  RelaxedPoints relaxed(const std::vector<SurfacePoint>& points, Index rounds, By by) const {
+    FieldTeam answering = team(by);
+    return relax_points(answering, into(points), rounds);
+  }
+  std::vector<Eccentricity> eccentricities(const std::vector<SurfacePoint>& points, By by) const {
+    FieldTeam answering = team(by);
+    return vorogeo::eccentricities(answering, into(points));
+  }
+  Extent extent(Index start, Index fields, By by) const {
+    FieldTeam answering = team(by);
+    return extent_of_component(answering, start, fields);
+  }
+  GeodesicDisk disk(const std::vector<SurfacePoint>& sources, double radius, By by) const {
+    FieldTeam answering = team(by);
+    return geodesic_disk(answering, into(sources), radius);
+  }
+  /// Of a field of distances. \pre No face is split.
+  Isolines isolines(const std::vector<double>& values, const std::vector<double>& levels) const {
+    return vorogeo::isolines(*mesh_, values, levels, Interpolation::distance);
+  }
+
+ private:
+  static std::shared_ptr<const Mesh> mesh_of(const Input& input) {
+    const auto& [positions, faces] = input.soup;
+    auto measured = [&](const SideLengths& sides, Index points = 0, const FaceSplits& splits = {}) {
+      return measured_mesh(positions, faces, sides, {input.gap, input.folds}, points, splits);
+    };
+    auto split = [&](const MetricLengths& lengths) { return measured(lengths.sides, 0, lengths.splits); };
+    if (const auto* given = std::get_if<EdgeLengths>(&input.metric)) return measured(given->sides);
+    if (const auto* given = std::get_if<VertexCost>(&input.metric)) {
+      return split(lengths_by_cost(positions, faces, given->cost));
+    }
+    if (const auto* given = std::get_if<VertexTensor>(&input.metric)) {
+      return split(lengths_by_tensor(positions, faces, given->tensors));
+    }
+    if (const auto* given = std::get_if<FaceCost>(&input.metric)) {
+      return measured(sides_by_face_cost(positions, faces, given->cost), FaceSides{}.points_per_edge);
+    }
+    if (const auto* given = std::get_if<FaceTensor>(&input.metric)) {
+      const SideLengths sides = sides_by_face_tensor(positions, faces, given->tensors);
+      return measured(sides, edge_points_for(positions, faces, sides));
+    }
+    return measured({});
+  }
+  static IndexOptions options_of(const Build& build) {
+    IndexOptions options;
+    options.first_layer_patches = build.patches;
+    options.second_layer_patches = build.patches_in_each;
+    options.threads = build.threads;
+    options.delta = build.delta;
+    if (build.small) options.form = IndexForm::graph;
+    return options;
+  }
+  static AnswerMethod method(By by) {
+    return by == By::exact   ? AnswerMethod::exact
+           : by == By::index ? AnswerMethod::index
+                             : AnswerMethod::quick;
+  }
+  std::shared_ptr<const GeodesicIndex> index() const { return surface_->build_index(); }
+  FieldTeam team(By by) const {
+    return by == By::index ? FieldTeam(index(), options_.threads) : FieldTeam(mesh_, options_.threads);
+  }
+  Path path(const SurfacePoint& a, const SurfacePoint& b, By by, bool exact) const {
+    Answered answered;
+    ExactPath found = surface_->path(into(a), into(b), method(by), exact, answered);
+    for (SurfacePoint& point : found.path.points) point = out_of(point);
+    return {std::move(found.path), found.certified};
+  }
+
+  /// A point of the input on the mesh that is measured on. What is not on it is refused there.
+  SurfacePoint into(const SurfacePoint& point) const {
+    if (point.is_vertex() || point.face < 0 || point.face >= static_cast<Index>(input_.soup.faces.size())) {
+      return point;
+    }
+    const Index first = first_part(*mesh_, point.face);
+    return first == no_index ? point : point_in_given(*mesh_, first, point.barycentric);
+  }
+  std::vector<SurfacePoint> into(const std::vector<SurfacePoint>& points) const {
+    std::vector<SurfacePoint> inside;
+    for (const SurfacePoint& point : points) inside.push_back(into(point));
+    return inside;
+  }
+  /// The other way. Bridges over gaps are numbered after the faces of the input.
+  SurfacePoint out_of(const SurfacePoint& point) const {
+    if (point.is_vertex() && point.vertex < vertex_count()) return point;
+    if (!point.is_vertex() && mesh_->is_bridge(point.face)) {
+      const auto faces = static_cast<Index>(input_.soup.faces.size());
+      return SurfacePoint::in_face(faces + point.face - mesh_->first_bridge(), point.barycentric);
+    }
+    const Index face = point.is_vertex() ? Mesh::face_of(mesh_->corners(point.vertex)[0]) : point.face;
+    std::array<double, 3> weights{};
+    weights_in_face(*mesh_, point, face, weights);
+    return SurfacePoint::in_face(mesh_->input_face(face), weights_in_given(*mesh_, face, weights));
+  }
+
+  Input input_;
+  std::shared_ptr<const Mesh> mesh_;
+  IndexOptions options_;
+  std::unique_ptr<vorogeo::Surface> surface_;
+};
+
+/// The sentence with which a question is refused; empty if it is answered.
+template <class Question>
+std::string refusal(Question&& question) {
+  try {
+    question();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace vorogeo::contract

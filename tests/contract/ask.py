@@ -1,0 +1,198 @@
+"""How each answerer is asked each question, and how exact it promises to be: the only file that knows these calls."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+import vorogeo
+from numpy.typing import NDArray
+from surfaces import Floats, Ids, Shape
+
+#: Who answers which question. "exact", "automatic" and "quick" are a Surface, "function" is a free function; "index",
+#: "fields" and "pairs" are read from an index, and "by index, exact" is what an index offers without errors.
+FIELDS = ("exact", "automatic", "index", "by index, exact", "quick", "function")
+DISTANCES = ("exact", "automatic", "index", "by index, exact", "function")
+PATHS = ("exact", "automatic", "index", "by index, exact", "function")
+MATRICES = ("pairs", "fields", "by index, exact")
+TASKS = ("index", "by index, exact")
+
+Points = Any
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Relative errors of an answer, at most."""
+
+    mean: float
+    largest: float
+
+
+#: Twice those of docs/accuracy.md for meshes of every kind, and of docs/choosing.md for the worst of them.
+_INDEX = Errors(4e-4, 1e-2)
+_QUICK = Errors(0.1, 1.6)
+_ERRORS = {"index": _INDEX, "pairs": _INDEX, "fields": _INDEX, "quick": _QUICK}
+
+
+def errors(by: str, shape: Shape) -> Errors:
+    """What an answerer promises on a surface."""
+    own = _ERRORS.get(by, Errors(0.0, 0.0))
+    return Errors(own.mean + shape.slack, own.largest + shape.slack)
+
+
+def is_exact(by: str) -> bool:
+    """Whether an answerer has no errors of its own."""
+    return by not in _ERRORS
+
+
+def jumps(shape: Shape) -> bool:
+    """Whether the metric of a surface jumps at edges."""
+    return isinstance(shape.metric, (vorogeo.FaceCost, vorogeo.FaceTensor))
+
+
+def can_answer(by: str, shape: Shape) -> bool:
+    """Whether an answerer takes the metric of a surface."""
+    return by != "quick" or not jumps(shape)
+
+
+def assert_answers(by: str, shape: Shape, answer: Any, expected: Floats) -> None:
+    """Distances are the expected ones as closely as their answerer promises; infinite and zero where these are."""
+    answer, expected = np.asarray(answer, float), np.asarray(expected, float)
+    assert answer.shape == expected.shape
+    np.testing.assert_array_equal(np.isinf(answer), np.isinf(expected))
+    near = np.isfinite(expected) & (expected < 1e-9 * np.max(expected, where=np.isfinite(expected), initial=1.0))
+    np.testing.assert_allclose(answer[near], 0, atol=1e-9)
+    far = np.isfinite(expected) & ~near
+    error = np.abs(answer[far] / expected[far] - 1)
+    promised = errors(by, shape)
+    assert error.max(initial=0) <= promised.largest
+    assert not error.size or error.mean() <= promised.mean
+
+
+def mesh(shape: Shape) -> tuple[Floats | None, Ids]:
+    """The arrays of a surface; lengths of edges need no positions."""
+    return (None if isinstance(shape.metric, vorogeo.EdgeLengths) else shape.vertices), shape.faces
+
+
+def new_surface(shape: Shape, **options: Any) -> vorogeo.Surface:
+    """A surface that has answered nothing yet."""
+    return vorogeo.Surface(*mesh(shape), metric=shape.metric, **options)
+
+
+def new_index(shape: Shape, **options: Any) -> vorogeo.GeodesicIndex:
+    """An index with several patches, since on one patch every answer is exact."""
+    return vorogeo.GeodesicIndex(*mesh(shape), metric=shape.metric, patches=(3, 3), **options)
+
+
+@cache
+def surface(shape: Shape) -> vorogeo.Surface:
+    """The surface that all tests share."""
+    return new_surface(shape)
+
+
+@cache
+def index(shape: Shape) -> vorogeo.GeodesicIndex:
+    """The index that all tests share."""
+    return new_index(shape)
+
+
+def loaded(file: Any, shape: Shape, **options: Any) -> vorogeo.GeodesicIndex:
+    """The index of a file."""
+    return vorogeo.GeodesicIndex.load(file, *mesh(shape), metric=shape.metric, **options)
+
+
+def object_of(by: str, shape: Shape) -> Any:
+    """The shared object that answers."""
+    return surface(shape) if by in ("exact", "automatic", "quick") else index(shape)
+
+
+def choice(by: str) -> dict[str, Any]:
+    """The option by which an object is told how to answer."""
+    return {"exact": {"method": "exact"}, "quick": {"method": "quick"}, "by index, exact": {"exact": True}}.get(by, {})
+
+
+def field(by: str, shape: Shape, sources: Any, limit: float | None = None, on: Any = None, **options: Any) -> Any:
+    """The distances of all vertices from the nearest source; `on`: another object than the shared one."""
+    if by == "function":
+        return vorogeo.exact_distance_field(*mesh(shape), sources, limit, metric=shape.metric, **options)
+    return (on or object_of(by, shape)).distance_field(sources, limit, **choice(by), **options)
+
+
+def labelled_field(by: str, shape: Shape, sources: Any, **options: Any) -> tuple[Floats, Ids]:
+    """The field, and which source is the nearest; no free function does that."""
+    return field(by, shape, sources, return_labels=True, **options)
+
+
+def distance(by: str, shape: Shape, source: Points, target: Points) -> Any:
+    """The distance of two points, or of each of k pairs."""
+    if by == "function":
+        paths = path(by, shape, source, target)
+        return np.array([each.length for each in paths]) if isinstance(paths, list) else paths.length
+    if by == "by index, exact":
+        single = np.ndim(source) == 0 and not isinstance(source, vorogeo.SurfacePoints)
+        lengths = index(shape).distances(np.atleast_1d(source) if single else source,
+                                         np.atleast_1d(target) if single else target, exact=True)  # fmt: skip
+        return float(lengths[0]) if single else lengths
+    return object_of(by, shape).distance(source, target, **choice(by))
+
+
+def path(by: str, shape: Shape, source: Points, target: Points, **options: Any) -> Any:
+    """The shortest path of two points, or that of each of k pairs; that of an index is refined."""
+    if by == "function":
+        return vorogeo.exact_path(*mesh(shape), source, target, metric=shape.metric, **options)
+    if by == "by index, exact":
+        return index(shape).exact_path(source, target, **options)
+    return object_of(by, shape).path(source, target, **choice(by), **options)
+
+
+def matrix(by: str, shape: Shape, points: Points, others: Points | None = None, **options: Any) -> Any:
+    """The distances of all points, or of all points from all others."""
+    how = {"exact": True} if by == "by index, exact" else {"method": by}
+    return index(shape).distance_matrix(points, others, **how, **options)
+
+
+def fields(by: str, shape: Shape, sources: Points, **options: Any) -> Any:
+    """The field of each source."""
+    return index(shape).fields(sources, **choice(by), **options)
+
+
+def nearest(by: str, shape: Shape, points: Points, queries: Points, k: int, **options: Any) -> tuple[Floats, Ids]:
+    """Distances and positions of the k nearest points of each query."""
+    return index(shape).nearest(points, queries, k, **choice(by), **options)
+
+
+def pairs_within(by: str, shape: Shape, points: Points, radius: float, others: Points | None = None) -> Floats:
+    """All pairs at most a radius apart as a full matrix; NaN where there is none."""
+    sparse = index(shape).pairs_within(points, radius, others, as_arrays=True, **choice(by))
+    full = np.full(sparse.shape, np.nan)
+    full[np.repeat(np.arange(sparse.shape[0]), np.diff(sparse.indptr)), sparse.indices] = sparse.data
+    return full
+
+
+def task(name: str, by: str, shape: Shape, *arguments: Any, **options: Any) -> Any:
+    """A task by its name: voronoi, disk, relax, sample_farthest, sample_poisson_disk, eccentricity, extent."""
+    return getattr(index(shape), name)(*arguments, **choice(by), **options)
+
+
+def isolines(shape: Shape, values: Floats, levels: Sequence[float] | int, interpolation: str = "distance") -> Any:
+    """The lines on which a field has these values."""
+    return index(shape).isolines(values, levels, interpolation)
+
+
+def gap_field(by: str, mesh: tuple[Floats, Ids], source: int, gap: float, folds: bool = False) -> NDArray[Any]:
+    """A field on a mesh whose gaps are bridged."""
+    if by == "function":
+        return vorogeo.exact_distance_field(*mesh, source, gap=gap, bridge_folds=folds)
+    if by in ("index", "by index, exact"):
+        made = vorogeo.GeodesicIndex(*mesh, patches=(3, 3), gap=gap, bridge_folds=folds)
+        return made.distance_field(source, **choice(by))
+    return vorogeo.Surface(*mesh, gap=gap, bridge_folds=folds).distance_field(source, **choice(by))
+
+
+def refused(sentence: str, kind: type[Exception] = vorogeo.InvalidInput) -> Any:
+    """Expects an error of this kind whose message holds this sentence."""
+    return pytest.raises(kind, match=sentence)

@@ -1,0 +1,216 @@
+// Fields: the least sum of a source's offset and the distance from it, at every vertex, and which source.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "contract/surfaces.h"
+#include "support/exhaustive.h"
+
+namespace vorogeo::contract {
+namespace {
+
+/// Compares the fields of single sources with the formula.
+void expect_formula(const Case& one, By by) {
+  if (!one.answers(by)) return;
+  SCOPED_TRACE(one.name + ", " + to_string(by));
+  test::ErrorCollector errors;
+  for (const SurfacePoint& source : one.points()) {
+    const Field field = one.ask.field({{source}}, by);
+    for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+      const double expected = one.distance(source, vertex(v));
+      expect_close(field.distance[v], expected, one.tolerance(by), one.ask, "vertex " + std::to_string(v));
+      EXPECT_EQ(field.source[v], expected == unreachable ? no_index : 0);
+      errors.add(field.distance[v], expected);
+    }
+  }
+  EXPECT_LE(errors.statistics().mean, one.mean_tolerance(by));
+}
+
+TEST(FieldContract, ExactFieldsAreExactFromVerticesFacesAndEdgesInEveryMetric) {
+  for (const Case& one : cases()) expect_formula(one, By::exact);
+}
+
+TEST(FieldContract, FieldsOfAnIndexErrByLittleInEveryMetric) {
+  for (const Case& one : cases()) expect_formula(one, By::index);
+}
+
+TEST(FieldContract, QuickFieldsAreNearInMetricsThatDoNotJump) {
+  for (const Case& one : cases()) expect_formula(one, By::quick);
+}
+
+TEST(FieldContract, AnIndexOfOnePatchIsExact) {
+  for (const KnownSurface& surface : known_surfaces()) {
+    const Ask ask(surface.soup, {.patches = 1, .patches_in_each = 1});
+    for (const SurfacePoint& source : test::spread_points(surface.soup)) {
+      const Field field = ask.field({{source}}, By::index);
+      for (Index v = 0; v < ask.vertex_count(); ++v) {
+        expect_close(field.distance[v], surface.distance(source, vertex(v)), 1e-11, ask,
+                     surface.name + ", vertex " + std::to_string(v));
+      }
+    }
+  }
+}
+
+TEST(FieldContract, SmallMeshesWithDefaultSettingsAreExactFromTheIndex) {
+  for (const test::Soup& soup : {test::icosphere(0), test::book_of_pages(7), test::random_sphere(50, 3)}) {
+    const Ask ask(soup);
+    for (Index source = 0; source < ask.vertex_count(); ++source) {
+      const Field exact = ask.field({{vertex(source)}}, By::exact);
+      const Field index = ask.field({{vertex(source)}}, By::index);
+      for (Index v = 0; v < ask.vertex_count(); ++v) {
+        EXPECT_NEAR(index.distance[v], exact.distance[v], 1e-11 * exact.distance[v]);
+      }
+    }
+  }
+}
+
+TEST(FieldContract, BumpySurfacesAgreeWithEveryUnfoldingOfTheirFaces) {
+  const unsigned seed = fresh_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::vector<test::Soup> soups{test::random_sphere(60, seed), test::torus(9, 6, 2.0, 0.8)};
+  test::Soup terrain = test::plane_grid(7, 7, 1.0, 1.0, 0.2, seed).soup;
+  for (Point& p : terrain.positions) p[2] = std::uniform_real_distribution<double>(0.0, 0.2)(random);
+  soups.push_back(test::with_flipped_faces(terrain, seed));
+  // A fin on an inner edge: three faces share it.
+  terrain.faces.push_back({27, 28, static_cast<Index>(terrain.positions.size())});
+  terrain.positions.push_back({0.5, 0.5, 0.7});
+  soups.push_back(terrain);
+  for (const test::Soup& soup : soups) {
+    const Ask ask(soup);
+    const auto mesh = test::make_mesh(soup);
+    const test::ExhaustiveGeodesics every(*mesh);
+    for (const SurfacePoint& source : test::spread_points(soup)) {
+      const Field field = ask.field({{source}}, By::exact);
+      const std::vector<double> expected = every.field(source);
+      for (Index v = 0; v < ask.vertex_count(); ++v) {
+        expect_close(field.distance[v], expected[v], 1e-11, ask, "vertex " + std::to_string(v));
+      }
+    }
+  }
+}
+
+TEST(FieldContract, SeveralSourcesGiveTheLeastSumAndItsSource) {
+  for (const Case& one : cases()) {
+    if (one.jumps && one.surface->has_needles) continue;
+    const auto points = one.points();
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      sources.push_back({points[i], one.scale * std::array{0.0, 0.3, 0.05, 0.5}[i % 4]});
+    }
+    for (const By by : {By::exact, By::index, By::quick}) {
+      if (!one.answers(by)) continue;
+      SCOPED_TRACE(one.name + ", " + to_string(by));
+      const Field field = one.ask.field(sources, by);
+      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+        auto sum = [&](const Source& source) {
+          return source.offset + one.distance(source.point, vertex(v));
+        };
+        double least = unreachable;
+        for (const Source& source : sources) least = std::min(least, sum(source));
+        const std::string where = "vertex " + std::to_string(v);
+        expect_close(field.distance[v], least, one.tolerance(by), one.ask, where);
+        if (least == unreachable) {
+          EXPECT_EQ(field.source[v], no_index) << where;
+          continue;
+        }
+        ASSERT_GE(field.source[v], 0) << where;
+        ASSERT_LT(field.source[v], static_cast<Index>(sources.size())) << where;
+        // Which one it is follows from the distances, up to their errors.
+        expect_close(sum(sources[field.source[v]]), least, 3.0 * one.tolerance(by), one.ask, where);
+      }
+    }
+  }
+}
+
+TEST(FieldContract, ALimitCutsTheFieldOffAndChangesNothingBelow) {
+  for (const Case* one : cases_by_length()) {
+    const auto points = one->points();
+    const std::vector<Source> sources{{points[1]}, {points[4], 0.2}, {points[9]}};
+    for (const By by : {By::exact, By::index, By::quick}) {
+      SCOPED_TRACE(one->name + ", " + to_string(by));
+      const Field whole = one->ask.field(sources, by);
+      for (const double limit : {0.0, 0.7}) {
+        const Field part = one->ask.field(sources, by, limit);
+        for (Index v = 0; v < one->ask.vertex_count(); ++v) {
+          if (whole.distance[v] < limit * (1.0 - 1e-12)) {
+            EXPECT_NEAR(part.distance[v], whole.distance[v], 1e-12) << "vertex " << v;
+          } else if (whole.distance[v] > limit * (1.0 + 1e-12)) {
+            EXPECT_EQ(part.distance[v], unreachable) << "vertex " << v;
+            EXPECT_EQ(part.source[v], no_index) << "vertex " << v;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FieldContract, AVertexThatIsASourceHasItsOffset) {
+  for (const Case& one : cases()) {
+    for (const By by : {By::exact, By::index, By::quick}) {
+      if (!one.answers(by)) continue;
+      const Index last = one.ask.vertex_count() - 1;
+      const Field field = one.ask.field({{vertex(0), 0.25}, {vertex(last)}, {vertex(last)}}, by);
+      EXPECT_EQ(field.distance[0], 0.25) << one.name << ", " << to_string(by);
+      EXPECT_EQ(field.distance[last], 0.0) << one.name << ", " << to_string(by);
+    }
+  }
+}
+
+TEST(FieldContract, ASourceIsTheSameHoweverItIsNamed) {
+  // The middle of a side in either of its faces, and a corner by its weights.
+  const test::Soup soup = test::hills(14, 0.2);
+  const Ask ask(soup, {.patches = 3, .patches_in_each = 3});
+  const auto& [a, b, c] = soup.faces[100];
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const auto& face = soup.faces[f];
+    if (f == 100 || std::ranges::count(face, a) + std::ranges::count(face, b) < 2) continue;
+    std::array<double, 3> middle{};
+    std::array<double, 3> corner{};
+    for (int i = 0; i < 3; ++i) {
+      middle[i] = face[i] == a || face[i] == b ? 0.5 : 0.0;
+      corner[i] = face[i] == a ? 1.0 : 0.0;
+    }
+    for (const By by : {By::exact, By::index, By::quick}) {
+      auto from = [&](const SurfacePoint& point) { return ask.field({{point}}, by).distance; };
+      EXPECT_EQ(from(SurfacePoint::in_face(static_cast<Index>(f), middle)),
+                from(SurfacePoint::in_face(100, {0.5, 0.5, 0.0})));
+      EXPECT_EQ(from(SurfacePoint::in_face(static_cast<Index>(f), corner)), from(vertex(a)));
+    }
+  }
+}
+
+TEST(FieldContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
+  const test::Soup soup = test::hills(30, 0.2);
+  const Ask one(soup, {.patches = 3, .patches_in_each = 4, .threads = 1});
+  const Ask three(soup, {.patches = 3, .patches_in_each = 4, .threads = 3});
+  const std::vector<Source> sources{{vertex(17)}, {SurfacePoint::in_face(900, {0.2, 0.5, 0.3}), 0.1}};
+  for (const By by : {By::exact, By::index, By::quick}) {
+    const Field before = one.field(sources, by);
+    one.field({{vertex(400)}}, by, 0.3);
+    const Field after = one.field(sources, by);
+    const Field other = three.field(sources, by);
+    EXPECT_EQ(after.distance, before.distance) << to_string(by);
+    EXPECT_EQ(after.source, before.source) << to_string(by);
+    EXPECT_EQ(other.distance, before.distance) << to_string(by);
+    EXPECT_EQ(other.source, before.source) << to_string(by);
+  }
+}
+
+TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWell) {
+  for (const Case* one : cases_by_length()) {
+    for (const double delta : {0.0, 0.005}) {
+      const Ask ask(one->ask.soup(), {.patches = 3, .patches_in_each = 3, .small = true, .delta = delta});
+      const SurfacePoint source = one->points()[5];
+      const Field field = ask.field({{source}}, By::index);
+      for (Index v = 0; v < ask.vertex_count(); ++v) {
+        expect_close(field.distance[v], one->distance(source, vertex(v)), 0.02 + 5.0 * delta, ask,
+                     one->name + ", vertex " + std::to_string(v));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo::contract

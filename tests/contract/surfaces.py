@@ -1,0 +1,294 @@
+"""Small surfaces on which every distance has a formula, in every metric: the table that the contract is asked on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import vorogeo
+from numpy.typing import NDArray
+from vorogeo.metrics import Metric
+
+Floats = NDArray[np.float64]
+Ids = NDArray[np.int32]
+Mesh = tuple[Floats, Ids]
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """A mesh, a metric and its distances.
+
+    `chart` gives each vertex coordinates that are linear over every face; `between` is the distance of each of k rows
+    of such coordinates from each of m others. `slack` is the relative error that an answer called exact may have: the
+    metric's own, or rounding. `sources` are vertices from which `between` holds.
+    """
+
+    name: str
+    vertices: Floats
+    faces: Ids
+    between: Callable[[Floats, Floats], Floats]
+    chart: Floats
+    sources: Ids
+    metric: Metric | None = None
+    slack: float = 1e-9
+
+    def fields(self, sources: vorogeo.SurfacePoints | Ids | list[int]) -> Floats:
+        """The distances of all vertices from each source."""
+        return self.between(self.charted(sources), self.chart)
+
+    def matrix(self, points: Ids, others: Ids) -> Floats:
+        """The distances of vertices from others."""
+        return self.between(self.chart[points], self.chart[others])
+
+    def charted(self, points: vorogeo.SurfacePoints | Ids | list[int]) -> Floats:
+        """The coordinates of vertices, or of points in faces."""
+        if isinstance(points, vorogeo.SurfacePoints):
+            return np.einsum("kc,kcd->kd", points.barycentric, self.chart[self.faces[points.faces]])
+        return self.chart[np.atleast_1d(points)]
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+def grid(x: Floats, y: Floats) -> Mesh:
+    """A flat rectangle with these columns and rows of vertices."""
+    across, up = np.meshgrid(x, y)
+    corner = (np.arange(len(y) - 1)[:, None] * len(x) + np.arange(len(x) - 1)).ravel()
+    lower = np.column_stack([corner, corner + 1, corner + len(x) + 1])
+    upper = np.column_stack([corner, corner + len(x) + 1, corner + len(x)])
+    return np.column_stack([across.ravel(), up.ravel(), np.zeros(across.size)]), np.vstack([lower, upper]).astype(
+        np.int32
+    )
+
+
+def plain_grid(columns: int, rows: int, width: float, height: float) -> Mesh:
+    """A flat rectangle of equal cells."""
+    return grid(np.linspace(0, width, columns), np.linspace(0, height, rows))
+
+
+def shape(name: str, mesh: Mesh, between: Callable[[Floats, Floats], Floats], **more: object) -> Shape:
+    """A shape whose chart are its positions and whose sources lie all over it, unless told otherwise."""
+    count = len(mesh[0])
+    spread = np.linspace(1, count - 2, 5).astype(np.int32)
+    return Shape(**{"name": name, "vertices": mesh[0], "faces": mesh[1], "between": between, "chart": mesh[0],
+                    "sources": spread, **more})  # fmt: skip
+
+
+def steps(a: Floats, b: Floats) -> Floats:
+    """The differences of each row from each other one."""
+    return b[None] - a[:, None]
+
+
+def straight(a: Floats, b: Floats) -> Floats:
+    """Lengths of straight lines."""
+    return np.linalg.norm(steps(a, b), axis=2)
+
+
+def shaken_plane(random: np.random.Generator, columns: int, rows: int) -> Mesh:
+    """A rectangle of 2 by 1.5 whose inner vertices lie anywhere near their places."""
+    vertices, faces = plain_grid(columns, rows, 2.0, 1.5)
+    inner = (vertices[:, 0] % 2.0 > 0) & (vertices[:, 1] % 1.5 > 0)
+    cell = np.array([2.0 / (columns - 1), 1.5 / (rows - 1)])
+    vertices[inner, :2] += cell * random.uniform(-0.3, 0.3, (int(inner.sum()), 2))
+    return vertices, faces
+
+
+def plane(random: np.random.Generator, columns: int = 21, rows: int = 16) -> Shape:
+    """A flat rectangle."""
+    return shape("plane", shaken_plane(random, columns, rows), straight)
+
+
+def needles() -> Shape:
+    """A flat rectangle with columns up to ten thousand times narrower than high."""
+    widths = np.tile([0.1, 1e-3, 1e-5, 1e-3], 5)
+    return shape("needles", grid(np.r_[0, np.cumsum(widths)], np.linspace(0, 1, 11)), straight)
+
+
+def prism(rows: int = 14) -> Shape:
+    """An open tube with flat sides, unrolled."""
+    sides = 12
+    angle = np.tile(2 * np.pi * np.arange(sides) / sides, rows)
+    vertices = np.column_stack([np.cos(angle), np.sin(angle), np.repeat(np.linspace(0, 4, rows), sides)])
+    low = np.arange(sides * (rows - 1))
+    beside = low - low % sides + (low + 1) % sides
+    faces = np.vstack([np.column_stack([low, beside, beside + sides]), np.column_stack([low, beside + sides, low + sides])])
+    side = 2 * np.sin(np.pi / sides)
+
+    def along(p: Floats) -> Floats:
+        turn = np.arctan2(p[:, 1], p[:, 0]) / (2 * np.pi) % 1 * sides
+        facet = np.floor(turn + 1e-9)
+        corner = np.exp(2j * np.pi * facet / sides)
+        return side * facet + np.abs(p[:, 0] + 1j * p[:, 1] - corner)
+
+    def between(a: Floats, b: Floats) -> Floats:
+        around = np.abs(along(b)[None] - along(a)[:, None])
+        return np.hypot(np.minimum(around, sides * side - around), b[None, :, 2] - a[:, None, 2])
+
+    return shape("prism", (vertices, faces.astype(np.int32)), between)
+
+
+def cone(name: str, tilt: Floats) -> Shape:
+    """Flat triangles around an apex, whose rays rise by these angles: a cone if they are equal, a saddle if not."""
+    rays, rings = len(tilt), 12
+    turn = 2 * np.pi * np.arange(rays) / rays
+    ray = np.column_stack([np.cos(tilt) * np.cos(turn), np.cos(tilt) * np.sin(turn), np.sin(tilt)])
+    sector = float(np.arccos(ray[0] @ ray[1]))
+    chart = np.vstack([np.zeros((1, rays)), *(ring / rings * np.eye(rays) for ring in range(1, rings + 1))])
+    inner = 1 + np.arange(rays * (rings - 1))
+    beside = inner + np.where(inner % rays == 0, 1 - rays, 1)
+    first = np.column_stack([np.zeros(rays), 1 + np.arange(rays), 1 + (np.arange(rays) + 1) % rays])
+    faces = [first, np.column_stack([inner, inner + rays, beside + rays]), np.column_stack([inner, beside + rays, beside])]
+
+    def polar(c: Floats) -> tuple[Floats, Floats]:
+        pairs = c + np.roll(c, -1, axis=1)
+        which = pairs.argmax(axis=1)
+        rows = np.arange(len(c))
+        place = c[rows, which] + c[rows, (which + 1) % rays] * np.exp(1j * sector)
+        return np.abs(place), which * sector + np.angle(place)
+
+    def between(a: Floats, b: Floats) -> Floats:
+        (r, phi), (s, psi) = polar(a), polar(b)
+        apart = np.abs(psi[None] - phi[:, None]) % (rays * sector)
+        apart = np.minimum(apart, rays * sector - apart)
+        r, s = r[:, None], s[None]
+        chord = np.sqrt(np.maximum(0, (r - s) ** 2 + 4 * r * s * np.sin(np.minimum(apart, np.pi) / 2) ** 2))
+        return np.where(apart < np.pi, chord, r + s)
+
+    return shape(name, (chart @ ray, np.vstack(faces).astype(np.int32)), between, chart=chart)
+
+
+def box() -> Shape:
+    """The closed unit cube, from a corner: across its edges to the far sides."""
+    line = np.linspace(0, 1, 8)
+    square, faces = grid(line, line)
+    u, v, zero = square.T
+    sides = [(u, v, zero), (v, u, zero + 1), (v, zero, u), (u, zero + 1, v), (zero, u, v), (zero + 1, v, u)]
+    loose = np.vstack([np.column_stack(side) for side in sides])
+    _, first, joined = np.unique(loose.round(9), axis=0, return_index=True, return_inverse=True)
+    every = np.vstack([faces + i * len(square) for i in range(6)])
+
+    def between(a: Floats, b: Floats) -> Floats:
+        low, middle, high = np.sort(b, axis=1).T
+        return np.tile(np.hypot(high + low, middle), (len(a), 1))  # on a side that holds the corner, low is 0
+
+    return shape("box", (loose[first], joined.ravel()[every].astype(np.int32)), between, sources=np.array([0], np.int32))
+
+
+def hole() -> Shape:
+    """A flat square with a square hole, round whose corners paths bend."""
+    vertices, faces = plain_grid(19, 19, 3.0, 3.0)
+    middle = np.abs(vertices[faces].mean(axis=1)[:, :2] - 1.5)
+    mesh = without_lone_vertices(vertices, faces[(middle > 0.5).any(axis=1)])
+    corners = np.array([[1.0, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0]])
+    rim = np.array([[0, 1, 2, 1], [1, 0, 1, 2], [2, 1, 0, 1], [1, 2, 1, 0]], float)
+
+    def seen(a: Floats, b: Floats) -> Floats:
+        """Lengths of the straight lines that miss the hole (Liang, Barsky 1984), else infinity."""
+        step = steps(a, b)[..., :2]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.stack([(1 + 1e-9 - a[:, None, :2]) / step, (2 - 1e-9 - a[:, None, :2]) / step])
+        outside = ((step == 0) & (np.abs(a[:, None, :2] - 1.5) >= 0.5 - 1e-9)).any(axis=2)
+        ends = np.where(step == 0, np.array([-np.inf, np.inf])[:, None, None, None], ends)
+        enter, leave = ends.min(axis=0).max(axis=2), ends.max(axis=0).min(axis=2)
+        blocked = ~outside & (np.maximum(enter, 0) < np.minimum(leave, 1))
+        return np.where(blocked, np.inf, straight(a, b))
+
+    def between(a: Floats, b: Floats) -> Floats:
+        bent = seen(a, corners)[:, :, None] + rim
+        return np.minimum(seen(a, b), (bent.min(axis=1)[:, :, None] + seen(corners, b)[None]).min(axis=1))
+
+    return shape("hole", mesh, between)
+
+
+def slit() -> Shape:
+    """A flat square cut from above to its middle: two vertices at each place of the cut, joined at its end only."""
+    vertices, faces = plain_grid(17, 17, 2.0, 2.0)
+    cut = np.flatnonzero((np.abs(vertices[:, 0] - 1) < 1e-9) & (vertices[:, 1] > 1 + 1e-9))
+    right = vertices[faces].mean(axis=1)[:, 0] > 1
+    number = np.arange(len(vertices))
+    number[cut] = len(vertices) + np.arange(len(cut))
+    faces = np.where(right[:, None], number[faces], faces).astype(np.int32)
+    side = np.sign((vertices[:, 0] - 1).round(9))
+    side[cut] = -1
+    chart = np.vstack([np.column_stack([vertices[:, :2], side]), np.column_stack([vertices[cut, :2], np.ones(len(cut))])])
+    tip = np.array([1.0, 1.0])
+
+    def between(a: Floats, b: Floats) -> Floats:
+        a, b = a[:, None], b[None]
+        share = np.divide(1 - a[..., 0], b[..., 0] - a[..., 0], out=np.ones(np.broadcast(a, b).shape[:2]),
+                          where=a[..., 0] != b[..., 0])  # fmt: skip
+        height = a[..., 1] + share * (b[..., 1] - a[..., 1])
+        same = np.linalg.norm(a[..., :2] - b[..., :2], axis=2)
+        round_tip = np.linalg.norm(a[..., :2] - tip, axis=2) + np.linalg.norm(b[..., :2] - tip, axis=2)
+        return np.where((np.sign(a[..., 2]) * np.sign(b[..., 2]) < 0) & (height > 1), round_tip, same)
+
+    return shape("slit", (np.vstack([vertices, vertices[cut]]), faces), between, chart=chart)
+
+
+def book() -> Shape:
+    """Three flat pages that share one edge line: edges of three faces."""
+    vertices, faces = plain_grid(9, 13, 0.8, 1.2)
+    spine = vertices[:, 0] == 0
+    pages, charts, every = [vertices], [page_chart(vertices, 0)], [faces]
+    for page in (1, 2):
+        number = np.where(spine, np.arange(len(vertices)), -1)
+        number[~spine] = sum(map(len, pages)) + np.arange(int((~spine).sum()))
+        turn = 2 * np.pi * page / 3
+        x, y, _ = vertices[~spine].T
+        pages.append(np.column_stack([x * np.cos(turn), y, x * np.sin(turn)]))
+        charts.append(page_chart(vertices[~spine], page))
+        every.append(number[faces])
+
+    def between(a: Floats, b: Floats) -> Floats:
+        step = np.abs(steps(a, b))
+        return np.hypot(step[..., 0], step[..., 1:].sum(axis=2))
+
+    return shape("book", (np.vstack(pages), np.vstack(every).astype(np.int32)), between, chart=np.vstack(charts))
+
+
+def page_chart(flat: Floats, page: int) -> Floats:
+    """Height, and the distance from the spine in the column of this page."""
+    chart = np.zeros((len(flat), 4))
+    chart[:, 0], chart[:, 1 + page] = flat[:, 1], flat[:, 0]
+    return chart
+
+
+def parts() -> Shape:
+    """Two squares with vertices at the same places along their border, not joined, and a vertex without a face."""
+    square, faces = plain_grid(13, 13, 1.0, 1.0)
+    vertices = np.vstack([square, square + [1, 0, 0], [[0.5, 0.5, 0]]])
+    part = np.repeat([0.0, 1.0, 2.0], [len(square), len(square), 1])
+    chart = np.column_stack([vertices, part])
+
+    def between(a: Floats, b: Floats) -> Floats:
+        return np.where(steps(a[:, 3:], b[:, 3:])[..., 0] == 0, straight(a[:, :3], b[:, :3]), np.inf)
+
+    sources = np.array([3, 100, 200, 300], np.int32)
+    return shape("parts", (vertices, np.vstack([faces, faces + len(square)]).astype(np.int32)), between, chart=chart,
+                 sources=sources)  # fmt: skip
+
+
+def repeats(random: np.random.Generator) -> Shape:
+    """A flat rectangle with faces given twice, turned over, or naming a vertex twice."""
+    vertices, faces = shaken_plane(random, 21, 16)
+    faces = faces.copy()
+    faces[::3] = faces[::3, ::-1]
+    twice = faces[::4].copy()
+    folded = faces[::5].copy()
+    folded[:, 2] = folded[:, 0]
+    return shape("repeats", (vertices, np.vstack([faces, folded, twice])), straight)
+
+
+def without_lone_vertices(vertices: Floats, faces: Ids) -> Mesh:
+    """The mesh without the vertices that no face names."""
+    used, number = np.unique(faces, return_inverse=True)
+    return vertices[used], number.reshape(-1, 3).astype(np.int32)
+
+
+def lengths(random: np.random.Generator) -> list[Shape]:
+    """Every shape whose metric is length."""
+    tilt = np.full(8, -0.6)
+    saddle = np.where(np.arange(8) % 2 == 0, 0.5, -0.5)
+    return [plane(random), needles(), prism(), cone("cone", tilt), cone("saddle", saddle), box(), hole(), slit(), book(),
+            parts(), repeats(random)]  # fmt: skip

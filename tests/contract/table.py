@@ -1,0 +1,79 @@
+"""The surfaces of one run, made from its seed, and the rows of answerers and surfaces that tests are asked on."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import ask
+import metric_surfaces
+import numpy as np
+import pytest
+import surfaces
+import vorogeo
+from surfaces import Floats, Shape
+
+#: A new one for every run; VOROGEO_CONTRACT_SEED repeats a run.
+SEED = int(os.environ.get("VOROGEO_CONTRACT_SEED", secrets.randbits(32)))
+
+
+@cache
+def peer_field(bumpy: Shape, source: int) -> Floats:
+    """Distances from a vertex by pygeodesic, an independent program."""
+    geodesic = pytest.importorskip("pygeodesic.geodesic", reason="pygeodesic, the independent program, is not installed")
+    return geodesic.PyGeodesicAlgorithmExact(bumpy.vertices, bumpy.faces).geodesicDistances(np.array([source]))[0]
+
+
+def bumpy(random: np.random.Generator) -> Shape:
+    """A wavy rectangle with vertices anywhere near their places, which only another program can answer on."""
+    vertices, faces = surfaces.shaken_plane(random, 23, 17)
+    a, b, c, d = random.uniform(2.0, 6.0, 4)
+    x, y, _ = vertices.T
+    vertices[:, 2] = 0.25 * np.sin(a * x + 1) * np.cos(b * y) + 0.1 * np.sin(c * x * y + d)
+
+    def between(p: Floats, q: Floats) -> Floats:
+        fields = np.array([peer_field(made, int(source)) for source in p[:, 0]])
+        return fields[:, q[:, 0].astype(int)]
+
+    ids = np.arange(len(vertices), dtype=float)[:, None]
+    made = surfaces.shape("bumpy", (vertices, faces), between, chart=ids)
+    return made
+
+
+_random = np.random.default_rng(SEED)
+LENGTHS = [*surfaces.lengths(_random), bumpy(_random)]
+METRICS = metric_surfaces.metrics(_random)
+SHAPES = [*LENGTHS, *METRICS]
+#: Surfaces on which the distance of any two vertices, and of points in faces, follows from a formula.
+UNROLLED = [each for each in SHAPES if each.name not in ("box", "half-plane", "shore", "bumpy")]
+
+
+def named(name: str) -> Shape:
+    """A surface of the table."""
+    return next(each for each in SHAPES if each.name == name)
+
+
+def rows(ways: Iterable[str], shapes: Iterable[Shape]) -> list[Any]:
+    """Each answerer with each surface on which it answers."""
+    return [
+        pytest.param(by, shape, id=f"{by}: {shape}") for shape in shapes for by in ways if ask.can_answer(by, shape)
+    ]
+
+
+def points_anywhere(shape: Shape, random: np.random.Generator, count: int) -> vorogeo.SurfacePoints:
+    """Points inside faces and on edges."""
+    chosen = random.choice(np.flatnonzero(is_face(shape)), count)
+    weights = random.dirichlet(np.ones(3), count)
+    weights[::3, 0] = 0.0  # every third one on an edge
+    return vorogeo.SurfacePoints(chosen.astype(np.int32), weights / weights.sum(axis=1, keepdims=True))
+
+
+def is_face(shape: Shape) -> Any:
+    """Which faces belong to the surface: neither repetitions nor such as name a vertex twice."""
+    corners = np.sort(shape.faces, axis=1)
+    first = np.zeros(len(corners), bool)
+    first[np.unique(corners, axis=0, return_index=True)[1]] = True
+    return first & (np.diff(corners, axis=1) > 0).all(axis=1)
