@@ -27,7 +27,7 @@ constexpr double estimate_slack = 1.0 + 1e-3;
 /// The same where the metric jumps: there, propagated distances have errors of their own.
 constexpr double estimate_slack_of_jumps = 1.0 + 1e-2;
 /// A refined path that is this much longer (relative) than the index's distance is probably on the wrong side
-/// of something: exact propagation with the bounds of the index decides.
+/// of something: exact propagation decides.
 constexpr double suspicious = 2e-4;
 /// A shorter path is looked for near the refined one if that is longer than the index's distance by this much
 /// (relative) on an even surface, by less for each radian of roughness, but by no less than a minimum.
@@ -65,8 +65,8 @@ struct PathQuery::State {
   GraphRoute route(const PathEnd& from, const PathEnd& to);
   SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
-  void improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
-  FoundPath path(const PathEnd& from, const PathEnd& to, bool thorough);
+  void look_nearby(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
+  FoundPath path(const PathEnd& from, const PathEnd& to, double* expected = nullptr);
   /// A path over the user's mesh, and its length along its points.
   struct AskedPath {
     SurfacePath path;
@@ -141,22 +141,20 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
   });
 }
 
-/// Looks for a shorter path if the refined one may be on the wrong side of something.
-void PathQuery::State::improve(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found) {
+/// Looks for a shorter path close to the refined one if that may be on the wrong side of something.
+void PathQuery::State::look_nearby(const PathEnd& from, const PathEnd& to, double expected,
+                                   FoundPath& found) {
   const double doubtful = std::max(
       least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner->line()));
-  if (found.path.length > expected * (1.0 + doubtful)) {
-    // Within a few rings the shortest path may be missed, so this search proves nothing.
-    const auto nearby = surroundings.surround(refiner->line(), rings_beside);
-    found.join(exact.within(from, to, found.path.length, nearby).unproven());
-  }
-  if (found.path.length > expected * (1.0 + suspicious)) {
-    found.join(exact.between_landmarks(from, to, found.path.length));
-  }
+  if (!(found.path.length > expected * (1.0 + doubtful))) return;
+  // Within a few rings the shortest path may be missed, so this search proves nothing.
+  const auto nearby = surroundings.surround(refiner->line(), rings_beside);
+  found.join(exact.within(from, to, found.path.length, nearby).unproven());
 }
 
-/// `thorough`: also looks for shorter paths than the first one found.
-FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool thorough) {
+/// `expected`: if not null, receives the index's distance where the path is refined from the index's, and
+/// shorter paths close to it are looked for.
+FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, double* expected) {
   FoundPath found;
   const GraphRoute route_found = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
   const double slack = refiner ? estimate_slack : estimate_slack_of_jumps;
@@ -170,8 +168,9 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, bool th
     if (found.path.points.empty()) {
       // The tables did not lead to the other end: exact propagation, within the length of the route.
       found = exact.between_landmarks(from, to, estimate);
-    } else if (thorough) {
-      improve(from, to, expected_length(from, to, route_found), found);
+    } else if (expected != nullptr) {
+      *expected = expected_length(from, to, route_found);
+      look_nearby(from, to, *expected, found);
     }
   }
   // On faces without area, lengths may be off by more than the slack.
@@ -202,7 +201,13 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   if (swapped) std::swap(s, t);
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  State::AskedPath found = state.as_asked(state.path(from, to, true), s, t);
+  double expected = unreachable;
+  State::AskedPath found = state.as_asked(state.path(from, to, &expected), s, t);
+  // By its length over the user's mesh: across needles beside split edges, unfolding may have lost it.
+  if (found.path.length > expected * (1.0 + suspicious)) {
+    auto exact = state.as_asked(state.exact.between_landmarks(from, to, found.path.length), s, t);
+    if (exact.path.length < found.path.length) found = std::move(exact);
+  }
   if (!state.is_whole(found, s, t, found.path.length)) {
     found = state.as_asked(state.exact.everywhere(from, to), s, t);
   }
@@ -222,7 +227,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (is_same_point(mesh, s, t)) return {{{s, t}, 0.0}, true};
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  FoundPath found = state.path(from, to, false);
+  FoundPath found = state.path(from, to);
   if (!state.refiner) {
     // Nothing is proven of distances by points on edges.
     return {state.as_asked(found, s, t).path, false};
