@@ -133,9 +133,8 @@ def distance(by: str, shape: Shape, source: Points, target: Points) -> Any:
         paths = path(by, shape, source, target)
         return np.array([each.length for each in paths]) if isinstance(paths, list) else paths.length
     if by == "by index, exact":
-        single = np.ndim(source) == 0 and not isinstance(source, vorogeo.SurfacePoints)
-        lengths = index(shape).distances(np.atleast_1d(source) if single else source,
-                                         np.atleast_1d(target) if single else target, exact=True)  # fmt: skip
+        single = np.isscalar(source)
+        lengths = index(shape).distances([source] if single else source, [target] if single else target, exact=True)
         return float(lengths[0]) if single else lengths
     return object_of(by, shape).distance(source, target, **choice(by))
 

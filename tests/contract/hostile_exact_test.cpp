@@ -1,0 +1,192 @@
+// Exact means exact on hostile meshes as well: each seed here once gave a wrong answer.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/geodesic_index.h"
+#include "path/path_query.h"
+#include "support/hostile_meshes.h"
+#include "support/ply.h"
+#include "support/shapes.h"
+#include "support/subdivided_graph.h"
+#include "support/surface_walk.h"
+
+namespace vorogeo {
+namespace {
+
+/// A mesh of hostile_mesh(), and what is asked of it.
+struct Seed {
+  unsigned seed;
+  int size;
+  std::vector<Index> sources;
+};
+
+/// For gtest's names.
+void PrintTo(const Seed& seed, std::ostream* out) { *out << seed.seed << ", size " << seed.size; }
+
+/// Relative to the distance, and rounding of the longest edge.
+double slack(const Mesh& mesh, double distance) {
+  return 1e-9 * distance + 1e-15 * mesh.longest_edge_length();
+}
+
+std::vector<double> field_of(ExactSolver& solver, Index source, const ExactLimits& limits) {
+  solver.run_from_vertices(std::array{source}, limits);
+  std::vector<double> field;
+  for (Index v = 0; v < solver.mesh().vertex_count(); ++v) field.push_back(solver.distance(v));
+  return field;
+}
+
+class OnHostileMeshes : public testing::TestWithParam<Seed> {
+ protected:
+  const test::HostileMesh hostile_ = test::hostile_mesh(GetParam().seed, GetParam().size);
+  const std::shared_ptr<const Mesh> mesh_ = test::make_mesh(hostile_.soup);
+};
+
+class ExactContract : public OnHostileMeshes {};
+
+TEST_P(ExactContract, AFieldIsTheSameFromAnyNumberOfThreadsAndToTheBitFromRunToRun) {
+  ExactSolver alone(mesh_);
+  ExactSolver several(mesh_);
+  for (const Index source : GetParam().sources) {
+    const std::vector<double> field = field_of(alone, source, {.distances_only = true});
+    for (const int threads : {2, 3, 4, 8}) {
+      const ExactLimits limits{.distances_only = true, .threads = threads};
+      const std::vector<double> shared = field_of(several, source, limits);
+      for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+        if (shared[v] == field[v]) continue;
+        ASSERT_NEAR(shared[v], field[v], slack(*mesh_, field[v]))
+            << "source " << source << ", " << threads << " threads, vertex " << v;
+      }
+      ASSERT_EQ(field_of(several, source, limits), shared) << "source " << source << ", " << threads;
+    }
+  }
+}
+
+TEST_P(ExactContract, AFieldIsNoShorterThanTheStraightLineAndNoLongerThanAPathOverPointsOnEdges) {
+  ExactSolver solver(mesh_);
+  for (const Index source : GetParam().sources) {
+    const std::vector<double> field = field_of(solver, source, {.distances_only = true});
+    const test::SubdividedGraph graph(hostile_.soup, source, 3);
+    for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+      if (field[v] == unreachable) continue;
+      const double straight = distance_between(mesh_->position(source), mesh_->position(v));
+      ASSERT_GE(field[v], straight - slack(*mesh_, straight)) << "source " << source << ", vertex " << v;
+      const double path = graph.upper_bound(v);
+      ASSERT_LE(field[v], path + slack(*mesh_, path)) << "source " << source << ", vertex " << v;
+    }
+  }
+}
+
+TEST_P(ExactContract, ATracedPathIsAsLongAsTheField) {
+  ExactSolver solver(mesh_);
+  const test::SurfaceWalk walk(hostile_.soup, mesh_->faces());
+  for (const Index source : GetParam().sources) {
+    solver.run_from_vertices(std::array{source});
+    const Index step = std::max<Index>(1, mesh_->vertex_count() / 40);
+    for (Index v = source % step; v < mesh_->vertex_count(); v += step) {
+      const double distance = solver.distance(v);
+      if (distance == unreachable || v == source) continue;
+      const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
+      ASSERT_EQ(walk.fault(path, SurfacePoint::at_vertex(v), SurfacePoint::at_vertex(source)), "")
+          << "from " << source << " to " << v;
+      ASSERT_NEAR(walk.length(path), distance, slack(*mesh_, distance)) << "from " << source << " to " << v;
+    }
+  }
+}
+
+// What each of them needs: parts of very different sizes, where items of the queue come late; windows that
+// tie with others at both ends of their overlap; vertices in the gap between two windows, beside edges shrunk
+// to next to nothing; pseudo-sources that rounding takes behind an edge of a few units in the last place; and
+// hundreds of faces without width in a row.
+INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
+                         testing::Values(Seed{600160, 4000, {1948, 3549}}, Seed{1011595, 2500, {364}},
+                                         Seed{600006, 4000, {2838, 3101, 3364, 3627}},
+                                         Seed{600023, 4000, {304, 1995}}, Seed{600089, 4000, {1288}},
+                                         Seed{702539, 2500, {1708}}, Seed{500213, 4000, {4921}},
+                                         Seed{1003017, 2500, {1422}}, Seed{1001791, 600, {535}},
+                                         Seed{1008881, 600, {192}}, Seed{600099, 4000, {3240}}),
+                         [](const auto& info) { return std::to_string(info.param.seed); });
+
+TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
+  VOROGEO_READ_OR_SKIP(bunny, "bunny");
+  VOROGEO_READ_OR_SKIP(dragon, "dragon_raw");
+  test::Soup both = bunny;
+  for (const Point& p : dragon.positions) both.positions.push_back({1e-4 * p[0], 1e-4 * p[1], 1e-4 * p[2]});
+  const auto first = static_cast<Index>(bunny.positions.size());
+  for (const auto& [a, b, c] : dragon.faces) both.faces.push_back({a + first, b + first, c + first});
+  const auto mesh = test::make_mesh(both);
+  ExactSolver alone(mesh);
+  ExactSolver several(mesh);
+  for (const Index source : {Index{5000}, first + 70000}) {
+    const std::vector<double> field = field_of(alone, source, {.distances_only = true});
+    const std::vector<double> shared = field_of(several, source, {.distances_only = true, .threads = 8});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (shared[v] == field[v]) continue;
+      ASSERT_NEAR(shared[v], field[v], 1e-12 * field[v]) << "source " << source << ", vertex " << v;
+    }
+  }
+}
+
+TEST(ExactFieldContract, OneLongEdgeKeepsNoOtherEdgeOpen) {
+  // Cells without data in an elevation grid: spikes of many thousand cells.
+  constexpr int cells = 120;
+  auto bytes_of = [](bool has_spikes) {
+    test::Soup soup = test::plane_grid(cells, cells, cells, cells).soup;
+    for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+      soup.positions[v][2] = std::sin(0.3 * soup.positions[v][0]) * std::cos(0.2 * soup.positions[v][1]);
+    }
+    if (has_spikes) {
+      for (const int cell : {20, 63, 101}) soup.positions[cell * (cells + 1) + cell][2] = -32768.0;
+    }
+    ExactSolver solver(test::make_mesh(soup));
+    solver.run_from_vertices(std::array{Index{40 * (cells + 1) + 90}}, {.distances_only = true});
+    return solver.memory_bytes();
+  };
+  EXPECT_LE(static_cast<double>(bytes_of(true)), 2.0 * static_cast<double>(bytes_of(false)));
+}
+
+/// The largest relative excess of refined paths over the exact distance, from some sources to vertices all
+/// over the mesh.
+double largest_excess(const std::shared_ptr<const Mesh>& mesh, std::span<const Index> sources,
+                      Index targets) {
+  PathQuery paths(GeodesicIndex::build(mesh, {}));
+  ExactSolver solver(mesh);
+  double largest = 0.0;
+  for (const Index source : sources) {
+    solver.run_from_vertices(std::array{source}, {.distances_only = true});
+    for (Index i = 0; i < targets; ++i) {
+      const auto target =
+          static_cast<Index>((static_cast<std::int64_t>(i) * 7919 + source) % mesh->vertex_count());
+      const double distance = solver.distance(target);
+      if (distance == unreachable || distance == 0.0) continue;
+      const SurfacePath path = paths.path(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target));
+      largest = std::max(largest, path.length / distance - 1.0);
+    }
+  }
+  return largest;
+}
+
+TEST(PathContract, RefinedPathsAcrossNeedlesAreShortestToTwoThousandths) {
+  const auto ring = test::make_mesh(test::hostile_mesh(704608, 2500).soup);
+  EXPECT_LE(largest_excess(ring, std::array<Index, 4>{174, 548, 1200, 2000}, 60), 2e-3);
+  VOROGEO_READ_OR_SKIP(basket, "basket");
+  EXPECT_LE(largest_excess(test::make_mesh(basket), std::array<Index, 2>{5883, 7712}, 80), 2e-3);
+}
+
+TEST(IndexContract, BuildsEndOnExtrusionsOfNoWidth) {
+  for (const double delta : {0.0, 0.01}) {
+    const auto mesh = test::make_mesh(test::hostile_mesh(703485, 2500).soup);
+    IndexOptions options;
+    options.delta = delta;
+    EXPECT_NE(GeodesicIndex::build(mesh, options), nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo
