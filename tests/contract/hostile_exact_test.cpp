@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
                                          Seed{702539, 2500, {1708}}, Seed{500213, 4000, {4921}},
                                          Seed{1003017, 2500, {1422}}, Seed{1001791, 600, {535}},
                                          Seed{1008881, 600, {192}}, Seed{600099, 4000, {3240}}),
-                         [](const auto& info) { return std::to_string(info.param.seed); });
+                         [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
   VOROGEO_READ_OR_SKIP(bunny, "bunny");
