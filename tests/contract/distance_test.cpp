@@ -1,0 +1,120 @@
+// Distances of two points: exact or near it, the same from both ends to the last bit, infinite without a way.
+#include <gtest/gtest.h>
+
+#include "contract/surfaces.h"
+#include "support/exhaustive.h"
+#include "support/subdivided_graph.h"
+
+namespace vorogeo::contract {
+namespace {
+
+void expect_formula(const Case& one, By by) {
+  if (!one.answers(by)) return;
+  SCOPED_TRACE(one.name + ", " + to_string(by));
+  const auto points = one.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (i == j) continue;
+      expect_close(one.ask.distance(points[i], points[j], by), one.distance(points[i], points[j]),
+                   one.tolerance(by, points[i], points[j]), one.ask,
+                   std::to_string(i) + " to " + std::to_string(j));
+    }
+  }
+}
+
+TEST(DistanceContract, ExactDistancesAreExactBetweenVerticesFacesAndEdgesInEveryMetric) {
+  for (const Case& one : cases()) expect_formula(one, By::exact);
+}
+
+TEST(DistanceContract, DistancesFromAnIndexErrByLittleInEveryMetric) {
+  for (const Case& one : cases()) expect_formula(one, By::index);
+}
+
+TEST(DistanceContract, DistancesFromAnIndexAreSymmetricToTheLastBit) {
+  for (const Case& one : cases()) {
+    const auto points = one.points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_EQ(one.ask.distance(points[i], points[j], By::index),
+                  one.ask.distance(points[j], points[i], By::index))
+            << one.name << ", " << i << " and " << j;
+      }
+    }
+  }
+}
+
+TEST(DistanceContract, APointIsAtDistanceZeroFromItself) {
+  for (const Case& one : cases()) {
+    for (const SurfacePoint& p : one.points()) {
+      if (!is_in_a_face(one.ask.soup(), p)) continue;
+      EXPECT_EQ(one.ask.distance(p, p, By::exact), 0.0) << one.name;
+      EXPECT_EQ(one.ask.distance(p, p, By::index), 0.0) << one.name;
+    }
+  }
+}
+
+TEST(DistanceContract, AnIndexOfOnePatchIsExact) {
+  for (const KnownSurface& surface : known_surfaces()) {
+    const Ask ask(surface.soup, {.patches = 1, .patches_in_each = 1});
+    const auto points = test::spread_points(surface.soup);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        expect_close(ask.distance(points[i], points[j], By::index), surface.distance(points[i], points[j]),
+                     1e-11, ask, surface.name + ", " + std::to_string(i) + " to " + std::to_string(j));
+      }
+    }
+  }
+}
+
+TEST(DistanceContract, BumpySurfacesAgreeWithEveryUnfoldingOfTheirFaces) {
+  const unsigned seed = fresh_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const test::Soup& soup : {test::random_sphere(50, seed), test::torus(9, 6, 2.0, 0.8)}) {
+    const Ask ask(soup);
+    const auto mesh = test::make_mesh(soup);
+    const test::ExhaustiveGeodesics every(*mesh);
+    for (const Index a : test::random_vertices(ask.vertex_count(), 12, seed)) {
+      for (Index b = 0; b < ask.vertex_count(); b += 3) {
+        expect_close(ask.distance(vertex(a), vertex(b), By::exact), every.distance(a, b), 1e-11, ask,
+                     std::to_string(a) + " to " + std::to_string(b));
+      }
+    }
+  }
+}
+
+TEST(DistanceContract, NoPathThroughPointsOnEdgesIsShorterThanAnExactDistance) {
+  const unsigned seed = fresh_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const test::Soup& soup :
+       {test::hills(12, 0.3), test::random_sphere(200, seed), test::drilled_plate(2, 1, 0.4, seed)}) {
+    const Ask ask(soup);
+    for (const Index a : test::random_vertices(ask.vertex_count(), 2, seed)) {
+      const test::SubdividedGraph graph(soup, a, 5);
+      const Field field = ask.field({{vertex(a)}}, By::exact);
+      for (const Index b : test::random_vertices(ask.vertex_count(), 25, seed + 1)) {
+        const std::string where = std::to_string(a) + " to " + std::to_string(b);
+        const double exact = ask.distance(vertex(a), vertex(b), By::exact);
+        EXPECT_LE(exact, graph.tightened(b) * (1.0 + 1e-11)) << where;
+        expect_close(exact, field.distance[b], 1e-11, ask, where);
+      }
+    }
+  }
+}
+
+TEST(DistanceContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
+  const test::Soup soup = test::hills(30, 0.2);
+  const Ask one(soup, {.patches = 3, .patches_in_each = 4, .threads = 1});
+  const Ask three(soup, {.patches = 3, .patches_in_each = 4, .threads = 3});
+  const std::vector<SurfacePoint> points = test::spread_points(soup);
+  for (const By by : {By::exact, By::index}) {
+    std::vector<double> before;
+    for (const SurfacePoint& p : points) before.push_back(one.distance(points[2], p, by));
+    for (std::size_t i = points.size(); i-- > 0;) {
+      EXPECT_EQ(one.distance(points[2], points[i], by), before[i]) << to_string(by) << ", " << i;
+      EXPECT_EQ(three.distance(points[2], points[i], by), before[i]) << to_string(by) << ", " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo::contract

@@ -1,0 +1,74 @@
+// Matrices: the distances of all pairs, zero on the diagonal, symmetric to the last bit, however many
+// threads.
+#include <gtest/gtest.h>
+
+#include "contract/surfaces.h"
+
+namespace vorogeo::contract {
+namespace {
+
+TEST(MatrixContract, EntriesAreTheDistancesOfTheirPoints) {
+  for (const Case& one : cases()) {
+    const auto rows = one.points();
+    const std::vector<SurfacePoint> columns{rows[1], rows[5], rows[0], rows[1]};
+    for (const By by : {By::exact, By::index}) {
+      if (!one.answers(by)) continue;
+      const auto matrix = one.ask.matrix(rows, columns, by);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+          expect_close(matrix[i * columns.size() + j], one.distance(rows[i], columns[j]),
+                       one.tolerance(by, rows[i], columns[j]), one.ask, one.name + ", " + to_string(by));
+        }
+      }
+    }
+  }
+}
+
+TEST(MatrixContract, OfOneListItIsSymmetricToTheLastBitWithZerosForEqualPoints) {
+  for (const Case& one : cases()) {
+    auto points = one.points();
+    points.push_back(points[4]);
+    const std::size_t n = points.size();
+    for (const By by : {By::exact, By::index}) {
+      if (!one.answers(by)) continue;
+      SCOPED_TRACE(one.name + ", " + to_string(by));
+      const auto matrix = one.ask.matrix(points, by);
+      for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_EQ(matrix[i * n + i], 0.0);
+        for (std::size_t j = 0; j < i; ++j) {
+          EXPECT_EQ(matrix[i * n + j], matrix[j * n + i]) << i << ", " << j;
+          expect_close(matrix[i * n + j], one.distance(points[i], points[j]),
+                       one.tolerance(by, points[i], points[j]), one.ask,
+                       std::to_string(i) + ", " + std::to_string(j));
+        }
+      }
+      EXPECT_EQ(matrix[4 * n + n - 1], 0.0);
+    }
+  }
+}
+
+TEST(MatrixContract, NeitherThreadsNorOrderChangeAnEntry) {
+  const test::Soup soup = test::hills(24, 0.2);
+  const Ask one(soup, {.patches = 3, .patches_in_each = 3, .threads = 1});
+  const Ask three(soup, {.patches = 3, .patches_in_each = 3, .threads = 3});
+  auto points = test::spread_points(soup);
+  for (const By by : {By::exact, By::index}) {
+    const auto matrix = one.matrix(points, by);
+    EXPECT_EQ(three.matrix(points, by), matrix) << to_string(by);
+    const std::vector<SurfacePoint> turned(points.rbegin(), points.rend());
+    const auto other = one.matrix(turned, by);
+    EXPECT_TRUE(std::equal(matrix.begin(), matrix.end(), other.rbegin())) << to_string(by);
+  }
+}
+
+TEST(MatrixContract, ListsMayBeEmpty) {
+  const Ask ask(test::icosphere(1));
+  for (const By by : {By::exact, By::index}) {
+    EXPECT_TRUE(ask.matrix({}, {vertex(1)}, by).empty());
+    EXPECT_TRUE(ask.matrix({vertex(1)}, {}, by).empty());
+    EXPECT_TRUE(ask.matrix(std::vector<SurfacePoint>{}, by).empty());
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo::contract
