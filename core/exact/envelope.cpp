@@ -92,8 +92,9 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
   return x;
 }
 
-/// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old one
-/// by more than rounding in its middle or at an end: equal windows would otherwise replace each other forever.
+/// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old
+/// one by more than rounding in its middle or at an end: equal windows would otherwise replace each other
+/// forever.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
   const double old_l = old.distance(l);
@@ -123,8 +124,8 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
   // Zeros at the ends are found on either side of them, or not at all. So it is the middle of each part that
-  // tells its owner, or its end. A part without a difference there is no more than rounding, and goes with its
-  // neighbour.
+  // tells its owner, or its end. A part without a difference there is no more than rounding, and goes with
+  // its neighbour.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
   bool is_decided = false;

@@ -12,11 +12,11 @@ namespace {
 /// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-/// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to which
-/// the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on both sides
-/// drift apart by the rounding of angles, and where two windows are equal up to rounding, one of them keeps
-/// what lies in the rays of the other: as far as the root of that rounding. The way over the end is a path, so
-/// it makes no distance too short; its detour is half the square of the angle.
+/// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to
+/// which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on
+/// both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one of
+/// them keeps what lies in the rays of the other: as far as the root of that rounding. The way over the end
+/// is a path, so it makes no distance too short; its detour is half the square of the angle.
 constexpr double gap_angle = 1e-5;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
@@ -212,7 +212,8 @@ void ExactSolver::State::cross_face(Index halfedge) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
       const double rest = std::hypot(frame.apex_x - end, frame.apex_depth);
       const double distance = window.distance(end) + rest;
-      // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as near.
+      // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
+      // near.
       if (across <= gap_angle * straight * rest && distance < (1.0 - least_gain) * known)
         reach_apex(window, halfedge, distance);
     }
@@ -257,16 +258,20 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
 }
 
 bool ExactSolver::State::was_passed(const Window& window) {
-  const Index edge = mesh.edge_of(window.entry());
-  const double x = window.source_x;
-  const double distance = window.offset + window.source_y;
-  const auto [first, last] = points_passed.equal_range(window.entry());
-  const bool passed = std::any_of(first, last, [&](const auto& item) {
-    const PassedPoint& point = item.second;
-    return point.distance + std::abs(x - point.x) <= distance + 1e-12 * (distance + mesh.edge_length(edge));
-  });
-  if (!passed) points_passed.emplace(window.entry(), PassedPoint{x, distance});
-  return passed;
+  // An edge that more points lie on is one of a heap of faces without width all along, whose vertices pass on
+  // what they are reached by themselves.
+  constexpr std::size_t max_points = 64;
+  const PassedPoint here{window.source_x, window.offset + window.source_y};
+  const double rounding = 1e-12 * (here.distance + mesh.edge_length(mesh.edge_of(window.entry())));
+  auto covers = [rounding](const PassedPoint& point, const PassedPoint& other) {
+    return point.distance + std::abs(other.x - point.x) <= other.distance + rounding;
+  };
+  std::vector<PassedPoint>& points = points_passed[window.entry()];
+  if (std::ranges::any_of(points, [&](const PassedPoint& point) { return covers(point, here); })) return true;
+  std::erase_if(points, [&](const PassedPoint& point) { return covers(here, point); });
+  if (points.size() >= max_points) return true;
+  points.push_back(here);
+  return false;
 }
 
 void ExactSolver::State::pass_through(const Window& window) {

@@ -35,8 +35,8 @@ struct Side {
   double inside(double x) const { return std::clamp(x, 0.0, length); }
 
   /// A pseudo-source that rounding has taken behind the line of the side is laid on the line, as far from
-  /// where positions count from as it was, (across, away): at an edge of a few units in the last place, it may
-  /// lie anywhere behind.
+  /// where positions count from as it was, (across, away): at an edge of a few units in the last place, it
+  /// may lie anywhere behind.
   static void lay_on_line(double& x, double& y, double across, double away) {
     x = std::copysign(std::sqrt(across * across + away * away), x);
     y = 0.0;

@@ -88,9 +88,10 @@ struct ExactSolver::State {
   /// place. On the edge itself others may be nearer on both sides of that one point, so that its window is no
   /// longer than a point, whose rays nevertheless fill the shadow behind the vertex.
   void pass_through(const Window& window);
-  /// Whether rays from another vertex on the same line have crossed the edge of the window, from the same face,
-  /// at a place from which its own vertex is reached along the edge no later: those cover all that is behind.
-  /// Otherwise notes its place. So a heap of faces without width is crossed once, not by each of its vertices.
+  /// Whether rays from another vertex on the same line have crossed the edge of the window, from the same
+  /// face, at a place from which its own vertex is reached along the edge no later: those cover all that is
+  /// behind. Otherwise notes its place. So a heap of faces without width is crossed once, not by each of its
+  /// vertices.
   bool was_passed(const Window& window);
   /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
@@ -182,7 +183,7 @@ struct ExactSolver::State {
     double x;
     double distance;
   };
-  std::unordered_multimap<Index, PassedPoint> points_passed;  ///< by the half-edge of entry
+  std::unordered_map<Index, std::vector<PassedPoint>> points_passed;  ///< by the half-edge of entry
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (window_merging.cpp).
   void merge_crossing(Index edge);
   double merge_tolerance = 0.0;
