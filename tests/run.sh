@@ -178,7 +178,7 @@ done
 python_newer() {
   local python=.venv/bin/python
   suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
-  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/wheels
+  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/contract tests/wheels
 }
 # Usage: python_older PYMESHLAB
 python_older() {

@@ -9,9 +9,10 @@ import surfaces
 import vorogeo
 from surfaces import Floats, Shape, shape
 
-#: Errors that the documents give for metrics that vary, twice: docs/metrics.md.
+#: Twice the largest errors in docs/metrics.md: costs that vary (25 cells), costs of faces, tensors of faces.
 OF_VARYING_COST = 3e-3
-OF_FACES = 5e-3
+OF_FACES = 7.2e-3
+OF_FACE_TENSORS = 2.6e-2
 STRETCH = np.array([[2.0, 0.6, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 TENSOR = STRETCH.T @ STRETCH
 
@@ -79,10 +80,9 @@ def refraction(dear: float = 3.0) -> Shape:
     return shape("shore", (vertices, faces), between, metric=metric, slack=OF_FACES)
 
 
-def metrics(random: np.random.Generator) -> list[Shape]:
+def metrics(random: np.random.Generator, saddle: Shape) -> list[Shape]:
     """Every shape with a metric of its own; small ones, since an index of values of faces takes its time."""
     flat, tube = surfaces.plane(random, 11, 8), surfaces.prism(8)
-    saddle = next(each for each in surfaces.lengths(random) if each.name == "saddle")
     everywhere = np.broadcast_to(TENSOR, (len(flat.vertices), 3, 3))
     on_faces = np.broadcast_to(TENSOR, (len(flat.faces), 3, 3))
     return [
@@ -91,7 +91,7 @@ def metrics(random: np.random.Generator) -> list[Shape]:
         times(tube, vorogeo.FaceCost(np.full(len(tube.faces), 3.0)), 3.0, OF_FACES),
         replace(flat, name="plane with one VertexTensor", metric=vorogeo.VertexTensor(everywhere), between=stretched),
         replace(flat, name="plane with one FaceTensor", metric=vorogeo.FaceTensor(on_faces), between=stretched,
-                slack=OF_FACES),
+                slack=OF_FACE_TENSORS),
         half_plane(),
         refraction(),
     ]  # fmt: skip

@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any
 
 import ask
+import defect_surfaces
 import metric_surfaces
 import numpy as np
 import pytest
@@ -23,7 +24,9 @@ SEED = int(os.environ.get("VOROGEO_CONTRACT_SEED", secrets.randbits(32)))
 @cache
 def peer_field(bumpy: Shape, source: int) -> Floats:
     """Distances from a vertex by pygeodesic, an independent program."""
-    geodesic = pytest.importorskip("pygeodesic.geodesic", reason="pygeodesic, the independent program, is not installed")
+    geodesic = pytest.importorskip(
+        "pygeodesic.geodesic", reason="pygeodesic, the independent program, is not installed"
+    )
     return geodesic.PyGeodesicAlgorithmExact(bumpy.vertices, bumpy.faces).geodesicDistances(np.array([source]))[0]
 
 
@@ -44,8 +47,22 @@ def bumpy(random: np.random.Generator) -> Shape:
 
 
 _random = np.random.default_rng(SEED)
-LENGTHS = [*surfaces.lengths(_random), bumpy(_random)]
-METRICS = metric_surfaces.metrics(_random)
+_TILTS = np.where(np.arange(8) % 2 == 0, 0.5, -0.5)
+LENGTHS = [
+    surfaces.plane(_random),
+    surfaces.needles(),
+    surfaces.prism(),
+    surfaces.cone("cone", np.full(8, -0.6)),
+    surfaces.cone("saddle", _TILTS),
+    surfaces.box(),
+    defect_surfaces.hole(),
+    defect_surfaces.slit(),
+    defect_surfaces.book(),
+    defect_surfaces.parts(),
+    defect_surfaces.repeats(_random),
+    bumpy(_random),
+]
+METRICS = metric_surfaces.metrics(_random, next(shape for shape in LENGTHS if shape.name == "saddle"))
 SHAPES = [*LENGTHS, *METRICS]
 #: Surfaces on which the distance of any two vertices, and of points in faces, follows from a formula.
 UNROLLED = [each for each in SHAPES if each.name not in ("box", "half-plane", "shore", "bumpy")]

@@ -36,9 +36,7 @@ def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(
 @pytest.mark.parametrize(("by", "shape"), table.rows(["index"], table.SHAPES))
 def test_both_directions_are_equal_to_the_last_bit(by: str, shape: Shape, random: np.random.Generator) -> None:
     source, target = random.integers(0, len(shape.vertices), (2, 60))
-    np.testing.assert_array_equal(
-        ask.distance(by, shape, source, target), ask.distance(by, shape, target, source)
-    )
+    np.testing.assert_array_equal(ask.distance(by, shape, source, target), ask.distance(by, shape, target, source))
 
 
 @pytest.mark.parametrize(("by", "shape"), table.rows(["exact", "by index, exact", "function"], table.LENGTHS))

@@ -39,9 +39,7 @@ def test_offsets_are_added_and_the_label_is_the_source_of_the_least_sum(
     ask.assert_answers(by, shape, answer, sums.min(axis=0))
     reached = np.isfinite(sums.min(axis=0))
     assert (label[~reached] == -1).all()
-    of_label = np.take_along_axis(sums, label[None, reached], axis=0) if reached.all() else sums[:, reached][
-        label[reached], np.arange(reached.sum())
-    ]
+    of_label = sums[label[reached], np.flatnonzero(reached)]
     slack = 2 * ask.errors(by, shape).largest
     assert (of_label <= sums.min(axis=0)[reached] * (1 + slack) + 1e-12).all()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any
 
 import ask
@@ -25,8 +26,9 @@ def assert_is_path(shape: Shape, path: Any, source: Any, target: Any) -> None:
         np.testing.assert_allclose(place, given, atol=1e-12)
     at_vertex = path.vertices >= 0
     np.testing.assert_allclose(path.points[at_vertex], shape.vertices[path.vertices[at_vertex]], atol=1e-12)
-    holding = [faces_with(shape, points) for points in zip(path.surface_points.faces, path.surface_points.barycentric)]  # noqa: B905
-    assert all(one & other for one, other in zip(holding[:-1], holding[1:], strict=True))
+    points = zip(path.surface_points.faces, path.surface_points.barycentric, strict=True)
+    holding = [faces_with(shape, point) for point in points]
+    assert all(one & other for one, other in itertools.pairwise(holding))
     assert not path.over_gap.any()
 
 
@@ -73,9 +75,7 @@ def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, rando
 
 
 @pytest.mark.parametrize(("by", "shape"), table.rows(["exact", "by index, exact", "function"], table.SHAPES))
-def test_exact_paths_are_certified_unless_the_metric_jumps(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+def test_exact_paths_are_certified_unless_the_metric_jumps(by: str, shape: Shape, random: np.random.Generator) -> None:
     target = random.permutation(len(shape.vertices))[:5]
     for path in ask.path(by, shape, np.full(5, shape.sources[0]), target):
         if np.isfinite(path.length) and path.length > 0:

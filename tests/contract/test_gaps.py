@@ -1,0 +1,115 @@
+"""Gaps up to the width that is given are bridged, at the cost of their width; nothing else is joined or changed."""
+
+from __future__ import annotations
+
+import ask
+import numpy as np
+import pytest
+import surfaces
+import vorogeo
+from surfaces import Floats, Mesh
+
+WIDTH = 1e-3
+WAYS = ask.FIELDS
+
+
+def beside(first: Mesh, second: Mesh, shift: list[float]) -> Mesh:
+    """Both meshes, the second one moved."""
+    return np.vstack([first[0], second[0] + shift]), np.vstack([first[1], second[1] + len(first[0])]).astype(np.int32)
+
+
+def plates(width: float = WIDTH) -> Mesh:
+    """Two squares with a gap between them, at which they have different vertices."""
+    return beside(surfaces.plain_grid(8, 8, 1, 1), surfaces.plain_grid(8, 11, 1, 1), [1 + width, 0, 0])
+
+
+def soup(mesh: Mesh) -> Mesh:
+    """The triangles, none of which shares a vertex with another."""
+    return mesh[0][mesh[1]].reshape(-1, 3), np.arange(mesh[1].size, dtype=np.int32).reshape(-1, 3)
+
+
+def t_junctions() -> Mesh:
+    """Two squares that touch, with different vertices along their common border."""
+    return plates(0.0)
+
+
+def tolerance(by: str) -> float:
+    """The relative error of a field on a plane."""
+    return {"index": 2e-2, "quick": 0.1}.get(by, 1e-9)
+
+
+def straight(vertices: Floats, source: int) -> Floats:
+    return np.linalg.norm(vertices - vertices[source], axis=1)
+
+
+@pytest.mark.parametrize("by", WAYS)
+@pytest.mark.parametrize("mesh", [plates(), soup(surfaces.plain_grid(7, 6, 1, 1)), t_junctions()],
+                         ids=["plates", "soup", "T-junctions"])  # fmt: skip
+def test_a_plane_in_parts_is_one(by: str, mesh: Mesh) -> None:
+    for source in (0, len(mesh[0]) - 1):
+        field = ask.gap_field(by, mesh, source, 2 * WIDTH)
+        np.testing.assert_allclose(field, straight(mesh[0], source), rtol=tolerance(by), atol=1e-9)
+
+
+@pytest.mark.parametrize("by", WAYS)
+@pytest.mark.parametrize("gap", [0.0, 0.5 * WIDTH])
+def test_a_wider_gap_stays_open(by: str, gap: float) -> None:
+    vertices, faces = plates()
+    reached = np.isfinite(ask.gap_field(by, (vertices, faces), 0, gap))
+    np.testing.assert_array_equal(reached, vertices[:, 0] <= 1)
+
+
+@pytest.mark.parametrize("by", [by for by in WAYS if by not in ("index", "quick")])
+def test_a_gap_changes_nothing_on_a_surface_without_one(by: str) -> None:
+    mesh = surfaces.plain_grid(9, 7, 1, 1)
+    np.testing.assert_array_equal(ask.gap_field(by, mesh, 5, 1e-6), ask.gap_field(by, mesh, 5, 0.0))
+
+
+@pytest.mark.parametrize("by", WAYS)
+def test_a_surface_that_turns_back_is_joined_only_with_bridged_folds(by: str) -> None:
+    vertices, faces = surfaces.plain_grid(17, 8, 2, 1)
+    folded = vertices.copy()
+    folded[:, 0] = np.minimum(vertices[:, 0], 2 - vertices[:, 0])
+    folded[:, 2] = np.where(vertices[:, 0] > 1, WIDTH, 0)
+    along = 1 + np.hypot(1 / 8, WIDTH) + 7 / 8
+    assert ask.gap_field(by, (folded, faces), 0, 2 * WIDTH)[16] == pytest.approx(along, rel=tolerance(by))
+    assert ask.gap_field(by, (folded, faces), 0, 2 * WIDTH, folds=True)[16] == pytest.approx(WIDTH, rel=tolerance(by))
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_steps_over_a_gap_are_marked_in_paths(exact: bool) -> None:
+    vertices, faces = plates()
+    index = vorogeo.GeodesicIndex(vertices, faces, gap=2 * WIDTH, patches=(3, 3))
+    path = (index.exact_path if exact else index.path)(0, len(vertices) - 1)
+    assert path.length == pytest.approx(straight(vertices, 0)[-1], rel=1e-9 if exact else 3e-3)
+    x = path.points[:, 0]
+    middle = (x[1:] + x[:-1]) / 2
+    np.testing.assert_array_equal(path.over_gap[:-1], (middle > 1) & (middle < 1 + WIDTH))
+    assert path.over_gap.any()
+    inside = (x > 1 + 1e-9) & (x < 1 + WIDTH - 1e-9)
+    np.testing.assert_array_equal(path.surface_points.faces == -1, inside)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_bridges_have_no_area_and_faces_keep_their_numbers(exact: bool) -> None:
+    vertices, faces = plates()
+    index = vorogeo.GeodesicIndex(vertices, faces, gap=2 * WIDTH)
+    regions = index.voronoi([0, len(vertices) - 1], exact=exact)
+    assert regions.area.sum() == pytest.approx(2.0, rel=1e-9)
+    assert len(regions.face_region) == len(faces) == index.statistics.faces
+    np.testing.assert_array_equal(index.disk(0, 10.0, exact=exact).faces, np.arange(len(faces)))
+    assert index.snap([1 + WIDTH / 2, 0.5, 0]).snap_distance[0] == pytest.approx(WIDTH / 2, rel=1e-9)
+
+
+def test_the_report_says_which_gap_joins_all() -> None:
+    mesh = plates()
+    assert vorogeo.check_mesh(*mesh).gap_to_join_all == pytest.approx(WIDTH, rel=1e-9)
+    assert vorogeo.check_mesh(*mesh, gap=0.9 * WIDTH).components_after_bridging == 2
+    assert vorogeo.check_mesh(*mesh, gap=1.1 * WIDTH).components_after_bridging == 1
+
+
+@pytest.mark.parametrize("gap", [-1.0, np.nan, np.inf, "wide"])
+def test_a_gap_that_is_no_length_is_refused(gap: object) -> None:
+    for question in (vorogeo.GeodesicIndex, vorogeo.Surface, vorogeo.check_mesh):
+        with ask.refused("gap: "):
+            question(*plates(), gap=gap)

@@ -1,0 +1,187 @@
+"""What cannot be answered is refused in a sentence that names the element; a refusal or cancelling changes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import ask
+import numpy as np
+import pytest
+import table
+import vorogeo
+
+SHAPE = table.named("plane")
+COUNT = len(SHAPE.vertices)
+
+
+def meshes() -> dict[str, tuple[Any, Any, str]]:
+    """Vertices and faces that are no mesh, and the sentence about them."""
+    vertices, faces = SHAPE.vertices, SHAPE.faces
+    spoilt = {value: vertices.copy() for value in (np.nan, np.inf)}
+    for value, array in spoilt.items():
+        array[17, 1] = value
+    beyond, negative = faces.copy(), faces.copy()
+    beyond[5, 2], negative[5, 2] = COUNT, -1
+    return {
+        "NaN": (spoilt[np.nan], faces, r"vertices\[17\].*not finite"),
+        "infinity": (spoilt[np.inf], faces, r"vertices\[17\].*not finite"),
+        "vertices in a plane": (vertices[:, :2], faces, r"vertices: has shape"),
+        "vertices that are text": ([["a", "b", "c"]], faces, "vertices: is not an array of numbers"),
+        "no vertices": (None, faces, "vertices: is None"),
+        "a vertex that is not there": (vertices, beyond, rf"faces\[5\]: names vertex {COUNT}"),
+        "a negative vertex": (vertices, negative, r"faces\[5\]: names vertex -1"),
+        "quads": (vertices, faces[:2].reshape(1, 6)[:, :4], "faces: has shape"),
+        "faces that are real": (vertices, faces + 0.5, "faces: has type float64"),
+    }
+
+
+@pytest.mark.parametrize("case", meshes())
+def test_an_array_that_is_no_mesh(case: str) -> None:
+    vertices, faces, sentence = meshes()[case]
+    for question in (
+        lambda: vorogeo.Surface(vertices, faces),
+        lambda: vorogeo.GeodesicIndex(vertices, faces),
+        lambda: vorogeo.estimate(vertices, faces),
+        lambda: vorogeo.exact_distance_field(vertices, faces, 0),
+        lambda: vorogeo.exact_path(vertices, faces, 0, 1),
+    ):
+        with ask.refused(sentence):
+            question()
+
+
+def test_a_mesh_without_faces_has_no_index() -> None:
+    with ask.refused("no face"):
+        vorogeo.GeodesicIndex(np.zeros((3, 3)), np.empty((0, 3), int))
+
+
+Question = Callable[..., Any]
+IDS: list[tuple[str, Any, str]] = [
+    ("a vertex that is not there", COUNT, f"there is no vertex {COUNT}"),
+    ("one of a list that is not there", [0, COUNT + 3], rf"\[1\]: there is no vertex {COUNT + 3}"),
+    ("a negative vertex", -1, "there is no vertex -1"),
+    ("a name", "first", "is not an array of numbers"),
+    ("a part of a vertex", 1.5, "has type float64, not integer"),
+    ("a face that is not there", vorogeo.SurfacePoints([9999], [[1.0, 0, 0]]), "9999"),
+    ("weights that are not barycentric", vorogeo.SurfacePoints([0], [[0.9, 0.9, 0]]), "0.9"),
+    ("weights that are NaN", vorogeo.SurfacePoints([0], [[np.nan, 0, 1]]), "not finite"),
+]
+ASKED: dict[str, Question] = {
+    "exact field": lambda x: ask.field("exact", SHAPE, x),
+    "index field": lambda x: ask.field("index", SHAPE, x),
+    "quick field": lambda x: ask.field("quick", SHAPE, x),
+    "exact distance": lambda x: ask.distance("exact", SHAPE, x, x),
+    "index distance": lambda x: ask.distance("index", SHAPE, x, x),
+    "exact path": lambda x: ask.path("exact", SHAPE, x, x),
+    "index path": lambda x: ask.path("index", SHAPE, x, x),
+    "function path": lambda x: ask.path("function", SHAPE, x, x),
+    "matrix": lambda x: ask.matrix("pairs", SHAPE, x),
+    "fields": lambda x: ask.fields("index", SHAPE, x),
+    "nearest": lambda x: ask.nearest("index", SHAPE, x, [0], 1),
+    "pairs within": lambda x: ask.pairs_within("index", SHAPE, x, 1.0),
+    "voronoi": lambda x: ask.task("voronoi", "index", SHAPE, x),
+    "disk": lambda x: ask.task("disk", "index", SHAPE, x, 1.0),
+    "eccentricity": lambda x: ask.task("eccentricity", "index", SHAPE, x),
+    "samples": lambda x: ask.task("sample_farthest", "index", SHAPE, 3, start=x),
+    "relaxed points": lambda x: ask.task("relax", "index", SHAPE, x),
+}
+
+
+@pytest.mark.parametrize("asked", ASKED)
+@pytest.mark.parametrize(("kind", "points", "sentence"), IDS, ids=[row[0] for row in IDS])
+def test_points_that_are_not_on_the_surface(asked: str, kind: str, points: Any, sentence: str) -> None:
+    with ask.refused(sentence):
+        ASKED[asked](points)
+
+
+def surface() -> vorogeo.Surface:
+    return ask.surface(SHAPE)
+
+
+def index() -> vorogeo.GeodesicIndex:
+    return ask.index(SHAPE)
+
+
+ARGUMENTS: dict[str, tuple[Callable[[], Any], str]] = {
+    "no source": (lambda: surface().distance_field([]), "sources: is empty"),
+    "no source of an index": (lambda: index().distance_field([]), "sources: is empty"),
+    "no source of a function": (lambda: ask.field("function", SHAPE, []), "sources: is empty"),
+    "no regions": (lambda: index().voronoi([]), "points: is empty"),
+    "a negative limit": (lambda: surface().distance_field(0, -1.0), "max_distance: -1.0 is negative"),
+    "a negative limit of an index": (lambda: index().distance_field(0, -1.0), "max_distance: -1.0 is negative"),
+    "a limit that is NaN": (lambda: index().fields([0], np.nan), "max_distance: is NaN"),
+    "an offset below 0": (lambda: surface().distance_field([0, 1], offsets=[0, -2]), r"offsets\[1\]: is -2"),
+    "too few offsets": (lambda: index().distance_field([0, 1], offsets=[0]), "offsets: has shape"),
+    "an unknown method": (lambda: surface().distance_field(0, method="fast"), "method: 'fast' is unknown"),
+    "a quick distance": (lambda: surface().distance(0, 1, method="quick"), "method: 'quick' is unknown"),
+    "a quick path": (lambda: surface().path(0, 1, method="quick"), "method: 'quick' is unknown"),
+    "an unknown way to a matrix": (lambda: index().distance_matrix([0], method="x"), "method: 'x' is unknown"),
+    "a method of the literature": (lambda: vorogeo.distance_field(*ask.mesh(SHAPE), 0, method="x"), "method: 'x'"),
+    "whole numbers as result": (lambda: surface().distance_field(0, dtype=int), "dtype: int64 is not possible"),
+    "a type that is none": (lambda: index().distance_matrix([0], dtype="real"), "dtype: 'real'"),
+    "pairs of other lengths": (lambda: surface().distance([0, 1], [2]), "source has 2 points, target 1"),
+    "pairs of an index": (lambda: index().distance([0, 1], [2]), r"source has shape \(2,\) and target \(1,\)"),
+    "no neighbours": (lambda: index().nearest([0], [1], 0), "k: 0 is out of range"),
+    "a radius below 0": (lambda: index().pairs_within([0], -1.0), "radius: -1.0 is negative"),
+    "a radius that is NaN": (lambda: index().disk(0, np.nan), "radius: is NaN"),
+    "samples without an end": (lambda: index().sample_farthest(), "Give a count of samples"),
+    "disks of no radius": (lambda: index().sample_poisson_disk(0.0), "radius: 0.0 is out of range"),
+    "one field for an extent": (lambda: index().extent(fields=1), "fields: 1 is out of range"),
+    "a start that is not there": (lambda: index().extent(start=COUNT), "start: "),
+    "rounds below 0": (lambda: index().relax([0], -1), "rounds: -1 is out of range"),
+    "values of other vertices": (lambda: ask.isolines(SHAPE, np.zeros(3), [1.0]), "field: has 3 values"),
+    "an unknown interpolation": (lambda: ask.isolines(SHAPE, np.ones(COUNT), [1.0], "cubic"), "interpolation: 'c"),
+    "a place that is NaN": (lambda: surface().snap([0, np.nan, 0]), r"points\[0\]"),
+    "a place far away": (lambda: index().snap([[0, 0, 0], [0, 0, 5]], 1.0), r"points\[1\]: is 5 away"),
+    "no threads": (lambda: ask.new_index(SHAPE, threads=0), "threads: 0 is out of range"),
+    "a delta of one": (lambda: ask.new_index(SHAPE, delta=1.0), "delta: 1.0 is out of range"),
+    "a mask of other faces": (lambda: ask.new_surface(SHAPE, mask=[True]), "mask"),
+    "a curve without an edge": (lambda: surface().distance_field(vorogeo.EdgeCurve([3])), "one edge at least"),
+    "no function": (lambda: index().voronoi([0], progress="yes"), "progress: 'yes' is not a function"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", ARGUMENTS)
+def test_an_argument_out_of_its_range(case: str) -> None:
+    question, sentence = ARGUMENTS[case]
+    before = surface().last
+    with ask.refused(sentence):
+        question()
+    assert surface().last is before
+    assert issubclass(vorogeo.InvalidInput, ValueError)
+
+
+def cancel(_fraction: float, _text: str) -> bool:
+    return False
+
+
+LONG: dict[str, Callable[[Any, Any], Any]] = {
+    "building an index": lambda s, i: s.build_index(progress=cancel),
+    "a quick field": lambda s, i: s.distance_field(0, method="quick", progress=cancel),
+    "an exact distance": lambda s, i: s.distance(0, 200, progress=cancel),
+    "an exact path": lambda s, i: s.exact_path(0, 200, progress=cancel),
+    "distances": lambda s, i: i.distances([0] * 50, [9] * 50, progress=cancel),
+    "paths": lambda s, i: i.path([0] * 50, [9] * 50, progress=cancel),
+    "a matrix": lambda s, i: i.distance_matrix(range(50), progress=cancel),
+    "fields": lambda s, i: i.fields(range(50), progress=cancel),
+    "nearest": lambda s, i: i.nearest(range(50), range(50), 3, progress=cancel),
+    "pairs within": lambda s, i: i.pairs_within(range(50), 1.0, progress=cancel),
+    "voronoi": lambda s, i: i.voronoi(range(50), progress=cancel),
+    "farthest samples": lambda s, i: i.sample_farthest(50, progress=cancel),
+    "Poisson disks": lambda s, i: i.sample_poisson_disk(0.05, progress=cancel),
+    "extent": lambda s, i: i.extent(progress=cancel),
+    "relaxation": lambda s, i: i.relax(range(20), progress=cancel),
+    "landmarks": lambda s, i: i.prepare_exact_paths(progress=cancel),
+}
+
+
+@pytest.mark.parametrize("question", LONG)
+def test_cancelling_raises_and_leaves_the_object_usable(question: str) -> None:
+    shape = table.named("bumpy")
+    fresh, made = ask.new_surface(shape), ask.index(shape)
+    before = ask.field("index", shape, 3)
+    with pytest.raises(vorogeo.Cancelled):
+        LONG[question](fresh, made)
+    assert fresh.index is None
+    np.testing.assert_array_equal(ask.field("index", shape, 3), before)
+    np.testing.assert_array_equal(ask.field("exact", shape, 3, on=fresh), ask.field("exact", shape, 3))

@@ -1,0 +1,116 @@
+"""Geodesic Voronoi regions tile the surface by the nearest point; disks hold what is within a radius."""
+
+from __future__ import annotations
+
+import ask
+import numpy as np
+import pytest
+import table
+import vorogeo
+from surfaces import Floats, Shape
+
+#: Only where every length is one in space, areas and borders can be computed from positions.
+FLAT = [shape for shape in table.UNROLLED if shape.metric is None]
+
+
+def area_of_faces(shape: Shape) -> Floats:
+    """The area of each face in space; 0 for what is no face of the surface."""
+    corner = shape.vertices[shape.faces]
+    crossed = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    return np.linalg.norm(crossed, axis=1) / 2 * table.is_face(shape)
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
+def test_each_vertex_belongs_to_its_nearest_point(by: str, shape: Shape) -> None:
+    fields = shape.fields(shape.sources)
+    regions = ask.task("voronoi", by, shape, shape.sources)
+    ask.assert_answers(by, shape, regions.distance, fields.min(axis=0))
+    reached = np.isfinite(fields.min(axis=0))
+    np.testing.assert_array_equal(regions.vertex_region == -1, ~reached)
+    of_region = fields[regions.vertex_region[reached], np.flatnonzero(reached)]
+    slack = 2 * ask.errors(by, shape).largest
+    assert (of_region <= fields.min(axis=0)[reached] * (1 + slack) + 1e-9).all()
+    np.testing.assert_array_equal(regions.vertex_region[shape.sources], np.arange(len(shape.sources)))
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in table.SHAPES if s.metric is None]))
+def test_regions_tile_what_their_points_reach(by: str, shape: Shape) -> None:
+    regions = ask.task("voronoi", by, shape, shape.sources)
+    areas = area_of_faces(shape)
+    assert regions.area.sum() == pytest.approx(areas.sum(), rel=1e-9)
+    assert (regions.area > 0).all()
+    np.testing.assert_array_equal(regions.face_region == -1, ~table.is_face(shape))
+    assert len(regions.face_region) == len(shape.faces)
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in FLAT if s.name in ("plane", "repeats")]))
+def test_borders_on_a_plane_are_the_bisectors(by: str, shape: Shape) -> None:
+    regions = ask.task("voronoi", by, shape, shape.sources)
+    middle = regions.borders.points[regions.borders.edges].mean(axis=1)
+    apart = np.linalg.norm(shape.vertices[shape.sources][regions.border_regions] - middle[:, None], axis=2)
+    tolerance = 1e-9 if ask.is_exact(by) else 0.02
+    np.testing.assert_allclose(apart[:, 0], apart[:, 1], rtol=tolerance)
+    assert (regions.border_regions[:, 0] != regions.border_regions[:, 1]).all()
+    nearest = shape.between(middle, shape.vertices[shape.sources]).min(axis=1)
+    np.testing.assert_allclose(apart[:, 0], nearest, rtol=tolerance)
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_what_no_point_reaches_and_a_point_given_twice_have_no_region(by: str) -> None:
+    shape = table.named("parts")
+    regions = ask.task("voronoi", by, shape, [3, 20, 3])
+    second = np.arange(len(shape.vertices)) >= (len(shape.vertices) - 1) // 2
+    assert (regions.vertex_region[second] == -1).all()
+    assert np.isinf(regions.distance[second]).all()
+    assert regions.area.sum() == pytest.approx(1.0, rel=1e-9)
+    assert regions.area[2] == 0
+    assert not (regions.vertex_region == 2).any()
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, FLAT))
+def test_points_of_regions_lie_anywhere(by: str, shape: Shape, random: np.random.Generator) -> None:
+    points = table.points_anywhere(shape, random, 4)
+    expected = shape.fields(points).min(axis=0)
+    regions = ask.task("voronoi", by, shape, points)
+    ask.assert_answers(by, shape, regions.distance, expected)
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
+def test_a_disk_holds_what_is_within_its_radius(by: str, shape: Shape) -> None:
+    sources = shape.sources[:2]
+    expected = shape.fields(sources).min(axis=0)
+    radius = 0.37 * expected[np.isfinite(expected)].max()
+    disk = ask.task("disk", by, shape, sources, radius)
+    slack = ask.errors(by, shape).largest
+    inside = np.isin(np.arange(len(expected)), disk.vertices)
+    assert (expected[inside] <= radius * (1 + slack)).all()
+    assert (expected[~inside] >= radius * (1 - slack)).all()
+    np.testing.assert_allclose(disk.distances, expected[disk.vertices], rtol=slack, atol=1e-12)
+    assert (disk.distances <= radius).all()
+    within = np.isin(shape.faces, disk.vertices).all(axis=1) & table.is_face(shape)
+    np.testing.assert_array_equal(disk.faces, np.flatnonzero(within))
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_a_disk_around_a_curve(by: str) -> None:
+    shape = table.named("book")
+    spine = np.flatnonzero(np.hypot(shape.vertices[:, 0], shape.vertices[:, 2]) < 1e-9)
+    disk = ask.task("disk", by, shape, vorogeo.EdgeCurve(spine), 0.25)
+    np.testing.assert_array_equal(disk.vertices, np.flatnonzero(shape.chart[:, 1:].sum(axis=1) < 0.25))
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in FLAT if s.name != "parts"]))
+def test_relaxation_never_raises_the_energy(by: str, shape: Shape) -> None:
+    relaxed = ask.task("relax", by, shape, [0, 1, 2, 3], 4)
+    assert relaxed.energy[-1] < relaxed.energy[0]
+    assert (np.diff(relaxed.energy) <= 0).all()
+    assert len(set(relaxed.vertices.tolist())) == 4
+    still = ask.task("relax", by, shape, [0, 1, 2, 3], 0)
+    np.testing.assert_array_equal(still.vertices, [0, 1, 2, 3])
+
+
+def test_the_energy_of_one_point_is_the_integral_of_its_squared_distance() -> None:
+    shape = table.named("plane")
+    corner = int(np.argmin(shape.vertices[:, :2].sum(axis=1)))
+    energy = ask.task("relax", "by index, exact", shape, [corner], 0).energy[0]
+    assert energy == pytest.approx(2.0**3 * 1.5 / 3 + 1.5**3 * 2.0 / 3, rel=0.01)

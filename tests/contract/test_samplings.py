@@ -1,0 +1,110 @@
+"""Each farthest sample is as far from all before as can be; Poisson-disk samples keep their distance and fill."""
+
+from __future__ import annotations
+
+import ask
+import numpy as np
+import pytest
+import table
+import vorogeo
+from surfaces import Shape
+
+#: Surfaces with a formula between any two vertices and a component of all vertices.
+WHOLE = [shape for shape in table.UNROLLED if shape.name != "parts"]
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE))
+def test_each_sample_is_the_vertex_farthest_from_those_before(by: str, shape: Shape) -> None:
+    found = ask.task("sample_farthest", by, shape, 9, start=[int(shape.sources[0])])
+    assert found.vertices[0] == shape.sources[0]
+    assert np.isinf(found.radius[0])
+    fields = shape.fields(found.vertices)
+    slack = 2 * ask.errors(by, shape).largest
+    for i in range(1, 9):
+        nearest = fields[:i].min(axis=0)
+        assert nearest[found.vertices[i]] >= nearest.max() * (1 - slack) - 1e-9
+        assert found.radius[i] == pytest.approx(nearest[found.vertices[i]], rel=slack)
+    ask.assert_answers(by, shape, found.distance, fields.min(axis=0))
+    assert found.covering_radius == pytest.approx(found.distance.max(), rel=1e-12)
+    assert (np.diff(found.radius[1:]) <= slack * found.radius[1]).all()
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_sampling_ends_when_the_covering_radius_is_reached(by: str) -> None:
+    shape = table.named("prism")
+    found = ask.task("sample_farthest", by, shape, radius=0.8, start=[0])
+    assert found.covering_radius <= 0.8 < found.radius[1:].min()
+    longer = ask.task("sample_farthest", by, shape, len(found.vertices) + 2, start=[0])
+    np.testing.assert_array_equal(longer.vertices[:-2], found.vertices)
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_each_component_gets_a_sample_before_any_gets_two_and_no_vertex_two(by: str) -> None:
+    shape = table.named("parts")
+    lone = len(shape.vertices) - 1
+    found = ask.task("sample_farthest", by, shape, 10_000, start=[5])
+    component = np.minimum(found.vertices // (lone // 2), 2)
+    assert sorted(component[: 2 + (component[:3] == 2).any()].tolist()) in ([0, 1], [0, 1, 2])
+    assert len(set(found.vertices.tolist())) == len(found.vertices) >= lone
+    assert np.isinf(found.radius[1])
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_sampling_begins_with_points_anywhere(by: str, random: np.random.Generator) -> None:
+    shape = table.named("plane")
+    points = table.points_anywhere(shape, random, 2)
+    found = ask.task("sample_farthest", by, shape, 6, start=[points, 7])
+    assert found.vertices[2] == 7
+    assert (found.vertices[:2] == -1).all()
+    places = found.points.positions(shape.vertices, shape.faces)
+    np.testing.assert_allclose(places[:2], points.positions(shape.vertices, shape.faces), atol=1e-12)
+    np.testing.assert_allclose(places[2:], shape.vertices[found.vertices[2:]], atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", [0, 7])
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_the_same_seed_gives_the_same_samples_on_any_number_of_threads(by: str, seed: int) -> None:
+    shape = table.named("bumpy")
+    how = ask.choice(by)
+    answers = []
+    for threads in (1, 4):
+        index = ask.new_index(shape, threads=threads)
+        answers.append((index.sample_farthest(8, seed=seed, **how).vertices,
+                        index.sample_poisson_disk(0.3, seed=seed, **how)))  # fmt: skip
+    for one, four in zip(*answers, strict=True):
+        np.testing.assert_array_equal(one, four)
+
+
+@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE))
+def test_poisson_disk_samples_are_a_radius_apart_and_none_could_be_added(
+    by: str, shape: Shape, random: np.random.Generator
+) -> None:
+    width = shape.fields(shape.sources).max()
+    radius = 0.25 * width
+    samples = ask.task("sample_poisson_disk", by, shape, radius, seed=int(random.integers(2**32)))
+    slack = 2 * ask.errors(by, shape).largest
+    fields = shape.fields(samples)
+    apart = fields[:, samples] + 2 * radius * np.eye(len(samples))
+    assert apart.min() >= radius * (1 - slack)
+    assert fields.min(axis=0).max() <= radius * (1 + slack)
+    assert len(samples) > 2
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_a_small_radius_takes_every_vertex_and_a_large_one_a_vertex_of_each_component(by: str) -> None:
+    shape = table.named("parts")
+    lone = len(shape.vertices) - 1
+    every = ask.task("sample_poisson_disk", by, shape, 1e-3)
+    assert set(range(lone)) <= set(every.tolist())
+    few = ask.task("sample_poisson_disk", by, shape, 10.0)
+    assert sorted((few[few < lone] // (lone // 2)).tolist()) == [0, 1]
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_samples_are_points_that_every_question_takes(by: str) -> None:
+    shape = table.named("prism")
+    found = ask.task("sample_farthest", by, shape, 5)
+    assert isinstance(found.points, vorogeo.SurfacePoints)
+    np.testing.assert_allclose(
+        ask.field("exact", shape, found.points), ask.field("exact", shape, found.vertices), rtol=1e-12, atol=1e-12
+    )
