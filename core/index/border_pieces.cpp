@@ -153,25 +153,22 @@ double most_entries(const Mesh& mesh) {
   return (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
 }
 
-struct ChosenPieces {
-  PieceLength lengths;
-  bool fit;  ///< whether tables keep to their share
-};
+/// The longest pieces that may be.
+PieceLength longest_pieces(const Mesh& mesh) {
+  return {wanted_length(mesh) * std::pow(longer_per_step, max_steps), false};
+}
 
-/// The finest pieces for which tables do, else the longest that may be. Where tables have no room for shorter
-/// pieces near saddle vertices, all are as long.
-ChosenPieces choose_pieces(const Mesh& mesh, const Partition& partition,
-                           std::span<const BorderEdge> borders) {
+/// The finest pieces for which tables keep to their share, else the longest that may be. Where tables have no
+/// room for shorter pieces near saddle vertices, all are as long.
+PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders) {
   const double most = most_entries(mesh);
-  PieceLength lengths{};
   for (const bool near_saddles : {true, false}) {
-    lengths = {wanted_length(mesh), near_saddles};
-    for (int step = 0; step <= max_steps; ++step) {
-      if (step > 0) lengths.longest *= longer_per_step;
-      if (expected_entries(mesh, partition, borders, lengths) <= most) return {lengths, true};
+    PieceLength lengths{wanted_length(mesh), near_saddles};
+    for (int step = 0; step <= max_steps; ++step, lengths.longest *= longer_per_step) {
+      if (expected_entries(mesh, partition, borders, lengths) <= most) return lengths;
     }
   }
-  return {lengths, false};
+  return longest_pieces(mesh);
 }
 
 /// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
@@ -194,7 +191,7 @@ void limit_pieces(std::vector<Index>& pieces, Index vertices) {
 
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition) {
   const std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  const PieceLength lengths = choose_pieces(mesh, partition, borders).lengths;
+  const PieceLength lengths = choose_pieces(mesh, partition, borders);
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, lengths);
   limit_pieces(pieces, mesh.vertex_count());
@@ -206,8 +203,9 @@ double wanted_entries(const Mesh& mesh, const Partition& partition) {
   return expected_entries(mesh, partition, borders, {wanted_length(mesh), true}) / most_entries(mesh);
 }
 
-bool tables_have_room(const Mesh& mesh, const Partition& partition) {
-  return choose_pieces(mesh, partition, border_edges(mesh, partition)).fit;
+double least_entries(const Mesh& mesh, const Partition& partition) {
+  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
+  return expected_entries(mesh, partition, borders, longest_pieces(mesh)) / most_entries(mesh);
 }
 
 }  // namespace vorogeo

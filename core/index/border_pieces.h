@@ -19,8 +19,7 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
 /// were as short as the shape of the mesh asks for. Complexity: O(edges).
 double wanted_entries(const Mesh& mesh, const Partition& partition);
 
-/// Whether the tables keep to their share even so: edges as long as they may be, and no more entries than
-/// tables should have. Complexity: O(edges).
-bool tables_have_room(const Mesh& mesh, const Partition& partition);
+/// The same with border edges as long as they may be.
+double least_entries(const Mesh& mesh, const Partition& partition);
 
 }  // namespace vorogeo

@@ -16,6 +16,9 @@ namespace {
 
 /// With more patches than this, some ten thousand vertices, an exact run takes over a tenth of a second.
 constexpr Index few_patches = 24;
+/// So many times the entries that tables should have at most, at the least: on a mesh of needles, which
+/// borders cross everywhere, filling them takes longer than thousands of exact fields.
+constexpr double hopeless_entries = 8.0;
 /// Of the entries that tables should have at most: with fewer, another partition would save little.
 constexpr double many_entries = 0.55;
 /// Another partition has to have fewer than this part of the entries of the usual one.
@@ -64,7 +67,8 @@ Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options,
     return partition;
   };
   Partition usual = partition_with(options, progress.part(0.0, 0.5));
-  if (may_be_undivided && usual.second_layer_count <= few_patches && !tables_have_room(mesh, usual)) {
+  const double most = usual.second_layer_count <= few_patches ? 1.0 : hopeless_entries;
+  if (may_be_undivided && least_entries(mesh, usual) > most) {
     return make_partition(mesh, undivided, progress.part(0.5, 1.0));
   }
   const double entries = wanted_entries(mesh, usual);
