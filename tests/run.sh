@@ -148,6 +148,8 @@ vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcgl
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
   suite cpp-release run_ctest release
   check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
+  check "hostile meshes of today" tests/fuzz/run.sh --count 200 --of-today --no-costs
+  check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only
 fi
 
 # The core for arm64: that it compiles without a warning. There is no such machine to run it on. The units are
