@@ -99,6 +99,7 @@ class Ask {
   }
   void save(const std::filesystem::path& file) const { index()->save(file); }
 
+  const Input& input() const { return input_; }
   const test::Soup& soup() const { return input_.soup; }
   Index vertex_count() const { return static_cast<Index>(input_.soup.positions.size()); }
   double longest_edge() const { return mesh_->longest_edge_length(); }
@@ -186,6 +187,10 @@ class Ask {
   /// Of a field of distances. \pre No face is split.
   Isolines isolines(const std::vector<double>& values, const std::vector<double>& levels) const {
     return vorogeo::isolines(*mesh_, values, levels, Interpolation::distance);
+  }
+  /// Of any field, straight between the values of vertices. \pre No face is split.
+  Isolines isolines_of_any(const std::vector<double>& values, const std::vector<double>& levels) const {
+    return vorogeo::isolines(*mesh_, values, levels, Interpolation::linear);
   }
 
  private:

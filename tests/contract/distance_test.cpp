@@ -13,8 +13,7 @@ void expect_formula(const Case& one, By by) {
   SCOPED_TRACE(one.name + ", " + to_string(by));
   const auto points = one.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t j = 0; j < points.size(); ++j) {
-      if (i == j) continue;
+    for (std::size_t j = 0; j < i; ++j) {
       expect_close(one.ask.distance(points[i], points[j], by), one.distance(points[i], points[j]),
                    one.tolerance(by, points[i], points[j]), one.ask,
                    std::to_string(i) + " to " + std::to_string(j));
@@ -31,7 +30,7 @@ TEST(DistanceContract, DistancesFromAnIndexErrByLittleInEveryMetric) {
 }
 
 TEST(DistanceContract, DistancesFromAnIndexAreSymmetricToTheLastBit) {
-  for (const Case& one : cases()) {
+  for (const Case& one : cases_in_turn()) {
     const auto points = one.points();
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {

@@ -138,15 +138,15 @@ TEST(FieldContract, QuickFieldsOfSeveralSourcesAreNearInTheMean) {
 }
 
 TEST(FieldContract, ALimitCutsTheFieldOffAndChangesNothingBelow) {
-  for (const Case* one : cases_by_length()) {
-    const auto points = one->points();
+  for (const Case& one : cases_by_length()) {
+    const auto points = one.points();
     const std::vector<Source> sources{{points[1]}, {points[4], 0.2}, {points[9]}};
     for (const By by : {By::exact, By::index, By::quick}) {
-      SCOPED_TRACE(one->name + ", " + to_string(by));
-      const Field whole = one->ask.field(sources, by);
+      SCOPED_TRACE(one.name + ", " + to_string(by));
+      const Field whole = one.ask.field(sources, by);
       for (const double limit : {0.0, 0.7}) {
-        const Field part = one->ask.field(sources, by, limit);
-        for (Index v = 0; v < one->ask.vertex_count(); ++v) {
+        const Field part = one.ask.field(sources, by, limit);
+        for (Index v = 0; v < one.ask.vertex_count(); ++v) {
           if (whole.distance[v] < limit * (1.0 - 1e-12)) {
             EXPECT_NEAR(part.distance[v], whole.distance[v], 1e-12) << "vertex " << v;
           } else if (whole.distance[v] > limit * (1.0 + 1e-12)) {
@@ -212,14 +212,14 @@ TEST(FieldContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
 }
 
 TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWell) {
-  for (const Case* one : cases_by_length()) {
+  for (const Case& one : cases_by_length()) {
     for (const double delta : {0.0, 0.005}) {
-      const Ask ask(one->ask.soup(), {.patches = 3, .patches_in_each = 3, .small = true, .delta = delta});
-      const SurfacePoint source = one->points()[5];
+      const Ask ask(one.ask.soup(), {.patches = 3, .patches_in_each = 3, .small = true, .delta = delta});
+      const SurfacePoint source = one.points()[5];
       const Field field = ask.field({{source}}, By::index);
       for (Index v = 0; v < ask.vertex_count(); ++v) {
-        expect_close(field.distance[v], one->distance(source, vertex(v)), 0.02 + 5.0 * delta, ask,
-                     one->name + ", vertex " + std::to_string(v));
+        expect_close(field.distance[v], one.distance(source, vertex(v)), 0.02 + 5.0 * delta, ask,
+                     one.name + ", vertex " + std::to_string(v));
       }
     }
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr double longest_detour = 1.05;
 
 TEST(PathContract, PathsJoinThePointsOverSharedFacesAndTheirStepsSumToTheLength) {
-  for (const Case& one : cases()) {
+  for (const Case& one : cases_in_turn()) {
     const auto points = one.points();
     const test::SurfaceWalk walk(one.ask.soup(), one.ask.soup().faces);
     for (const By by : {By::exact, By::index}) {
@@ -73,7 +73,7 @@ TEST(PathContract, ExactPathsAreCertifiedOnBumpySurfacesAndHaveTheLengthOfTheExa
 }
 
 TEST(PathContract, RefinedPathsAreNeverTooShortAndLongerByLittle) {
-  for (const Case& one : cases()) {
+  for (const Case& one : cases_in_turn()) {
     const auto points = one.points();
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = 0; j < points.size(); j += 2) {
@@ -102,7 +102,7 @@ TEST(PathContract, WithinOnePatchRefinedPathsAreShortest) {
 
 TEST(PathContract, ARefinedPathIsTheSameOnTheWayBack) {
   auto is_same = [](const SurfacePoint& p, const SurfacePoint& q) { return (p <=> q) == 0; };
-  for (const Case& one : cases()) {
+  for (const Case& one : cases_in_turn()) {
     const auto points = one.points();
     for (std::size_t i = 0; i < points.size(); i += 2) {
       for (std::size_t j = 1; j < points.size(); j += 2) {
@@ -132,13 +132,13 @@ TEST(PathContract, WithoutAWayThereIsNoPathAndItsLengthIsInfinite) {
 }
 
 TEST(PathContract, APathFromAPointToItselfIsThatPoint) {
-  for (const Case* one : cases_by_length()) {
-    for (const SurfacePoint& p : one->points()) {
-      if (!is_in_a_face(one->ask.soup(), p)) continue;
+  for (const Case& one : cases_by_length()) {
+    for (const SurfacePoint& p : one.points()) {
+      if (!is_in_a_face(one.ask.soup(), p)) continue;
       for (const By by : {By::exact, By::index}) {
-        const Path path = one->ask.path(p, p, by);
-        EXPECT_EQ(path.length(), 0.0) << one->name << ", " << to_string(by);
-        EXPECT_FALSE(path.line.points.empty()) << one->name << ", " << to_string(by);
+        const Path path = one.ask.path(p, p, by);
+        EXPECT_EQ(path.length(), 0.0) << one.name << ", " << to_string(by);
+        EXPECT_FALSE(path.line.points.empty()) << one.name << ", " << to_string(by);
       }
     }
   }
