@@ -151,10 +151,10 @@ def path(by: str, shape: Shape, source: Points, target: Points, **options: Any) 
     return object_of(by, shape).path(source, target, **choice(by), **options)
 
 
-def matrix(by: str, shape: Shape, points: Points, others: Points | None = None, **options: Any) -> Any:
+def matrix(by: str, shape: Shape, points: Points, others: Points | None = None, on: Any = None, **options: Any) -> Any:
     """The distances of all points, or of all points from all others."""
     how = {"exact": True} if by == "by index, exact" else {"method": by}
-    return index(shape).distance_matrix(points, others, **how, **options)
+    return (on or index(shape)).distance_matrix(points, others, **how, **options)
 
 
 def fields(by: str, shape: Shape, sources: Points, **options: Any) -> Any:
@@ -167,17 +167,19 @@ def nearest(by: str, shape: Shape, points: Points, queries: Points, k: int, **op
     return index(shape).nearest(points, queries, k, **choice(by), **options)
 
 
-def pairs_within(by: str, shape: Shape, points: Points, radius: float, others: Points | None = None) -> Floats:
+def pairs_within(
+    by: str, shape: Shape, points: Points, radius: float, others: Points | None = None, **options: Any
+) -> Floats:
     """All pairs at most a radius apart as a full matrix; NaN where there is none."""
-    sparse = index(shape).pairs_within(points, radius, others, as_arrays=True, **choice(by))
+    sparse = index(shape).pairs_within(points, radius, others, as_arrays=True, **choice(by), **options)
     full = np.full(sparse.shape, np.nan)
     full[np.repeat(np.arange(sparse.shape[0]), np.diff(sparse.indptr)), sparse.indices] = sparse.data
     return full
 
 
-def task(name: str, by: str, shape: Shape, *arguments: Any, **options: Any) -> Any:
+def task(name: str, by: str, shape: Shape, *arguments: Any, on: Any = None, **options: Any) -> Any:
     """A task by its name: voronoi, disk, relax, sample_farthest, sample_poisson_disk, eccentricity, extent."""
-    return getattr(index(shape), name)(*arguments, **choice(by), **options)
+    return getattr(on or index(shape), name)(*arguments, **choice(by), **options)
 
 
 def isolines(shape: Shape, values: Floats, levels: Sequence[float] | int, interpolation: str = "distance") -> Any:
@@ -185,14 +187,18 @@ def isolines(shape: Shape, values: Floats, levels: Sequence[float] | int, interp
     return index(shape).isolines(values, levels, interpolation)
 
 
+def bridged(by: str, mesh: tuple[Floats, Ids], gap: float, folds: bool = False) -> Any:
+    """A surface or an index whose gaps are bridged."""
+    if by in ("index", "by index, exact"):
+        return vorogeo.GeodesicIndex(*mesh, patches=(3, 3), gap=gap, bridge_folds=folds)
+    return vorogeo.Surface(*mesh, gap=gap, bridge_folds=folds)
+
+
 def gap_field(by: str, mesh: tuple[Floats, Ids], source: int, gap: float, folds: bool = False) -> NDArray[Any]:
     """A field on a mesh whose gaps are bridged."""
     if by == "function":
         return vorogeo.exact_distance_field(*mesh, source, gap=gap, bridge_folds=folds)
-    if by in ("index", "by index, exact"):
-        made = vorogeo.GeodesicIndex(*mesh, patches=(3, 3), gap=gap, bridge_folds=folds)
-        return made.distance_field(source, **choice(by))
-    return vorogeo.Surface(*mesh, gap=gap, bridge_folds=folds).distance_field(source, **choice(by))
+    return bridged(by, mesh, gap, folds).distance_field(source, **choice(by))
 
 
 def refused(sentence: str, kind: type[Exception] = vorogeo.InvalidInput) -> Any:

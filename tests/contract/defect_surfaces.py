@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from surfaces import Floats, Ids, Mesh, Shape, plain_grid, shaken_plane, shape, steps, straight
+from surfaces import Floats, Ids, Mesh, Rng, Shape, plain_grid, shaken_plane, shape, steps, straight
 
 
 def hole() -> Shape:
@@ -102,7 +102,7 @@ def parts() -> Shape:
                  sources=sources)  # fmt: skip
 
 
-def repeats(random: np.random.Generator) -> Shape:
+def repeats(random: Rng) -> Shape:
     """A flat rectangle with faces given twice, turned over, or naming a vertex twice."""
     vertices, faces = shaken_plane(random, 21, 16)
     faces = faces.copy()

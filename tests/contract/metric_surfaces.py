@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import surfaces
 import vorogeo
-from surfaces import Floats, Shape, shape
+from surfaces import Floats, Rng, Shape, shape
 
 #: Twice the largest errors in docs/metrics.md: costs that vary (25 cells), costs of faces, tensors of faces.
 OF_VARYING_COST = 3e-3
@@ -80,7 +80,7 @@ def refraction(dear: float = 3.0) -> Shape:
     return shape("shore", (vertices, faces), between, metric=metric, slack=OF_FACES)
 
 
-def metrics(random: np.random.Generator, saddle: Shape) -> list[Shape]:
+def metrics(random: Rng, saddle: Shape) -> list[Shape]:
     """Every shape with a metric of its own; small ones, since an index of values of faces takes its time."""
     flat, tube = surfaces.plane(random, 11, 8), surfaces.prism(8)
     everywhere = np.broadcast_to(TENSOR, (len(flat.vertices), 3, 3))

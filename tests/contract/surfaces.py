@@ -13,6 +13,7 @@ from vorogeo.metrics import Metric
 Floats = NDArray[np.float64]
 Ids = NDArray[np.int32]
 Mesh = tuple[Floats, Ids]
+Rng = np.random.Generator
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +86,7 @@ def straight(a: Floats, b: Floats) -> Floats:
     return np.linalg.norm(steps(a, b), axis=2)
 
 
-def shaken_plane(random: np.random.Generator, columns: int, rows: int) -> Mesh:
+def shaken_plane(random: Rng, columns: int, rows: int) -> Mesh:
     """A rectangle of 2 by 1.5 whose inner vertices lie anywhere near their places."""
     vertices, faces = plain_grid(columns, rows, 2.0, 1.5)
     inner = (vertices[:, 0] % 2.0 > 0) & (vertices[:, 1] % 1.5 > 0)
@@ -94,7 +95,7 @@ def shaken_plane(random: np.random.Generator, columns: int, rows: int) -> Mesh:
     return vertices, faces
 
 
-def plane(random: np.random.Generator, columns: int = 21, rows: int = 16) -> Shape:
+def plane(random: Rng, columns: int = 21, rows: int = 16) -> Shape:
     """A flat rectangle."""
     return shape("plane", shaken_plane(random, columns, rows), straight)
 

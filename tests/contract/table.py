@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 import surfaces
 import vorogeo
-from surfaces import Floats, Shape
+from surfaces import Floats, Rng, Shape
 
 #: A new one for every run; VOROGEO_CONTRACT_SEED repeats a run.
 SEED = int(os.environ.get("VOROGEO_CONTRACT_SEED", secrets.randbits(32)))
@@ -30,7 +30,7 @@ def peer_field(bumpy: Shape, source: int) -> Floats:
     return geodesic.PyGeodesicAlgorithmExact(bumpy.vertices, bumpy.faces).geodesicDistances(np.array([source]))[0]
 
 
-def bumpy(random: np.random.Generator) -> Shape:
+def bumpy(random: Rng) -> Shape:
     """A wavy rectangle with vertices anywhere near their places, which only another program can answer on."""
     vertices, faces = surfaces.shaken_plane(random, 23, 17)
     a, b, c, d = random.uniform(2.0, 6.0, 4)
@@ -73,14 +73,13 @@ def named(name: str) -> Shape:
     return next(each for each in SHAPES if each.name == name)
 
 
-def rows(ways: Iterable[str], shapes: Iterable[Shape]) -> list[Any]:
-    """Each answerer with each surface on which it answers."""
-    return [
-        pytest.param(by, shape, id=f"{by}: {shape}") for shape in shapes for by in ways if ask.can_answer(by, shape)
-    ]
+def asked(ways: Iterable[str], shapes: Iterable[Shape]) -> pytest.MarkDecorator:
+    """Asks a test of each answerer on each surface on which it answers."""
+    rows = [(by, shape) for shape in shapes for by in ways if ask.can_answer(by, shape)]
+    return pytest.mark.parametrize(("by", "shape"), rows, ids=[f"{by}: {shape}" for by, shape in rows])
 
 
-def points_anywhere(shape: Shape, random: np.random.Generator, count: int) -> vorogeo.SurfacePoints:
+def points_anywhere(shape: Shape, random: Rng, count: int) -> vorogeo.SurfacePoints:
     """Points inside faces and on edges."""
     chosen = random.choice(np.flatnonzero(is_face(shape)), count)
     weights = random.dirichlet(np.ones(3), count)

@@ -6,25 +6,23 @@ import ask
 import numpy as np
 import pytest
 import table
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 
-def some_pairs(shape: Shape, random: np.random.Generator, count: int = 12) -> tuple[np.ndarray, np.ndarray]:
+def some_pairs(shape: Shape, random: Rng, count: int = 12) -> tuple[np.ndarray, np.ndarray]:
     """Sources from which the formula holds, and targets anywhere."""
     return random.choice(shape.sources, count), random.integers(0, len(shape.vertices), count).astype(np.int32)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.DISTANCES, table.SHAPES))
-def test_k_pairs_get_their_distances(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(ask.DISTANCES, table.SHAPES)
+def test_k_pairs_get_their_distances(by: str, shape: Shape, random: Rng) -> None:
     source, target = some_pairs(shape, random)
     expected = np.array([shape.matrix([a], [b])[0, 0] for a, b in zip(source, target, strict=True)])
     ask.assert_answers(by, shape, ask.distance(by, shape, source, target), expected)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.DISTANCES, table.SHAPES))
-def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.DISTANCES, table.SHAPES)
+def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(by: str, shape: Shape, random: Rng) -> None:
     source, target = some_pairs(shape, random, 4)
     several = ask.distance(by, shape, source, target)
     for a, b, length in zip(source, target, several, strict=True):
@@ -33,23 +31,21 @@ def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(
         assert answer == pytest.approx(length, rel=0 if by == "index" else 1e-12)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(["index"], table.SHAPES))
-def test_both_directions_are_equal_to_the_last_bit(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(["index"], table.SHAPES)
+def test_both_directions_are_equal_to_the_last_bit(by: str, shape: Shape, random: Rng) -> None:
     source, target = random.integers(0, len(shape.vertices), (2, 60))
     np.testing.assert_array_equal(ask.distance(by, shape, source, target), ask.distance(by, shape, target, source))
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(["exact", "by index, exact", "function"], table.LENGTHS))
-def test_both_directions_of_an_exact_distance_are_equal_but_for_rounding(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(["exact", "by index, exact", "function"], table.LENGTHS)
+def test_both_directions_of_an_exact_distance_are_equal_but_for_rounding(by: str, shape: Shape, random: Rng) -> None:
     source, target = random.integers(0, len(shape.vertices), (2, 12))
     np.testing.assert_allclose(
         ask.distance(by, shape, source, target), ask.distance(by, shape, target, source), rtol=1e-12
     )
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.DISTANCES, table.SHAPES[::2]))
+@table.asked(ask.DISTANCES, table.SHAPES[::2])
 def test_the_distance_from_a_point_to_itself_is_zero(by: str, shape: Shape) -> None:
     everywhere = np.arange(0, len(shape.vertices), 7)
     np.testing.assert_array_equal(ask.distance(by, shape, everywhere, everywhere), 0)
@@ -57,8 +53,8 @@ def test_the_distance_from_a_point_to_itself_is_zero(by: str, shape: Shape) -> N
     assert ask.distance(by, shape, lone, lone) == 0
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.DISTANCES, table.UNROLLED))
-def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(ask.DISTANCES, table.UNROLLED)
+def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: Rng) -> None:
     source, target = (table.points_anywhere(shape, random, 8) for _ in "ab")
     expected = np.diag(shape.between(shape.charted(source), shape.charted(target)))
     ask.assert_answers(by, shape, ask.distance(by, shape, source, target), expected)
@@ -78,8 +74,8 @@ def test_what_no_path_reaches_is_infinitely_far(by: str) -> None:
     np.testing.assert_array_equal(ask.distance(by, shape, [0, 0], [lone, 0]), [np.inf, 0])
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(["index", "exact"], table.SHAPES))
-def test_no_detour_is_shorter_but_for_the_errors(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(["index", "exact"], table.SHAPES)
+def test_no_detour_is_shorter_but_for_the_errors(by: str, shape: Shape, random: Rng) -> None:
     a, b, c = random.integers(0, len(shape.vertices), (3, 20))
     direct, first, second = (ask.distance(by, shape, *ends) for ends in ((a, c), (a, b), (b, c)))
     detour = first + second

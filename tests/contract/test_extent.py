@@ -17,7 +17,7 @@ def all_distances(shape: Shape) -> Floats:
 
 
 @pytest.mark.parametrize("fields", [2, 6])
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE))
+@table.asked(ask.TASKS, WHOLE)
 def test_diameter_and_radius_lie_between_their_bounds(by: str, shape: Shape, fields: int) -> None:
     extent, matrix = ask.task("extent", by, shape, fields=fields), all_distances(shape)
     slack = ask.errors(by, shape).largest
@@ -29,7 +29,7 @@ def test_diameter_and_radius_lie_between_their_bounds(by: str, shape: Shape, fie
     assert 2 <= extent.fields <= fields
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE[::3]))
+@table.asked(ask.TASKS, WHOLE[::3])
 def test_bounds_close_when_there_may_be_a_field_of_each_vertex(by: str, shape: Shape) -> None:
     extent = ask.task("extent", by, shape, fields=len(shape.vertices) + 2)
     slack = 2 * ask.errors(by, shape).largest
@@ -37,7 +37,7 @@ def test_bounds_close_when_there_may_be_a_field_of_each_vertex(by: str, shape: S
     assert extent.radius[1] == pytest.approx(extent.radius[0], rel=slack)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
+@table.asked(ask.TASKS, table.UNROLLED)
 def test_the_eccentricity_is_the_greatest_distance_within_the_component(by: str, shape: Shape) -> None:
     distances, farthest = ask.task("eccentricity", by, shape, shape.sources)
     matrix = shape.fields(shape.sources)
@@ -55,11 +55,3 @@ def test_the_extent_is_that_of_the_component_of_its_start(by: str) -> None:
         extent = ask.task("extent", by, shape, start=start, fields=40)
         assert all(low <= vertex < low + half for vertex in (*extent.ends, extent.centre))
         assert extent.diameter[0] == pytest.approx(np.sqrt(2), rel=ask.errors(by, shape).largest)
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_points_anywhere_have_an_eccentricity(by: str, random: np.random.Generator) -> None:
-    shape = table.named("cone")
-    points = table.points_anywhere(shape, random, 5)
-    distances, _ = ask.task("eccentricity", by, shape, points)
-    np.testing.assert_allclose(distances, shape.fields(points).max(axis=1), rtol=ask.errors(by, shape).largest)

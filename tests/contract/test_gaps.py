@@ -76,12 +76,11 @@ def test_a_surface_that_turns_back_is_joined_only_with_bridged_folds(by: str) ->
     assert ask.gap_field(by, (folded, faces), 0, 2 * WIDTH, folds=True)[16] == pytest.approx(WIDTH, rel=tolerance(by))
 
 
-@pytest.mark.parametrize("exact", [True, False])
-def test_steps_over_a_gap_are_marked_in_paths(exact: bool) -> None:
+@pytest.mark.parametrize("by", ["exact", "index"])
+def test_steps_over_a_gap_are_marked_in_paths(by: str) -> None:
     vertices, faces = plates()
-    index = vorogeo.GeodesicIndex(vertices, faces, gap=2 * WIDTH, patches=(3, 3))
-    path = (index.exact_path if exact else index.path)(0, len(vertices) - 1)
-    assert path.length == pytest.approx(straight(vertices, 0)[-1], rel=1e-9 if exact else 3e-3)
+    path = ask.bridged(by, (vertices, faces), 2 * WIDTH).path(0, len(vertices) - 1)
+    assert path.length == pytest.approx(straight(vertices, 0)[-1], rel=1e-9 if by == "exact" else 3e-3)
     x = path.points[:, 0]
     middle = (x[1:] + x[:-1]) / 2
     np.testing.assert_array_equal(path.over_gap[:-1], (middle > 1) & (middle < 1 + WIDTH))
@@ -90,14 +89,14 @@ def test_steps_over_a_gap_are_marked_in_paths(exact: bool) -> None:
     np.testing.assert_array_equal(path.surface_points.faces == -1, inside)
 
 
-@pytest.mark.parametrize("exact", [True, False])
-def test_bridges_have_no_area_and_faces_keep_their_numbers(exact: bool) -> None:
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_bridges_have_no_area_and_faces_keep_their_numbers(by: str) -> None:
     vertices, faces = plates()
-    index = vorogeo.GeodesicIndex(vertices, faces, gap=2 * WIDTH)
-    regions = index.voronoi([0, len(vertices) - 1], exact=exact)
+    index = ask.bridged(by, (vertices, faces), 2 * WIDTH)
+    regions = index.voronoi([0, len(vertices) - 1], **ask.choice(by))
     assert regions.area.sum() == pytest.approx(2.0, rel=1e-9)
     assert len(regions.face_region) == len(faces) == index.statistics.faces
-    np.testing.assert_array_equal(index.disk(0, 10.0, exact=exact).faces, np.arange(len(faces)))
+    np.testing.assert_array_equal(index.disk(0, 10.0, **ask.choice(by)).faces, np.arange(len(faces)))
     assert index.snap([1 + WIDTH / 2, 0.5, 0]).snap_distance[0] == pytest.approx(WIDTH / 2, rel=1e-9)
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import table
 import vorogeo
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 NAMES = ["bumpy", "parts", "book", "saddle by edge lengths", "shore", "plane with one FaceTensor", "half-plane"]
 SHAPES = [table.named(name) for name in NAMES]
@@ -25,7 +25,7 @@ def pickled(answerer: Any) -> Any:
     return pickle.loads(pickle.dumps(answerer))
 
 
-def assert_same_answers(one: Any, other: Any, shape: Shape, random: np.random.Generator) -> None:
+def assert_same_answers(one: Any, other: Any, shape: Shape, random: Rng) -> None:
     """Two indexes answer alike, to the last bit."""
     source, target = random.integers(0, len(shape.vertices), (2, 30))
     np.testing.assert_array_equal(one.distance(source, target), other.distance(source, target))
@@ -37,9 +37,7 @@ def assert_same_answers(one: Any, other: Any, shape: Shape, random: np.random.Ge
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
-def test_a_saved_and_a_pickled_index_answer_alike_to_the_last_bit(
-    shape: Shape, tmp_path: Path, random: np.random.Generator
-) -> None:
+def test_a_saved_and_a_pickled_index_answer_alike_to_the_last_bit(shape: Shape, tmp_path: Path, random: Rng) -> None:
     index, file = ask.index(shape), tmp_path / "an index.vgi"
     index.save(file)
     for mapped in (True, False):
@@ -87,39 +85,23 @@ def test_a_file_is_refused_if(other: str, tmp_path: Path) -> None:
         ask.loaded(file, OTHERS[other](shape))
 
 
-def test_a_truncated_longer_or_foreign_file_is_refused(tmp_path: Path, random: np.random.Generator) -> None:
+def test_a_truncated_longer_or_foreign_file_is_refused(tmp_path: Path, random: Rng) -> None:
     shape, file = table.named("bumpy"), tmp_path / "index.vgi"
     ask.index(shape).save(file)
     whole = file.read_bytes()
     cuts = [0, 1, 7, 64, len(whole) - 1, *random.integers(0, len(whole), 12).tolist()]
-    for contents in [*(whole[:cut] for cut in cuts), whole + b"!", bytes(random.bytes(500))]:
+    damaged = bytearray(whole)
+    damaged[int(random.integers(64, len(whole)))] ^= 16
+    for contents in [*(whole[:cut] for cut in cuts), whole + b"!", random.bytes(500), damaged]:
         file.write_bytes(contents)
         with pytest.raises(vorogeo.IndexFileError):
-            ask.loaded(file, shape)
+            ask.loaded(file, shape, mapped=False)
     with ask.refused("There is no index file", vorogeo.IndexFileError):
         ask.loaded(tmp_path / "other.vgi", shape)
     assert issubclass(vorogeo.IndexFileError, OSError)
 
 
-def test_a_damaged_file_is_refused_or_answers_the_same(tmp_path: Path, random: np.random.Generator) -> None:
-    shape, file = table.named("plane"), tmp_path / "index.vgi"
-    ask.index(shape).save(file)
-    whole = file.read_bytes()
-    refused = 0
-    for place in random.integers(0, len(whole), 60).tolist():
-        damaged = bytearray(whole)
-        damaged[place] ^= 1 << int(random.integers(8))
-        file.write_bytes(damaged)
-        try:
-            made = ask.loaded(file, shape, mapped=False)
-        except vorogeo.IndexFileError:
-            refused += 1
-        else:
-            np.testing.assert_array_equal(made.distance_field(3), ask.index(shape).distance_field(3))
-    assert refused
-
-
-def test_an_index_is_built_in_its_file_and_found_there_again(tmp_path: Path, random: np.random.Generator) -> None:
+def test_an_index_is_built_in_its_file_and_found_there_again(tmp_path: Path, random: Rng) -> None:
     shape, file = table.named("bumpy"), tmp_path / "index.vgi"
     made = ask.new_index(shape, file=file)
     assert_same_answers(made, ask.index(shape), shape, random)

@@ -8,13 +8,13 @@ import ask
 import numpy as np
 import pytest
 import table
-from surfaces import Floats, Shape
+from surfaces import Floats, Rng, Shape
 
 CONVEX = ("plane", "repeats", "needles")
 
 
 @pytest.mark.parametrize("name", CONVEX)
-def test_isolines_of_a_distance_in_a_plane_are_circles(name: str, random: np.random.Generator) -> None:
+def test_isolines_of_a_distance_in_a_plane_are_circles(name: str, random: Rng) -> None:
     shape = table.named(name)
     source = int(random.choice(shape.sources))
     field = shape.fields([source])[0]
@@ -25,14 +25,14 @@ def test_isolines_of_a_distance_in_a_plane_are_circles(name: str, random: np.ran
     np.testing.assert_array_equal(lines.values[lines.edges[:, 0]], lines.values[lines.edges[:, 1]])
 
 
-def slope_and_plane(shape: Shape, random: np.random.Generator) -> tuple[Floats, Floats]:
+def slope_and_plane(shape: Shape, random: Rng) -> tuple[Floats, Floats]:
     """A direction in space, and a field that is linear along it."""
     slope = random.normal(size=3)
     return slope, shape.vertices @ slope
 
 
 @pytest.mark.parametrize("shape", table.SHAPES, ids=str)
-def test_isolines_of_a_linear_field_are_plane_sections(shape: Shape, random: np.random.Generator) -> None:
+def test_isolines_of_a_linear_field_are_plane_sections(shape: Shape, random: Rng) -> None:
     if shape.name.endswith("edge lengths"):
         shape = table.named("saddle")  # without positions, lines have none
     slope, field = slope_and_plane(shape, random)
@@ -58,7 +58,7 @@ def crossed_edges(shape: Shape, field: Floats, level: float) -> set[tuple[int, i
 
 
 @pytest.mark.parametrize("name", ["box", "cone", "prism"])
-def test_isolines_end_at_borders_only(name: str, random: np.random.Generator) -> None:
+def test_isolines_end_at_borders_only(name: str, random: Rng) -> None:
     shape = table.named(name)
     _, field = slope_and_plane(shape, random)
     lines = ask.isolines(shape, field, np.quantile(field, [0.31, 0.67]), "linear")

@@ -10,22 +10,18 @@ import numpy as np
 import pytest
 import table
 import vorogeo
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.MATRICES, table.SHAPES))
-def test_a_matrix_with_others_holds_the_distance_of_each_pair(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.MATRICES, table.SHAPES)
+def test_a_matrix_with_others_holds_the_distance_of_each_pair(by: str, shape: Shape, random: Rng) -> None:
     others = random.integers(0, len(shape.vertices), 40)
     answer = ask.matrix(by, shape, shape.sources, others)
     ask.assert_answers(by, shape, answer, shape.matrix(shape.sources, others))
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.MATRICES, table.UNROLLED))
-def test_a_square_matrix_is_symmetric_to_the_last_bit_with_a_zero_diagonal(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.MATRICES, table.UNROLLED)
+def test_a_square_matrix_is_symmetric_to_the_last_bit_with_a_zero_diagonal(by: str, shape: Shape, random: Rng) -> None:
     points = random.integers(0, len(shape.vertices), 15)
     points[3] = points[9]
     answer = ask.matrix(by, shape, points)
@@ -36,14 +32,14 @@ def test_a_square_matrix_is_symmetric_to_the_last_bit_with_a_zero_diagonal(
 
 
 @pytest.mark.parametrize("shape", table.SHAPES, ids=str)
-def test_a_matrix_by_pairs_holds_the_very_numbers_of_distance(shape: Shape, random: np.random.Generator) -> None:
+def test_a_matrix_by_pairs_holds_the_very_numbers_of_distance(shape: Shape, random: Rng) -> None:
     points, others = random.integers(0, len(shape.vertices), (2, 8))
     answer = ask.matrix("pairs", shape, points, others)
     alone = [[ask.distance("index", shape, int(a), int(b)) for b in others] for a in points]
     np.testing.assert_array_equal(answer, alone)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.SHAPES))
+@table.asked(ask.TASKS, table.SHAPES)
 def test_fields_hold_the_field_of_each_source(by: str, shape: Shape) -> None:
     answer = ask.fields(by, shape, shape.sources)
     alone = [ask.field(by, shape, int(source)) for source in shape.sources]
@@ -51,20 +47,8 @@ def test_fields_hold_the_field_of_each_source(by: str, shape: Shape) -> None:
     np.testing.assert_allclose(answer, alone, rtol=0 if by == "index" else shape.slack, atol=1e-12)
 
 
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_fields_with_a_limit_are_infinite_beyond_it(by: str) -> None:
-    shape = table.named("prism")
-    whole = ask.fields(by, shape, shape.sources)
-    limit = 0.5 * whole.max()
-    answer = ask.fields(by, shape, shape.sources, max_distance=limit)
-    assert answer[np.isfinite(answer)].max() <= limit
-    slack = ask.errors(by, shape).largest
-    clear = np.abs(whole - limit) > slack * limit
-    np.testing.assert_array_equal(np.isfinite(answer)[clear], (whole <= limit)[clear])
-
-
-@pytest.mark.parametrize(("by", "shape"), table.rows(["pairs", "by index, exact"], table.UNROLLED))
-def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(["pairs", "by index, exact"], table.UNROLLED)
+def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: Rng) -> None:
     points = table.points_anywhere(shape, random, 6)
     mixed = [points, [int(shape.sources[0])]]
     chart = np.vstack([shape.charted(points), shape.charted(shape.sources[:1])])
@@ -86,22 +70,16 @@ def call(question: str, by: str, shape: Shape, **options: Any) -> Any:
 QUESTIONS = [("matrix", "pairs"), ("matrix", "by index, exact"), ("fields", "index"), ("fields", "by index, exact")]
 
 
-@pytest.mark.parametrize(("question", "by"), QUESTIONS)
-def test_single_precision_is_the_rounded_matrix(question: str, by: str) -> None:
-    shape = table.named("bumpy")
-    answer = call(question, by, shape, dtype="float32")
-    assert answer.dtype == np.float32
-    np.testing.assert_array_equal(answer, call(question, by, shape).astype(np.float32))
-
-
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize(("question", "by"), QUESTIONS)
-def test_an_array_for_the_result_is_filled_and_returned(question: str, by: str, dtype: type) -> None:
+def test_the_result_has_the_type_asked_for_and_fills_an_array_given_for_it(question: str, by: str, dtype: type) -> None:
     shape = table.named("bumpy")
     expected = call(question, by, shape)
     out = np.full(expected.shape, np.nan, dtype)
     assert call(question, by, shape, out=out) is out
     np.testing.assert_array_equal(out, expected.astype(dtype))
+    np.testing.assert_array_equal(call(question, by, shape, dtype=dtype), out)
+    assert call(question, by, shape, dtype=dtype).dtype == dtype
 
 
 @pytest.mark.parametrize(("question", "by"), QUESTIONS)
@@ -128,18 +106,10 @@ def test_what_does_not_fit_is_refused_before_it_is_computed(question: str, by: s
 
 
 @pytest.mark.parametrize("by", ask.MATRICES)
-def test_no_points_have_an_empty_matrix(by: str) -> None:
-    shape = table.named("plane")
-    assert ask.matrix(by, shape, []).shape == (0, 0)
-    assert ask.matrix(by, shape, [1, 2], []).shape == (2, 0)
-
-
-@pytest.mark.parametrize("by", ask.MATRICES)
-def test_matrices_do_not_depend_on_threads(by: str, random: np.random.Generator) -> None:
+def test_no_points_have_an_empty_matrix_and_threads_do_not_matter(by: str, random: Rng) -> None:
     shape = table.named("parts")
     points = random.integers(0, len(shape.vertices), 20)
-    answers = []
-    for threads in (1, 4):
-        how = {"exact": True} if by == "by index, exact" else {"method": by}
-        answers.append(ask.new_index(shape, threads=threads).distance_matrix(points, **how))
-    np.testing.assert_array_equal(*answers)
+    one, four = (ask.matrix(by, shape, points, on=ask.new_index(shape, threads=threads)) for threads in (1, 4))
+    np.testing.assert_array_equal(one, four)
+    assert ask.matrix(by, shape, []).shape == (0, 0)
+    assert ask.matrix(by, shape, [1, 2], []).shape == (2, 0)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import table
 import vorogeo
-from surfaces import Shape
+from surfaces import Rng, Shape
 from vorogeo.metrics import Metric
 
 WAYS = ("exact", "index", "function")
@@ -40,7 +40,7 @@ KINDS = {"EdgeLengths": 1e-9, "VertexCost": 1e-9, "VertexTensor": 1e-9, "FaceCos
 
 @pytest.mark.parametrize("by", WAYS)
 @pytest.mark.parametrize("kind", KINDS)
-def test_one_cost_everywhere_is_the_length_times_it(by: str, kind: str, random: np.random.Generator) -> None:
+def test_one_cost_everywhere_is_the_length_times_it(by: str, kind: str, random: Rng) -> None:
     factor = float(random.uniform(0.1, 10))
     shape = with_metric(COARSE, constant(kind, COARSE, factor))
     slack = KINDS[kind] + ask.errors(by, COARSE).largest
@@ -51,13 +51,6 @@ def test_one_cost_everywhere_is_the_length_times_it(by: str, kind: str, random: 
     assert ask.path(by, shape, 1, target).length == pytest.approx(
         factor * COARSE.matrix([1], [target])[0, 0], rel=KINDS[kind] + 3e-3
     )
-
-
-@pytest.mark.parametrize("by", WAYS)
-@pytest.mark.parametrize("kind", KINDS)
-def test_twice_the_cost_is_twice_the_distance(by: str, kind: str) -> None:
-    one, two = (with_metric(COARSE, constant(kind, COARSE, factor)) for factor in (1.0, 2.0))
-    np.testing.assert_allclose(ask.field(by, two, 3), 2 * ask.field(by, one, 3), rtol=1e-6)
 
 
 @pytest.mark.parametrize("by", WAYS)
@@ -82,31 +75,19 @@ def test_edge_lengths_need_no_positions(by: str) -> None:
     assert path.length == pytest.approx(ask.path("exact", BENT, 5, 300).length, rel=3e-3)
 
 
-def random_metric(kind: str, random: np.random.Generator) -> Metric:
-    """Values between 1 and 3 without order."""
-    count = len(BENT.faces) if kind.startswith("Face") else len(BENT.vertices)
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "EdgeLengths"])
+def test_any_metric_is_symmetric_and_lies_between_its_least_and_greatest_cost(kind: str, random: Rng) -> None:
+    count = len(COARSE.faces) if kind.startswith("Face") else len(COARSE.vertices)
     cost = random.uniform(1, 3, count)
-    if kind.endswith("Cost"):
-        return getattr(vorogeo, kind)(cost)
-    return getattr(vorogeo, kind)(cost[:, None, None] * np.eye(3))
-
-
-@pytest.mark.parametrize("kind", ["VertexCost", "VertexTensor", "FaceCost", "FaceTensor"])
-def test_any_metric_is_symmetric_and_lies_between_its_least_and_greatest_cost(
-    kind: str, random: np.random.Generator
-) -> None:
-    shape = with_metric(BENT, random_metric(kind, random))
-    index = ask.index(shape)
-    source, target = random.integers(0, len(BENT.vertices), (2, 20))
-    lengths = ask.distance("exact", BENT, source, target)
-    for answer, back in (
-        (index.distance(source, target), index.distance(target, source)),
-        (ask.distance("exact", shape, source, target), ask.distance("exact", shape, target, source)),
-    ):
-        np.testing.assert_allclose(answer, back, rtol=2 * KINDS[kind])
-        assert (answer >= lengths * (1 - 0.02)).all()
-        assert (answer <= 3 * lengths * (1 + 0.02)).all()
-    np.testing.assert_array_equal(index.distance(source, target), index.distance(target, source))
+    values = cost[:, None, None] * np.eye(3) if kind.endswith("Tensor") else cost
+    shape, most = with_metric(COARSE, getattr(vorogeo, kind)(values)), cost.max() ** (0.5 if kind.endswith("r") else 1)
+    source, target = random.integers(0, len(COARSE.vertices), (2, 20))
+    lengths = ask.distance("exact", COARSE, source, target)
+    for by in ("exact", "index"):
+        there, back = ask.distance(by, shape, source, target), ask.distance(by, shape, target, source)
+        np.testing.assert_allclose(there, back, rtol=0 if by == "index" else 2 * KINDS[kind])
+        assert (there >= lengths * (1 - 0.02)).all()
+        assert (there <= most * lengths * (1 + 0.02)).all()
 
 
 def test_level_ground_costs_its_length_and_a_wall_one_and_the_penalty() -> None:

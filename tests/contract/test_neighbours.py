@@ -6,21 +6,19 @@ import ask
 import numpy as np
 import pytest
 import table
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 SET = 12
 
 
-def points_and_queries(shape: Shape, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def points_and_queries(shape: Shape, random: Rng) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points of a set, the sources of the formula as queries, and their distances."""
     points = random.choice(len(shape.vertices), SET, replace=False).astype(np.int32)
     return points, shape.sources, shape.matrix(shape.sources, points)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.SHAPES))
-def test_the_nearest_are_the_first_of_all_sorted_by_distance(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.TASKS, table.SHAPES)
+def test_the_nearest_are_the_first_of_all_sorted_by_distance(by: str, shape: Shape, random: Rng) -> None:
     points, queries, matrix = points_and_queries(shape, random)
     distances, places = ask.nearest(by, shape, points, queries, 4)
     assert distances.shape == places.shape == (len(queries), 4)
@@ -51,10 +49,8 @@ def test_of_equally_near_points_the_first_comes_first(by: str) -> None:
     assert distances[0, 2] == distances[0, 3]
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
-def test_pairs_within_a_radius_are_the_small_entries_of_the_matrix(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.TASKS, table.UNROLLED)
+def test_pairs_within_a_radius_are_the_small_entries_of_the_matrix(by: str, shape: Shape, random: Rng) -> None:
     points = random.choice(len(shape.vertices), SET, replace=False).astype(np.int32)
     matrix = shape.matrix(points, points)
     radius = np.quantile(matrix[np.isfinite(matrix)], 0.5) * (1 + 1e-7)
@@ -69,10 +65,8 @@ def test_pairs_within_a_radius_are_the_small_entries_of_the_matrix(
     np.testing.assert_array_equal(answer, answer.T)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.SHAPES[::2]))
-def test_pairs_with_others_are_read_from_fields_that_end_at_the_radius(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.TASKS, table.SHAPES[::2])
+def test_pairs_with_others_are_read_from_fields_that_end_at_the_radius(by: str, shape: Shape, random: Rng) -> None:
     points, queries, matrix = points_and_queries(shape, random)
     radius = float(np.median(matrix[np.isfinite(matrix)]))
     fields = ask.fields(by, shape, queries, max_distance=radius)[:, points]
@@ -90,17 +84,7 @@ def test_a_radius_of_zero_holds_repeated_points_and_no_points_no_pairs(by: str) 
 
 
 @pytest.mark.parametrize("by", ask.TASKS)
-def test_single_precision_is_the_rounded_answer(by: str) -> None:
-    shape = table.named("bumpy")
-    single, places = ask.nearest(by, shape, [3, 90, 200], [7, 50], 2, dtype="float32")
-    double, same_places = ask.nearest(by, shape, [3, 90, 200], [7, 50], 2)
-    assert single.dtype == np.float32
-    np.testing.assert_array_equal(single, double.astype(np.float32))
-    np.testing.assert_array_equal(places, same_places)
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_points_and_queries_lie_anywhere(by: str, random: np.random.Generator) -> None:
+def test_points_and_queries_lie_anywhere(by: str, random: Rng) -> None:
     shape = table.named("plane")
     points, queries = (table.points_anywhere(shape, random, 6) for _ in "ab")
     matrix = shape.between(shape.charted(queries), shape.charted(points))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import table
 import vorogeo
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 #: A refined path of an index is never too short, and rarely too long: twice the largest error in docs/paths.md.
 REFINED = 3e-3
@@ -44,8 +44,8 @@ def slack(by: str, shape: Shape) -> float:
     return shape.slack + (REFINED if by == "index" else 0)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.PATHS, table.SHAPES))
-def test_paths_between_vertices_are_shortest(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(ask.PATHS, table.SHAPES)
+def test_paths_between_vertices_are_shortest(by: str, shape: Shape, random: Rng) -> None:
     source = random.choice(shape.sources, 6)
     target = random.integers(0, len(shape.vertices), 6)
     for a, b, path in zip(source, target, ask.path(by, shape, source, target), strict=True):
@@ -62,8 +62,8 @@ def test_paths_between_vertices_are_shortest(by: str, shape: Shape, random: np.r
             assert steps.sum() == pytest.approx(path.length, rel=1e-12, abs=1e-12)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.PATHS, [s for s in table.UNROLLED if s.metric is None]))
-def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(ask.PATHS, [s for s in table.UNROLLED if s.metric is None])
+def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, random: Rng) -> None:
     source, target = (table.points_anywhere(shape, random, 5) for _ in "ab")
     expected = np.diag(shape.between(shape.charted(source), shape.charted(target)))
     for i, path in enumerate(ask.path(by, shape, source, target)):
@@ -74,8 +74,8 @@ def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, rando
             assert path.length == np.inf
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(["exact", "by index, exact", "function"], table.SHAPES))
-def test_exact_paths_are_certified_unless_the_metric_jumps(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(["exact", "by index, exact", "function"], table.SHAPES)
+def test_exact_paths_are_certified_unless_the_metric_jumps(by: str, shape: Shape, random: Rng) -> None:
     target = random.permutation(len(shape.vertices))[:5]
     for path in ask.path(by, shape, np.full(5, shape.sources[0]), target):
         if np.isfinite(path.length) and path.length > 0:
@@ -83,7 +83,7 @@ def test_exact_paths_are_certified_unless_the_metric_jumps(by: str, shape: Shape
 
 
 @pytest.mark.parametrize("shape", table.LENGTHS, ids=str)
-def test_refined_paths_are_never_certified_and_never_shorter(shape: Shape, random: np.random.Generator) -> None:
+def test_refined_paths_are_never_certified_and_never_shorter(shape: Shape, random: Rng) -> None:
     source, target = random.integers(0, len(shape.vertices), (2, 12))
     exact = ask.path("exact", shape, source, target)
     for path, shortest in zip(ask.path("index", shape, source, target), exact, strict=True):
@@ -99,8 +99,8 @@ def test_a_path_to_its_own_begin_has_no_length(by: str) -> None:
     np.testing.assert_allclose(path.points, np.broadcast_to(shape.vertices[5], path.points.shape), atol=1e-12)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.PATHS, table.LENGTHS))
-def test_the_way_back_is_as_long(by: str, shape: Shape, random: np.random.Generator) -> None:
+@table.asked(ask.PATHS, table.LENGTHS)
+def test_the_way_back_is_as_long(by: str, shape: Shape, random: Rng) -> None:
     source, target = random.integers(0, len(shape.vertices), (2, 8))
     there, back = ask.path(by, shape, source, target), ask.path(by, shape, target, source)
     tolerance = REFINED if by == "index" else 1e-12

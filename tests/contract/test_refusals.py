@@ -155,33 +155,29 @@ def cancel(_fraction: float, _text: str) -> bool:
     return False
 
 
-LONG: dict[str, Callable[[Any, Any], Any]] = {
-    "building an index": lambda s, i: s.build_index(progress=cancel),
-    "a quick field": lambda s, i: s.distance_field(0, method="quick", progress=cancel),
-    "an exact distance": lambda s, i: s.distance(0, 200, progress=cancel),
-    "an exact path": lambda s, i: s.exact_path(0, 200, progress=cancel),
-    "distances": lambda s, i: i.distances([0] * 50, [9] * 50, progress=cancel),
-    "paths": lambda s, i: i.path([0] * 50, [9] * 50, progress=cancel),
-    "a matrix": lambda s, i: i.distance_matrix(range(50), progress=cancel),
-    "fields": lambda s, i: i.fields(range(50), progress=cancel),
-    "nearest": lambda s, i: i.nearest(range(50), range(50), 3, progress=cancel),
-    "pairs within": lambda s, i: i.pairs_within(range(50), 1.0, progress=cancel),
-    "voronoi": lambda s, i: i.voronoi(range(50), progress=cancel),
-    "farthest samples": lambda s, i: i.sample_farthest(50, progress=cancel),
-    "Poisson disks": lambda s, i: i.sample_poisson_disk(0.05, progress=cancel),
-    "extent": lambda s, i: i.extent(progress=cancel),
-    "relaxation": lambda s, i: i.relax(range(20), progress=cancel),
-    "landmarks": lambda s, i: i.prepare_exact_paths(progress=cancel),
+BENT, MANY = table.named("bumpy"), range(50)
+LONG: dict[str, Callable[[Any], Any]] = {
+    "building an index": lambda on: on.build_index(progress=cancel),
+    "a quick field": lambda on: ask.field("quick", BENT, 0, on=on, progress=cancel),
+    "an exact path": lambda on: ask.path("exact", BENT, 0, 200, progress=cancel),
+    "paths": lambda on: ask.path("index", BENT, [0] * 50, [9] * 50, progress=cancel),
+    "a matrix": lambda on: ask.matrix("pairs", BENT, MANY, progress=cancel),
+    "fields": lambda on: ask.fields("index", BENT, MANY, progress=cancel),
+    "nearest": lambda on: ask.nearest("index", BENT, MANY, MANY, 3, progress=cancel),
+    "pairs within": lambda on: ask.pairs_within("index", BENT, MANY, 1.0, progress=cancel),
+    "regions": lambda on: ask.task("voronoi", "index", BENT, MANY, progress=cancel),
+    "farthest samples": lambda on: ask.task("sample_farthest", "index", BENT, 50, progress=cancel),
+    "Poisson disks": lambda on: ask.task("sample_poisson_disk", "index", BENT, 0.05, progress=cancel),
+    "extent": lambda on: ask.task("extent", "index", BENT, progress=cancel),
+    "relaxation": lambda on: ask.task("relax", "index", BENT, MANY, progress=cancel),
 }
 
 
 @pytest.mark.parametrize("question", LONG)
 def test_cancelling_raises_and_leaves_the_object_usable(question: str) -> None:
-    shape = table.named("bumpy")
-    fresh, made = ask.new_surface(shape), ask.index(shape)
-    before = ask.field("index", shape, 3)
+    fresh, before = ask.new_surface(BENT), ask.field("index", BENT, 3)
     with pytest.raises(vorogeo.Cancelled):
-        LONG[question](fresh, made)
+        LONG[question](fresh)
     assert fresh.index is None
-    np.testing.assert_array_equal(ask.field("index", shape, 3), before)
-    np.testing.assert_array_equal(ask.field("exact", shape, 3, on=fresh), ask.field("exact", shape, 3))
+    np.testing.assert_array_equal(ask.field("index", BENT, 3), before)
+    np.testing.assert_array_equal(ask.field("exact", BENT, 3, on=fresh), ask.field("exact", BENT, 3))

@@ -6,8 +6,7 @@ import ask
 import numpy as np
 import pytest
 import table
-import vorogeo
-from surfaces import Floats, Shape
+from surfaces import Floats, Rng, Shape
 
 #: Only where every length is one in space, areas and borders can be computed from positions.
 FLAT = [shape for shape in table.UNROLLED if shape.metric is None]
@@ -20,20 +19,20 @@ def area_of_faces(shape: Shape) -> Floats:
     return np.linalg.norm(crossed, axis=1) / 2 * table.is_face(shape)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
-def test_each_vertex_belongs_to_its_nearest_point(by: str, shape: Shape) -> None:
-    fields = shape.fields(shape.sources)
-    regions = ask.task("voronoi", by, shape, shape.sources)
-    ask.assert_answers(by, shape, regions.distance, fields.min(axis=0))
-    reached = np.isfinite(fields.min(axis=0))
-    np.testing.assert_array_equal(regions.vertex_region == -1, ~reached)
-    of_region = fields[regions.vertex_region[reached], np.flatnonzero(reached)]
-    slack = 2 * ask.errors(by, shape).largest
-    assert (of_region <= fields.min(axis=0)[reached] * (1 + slack) + 1e-9).all()
-    np.testing.assert_array_equal(regions.vertex_region[shape.sources], np.arange(len(shape.sources)))
+@table.asked(ask.TASKS, table.UNROLLED)
+def test_each_vertex_belongs_to_its_nearest_point(by: str, shape: Shape, random: Rng) -> None:
+    for points in (shape.sources, table.points_anywhere(shape, random, 4)):
+        fields = shape.fields(points)
+        regions = ask.task("voronoi", by, shape, points)
+        ask.assert_answers(by, shape, regions.distance, fields.min(axis=0))
+        reached = np.isfinite(fields.min(axis=0))
+        np.testing.assert_array_equal(regions.vertex_region == -1, ~reached)
+        of_region = fields[regions.vertex_region[reached], np.flatnonzero(reached)]
+        slack = 2 * ask.errors(by, shape).largest
+        assert (of_region <= fields.min(axis=0)[reached] * (1 + slack) + 1e-9).all()
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in table.SHAPES if s.metric is None]))
+@table.asked(ask.TASKS, [s for s in table.SHAPES if s.metric is None])
 def test_regions_tile_what_their_points_reach(by: str, shape: Shape) -> None:
     regions = ask.task("voronoi", by, shape, shape.sources)
     areas = area_of_faces(shape)
@@ -43,7 +42,7 @@ def test_regions_tile_what_their_points_reach(by: str, shape: Shape) -> None:
     assert len(regions.face_region) == len(shape.faces)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in FLAT if s.name in ("plane", "repeats")]))
+@table.asked(ask.TASKS, [s for s in FLAT if s.name in ("plane", "repeats")])
 def test_borders_on_a_plane_are_the_bisectors(by: str, shape: Shape) -> None:
     regions = ask.task("voronoi", by, shape, shape.sources)
     middle = regions.borders.points[regions.borders.edges].mean(axis=1)
@@ -67,15 +66,7 @@ def test_what_no_point_reaches_and_a_point_given_twice_have_no_region(by: str) -
     assert not (regions.vertex_region == 2).any()
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, FLAT))
-def test_points_of_regions_lie_anywhere(by: str, shape: Shape, random: np.random.Generator) -> None:
-    points = table.points_anywhere(shape, random, 4)
-    expected = shape.fields(points).min(axis=0)
-    regions = ask.task("voronoi", by, shape, points)
-    ask.assert_answers(by, shape, regions.distance, expected)
-
-
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, table.UNROLLED))
+@table.asked(ask.TASKS, table.UNROLLED)
 def test_a_disk_holds_what_is_within_its_radius(by: str, shape: Shape) -> None:
     sources = shape.sources[:2]
     expected = shape.fields(sources).min(axis=0)
@@ -91,15 +82,7 @@ def test_a_disk_holds_what_is_within_its_radius(by: str, shape: Shape) -> None:
     np.testing.assert_array_equal(disk.faces, np.flatnonzero(within))
 
 
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_a_disk_around_a_curve(by: str) -> None:
-    shape = table.named("book")
-    spine = np.flatnonzero(np.hypot(shape.vertices[:, 0], shape.vertices[:, 2]) < 1e-9)
-    disk = ask.task("disk", by, shape, vorogeo.EdgeCurve(spine), 0.25)
-    np.testing.assert_array_equal(disk.vertices, np.flatnonzero(shape.chart[:, 1:].sum(axis=1) < 0.25))
-
-
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, [s for s in FLAT if s.name != "parts"]))
+@table.asked(ask.TASKS, [s for s in FLAT if s.name != "parts"])
 def test_relaxation_never_raises_the_energy(by: str, shape: Shape) -> None:
     relaxed = ask.task("relax", by, shape, [0, 1, 2, 3], 4)
     assert relaxed.energy[-1] < relaxed.energy[0]

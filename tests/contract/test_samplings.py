@@ -6,14 +6,13 @@ import ask
 import numpy as np
 import pytest
 import table
-import vorogeo
-from surfaces import Shape
+from surfaces import Rng, Shape
 
 #: Surfaces with a formula between any two vertices and a component of all vertices.
 WHOLE = [shape for shape in table.UNROLLED if shape.name != "parts"]
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE))
+@table.asked(ask.TASKS, WHOLE)
 def test_each_sample_is_the_vertex_farthest_from_those_before(by: str, shape: Shape) -> None:
     found = ask.task("sample_farthest", by, shape, 9, start=[int(shape.sources[0])])
     assert found.vertices[0] == shape.sources[0]
@@ -50,7 +49,7 @@ def test_each_component_gets_a_sample_before_any_gets_two_and_no_vertex_two(by: 
 
 
 @pytest.mark.parametrize("by", ask.TASKS)
-def test_sampling_begins_with_points_anywhere(by: str, random: np.random.Generator) -> None:
+def test_sampling_begins_with_points_anywhere(by: str, random: Rng) -> None:
     shape = table.named("plane")
     points = table.points_anywhere(shape, random, 2)
     found = ask.task("sample_farthest", by, shape, 6, start=[points, 7])
@@ -65,20 +64,17 @@ def test_sampling_begins_with_points_anywhere(by: str, random: np.random.Generat
 @pytest.mark.parametrize("by", ask.TASKS)
 def test_the_same_seed_gives_the_same_samples_on_any_number_of_threads(by: str, seed: int) -> None:
     shape = table.named("bumpy")
-    how = ask.choice(by)
     answers = []
     for threads in (1, 4):
-        index = ask.new_index(shape, threads=threads)
-        answers.append((index.sample_farthest(8, seed=seed, **how).vertices,
-                        index.sample_poisson_disk(0.3, seed=seed, **how)))  # fmt: skip
+        on = ask.new_index(shape, threads=threads)
+        farthest = ask.task("sample_farthest", by, shape, 8, seed=seed, on=on).vertices
+        answers.append((farthest, ask.task("sample_poisson_disk", by, shape, 0.3, seed=seed, on=on)))
     for one, four in zip(*answers, strict=True):
         np.testing.assert_array_equal(one, four)
 
 
-@pytest.mark.parametrize(("by", "shape"), table.rows(ask.TASKS, WHOLE))
-def test_poisson_disk_samples_are_a_radius_apart_and_none_could_be_added(
-    by: str, shape: Shape, random: np.random.Generator
-) -> None:
+@table.asked(ask.TASKS, WHOLE)
+def test_poisson_disk_samples_are_a_radius_apart_and_none_could_be_added(by: str, shape: Shape, random: Rng) -> None:
     width = shape.fields(shape.sources).max()
     radius = 0.25 * width
     samples = ask.task("sample_poisson_disk", by, shape, radius, seed=int(random.integers(2**32)))
@@ -98,13 +94,3 @@ def test_a_small_radius_takes_every_vertex_and_a_large_one_a_vertex_of_each_comp
     assert set(range(lone)) <= set(every.tolist())
     few = ask.task("sample_poisson_disk", by, shape, 10.0)
     assert sorted((few[few < lone] // (lone // 2)).tolist()) == [0, 1]
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_samples_are_points_that_every_question_takes(by: str) -> None:
-    shape = table.named("prism")
-    found = ask.task("sample_farthest", by, shape, 5)
-    assert isinstance(found.points, vorogeo.SurfacePoints)
-    np.testing.assert_allclose(
-        ask.field("exact", shape, found.points), ask.field("exact", shape, found.vertices), rtol=1e-12, atol=1e-12
-    )
