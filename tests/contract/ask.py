@@ -130,6 +130,11 @@ def labelled_field(by: str, shape: Shape, sources: Any, **options: Any) -> tuple
     return field(by, shape, sources, return_labels=True, **options)
 
 
+def snapped(by: str, shape: Shape, places: Any, limit: float | None = None) -> vorogeo.SurfacePoints:
+    """The points of the surface that are nearest to places in space."""
+    return object_of(by, shape).snap(places, limit)
+
+
 def distance(by: str, shape: Shape, source: Points, target: Points) -> Any:
     """The distance of two points, or of each of k pairs."""
     if by == "function":

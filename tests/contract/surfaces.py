@@ -91,7 +91,7 @@ def shaken_plane(random: Rng, columns: int, rows: int) -> Mesh:
     vertices, faces = plain_grid(columns, rows, 2.0, 1.5)
     inner = (vertices[:, 0] % 2.0 > 0) & (vertices[:, 1] % 1.5 > 0)
     cell = np.array([2.0 / (columns - 1), 1.5 / (rows - 1)])
-    vertices[inner, :2] += cell * random.uniform(-0.3, 0.3, (int(inner.sum()), 2))
+    vertices[inner, :2] += cell * random.uniform(-0.2, 0.2, (int(inner.sum()), 2))
     return vertices, faces
 
 

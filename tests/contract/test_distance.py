@@ -65,6 +65,16 @@ def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random
     ask.assert_answers(by, shape, mixed, np.array([to_vertex, from_vertex]))
 
 
+@table.asked(["exact", "index"], [table.named(name) for name in ("plane", "prism", "cone", "parts")])
+def test_places_in_space_are_moved_to_the_nearest_point_of_the_surface(by: str, shape: Shape, random: Rng) -> None:
+    places = table.points_anywhere(shape, random, 6).positions(shape.vertices, shape.faces)
+    snapped = ask.snapped(by, shape, places)
+    np.testing.assert_allclose(snapped.positions(shape.vertices, shape.faces), places, atol=1e-9)
+    np.testing.assert_allclose(snapped.snap_distance, 0, atol=1e-9)
+    above = ask.snapped(by, table.named("plane"), [0.7, 0.6, 0.25])
+    np.testing.assert_allclose(above.snap_distance, 0.25, rtol=1e-12)
+
+
 @pytest.mark.parametrize("by", ask.DISTANCES)
 def test_what_no_path_reaches_is_infinitely_far(by: str) -> None:
     shape = table.named("parts")

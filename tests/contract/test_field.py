@@ -9,6 +9,7 @@ from dataclasses import replace
 import ask
 import numpy as np
 import pytest
+import surfaces
 import table
 import vorogeo
 from surfaces import Rng, Shape
@@ -149,3 +150,16 @@ def test_arrays_of_any_type_and_layout_are_neither_changed_nor_kept(by: str) -> 
         if by != "function":
             points[5], corners[5] = points[6], corners[6]
             np.testing.assert_array_equal(ask.field(by, shape, 7), expected)
+
+
+@pytest.mark.parametrize("by", ["exact", "index", "quick", "function"])
+def test_a_mask_leaves_the_surface_of_the_faces_that_it_keeps(by: str) -> None:
+    hole, (vertices, faces) = table.named("hole"), surfaces.plain_grid(19, 19, 3.0, 3.0)
+    mask = (np.abs(vertices[faces].mean(axis=1)[:, :2] - 1.5) > 0.5).any(axis=1)
+    whole, used = replace(hole, vertices=vertices, faces=faces), np.unique(faces[mask])
+    if by == "function":
+        answer = ask.field(by, whole, 0, mask=mask)
+    else:
+        answer = ask.field(by, whole, 0, on=(ask.new_index if by == "index" else ask.new_surface)(whole, mask=mask))
+    ask.assert_answers(by, hole, answer[used], hole.fields([0])[0])
+    assert np.isinf(np.delete(answer, used)).all()
