@@ -109,8 +109,10 @@ def loaded(file: Any, shape: Shape, **options: Any) -> vorogeo.GeodesicIndex:
 
 
 def object_of(by: str, shape: Shape) -> Any:
-    """The shared object that answers."""
-    return surface(shape) if by in ("exact", "automatic", "quick") else index(shape)
+    """The object that answers: a shared one, but for automatic answers, which depend on those before."""
+    if by == "automatic":
+        return new_surface(shape)
+    return surface(shape) if by in ("exact", "quick") else index(shape)
 
 
 def choice(by: str) -> dict[str, Any]:

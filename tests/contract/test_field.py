@@ -15,7 +15,8 @@ import vorogeo
 from surfaces import Rng, Shape
 
 STEADY = [shape for shape in table.UNROLLED if not ask.jumps(shape)]
-KINDS_OF_POINTS = [by for by in ask.FIELDS if by != "function"]  # that takes vertices only
+#: Who takes other sources than vertices.
+KINDS_OF_POINTS = ("exact", "index", "by index, exact", "quick")
 
 
 @table.asked(ask.FIELDS, table.SHAPES)
@@ -25,7 +26,7 @@ def test_each_vertex_gets_its_distance_and_infinity_where_no_path_leads(by: str,
     np.testing.assert_array_equal(answer[np.arange(len(shape.sources)), shape.sources], 0)
 
 
-@table.asked(ask.FIELDS, table.UNROLLED)
+@table.asked([*KINDS_OF_POINTS, "function"], table.UNROLLED)
 def test_of_several_sources_the_nearest_counts(by: str, shape: Shape) -> None:
     sources = np.r_[shape.sources, shape.sources[:1]]
     ask.assert_answers(by, shape, ask.field(by, shape, sources), shape.fields(sources).min(axis=0))
@@ -46,7 +47,7 @@ def test_offsets_are_added_and_the_label_is_the_source_of_the_least_sum(by: str,
     assert (of_label <= sums.min(axis=0)[reached] * (1 + slack) + 1e-12).all()
 
 
-@table.asked(ask.FIELDS, table.UNROLLED)
+@table.asked([*KINDS_OF_POINTS, "function"], table.UNROLLED)
 def test_a_limit_makes_what_is_farther_infinite_and_leaves_the_rest(by: str, shape: Shape) -> None:
     source = int(shape.sources[1])
     expected = shape.fields([source])[0]
@@ -133,7 +134,7 @@ def test_automatic_answers_are_as_good_as_what_they_say_they_are(shape: Shape) -
         surface.build_index()
 
 
-@pytest.mark.parametrize("by", ask.FIELDS)
+@pytest.mark.parametrize("by", [*KINDS_OF_POINTS, "function"])
 def test_arrays_of_any_type_and_layout_are_neither_changed_nor_kept(by: str) -> None:
     base = table.named("plane")
     vertices = base.vertices.astype(np.float32).astype(float)
