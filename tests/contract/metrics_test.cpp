@@ -130,6 +130,7 @@ TEST(MetricsContract, DistancesLieBetweenTheLeastAndTheGreatestCostTimesTheLengt
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> between(1.0, 2.0);
   for (const KnownSurface& surface : known_surfaces()) {
+    if (surface.has_needles) continue;
     FaceCost metric;
     for (std::size_t f = 0; f < surface.soup.faces.size(); ++f) metric.cost.push_back(between(random));
     const Ask ask({surface.soup, metric});
