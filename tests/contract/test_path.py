@@ -68,7 +68,7 @@ def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, rando
     expected = np.diag(shape.between(shape.charted(source), shape.charted(target)))
     for i, path in enumerate(ask.path(by, shape, source, target)):
         if np.isfinite(expected[i]):
-            assert expected[i] * (1 - 1e-9) <= path.length <= expected[i] * (1 + slack(by, shape)) + 1e-9
+            assert expected[i] * (1 - 1e-9) <= path.length <= expected[i] * (1 + ask.errors(by, shape).largest) + 1e-9
             assert_is_path(shape, path, source[i], target[i])
         else:
             assert path.length == np.inf
