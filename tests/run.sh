@@ -157,7 +157,7 @@ fi
 compile_for_arm64() {
   local unit
   for unit in build/release/core/CMakeFiles/vorogeo_core.dir/Unity/*.cxx \
-              core/index/{bound_scans,crossing_gains,lane_sums,min_plus}.cpp; do
+              core/index/scans.cpp; do
     aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore -isystem /usr/include/eigen3 "$unit" || return 1
   done
 }

@@ -1,4 +1,4 @@
-// Unfolds each face next to each of its edges and lays out the corners around each vertex.
+// The plane geometry of a mesh that the exact solver needs: computed once, shared by all solvers of a mesh.
 #include "exact/exact_geometry.h"
 
 #include <algorithm>
@@ -6,12 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/length_limits.h"
+#include "mesh/mesh.h"
 #include "mesh/outliers.h"
-#include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Unfolds each face next to each of its edges and lays out the corners around each vertex
 
 namespace {
 
@@ -135,6 +137,31 @@ void ExactGeometry::find_long_edges() {
     turned[e] = counts_from_second(a, b);
     fineness[e] = std::min(shortest[turned[e] != 0 ? b : a], typical);
   }
+}
+
+// ---- Corners of a face in its plane, from the frame of its first half-edge
+
+FacePlane::FacePlane(const ExactGeometry& geometry, Index face) {
+  const Mesh& mesh = *geometry.mesh;
+  const FaceFrame& frame = geometry.frame[3 * face];
+  const Index edge = mesh.edge_of(3 * face);
+  const double length = mesh.edge_length(edge);
+  // The origin is where positions on the edge count from: at the other end, digits may be lost.
+  const bool along = geometry.ends(edge)[0] == mesh.face_vertices(face)[0];
+  corner[0] = {along ? 0.0 : -length, 0.0};
+  corner[1] = {along ? length : 0.0, 0.0};
+  corner[2] = {along ? frame.apex_x : -frame.apex_x, frame.apex_depth};
+  // Two corners at one place: the third is as far from both, in any direction.
+  if (!(length > 0.0)) corner[2] = {mesh.edge_length(mesh.edge_of(3 * face + 1)), 0.0};
+}
+
+std::array<double, 2> FacePlane::at(const std::array<double, 3>& barycentric) const {
+  std::array<double, 2> point{};
+  for (int i = 0; i < 3; ++i) {
+    point[0] += barycentric[i] * corner[i][0];
+    point[1] += barycentric[i] * corner[i][1];
+  }
+  return point;
 }
 
 }  // namespace vorogeo

@@ -11,6 +11,9 @@
 
 namespace vorogeo {
 
+// ---- The plane geometry of a mesh that the exact solver needs: computed once, shared by all solvers of a
+// mesh
+
 /// A face unfolded next to one of its edges: the edge on the x axis from its first vertex, the face below it.
 struct FaceFrame {
   double apex_x;      ///< along the edge
@@ -97,6 +100,15 @@ struct ExactGeometry {
   static constexpr double short_side = 1e-3;
   void find_long_edges();
   void lay_out_corners(Index vertex);
+};
+
+// ---- A face laid into the plane
+
+/// Plane coordinates of a point of a face: half-edge 3 f on the x axis, one of its ends at 0, apex above.
+struct FacePlane {
+  FacePlane(const ExactGeometry& geometry, Index face);
+  std::array<double, 2> at(const std::array<double, 3>& barycentric) const;
+  std::array<std::array<double, 2>, 3> corner;
 };
 
 }  // namespace vorogeo

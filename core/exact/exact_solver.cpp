@@ -9,9 +9,9 @@
 
 #include "exact/shared_run.h"
 #include "exact/solver_state.h"
-#include "support/checkpoint.h"
 #include "support/error.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

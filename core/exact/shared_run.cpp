@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
-#include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/solver_state.h"
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

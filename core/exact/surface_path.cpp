@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "support/prefetch.h"
+#include "support/processor.h"
 
 namespace vorogeo {
 

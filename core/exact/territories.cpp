@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

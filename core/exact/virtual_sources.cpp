@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/length_limits.h"
-#include "support/checkpoint.h"
+#include "mesh/mesh.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -1,17 +1,43 @@
-// How finely border edges are split.
+// How finely border edges are split, also near saddle vertices.
 #pragma once
 
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "partition/partition.h"
+#include "mesh/surface_locator.h"
+#include "patches/partition.h"
 
 namespace vorogeo {
+
+// ---- Saddle vertices near border edges, which make distances on these edges change fast
+
+/// Behind a saddle vertex where paths bend, distances are those of circles around it, whatever the source.
+/// The nearer such a vertex is to a border edge, the less the distances at both ends of the edge tell of
+/// those between: for a piece of length l and a vertex at distance r they miss l^2 / 8r, or l times an eighth
+/// of the vertex's angle beyond 2 pi if that is less.
+class NearSaddles {
+ public:
+  /// `longest`: what pieces away from saddle vertices may have, in roots of the area of a patch. The mesh
+  /// must outlive the object.
+  NearSaddles(const Mesh& mesh, double longest);
+
+  /// By how much shorter than elsewhere the pieces of an edge have to be, to miss no more: at most 1.
+  /// `size`: the root of the area of the patch. 1 on a surface without positions.
+  double piece_factor(Index edge, double size) const;
+
+ private:
+  const Mesh& mesh_;
+  std::vector<Index> vertex_;  ///< those that may matter
+  std::vector<double> least_;  ///< the factor that their angle allows however near they are
+  BoxTree tree_;
+};
+
+// ---- How finely border edges are split
 
 /// Number of pieces of each edge of the mesh: 1 unless it is a border edge that is long for the patches
 /// beside it. How long an edge may be follows from the mean angle defect of the mesh: the stronger paths bend
 /// at its vertices, the less the distances at both ends of an edge tell of those between; near a saddle
-/// vertex, pieces are shorter (near_saddles.h). Where tables would become too large, edges may be longer.
+/// vertex, pieces are shorter (border_pieces.h). Where tables would become too large, edges may be longer.
 /// Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 

@@ -7,17 +7,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/local_solver.h"
 #include "index/index_data.h"
 #include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
-#include "mesh/components.h"
-#include "mesh/length_limits.h"
-#include "partition/partition.h"
-#include "support/checkpoint.h"
+#include "mesh/mesh.h"
+#include "mesh/outliers.h"
+#include "patches/partition.h"
 #include "support/parallel.h"
-#include "support/thread_clock.h"
-#include "weighted/field_timing.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -7,19 +7,16 @@
 #include <new>
 #include <string>
 
-#include "index/build_file.h"
 #include "index/index_data.h"
+#include "index/index_file.h"
 #include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "index/memory_budget.h"
-#include "index/overlay.h"
-#include "index/saved_index.h"
-#include "index/table_draft.h"
-#include "mesh/length_limits.h"
-#include "support/checkpoint.h"
+#include "mesh/mesh.h"
 #include "support/error.h"
 #include "support/memory.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -1,4 +1,4 @@
-// What an index consists of; read by the queries, written by the builder and the index file.
+// What an index consists of, and points of the user's mesh in its work mesh and back.
 #pragma once
 
 #include <array>
@@ -8,17 +8,19 @@
 #include <vector>
 
 #include "exact/exact_geometry.h"
-#include "index/access_bounds.h"
+#include "exact/exact_solver.h"
 #include "index/index_options.h"
 #include "index/patch_layer.h"
 #include "index/search_graph.h"
 #include "index/transit_table.h"
-#include "index/unsplit_surface.h"
 #include "index/work_mesh.h"
 #include "mesh/fingerprint.h"
-#include "partition/partition.h"
+#include "mesh/surface_point.h"
+#include "patches/partition.h"
 
 namespace vorogeo {
+
+// ---- What an index consists of; read by the queries, written by the builder and the index file
 
 struct IndexData {
   std::shared_ptr<const Mesh> mesh;  ///< the user's
@@ -91,5 +93,19 @@ struct IndexData {
   mutable std::once_flag unsplit_made_;
   mutable std::unique_ptr<const UnsplitSurface> unsplit_;
 };
+
+// ---- Surface points of the user's mesh in the work mesh of an index, and back
+
+/// The same point of the surface in the work mesh. Both meshes have the same surface, but border edges that
+/// are split there cut faces. \pre `point` is validated and, if a vertex, has a face. Complexity: O(log
+/// faces).
+SurfacePoint work_point(const IndexData& data, const SurfacePoint& point);
+
+/// The same point of the surface in the user's mesh.
+SurfacePoint user_point(const IndexData& data, const SurfacePoint& point);
+
+/// A path over the work mesh as one over the user's: points on edges that only the work mesh has, where
+/// nothing bends, are left out.
+SurfacePath user_path(const IndexData& data, const SurfacePath& path);
 
 }  // namespace vorogeo

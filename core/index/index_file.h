@@ -1,4 +1,4 @@
-// Reading and writing of index files: a header, then blocks of numbers, each with its size and checksum.
+// Index files: blocks and checks, an index saved and loaded, and one that is built in its file.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "index/transit_table.h"
 #include "support/error.h"
-#include "support/mapped_file.h"
-#include "support/output_file.h"
-#include "support/shared_array.h"
+#include "support/file.h"
 
 namespace vorogeo {
+
+// ---- Reading and writing of index files: a header, then blocks of numbers, each with its size and checksum
 
 /// Checksum of the contents of a block, at the speed of memory: every bit of the input changes it (multiply,
 /// rotate, add). Passes checkpoints.
@@ -148,6 +151,70 @@ class IndexFileReader {
   std::span<const std::byte> left_;  ///< what was not yet read
   bool counted_ = false;
   std::uint64_t count_ = 0;
+};
+
+// ---- What an index file holds, in the order of its blocks
+
+/// Writes all blocks of an index.
+void write_index(IndexFileWriter& out, const IndexData& data);
+
+/// Where the index in a file ends, by the sizes of its blocks alone. \throw IndexFileError if there is none.
+std::uint64_t end_of_index(const std::filesystem::path& file);
+
+/// Fills in the statistics of an index whose large tables lie in a file.
+void note_mapped_bytes(IndexData& data);
+
+// ---- The file of an index while it is built: its tables where they will be in the end, and behind them what
+// tells which are filled
+
+/// Where the tables of an index are filled.
+struct TableRooms {
+  TableRoom second;
+  TableRoom first;
+  TransitRoom transit;
+};
+
+/// Rooms in memory for an index that is laid out.
+TableRooms rooms_in_memory(const IndexData& data, IndexForm form);
+
+/// Until it is finished the file is called NAME.unfinished and is no index file: it begins with a head of its
+/// own, which names the mesh and the options. A build that is stopped, be it by kill -9, leaves it for the
+/// next one with the same mesh and options, which keeps the parts whose checksums hold. All functions throw
+/// IndexFileError if the file cannot be written.
+class BuildFile {
+ public:
+  /// Opens what an earlier build has left, or makes a new file. \throw IndexFileError if that was of another
+  /// mesh or other options, or another process is building it. `data`: with fingerprint, statistics and
+  /// requested patches.
+  BuildFile(const std::filesystem::path& file, const IndexData& data);
+
+  /// Whether it is an index that is complete but for its name.
+  bool is_complete() const { return is_complete_; }
+  const std::filesystem::path& unfinished() const { return out_->unfinished(); }
+  /// Cuts off what a complete file still has behind its end if the build was stopped in its last step.
+  void cut_leftovers();
+  /// Gives a complete file its name.
+  void put_in_place();
+  /// Forgets what was there.
+  void start_anew();
+
+  /// Takes the space for an index that is laid out, and returns where its tables are filled. \throw
+  /// IndexFileError also if the disk is too full, which leaves no file.
+  TableRooms rooms(const IndexData& data, IndexForm form);
+  /// Writes what is not in the file yet, and puts it in its place.
+  void finish(const IndexData& data);
+
+ private:
+  struct Head;
+  struct Layout;
+
+  Head head_of(const IndexData& data) const;
+  [[noreturn]] void refuse(const char* what) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<ResumableFile> out_;
+  bool is_complete_ = false;
+  bool is_begun_ = false;  ///< space is taken, and parts may be filled
 };
 
 }  // namespace vorogeo

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "index/border_pieces.h"
-#include "partition/halo.h"
-#include "partition/patch_labels.h"
-#include "support/checkpoint.h"
+#include "patches/halo.h"
+#include "patches/partition.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/mesh.h"
-#include "partition/partition.h"
+#include "patches/partition.h"
 #include "support/progress.h"
 
 namespace vorogeo {

@@ -1,24 +1,351 @@
-// Exact runs from the border nodes of all patches.
+// The tables of a layer: exact runs from its nodes, or composed of those of the layer below.
 #include "index/local_tables.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "exact/local_solver.h"
+#include "index/boundary_dijkstra.h"
+#include "index/index_file.h"
 #include "index/index_options.h"
-#include "index/table_filler.h"
-#include "support/checkpoint.h"
+#include "index/scans.h"
 #include "support/error.h"
 #include "support/parallel.h"
-#include "support/per_worker.h"
-#include "support/thread_clock.h"
-#include "weighted/field_timing.h"
-#include "weighted/local_solver.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Parts are marked after their contents are written, so that a process killed in between leaves none
+// that is half-made; checksums find what a failing system has lost
+
+namespace {
+
+/// Memory of a room that is not in a file.
+struct OwnMemory {
+  OwnMemory(std::size_t entry_count, std::size_t part_count)
+      : entries(new std::uint16_t[entry_count]), parts(part_count) {}
+  std::unique_ptr<std::uint16_t[]> entries;
+  std::vector<PartRecord> parts;
+};
+
+std::uint64_t checksum_of(TableRoom::Contents contents) {
+  std::uint64_t sum = 0;
+  for (const auto& piece : contents) sum = std::rotl(sum, 1) ^ block_checksum(piece);
+  return sum;
+}
+
+}  // namespace
+
+TableRoom::TableRoom(std::size_t entries, std::size_t parts) {
+  auto memory = std::make_shared<OwnMemory>(entries, parts);
+  entries_ = {memory->entries.get(), entries};
+  parts_ = memory->parts;
+  owner_ = std::move(memory);
+}
+
+TableRoom::TableRoom(std::span<std::uint16_t> entries, std::span<PartRecord> parts,
+                     std::shared_ptr<const void> owner)
+    : entries_(entries), parts_(parts), owner_(std::move(owner)), in_file_(true) {}
+
+bool TableRoom::holds(std::size_t part, Contents contents) const {
+  PartRecord& record = parts_[part];
+  if (record.filled == 1 && in_file_ && checksum_of(contents) == record.checksum) return true;
+  record.filled = 0;
+  return false;
+}
+
+void TableRoom::note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const {
+  PartRecord& record = parts_[part];
+  if (in_file_) record.checksum = checksum_of(contents);
+  record.scale = scale;
+  record.complete = complete ? 1 : 0;
+  std::atomic_ref(record.filled).store(1, std::memory_order_release);
+}
+
+// ---- From distances in single precision to entries of 15 bits
+
+namespace {
+
+constexpr float no_distance = std::numeric_limits<float>::infinity();
+/// Columns between two checkpoints: those of a large first-layer patch take a microsecond each.
+constexpr Index columns_per_checkpoint = 256;
+
+}  // namespace
+
+TableDraft::TableDraft(const PatchLayer& layer, Index patch)
+    : rows_(layer.border_size(patch)),
+      columns_(layer.member_count(patch)),
+      value_(static_cast<std::size_t>(rows_) * columns_, no_distance) {}
+
+void TableDraft::make_symmetric() {
+  for (Index i = 0; i < rows_; ++i) {
+    if (i % columns_per_checkpoint == 0) checkpoint();
+    line(i)[i] = 0.0f;
+    for (Index j = 0; j < i; ++j) {
+      float& forth = line(i)[j];
+      float& back = line(j)[i];
+      forth = back = std::min(forth, back);
+    }
+  }
+}
+
+void TableDraft::close() {
+  // Floyd-Warshall; the border nodes are the first columns.
+  for (Index by = 0; by < rows_; ++by) {
+    checkpoint();
+    const float* onward = line(by);
+    for (Index column = 0; column < columns_; ++column) {
+      if (column != by) relax_by_sums(onward, line(column)[by], rows_, line(column));
+    }
+  }
+}
+
+float TableDraft::greatest_of(Index column) {
+  const float* from = line(column);
+  float greatest = 0.0f;
+  for (Index row = 0; row < rows_; ++row) {
+    if (from[row] < no_distance) greatest = std::max(greatest, from[row]);
+  }
+  return greatest;
+}
+
+float TableDraft::set_offsets(TableOrder order, std::vector<float>& offset) {
+  float greatest = 0.0f;
+  for (Index row = 0; row < rows_; ++row) greatest = std::max(greatest, greatest_of(row));
+  const float far = order == TableOrder::tiles ? PatchLayer::far_per_border * greatest : no_distance;
+  for (Index column = rows_; column < columns_; ++column) {
+    if (column % columns_per_checkpoint == 0) checkpoint();
+    const float own = greatest_of(column);
+    if (own <= far) {
+      greatest = std::max(greatest, own);
+      continue;
+    }
+    offset.resize(columns_, 0.0f);
+    float* from = line(column);
+    const float least = *std::min_element(from, from + rows_);
+    offset[column] = least;
+    for (Index row = 0; row < rows_; ++row) from[row] -= least;
+  }
+  return greatest;
+}
+
+bool TableDraft::has_small_part(float greatest) {
+  const float within = small_part * greatest;
+  const float least = least_steps / PatchLayer::greatest_entry * greatest;
+  std::vector<int> near(rows_, 0);
+  for (Index column = 0; column < columns_; ++column) {
+    const float* from = line(column);
+    for (Index row = 0; row < rows_; ++row) near[row] += from[row] > 0.0f && from[row] <= within ? 1 : 0;
+    // A path that passes several of these entries would be shorter by any part of itself.
+    if (column < rows_ && std::any_of(from, from + rows_, [&](float d) { return d > 0.0f && d < least; })) {
+      return true;
+    }
+  }
+  return std::ranges::any_of(near, [](int count) { return count >= least_small_part; });
+}
+
+TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
+  Units units;
+  const float greatest = set_offsets(order, units.offset);
+  units.scale = has_small_part(greatest) ? TableScale::graded(greatest, PatchLayer::greatest_entry)
+                                         : TableScale::even(greatest, PatchLayer::greatest_entry);
+  const auto rows = static_cast<std::size_t>(rows_);
+  constexpr Index width = PatchLayer::tile_width;
+  for (Index column = 0; column < columns_; ++column) {
+    if (column % columns_per_checkpoint == 0) checkpoint();
+    const float* from = line(column);
+    std::uint16_t* to = order == TableOrder::lines ? table + column * rows
+                                                   : table + column / width * rows * width + column % width;
+    const std::size_t step = order == TableOrder::lines ? 1 : width;
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (from[row] == no_distance) {
+        units.complete = false;
+        to[row * step] = PatchLayer::infinite_entry;
+      } else {
+        to[row * step] = units.scale.entry(from[row], PatchLayer::greatest_entry);
+      }
+    }
+  }
+  if (order == TableOrder::tiles) {
+    for (Index column = columns_; column % width != 0; ++column) {
+      std::uint16_t* to = table + column / width * rows * width + column % width;
+      for (std::size_t row = 0; row < rows; ++row) to[row * width] = PatchLayer::infinite_entry;
+    }
+  }
+  return units;
+}
+
+std::size_t draft_bytes(const PatchLayer& layer, Index patch) {
+  return sizeof(float) * layer.border_size(patch) * layer.member_count(patch);
+}
+
+void set_units(PatchLayer& layer, Index patch, const TableDraft::Units& units) {
+  layer.scale[patch] = units.scale;
+  layer.complete[patch] = units.complete ? 1 : 0;
+  if (units.offset.empty()) return;
+  layer.offset.resize(layer.member.size(), 0.0f);
+  std::ranges::copy(units.offset, layer.offset.begin() + layer.member_begin[patch]);
+}
+
+void note_complete(PatchLayer& layer) {
+  layer.complete.assign(layer.patch_count, 1);
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    std::size_t infinite_count = 0;
+    for (std::size_t i = layer.table_begin[p]; i < layer.table_begin[p + 1]; ++i) {
+      infinite_count += layer.table[i] == PatchLayer::infinite_entry ? 1 : 0;
+    }
+    // Without the columns that pad the last tile.
+    const std::size_t filled = static_cast<std::size_t>(layer.border_size(p)) * layer.member_count(p);
+    layer.complete[p] = infinite_count == table_size(layer, p) - filled ? 1 : 0;
+  }
+}
+
+void drop_tables(PatchLayer& layer) {
+  layer.table = {};
+  layer.scale = {};
+  layer.offset = {};
+  layer.complete = {};
+}
+
+// ---- The wave over the patches, and the last step of each
+
+namespace {
+
+/// Places of the patches in a breadth-first order over touching patches.
+std::vector<Index> places_in_wave(const PatchLayer& layer) {
+  std::vector<Index> place(layer.patch_count, no_index);
+  std::vector<Index> wave;
+  wave.reserve(layer.patch_count);
+  auto reach = [&](Index patch) {
+    if (place[patch] != no_index) return;
+    place[patch] = static_cast<Index>(wave.size());
+    wave.push_back(patch);
+  };
+  for (Index first = 0; first < layer.patch_count; ++first) {
+    reach(first);
+    for (std::size_t at = wave.size() - 1; at < wave.size(); ++at) {
+      for (Index next : layer.touching.of(wave[at])) reach(next);
+    }
+  }
+  return place;
+}
+
+/// The groups in the order of the first of their patches in the wave.
+std::vector<Index> groups_in_wave(const PatchLayer& layer, std::span<const Index> groups) {
+  const std::vector<Index> place = places_in_wave(layer);
+  std::vector<Index> first(groups.size() - 1, no_index);
+  for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
+    for (const PatchRow& at : layer.patches_of(groups[g])) {
+      if (first[g] == no_index || place[at.patch] < first[g]) first[g] = place[at.patch];
+    }
+  }
+  std::vector<Index> order(first.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](Index g) { return first[g]; });
+  return order;
+}
+
+}  // namespace
+
+std::int64_t greatest_draft_bytes(const PatchLayer& layer, std::span<const Index> groups) {
+  std::vector<Index> missing(layer.patch_count, 0);
+  std::vector<std::uint8_t> begun(layer.patch_count, 0);
+  const std::vector<Index> order = groups_in_wave(layer, groups);
+  for (Index group : order) {
+    for (const PatchRow& at : layer.patches_of(groups[group])) ++missing[at.patch];
+  }
+  std::int64_t bytes = 0;
+  std::int64_t greatest = 0;
+  for (Index group : order) {
+    for (const PatchRow& at : layer.patches_of(groups[group])) {
+      if (begun[at.patch] == 0) bytes += static_cast<std::int64_t>(draft_bytes(layer, at.patch));
+      begun[at.patch] = 1;
+    }
+    greatest = std::max(greatest, bytes);
+    for (const PatchRow& at : layer.patches_of(groups[group])) {
+      if (--missing[at.patch] == 0) bytes -= static_cast<std::int64_t>(draft_bytes(layer, at.patch));
+    }
+  }
+  return greatest;
+}
+
+TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Index> groups, Closure closure,
+                         int threads, const Progress& progress)
+    : layer_(layer),
+      room_(std::move(room)),
+      groups_(groups),
+      closure_(closure),
+      missing_(layer.patch_count),
+      drafts_(layer.patch_count) {
+  layer.scale.assign(layer.patch_count, {});
+  layer.complete.assign(layer.patch_count, 1);
+  layer.offset.clear();
+  std::vector<std::uint8_t> held(layer.patch_count, 0);
+  const Index in_file = room_.in_file() ? layer.patch_count : 0;
+  parallel_for(in_file, threads, progress, "Checking the tables that are there", [&](std::size_t p, int) {
+    const std::span<const std::byte> contents = std::as_bytes(entries_of(static_cast<Index>(p)));
+    if (!room_.holds(p, {&contents, 1})) return;
+    held[p] = 1;
+    layer.scale[p] = room_.part(p).scale;
+    layer.complete[p] = room_.part(p).complete == 1 ? 1 : 0;
+  });
+  for (Index group : groups_in_wave(layer, groups)) {
+    bool wanted = false;
+    for (const PatchRow& at : layer.patches_of(groups[group])) {
+      if (held[at.patch] != 0) continue;
+      ++missing_[at.patch];
+      wanted = true;
+    }
+    if (wanted) left_.push_back(group);
+  }
+}
+
+std::span<std::uint16_t> TableFiller::entries_of(Index patch) const {
+  return room_.entries().subspan(layer_.table_begin[patch],
+                                 layer_.table_begin[patch + 1] - layer_.table_begin[patch]);
+}
+
+void TableFiller::begin(Index group) {
+  const std::lock_guard lock(making_);
+  for (const PatchRow& at : layer_.patches_of(groups_[group])) {
+    if (missing_[at.patch] > 0 && !drafts_[at.patch]) {
+      drafts_[at.patch] = std::make_unique<TableDraft>(layer_, at.patch);
+    }
+  }
+}
+
+void TableFiller::finish(Index group) {
+  for (const PatchRow& at : layer_.patches_of(groups_[group])) {
+    if (drafts_[at.patch] && --missing_[at.patch] == 0) write(at.patch);
+  }
+}
+
+void TableFiller::write(Index patch) {
+  TableDraft& draft = *drafts_[patch];
+  draft.make_symmetric();
+  if (closure_ == Closure::closed) draft.close();
+  const std::span<std::uint16_t> entries = entries_of(patch);
+  const TableDraft::Units units = draft.write(layer_.order, entries.data());
+  drafts_[patch].reset();
+  // Offsets are not kept in a record: the few patches with outliers are solved again.
+  if (units.offset.empty()) {
+    const std::span<const std::byte> contents = std::as_bytes(entries);
+    room_.note_filled(patch, {&contents, 1}, units.scale, units.complete);
+  }
+  const std::lock_guard lock(setting_);
+  set_units(layer_, patch, units);
+}
+
+// ---- Exact runs from the border nodes of all patches
 
 namespace {
 
@@ -209,6 +536,77 @@ double fill_local_tables(const TableSurface& surface, const WorkMesh& work, Patc
                });
   tables.hand_over();
   return fields;
+}
+
+// ---- Composition of first-layer tables
+
+ParentSurroundings::ParentSurroundings(const PatchLayer& second, std::span<const Index> parent,
+                                       Index parent_count)
+    : near_(parent_count) {
+  for (Index p = 0; p < second.patch_count; ++p) near_[parent[p]].push_back(p);
+  for (Index node = 0; node < second.node_count(); ++node) {
+    for (const PatchRow& a : second.patches_of(node)) {
+      for (const PatchRow& b : second.patches_of(node)) {
+        if (parent[a.patch] != parent[b.patch]) near_[parent[a.patch]].push_back(b.patch);
+      }
+    }
+  }
+  for (auto& list : near_) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+}
+
+void ParentSurroundings::mark(Index first_layer_patch, std::vector<std::uint8_t>& mask) const {
+  for (Index p : near_[first_layer_patch]) mask[p] = 1;
+}
+
+std::int64_t composed_draft_bytes(const PatchLayer& first) {
+  return greatest_draft_bytes(first, group_by_patches(first, nodes_per_leader));
+}
+
+void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first,
+                    const TableRoom& room, int threads, const Progress& progress) {
+  constexpr const char* phase = "Composing first-layer tables";
+  const ParentSurroundings surroundings(second, parent, first.patch_count);
+  struct Scratch {
+    explicit Scratch(const PatchLayer& layer) : batch(layer) {}
+    BatchDijkstra batch;
+    std::vector<Index> sources;
+    std::vector<std::uint8_t> allowed;
+  };
+  const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
+  TableFiller tables(first, room, led, TableFiller::Closure::symmetric, threads, progress.part(0.0, 0.05));
+  const std::size_t left = tables.left().size();
+  const double done = 1.0 - static_cast<double>(left) / std::max<std::size_t>(1, led.size() - 1);
+  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), left));
+  PerWorker<Scratch> scratch(workers);
+  parallel_for(left, workers, progress.part(std::max(done, 0.05), 1.0), phase,
+               [&](std::size_t item, int worker) {
+                 Scratch& own = scratch.of(worker, second);
+                 const Index leader = tables.left()[item];
+                 const auto patches = first.patches_of(led[leader]);
+                 own.allowed.assign(second.patch_count, 0);
+                 for (const PatchRow& at : patches) surroundings.mark(at.patch, own.allowed);
+                 own.sources.clear();
+                 for (Index node = led[leader]; node < led[leader + 1]; ++node) {
+                   own.sources.push_back(second.vertex_node[first.node_vertex[node]]);
+                 }
+                 tables.begin(leader);
+                 own.batch.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
+                   for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
+                     TableDraft* draft = tables.draft(at.patch);
+                     if (draft == nullptr) continue;
+                     const auto members = first.members(at.patch);
+                     for (std::size_t m = 0; m < members.size(); ++m) {
+                       draft->line(static_cast<Index>(m))[at.row] =
+                           static_cast<float>(own.batch.distance(second.vertex_node[members[m]]));
+                     }
+                   }
+                 });
+                 tables.finish(leader);
+               });
+  tables.hand_over();
 }
 
 }  // namespace vorogeo

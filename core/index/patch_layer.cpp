@@ -1,13 +1,84 @@
-// Layout of a patch layer from face labels.
+// A layer of patches: border nodes, members, and the places of their distances in tables.
 #include "index/patch_layer.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "index/min_plus.h"
-#include "support/checkpoint.h"
+#include "index/scans.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Collecting the border edges of all patches by node
+
+BorderEdges::BorderEdges(const PatchLayer& layer) : edges_(layer.node_count()) {
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    const auto nodes = layer.nodes(p);
+    for (std::size_t row = 0; row < nodes.size(); ++row) {
+      auto& edges = edges_[nodes[row]];
+      for (const BorderNeighbour& next : layer.neighbours(p, static_cast<Index>(row))) {
+        const Index other = nodes[next.row];
+        const auto place = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+          return edge.node == other || edge.node == no_index;
+        });
+        if (place != edges.end()) *place = {other, next.length};
+      }
+    }
+  }
+  if (layer.neighbour.empty()) return;
+  std::vector<float> lengths;
+  lengths.reserve(layer.neighbour.size());
+  for (const BorderNeighbour& next : layer.neighbour) lengths.push_back(next.length);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  typical_length_ = *middle;
+}
+
+// ---- One pass over the border nodes of all patches
+
+BorderStretches::BorderStretches(const PatchLayer& layer) {
+  begin_.reserve(layer.patch_count + 1);
+  begin_.push_back(0);
+  for (Index patch = 0; patch < layer.patch_count; ++patch) {
+    const auto first = static_cast<std::size_t>(begin_.back());
+    Index row = 0;
+    for (Index node : layer.nodes(patch)) {
+      if (stretch_.size() > first && stretch_.back().end == node) {
+        ++stretch_.back().end;
+      } else {
+        stretch_.push_back({patch, row, node, node + 1});
+      }
+      ++row;
+    }
+    begin_.push_back(static_cast<Index>(stretch_.size()));
+  }
+  stretch_.shrink_to_fit();
+}
+
+// ---- Collecting touching patches node by node
+
+PatchNeighbours::PatchNeighbours(const PatchLayer& layer) {
+  begin_.reserve(layer.patch_count + 1);
+  begin_.push_back(0);
+  std::vector<Index> own;
+  for (Index patch = 0; patch < layer.patch_count; ++patch) {
+    own.clear();
+    for (Index node : layer.nodes(patch)) {
+      for (const PatchRow& at : layer.patches_of(node)) {
+        if (at.patch != patch) own.push_back(at.patch);
+      }
+    }
+    std::ranges::sort(own);
+    const auto repeated = std::ranges::unique(own);
+    neighbour_.insert(neighbour_.end(), own.begin(), repeated.begin());
+    begin_.push_back(static_cast<Index>(neighbour_.size()));
+  }
+  neighbour_.shrink_to_fit();
+}
+
+bool PatchNeighbours::touch(Index a, Index b) const { return std::ranges::binary_search(of(a), b); }
+
+// ---- Layout of a patch layer from face labels
 
 namespace {
 

@@ -1,21 +1,190 @@
-// One layer of patches: their members, their border nodes, and the tables of distances from border to
-// members.
+// A layer of patches: border nodes, members, and the places of their distances in tables.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "index/border_edges.h"
-#include "index/border_stretches.h"
-#include "index/patch_neighbours.h"
-#include "index/table_scale.h"
 #include "mesh/mesh.h"
-#include "support/shared_array.h"
+#include "support/file.h"
+#include "support/types.h"
 
 namespace vorogeo {
+
+// ---- How a route goes from one border node to the next: by the table of a patch, or by the transit table
+
+/// One leg of a route, in the 32 bits that index files hold for it: patch p of the second layer as p, of the
+/// first layer as -1 - p.
+class Leg {
+ public:
+  enum class Table : std::uint8_t { second, first, transit };
+
+  /// By the transit table.
+  constexpr Leg() = default;
+  /// Through a patch of the second layer.
+  static constexpr Leg through_second(Index patch) { return Leg(patch); }
+  /// Through a patch of the first layer.
+  static constexpr Leg through_first(Index patch) { return Leg(-1 - patch); }
+  /// From one first-layer node to another by the transit table.
+  static constexpr Leg by_transit_table() { return {}; }
+
+  constexpr Table table() const {
+    if (code_ >= 0) return Table::second;
+    return code_ == transit_code ? Table::transit : Table::first;
+  }
+  constexpr bool in_first_layer() const { return table() == Table::first; }
+  constexpr bool in_second_layer() const { return code_ >= 0; }
+  /// The patch in its layer; no_index for the transit table.
+  constexpr Index patch() const {
+    if (code_ >= 0) return code_;
+    return code_ == transit_code ? no_index : -1 - code_;
+  }
+  constexpr bool operator==(const Leg&) const = default;
+
+ private:
+  static constexpr Index transit_code = std::numeric_limits<Index>::min();
+  explicit constexpr Leg(Index code) : code_(code) {}
+  Index code_ = transit_code;
+};
+
+// ---- What the entries of a table stand for
+
+/// Entries are whole numbers. On an *even* scale they are multiples of a unit, which resolves all distances
+/// of a table alike. That is too coarse for parts much smaller than the rest; so tables with such parts have
+/// a *graded* scale: an entry is a multiple of the unit to the power of four. Its steps are twice to four
+/// times those of an even scale for the greatest distances, and for a distance 10,000 times smaller still
+/// less than a thousandth of it.
+struct TableScale {
+  float signed_unit = 0.0f;  ///< negative: graded
+
+  /// The scale on which the greatest distance has the greatest entry.
+  static TableScale even(float greatest, std::uint16_t greatest_entry) {
+    return {greatest / static_cast<float>(greatest_entry)};
+  }
+  static TableScale graded(float greatest, std::uint16_t greatest_entry) {
+    return {-std::sqrt(std::sqrt(greatest)) / static_cast<float>(greatest_entry)};
+  }
+
+  bool is_graded() const { return std::signbit(signed_unit); }
+  float unit() const { return std::abs(signed_unit); }
+  /// The distance of an entry that is not infinite.
+  float distance(std::uint16_t entry) const {
+    const float root = unit() * static_cast<float>(entry);
+    return is_graded() ? (root * root) * (root * root) : root;
+  }
+  /// The difference of the two greatest distances: an entry is off by half of that at most.
+  float widest_step(std::uint16_t greatest_entry) const {
+    return distance(greatest_entry) - distance(static_cast<std::uint16_t>(greatest_entry - 1));
+  }
+  /// The entry nearest to a finite distance, at most the greatest one.
+  std::uint16_t entry(double distance, std::uint16_t greatest_entry) const {
+    if (!(unit() > 0.0f)) return 0;
+    const double root = is_graded() ? std::sqrt(std::sqrt(distance)) : distance;
+    return static_cast<std::uint16_t>(std::min<double>(greatest_entry, std::nearbyint(root / unit())));
+  }
+};
+
+/// A node with this many others within this part of the greatest distance lies in a part so small that its
+/// table has a graded scale.
+inline constexpr int least_small_part = 16;
+inline constexpr float small_part = 1.0f / 512.0f;
+/// So does one of two border nodes that are fewer steps of an even scale from each other: rounding would
+/// change their distance by a sixteenth or more.
+inline constexpr float least_steps = 8.0f;
+
+/// The distance of an entry where the kind of scale is chosen outside a loop.
+template <bool is_graded>
+inline __attribute__((always_inline)) float distance_on_scale(float unit, float entry) {
+  const float root = unit * entry;
+  return is_graded ? (root * root) * (root * root) : root;
+}
+
+// ---- Which border nodes of a layer are joined by a border edge
+
+struct PatchLayer;
+
+/// Neighbours of each node along the borders of its patches, up to four; where more borders meet, the rest
+/// are left out.
+class BorderEdges {
+ public:
+  BorderEdges() = default;
+  explicit BorderEdges(const PatchLayer& layer);
+
+  struct Edge {
+    Index node = no_index;
+    float length = 0.0f;
+  };
+  /// The edges of a node; those that do not exist lead to no_index.
+  const std::array<Edge, 4>& at(Index node) const { return edges_[node]; }
+
+  /// Median length of the border edges, each counted once for every adjacent patch; a few of whatever length
+  /// do not change it. 0 if there are none.
+  double typical_length() const { return typical_length_; }
+  std::size_t memory_bytes() const { return edges_.size() * sizeof(edges_[0]); }
+
+ private:
+  std::vector<std::array<Edge, 4>> edges_;
+  double typical_length_ = 0.0;
+};
+
+// ---- The border of a patch as stretches of consecutive nodes
+
+struct PatchLayer;
+
+/// Consecutive nodes of a patch, whose rows are consecutive, too.
+struct BorderStretch {
+  Index patch;
+  Index row;    ///< of the first node
+  Index begin;  ///< first node
+  Index end;
+};
+
+/// The border nodes of each patch, in the order of their rows, in as few stretches as possible: nodes between
+/// the same patches have consecutive numbers.
+class BorderStretches {
+ public:
+  BorderStretches() = default;
+  explicit BorderStretches(const PatchLayer& layer);
+  std::span<const BorderStretch> of(Index patch) const {
+    return {stretch_.data() + begin_[patch], stretch_.data() + begin_[patch + 1]};
+  }
+  std::size_t memory_bytes() const {
+    return begin_.size() * sizeof(Index) + stretch_.size() * sizeof(BorderStretch);
+  }
+
+ private:
+  std::vector<Index> begin_;  ///< by patch, into stretch_
+  std::vector<BorderStretch> stretch_;
+};
+
+// ---- Which patches of a layer have a border node in common
+
+struct PatchLayer;
+
+/// Lists of touching patches.
+class PatchNeighbours {
+ public:
+  PatchNeighbours() = default;
+  explicit PatchNeighbours(const PatchLayer& layer);
+  /// The patches that have a node in common with a patch, without itself, ascending.
+  std::span<const Index> of(Index patch) const {
+    return {neighbour_.data() + begin_[patch], neighbour_.data() + begin_[patch + 1]};
+  }
+  /// Whether two different patches have a node in common. Complexity: O(log(neighbours of a patch)).
+  bool touch(Index a, Index b) const;
+  std::size_t memory_bytes() const { return (begin_.size() + neighbour_.size()) * sizeof(Index); }
+
+ private:
+  std::vector<Index> begin_;  ///< by patch, into neighbour_
+  std::vector<Index> neighbour_;
+};
+
+// ---- One layer of patches: their members, their border nodes, and the tables of distances from border to
+// members
 
 /// A border node as seen from one of its patches: `row` counts the border nodes of the patch.
 struct PatchRow {

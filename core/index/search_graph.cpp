@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "index/boundary_dijkstra.h"
-#include "support/checkpoint.h"
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 
@@ -143,7 +143,7 @@ std::vector<double> graph_distances(const SearchGraph& graph, Index start) {
 
 /// Landmarks far from one another; the first is farthest from node 0. `distances_from(node)`: of all nodes.
 /// Nodes of the graph, whose distances are kept for A*, not vertices of a mesh as in the other farthest-point
-/// samplings (partition/sampling.h, tasks/spread_points.h), which have only the greedy rule in common.
+/// samplings (patches/sampling.h, tasks/spread_points.h), which have only the greedy rule in common.
 template <class Distances>
 void place_landmarks(SearchGraph& graph, std::size_t nodes, Distances&& distances_from, Watch& watch) {
   constexpr int count = SearchGraph::landmark_count;

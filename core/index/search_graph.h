@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "index/leg.h"
 #include "index/patch_layer.h"
 #include "support/progress.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "mesh/unfolded_distance.h"
+#include "mesh/vectors.h"
 #include "support/types.h"
 
 namespace vorogeo {

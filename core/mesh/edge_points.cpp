@@ -7,11 +7,10 @@
 #include <sstream>
 #include <vector>
 
-#include "mesh/sorted_sides.h"
-#include "mesh/triangle_area.h"
+#include "mesh/gaps.h"
 #include "mesh/vectors.h"
-#include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

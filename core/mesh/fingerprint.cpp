@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

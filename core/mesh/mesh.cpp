@@ -1,15 +1,27 @@
-// Construction of the flat half-edge mesh: what is refused, the order of the steps, lengths and components.
+// The half-edge mesh, in flat arrays, on which everything in the core runs.
 #include "mesh/mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <sstream>
 #include <string>
+#include <tuple>
 
-#include "support/checkpoint.h"
+#include "mesh/vectors.h"
 #include "support/error.h"
+#include "support/parallel.h"
 #include "support/positive_rank.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Construction of the flat half-edge mesh: what is refused, the order of the steps, lengths and
+// components
 
 namespace {
 
@@ -134,6 +146,541 @@ std::size_t Mesh::memory_bytes() const {
          bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(edge_halfedge_) +
          bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
          bytes(component_);
+}
+
+// ---- The scale that is advised for meshes that are too large or too small to compute with
+
+void require_lengths(double mean, double longest, const std::string& what, const LengthLimits& limits) {
+  if (limits.allow(mean, longest)) return;
+  std::ostringstream message;
+  message << "The mesh has a mean edge length of " << mean << " and a longest edge of " << longest << "; "
+          << what << " lengths between " << limits.least_mean << " and " << limits.greatest
+          << ": scale the mesh, for example by " << factor_to_unit(mean, longest) << ".";
+  throw InvalidInput(message.str());
+}
+
+double factor_to_unit(double mean, double longest) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  constexpr double greatest = std::numeric_limits<double>::max();
+  const double exponent = 0.5 * std::log10(std::clamp(mean, least, greatest)) +
+                          0.5 * std::log10(std::clamp(longest, least, greatest));
+  return std::pow(10.0, -std::clamp(std::round(exponent), -300.0, 300.0));
+}
+
+// ---- What faces share: the corners at each vertex, faces that occur twice, and edges, all vertex by vertex
+
+/// Lists the half-edges that leave each vertex, ascending.
+void Mesh::list_corners() {
+  // A counting sort from behind: each count becomes the end of its vertex's part, then its beginning.
+  corner_begin_.assign(positions_.size() + 1, 0);
+  for (Index f = 0; f < face_count(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    for (Index v : face_vertices_[f]) ++corner_begin_[v];
+  }
+  std::partial_sum(corner_begin_.begin(), corner_begin_.end(), corner_begin_.begin());
+  corners_.resize(3 * face_vertices_.size());
+  for (Index f = face_count(); f-- > 0;) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    for (Index i = 3; i-- > 0;) corners_[--corner_begin_[face_vertices_[f][i]]] = 3 * f + i;
+  }
+}
+
+/// Leaves out the faces that name a vertex twice, and those over the same three vertices as an earlier one.
+void Mesh::leave_out_faces() {
+  struct Keyed {
+    Index middle, greatest, face;
+    bool operator<(const Keyed& other) const {
+      return std::tie(middle, greatest, face) < std::tie(other.middle, other.greatest, other.face);
+    }
+  };
+  std::vector<std::uint8_t> left_out(face_vertices_.size(), 0);
+  std::atomic<bool> any = false;
+  parallel_ranges(vertex_count(), [&](Index begin, Index end) {
+    std::vector<Keyed> keyed;
+    for (Index v = begin; v < end; ++v) {
+      // Each face at its least vertex.
+      keyed.clear();
+      for (Index h : corners(v)) {
+        const auto [middle, greatest] = std::minmax({head(h), apex(h)});
+        if (middle < v) continue;
+        keyed.push_back({middle, greatest, face_of(h)});
+      }
+      std::sort(keyed.begin(), keyed.end());
+      for (std::size_t i = 0; i < keyed.size(); ++i) {
+        const bool twice = keyed[i].middle == v || keyed[i].middle == keyed[i].greatest;
+        const bool repeated =
+            i > 0 && keyed[i].middle == keyed[i - 1].middle && keyed[i].greatest == keyed[i - 1].greatest;
+        if (!twice && !repeated) continue;
+        left_out[keyed[i].face] = 1;
+        any = true;
+      }
+    }
+  });
+  if (!any) return;
+  std::vector<std::array<Index, 3>> kept;
+  kept.reserve(face_vertices_.size());
+  input_face_.reserve(face_vertices_.size());
+  for (Index f = 0; f < face_count(); ++f) {
+    if (left_out[f] != 0) continue;
+    input_face_.push_back(f);
+    kept.push_back(face_vertices_[f]);
+  }
+  face_vertices_ = std::move(kept);
+  list_corners();
+}
+
+/// Numbers the edges by their lower ends, then by their upper ends, and links their half-edges in rings.
+void Mesh::link_edges() {
+  // Sorted: the upper end of an edge, then a half-edge. The first key of each edge is marked afterwards.
+  using Key = std::uint64_t;
+  constexpr Key mark = Key{1} << 63;
+  auto halfedge = [](Key key) { return static_cast<Index>(key & 0xffffffff); };
+  auto upper_end = [](Key key) { return static_cast<Index>((key & ~mark) >> 32); };
+  std::vector<std::vector<Key>> keys_of(range_count(vertex_count()));
+  std::vector<Index> edge_end(positions_.size(), 0);
+  parallel_ranges(vertex_count(), [&](Index begin, Index end) {
+    std::vector<Key> keys;
+    keys.reserve(static_cast<std::size_t>(corner_begin_[end] - corner_begin_[begin]));
+    for (Index v = begin; v < end; ++v) {
+      auto add = [&](Index other, Index h) {
+        if (other > v) keys.push_back(static_cast<Key>(other) << 32 | static_cast<Key>(h));
+      };
+      const auto first = static_cast<std::ptrdiff_t>(keys.size());
+      for (Index h : corners(v)) {
+        add(head(h), h);
+        add(apex(h), previous_in_face(h));
+      }
+      std::sort(keys.begin() + first, keys.end());
+      Index previous = no_index;
+      for (auto key = keys.begin() + first; key != keys.end(); ++key) {
+        const Index other = upper_end(*key);
+        if (other == previous) continue;
+        *key |= mark;
+        ++edge_end[v];
+        previous = other;
+      }
+    }
+    keys_of[range_of(begin)] = std::move(keys);
+  });
+  std::partial_sum(edge_end.begin(), edge_end.end(), edge_end.begin());
+  const Index edges = edge_end.empty() ? 0 : edge_end.back();
+  edge_vertices_.resize(edges);
+  edge_length_.resize(edges);
+  edge_halfedge_.resize(edges);
+  halfedge_edge_.resize(corners_.size());
+  next_around_edge_.resize(corners_.size());
+  parallel_ranges(vertex_count(), [&](Index begin, Index end) {
+    const std::vector<Key> keys = std::move(keys_of[range_of(begin)]);
+    std::size_t at = 0;
+    Index edge = begin == 0 ? 0 : edge_end[begin - 1];
+    for (Index v = begin; v < end; ++v) {
+      for (; edge < edge_end[v]; ++edge) {
+        const std::size_t first = at;
+        const Index other = upper_end(keys[first]);
+        edge_vertices_[edge] = {v, other};
+        edge_length_[edge] = distance_between(positions_[v], positions_[other]);
+        edge_halfedge_[edge] = halfedge(keys[first]);
+        do {
+          halfedge_edge_[halfedge(keys[at])] = edge;
+          const bool is_last = at + 1 == keys.size() || (keys[at + 1] & mark) != 0;
+          next_around_edge_[halfedge(keys[at])] = halfedge(keys[is_last ? first : at + 1]);
+        } while (++at < keys.size() && (keys[at] & mark) == 0);
+      }
+    }
+  });
+}
+
+// ---- How the faces lie around each vertex: corners sorted by walking around it
+
+void Mesh::sort_fans() {
+  fan_.resize(positions_.size());
+  border_.resize(positions_.size());
+  total_angle_.resize(positions_.size());
+  parallel_ranges(vertex_count(), [&](Index begin, Index end) {
+    std::vector<Index> chain;
+    for (Index v = begin; v < end; ++v) {
+      total_angle_[v] = angle_around(v);
+      fan_[v] = sort_fan(v, chain);
+    }
+  });
+}
+
+/// Brings the corners of a vertex into the order of its fan, if it has one. `chain` is scratch memory.
+Mesh::Fan Mesh::sort_fan(Index vertex, std::vector<Index>& chain) {
+  const auto own = corners(vertex);
+  if (own.empty()) return Fan::isolated;
+  bool manifold = true;
+  Index start = own[0];
+  for (Index h : own) {
+    for (Index side : {h, previous_in_face(h)}) {
+      // Around an edge of length zero the angles do not tell how the faces at its two ends lie relative to
+      // each other, so straight on cannot be told from a turn: paths may turn at both ends.
+      if (has_zero_edges_ && edge_length_[halfedge_edge_[side]] == 0.0) manifold = false;
+      const Index other = next_around_edge_[side];
+      if (other == side) {
+        border_[vertex] = 1;
+        start = h;
+      } else if (next_around_edge_[other] != side) {
+        manifold = false;
+      }
+    }
+  }
+  if (!manifold) return Fan::non_manifold;
+  // Walk from the start corner, entering by a border edge if it has one, until the chain closes or ends.
+  chain.clear();
+  Index corner = start;
+  Index entered = start;
+  if (is_border(vertex) && next_around_edge_[start] != start) entered = previous_in_face(start);
+  do {
+    chain.push_back(corner);
+    const Index leaving = entered == corner ? previous_in_face(corner) : corner;
+    entered = next_around_edge_[leaving];
+    if (entered == leaving) break;
+    corner = tail(entered) == vertex ? entered : next_in_face(entered);
+  } while (corner != start);
+  if (chain.size() != own.size()) return Fan::non_manifold;
+  std::copy(chain.begin(), chain.end(), corners_.begin() + corner_begin_[vertex]);
+  return is_border(vertex) ? Fan::open : Fan::closed;
+}
+
+// ---- Angles and areas of faces, by the cross product of two sides, and the mean angle defect
+
+namespace {
+
+Point from_to(const Point& a, const Point& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
+
+double scalar_product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double cross_length(const Point& a, const Point& b) {
+  const Point cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const double square = scalar_product(cross, cross);
+  // Only there do squares keep all their digits.
+  const bool in_range = square > 1e-270 && square < 1e270;
+  return in_range ? std::sqrt(square) : std::hypot(cross[0], cross[1], cross[2]);
+}
+
+}  // namespace
+
+double Mesh::corner_angle(Index halfedge) const {
+  const auto corners = face_corners(face_of(halfedge));
+  const Point& corner = corners[halfedge % 3];
+  const Point to_next = from_to(corner, corners[next_in_face(halfedge) % 3]);
+  const Point to_previous = from_to(corner, corners[previous_in_face(halfedge) % 3]);
+  return std::atan2(cross_length(to_next, to_previous), scalar_product(to_next, to_previous));
+}
+
+/// The sum of the angles of the corners at a vertex. Angles add up where complex numbers are multiplied, so
+/// one arctangent serves them all; half turns are counted.
+double Mesh::angle_around(Index vertex) const {
+  double cosine = 1.0, sine = 0.0;  // times a positive number; of an angle in [0, pi)
+  double others = 0.0;
+  int half_turns = 0;
+  for (Index h : corners(vertex)) {
+    Point to_next, to_previous;
+    if (has_metric_) {
+      const auto corner = face_corners(face_of(h));
+      to_next = from_to(corner[h % 3], corner[next_in_face(h) % 3]);
+      to_previous = from_to(corner[h % 3], corner[previous_in_face(h) % 3]);
+    } else {
+      to_next = from_to(positions_[vertex], positions_[head(h)]);
+      to_previous = from_to(positions_[vertex], positions_[apex(h)]);
+    }
+    double along = scalar_product(to_next, to_previous);
+    double across = cross_length(to_next, to_previous);
+    const double size = std::abs(along) + across;
+    if (!(size > 0.0 && size < unreachable)) {
+      others += std::atan2(across, along);
+      continue;
+    }
+    along /= size;
+    across /= size;
+    const bool beyond_half = cosine < 0.0 && along < 0.0;
+    const double turned = cosine * along - sine * across;
+    sine = sine * along + cosine * across;
+    cosine = turned;
+    if (beyond_half || sine < 0.0 || (sine == 0.0 && cosine < 0.0)) {
+      cosine = -cosine;
+      sine = -sine;
+      ++half_turns;
+    }
+    if (std::abs(cosine) + std::abs(sine) < 1e-100) {
+      cosine *= 1e100;
+      sine *= 1e100;
+    }
+  }
+  return half_turns * std::numbers::pi + std::atan2(sine, cosine) + others;
+}
+
+double Mesh::face_area(Index face) const {
+  // Cross product of the two shorter sides: relative to them, the rounding of a product is small even in
+  // needles.
+  int longest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (edge_length_[halfedge_edge_[3 * face + i]] > edge_length_[halfedge_edge_[3 * face + longest]])
+      longest = i;
+  }
+  const Index opposite = 3 * face + longest;
+  const auto corners = face_corners(face);
+  const Point& corner = corners[previous_in_face(opposite) % 3];
+  return 0.5 * cross_length(from_to(corner, corners[opposite % 3]),
+                            from_to(corner, corners[next_in_face(opposite) % 3]));
+}
+
+double Mesh::mean_angle_defect() const {
+  double sum = 0.0;
+  Index count = 0;
+  for (Index v = 0; v < vertex_count(); ++v) {
+    if (fan_[v] != Fan::closed) continue;
+    sum += std::abs(total_angle_[v] - 2.0 * std::numbers::pi);
+    ++count;
+  }
+  return count == 0 ? 0.0 : sum / count;
+}
+
+void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
+  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
+}
+
+// ---- A mesh whose edges have other lengths than in space: checks of the lengths, and what replaces
+// positions
+
+namespace {
+
+/// Lengths of one edge in two faces, and the sums in the triangle inequality, may differ by rounding.
+constexpr double length_rounding = 1e-9;
+
+/// The bound of straight lines must hold after rounding.
+constexpr double straight_slack = 1.0 - 1e-6;
+
+std::string listed(const std::array<double, 3>& sides) {
+  std::ostringstream text;
+  text.precision(9);
+  text << sides[0] << ", " << sides[1] << ", " << sides[2];
+  return text.str();
+}
+
+/// Squares and product of two sides of a face, from its first corner.
+struct Gram {
+  explicit Gram(const std::array<Point, 3>& corner) {
+    for (int k = 0; k < 3; ++k) {
+      const double a = corner[1][k] - corner[0][k];
+      const double b = corner[2][k] - corner[0][k];
+      aa += a * a;
+      ab += a * b;
+      bb += b * b;
+    }
+  }
+  double determinant() const { return std::max(0.0, aa * bb - ab * ab); }
+  double aa = 0.0;
+  double ab = 0.0;
+  double bb = 0.0;
+};
+
+}  // namespace
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+           const FaceSides& sides)
+    : Mesh(std::move(positions), faces, &sides.sides, sides.points_per_edge) {
+  constexpr Index max_points = 1000;
+  if (points_per_edge_ < 1 || points_per_edge_ > max_points) {
+    throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
+                       "; give 1 to 1000.");
+  }
+}
+
+std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
+                                              const std::vector<std::array<Index, 3>>& faces,
+                                              SideLengths sides) {
+  if (mesh.metric_jumps()) {
+    return std::make_shared<const Mesh>(std::move(positions), faces,
+                                        FaceSides{std::move(sides), mesh.points_per_edge()});
+  }
+  return mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), faces, sides)
+                           : std::make_shared<const Mesh>(std::move(positions), faces);
+}
+
+void require_agreeing_faces(const Mesh& mesh, const std::string& what) {
+  if (!mesh.metric_jumps()) return;
+  throw InvalidInput(what +
+                     " need edges on whose length both faces agree, and this metric jumps at edges: take the "
+                     "index or exact distances, or values at vertices.");
+}
+
+void Mesh::take_sides(const SideLengths& sides) {
+  const auto rows = sides.size();
+  for (Index f = 0; f < face_count(); ++f) {
+    const Index row = input_face(f);
+    const std::string number = std::to_string(row);
+    if (static_cast<std::size_t>(row) >= rows) {
+      throw InvalidInput("Face " + number + " has no side lengths: there are " + std::to_string(rows) +
+                         " rows of lengths; give one row of three for each face.");
+    }
+    const auto& side = sides[row];
+    for (double length : side) {
+      if (length >= 0.0 && std::isfinite(length)) continue;
+      throw InvalidInput("Face " + number + " has the side lengths " + listed(side) +
+                         "; lengths must be finite and not negative.");
+    }
+    const double longest = *std::ranges::max_element(side);
+    const double others = side[0] + side[1] + side[2] - longest;
+    if (longest > others + length_rounding * longest) {
+      throw InvalidInput("Face " + number + " has the side lengths " + listed(side) +
+                         ", which break the triangle inequality: no side may be longer than the other two "
+                         "together.");
+    }
+  }
+  face_sides_.resize(metric_jumps() ? face_count() : 0);
+  for (std::size_t f = 0; f < face_sides_.size(); ++f)
+    face_sides_[f] = sides[input_face(static_cast<Index>(f))];
+  for (Index e = 0; e < edge_count(); ++e) {
+    if (e % elements_per_checkpoint == 0) checkpoint();
+    // Side k is opposite corner k, so half-edge 3 f + i is side i + 2.
+    auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
+    const Index first = edge_halfedge_[e];
+    edge_length_[e] = length_at(first);
+    if (!metric_jumps()) require_agreement(e, sides);
+    for (Index h = next_around_edge_[first]; metric_jumps() && h != first; h = next_around_edge_[h]) {
+      edge_length_[e] = std::min(edge_length_[e], length_at(h));
+    }
+  }
+}
+
+void Mesh::require_agreement(Index edge, const SideLengths& sides) const {
+  const Index first = edge_halfedge_[edge];
+  const double length = edge_length_[edge];
+  for (Index h = next_around_edge_[first]; h != first; h = next_around_edge_[h]) {
+    const Index one = input_face(face_of(first));
+    const Index other = input_face(face_of(h));
+    if (std::abs(sides[other][(h + 2) % 3] - length) <= length_rounding * length) continue;
+    throw InvalidInput("Faces " + std::to_string(one) + " and " + std::to_string(other) +
+                       " disagree on the length of their edge from vertex " +
+                       std::to_string(edge_vertices_[edge][0]) + " to " +
+                       std::to_string(edge_vertices_[edge][1]) + ": their side lengths are " +
+                       listed(sides[one]) + " and " + listed(sides[other]) +
+                       "; give the same length in both (each side stands opposite its corner).");
+  }
+}
+
+std::array<double, 3> Mesh::side_lengths(Index face) const {
+  std::array<double, 3> side{};
+  for (int i = 0; i < 3; ++i) side[(i + 2) % 3] = side_length(3 * face + i);
+  return side;
+}
+
+/// The corners of a face, laid into the plane by the lengths of its sides.
+std::array<Point, 3> Mesh::corners_by_lengths(Index face) const {
+  // The longest side lies on the x axis and begins where the shorter of the other two ends, so differences
+  // are taken of numbers that have all their digits.
+  const auto side = side_lengths(face);
+  const auto apex = static_cast<int>(std::ranges::max_element(side) - side.begin());
+  int origin = (apex + 1) % 3;
+  int end = (apex + 2) % 3;
+  if (side[origin] < side[end]) std::swap(origin, end);
+  const double longest = side[apex];
+  const double to_origin = side[end];
+  const double to_end = side[origin];
+  std::array<Point, 3> corner{};
+  if (!(longest > 0.0)) return corner;
+  corner[end][0] = longest;
+  const double more = longest - to_end;
+  corner[apex][0] = (to_origin * to_origin + more * (longest + to_end)) / (2.0 * longest);
+  corner[apex][1] = twice_area(side) / longest;
+  return corner;
+}
+
+/// The least singular value of the maps from the faces in space to the faces in the metric.
+void Mesh::bound_straight_lines() {
+  straight_scale_ = 0.0;
+  if (!has_positions_) return;
+  double least = unreachable;
+  for (Index f = 0; f < face_count(); ++f) {
+    if (f % elements_per_checkpoint == 0) checkpoint();
+    const auto& v = face_vertices_[f];
+    const Gram space({positions_[v[0]], positions_[v[1]], positions_[v[2]]});
+    const Gram metric(face_corners(f));
+    const double area = space.determinant();
+    if (!(area > 0.0)) return;
+    const double sum = (space.bb * metric.aa - 2.0 * space.ab * metric.ab + space.aa * metric.bb) / area;
+    const double product = metric.determinant() / area;
+    const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
+    if (!(sum + root > 0.0)) return;
+    least = std::min(least, 2.0 * product / (sum + root));
+  }
+  if (least < unreachable) straight_scale_ = straight_slack * std::sqrt(least);
+}
+
+// ---- A mesh whose faces were split for a metric, with what was given of it
+
+namespace {
+
+std::vector<Point> with_middles(std::vector<Point> positions,
+                                const std::vector<std::array<Index, 2>>& middle_of) {
+  for (const auto& [a, b] : middle_of) {
+    Point middle{};
+    for (int k = 0; k < 3; ++k) middle[k] = 0.5 * positions[a][k] + 0.5 * positions[b][k];
+    positions.push_back(middle);
+  }
+  return positions;
+}
+
+}  // namespace
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& given,
+           const FaceSplits& splits)
+    : Mesh(with_middles(std::move(positions), splits.middle_of), splits.faces, &splits.sides) {
+  middle_of_ = splits.middle_of;
+  std::vector<Index> given_face(face_count());
+  for (Index f = 0; f < face_count(); ++f) given_face[f] = splits.given_face[input_face(f)];
+  for (Index f = 1; f < face_count(); ++f) {
+    const Index number = given_face[f];
+    const bool is_second_part =
+        number == given_face[f - 1] && (split_faces_.empty() || split_faces_.back().given != number);
+    if (is_second_part) split_faces_.push_back({number, given[number]});
+  }
+  input_face_ = std::move(given_face);
+}
+
+const std::array<Index, 3>& Mesh::given_corners(Index face) const {
+  const auto found = std::ranges::lower_bound(split_faces_, input_face(face), {}, &SplitFace::given);
+  const bool is_part = found != split_faces_.end() && found->given == input_face(face);
+  return is_part ? found->corners : face_vertices_[face];
+}
+
+// ---- A mesh whose gaps are closed by bridges: its faces name the vertices that stand for others, and the
+// bridges follow them
+
+namespace {
+
+std::vector<std::array<Index, 3>> with_bridges(std::vector<std::array<Index, 3>> faces,
+                                               const GapBridges& bridges) {
+  const auto count = static_cast<Index>(bridges.same_as.size());
+  for (auto& face : faces) {
+    for (Index& v : face) {
+      if (v >= 0 && v < count) v = bridges.same_as[v];
+    }
+  }
+  faces.insert(faces.end(), bridges.faces.begin(), bridges.faces.end());
+  return faces;
+}
+
+}  // namespace
+
+Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
+           const GapBridges& bridges)
+    : Mesh(std::move(positions), with_bridges(faces, bridges)) {
+  if (!bridges.faces.empty()) {
+    Index low = 0;
+    for (Index high = face_count(); low < high;) {
+      const Index middle = low + (high - low) / 2;
+      const bool given = input_face(middle) < static_cast<Index>(faces.size());
+      (given ? low : high) = given ? middle + 1 : middle;
+    }
+    first_bridge_ = low;
+  }
+  if (bridges.same_as.empty()) return;
+  same_as_ = bridges.same_as;
+  component_count_ = 0;
+  find_components();
 }
 
 }  // namespace vorogeo

@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "support/prefetch.h"
+#include "support/processor.h"
 #include "support/types.h"
 
 namespace vorogeo {
+
+// ---- The half-edge mesh, in flat arrays, on which everything in the core runs
 
 using Point = std::array<double, 3>;
 
@@ -38,7 +40,7 @@ struct FaceSides {
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN()};
-/// What closes the gaps of a mesh (gap_bridges.h).
+/// What closes the gaps of a mesh (gaps.h).
 struct GapBridges {
   /// By vertex, the first of the vertices that are one with it; empty if none are.
   std::vector<Index> same_as;
@@ -49,7 +51,7 @@ struct GapBridges {
 };
 
 /// Faces split at the middles of their sides, where a metric varies too much for one triangle
-/// (face_splits.h).
+/// (metric.h).
 struct FaceSplits {
   /// By vertex that is added behind those given: the ends of the line whose middle it is; they come before
   /// it.
@@ -282,5 +284,31 @@ void require_agreeing_faces(const Mesh& mesh, const std::string& what);
 /// accepted lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw
 /// InvalidInput.
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
+
+// ---- Which edge lengths the core can compute with, and the factor for the coordinates of meshes outside
+// this range
+
+/// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.
+struct LengthLimits {
+  double least_mean;
+  double greatest;
+
+  /// A mesh whose edges are all of length 0 passes.
+  bool allow(double mean, double longest) const {
+    return longest == 0.0 || (longest <= greatest && mean >= least_mean);
+  }
+};
+
+/// Areas are products of four lengths: beyond these they leave the range of doubles.
+inline constexpr LengthLimits exact_lengths{1e-60, 1e60};
+/// Tables hold single precision: distances across the mesh must stay well inside its range.
+inline constexpr LengthLimits index_lengths{1e-28, 1e28};
+
+/// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
+/// accepted lengths: "exact distances take". \throw InvalidInput.
+void require_lengths(double mean, double longest, const std::string& what, const LengthLimits& limits);
+
+/// The power of ten that brings mean and longest edge closest to 1 when coordinates are multiplied by it.
+double factor_to_unit(double mean, double longest);
 
 }  // namespace vorogeo

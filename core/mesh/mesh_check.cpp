@@ -1,16 +1,295 @@
-// The report on a triangle soup: findings on the raw arrays first, then on the connectivity of the usable
-// faces.
+// What is unusual about a mesh, counted and said in sentences.
 #include "mesh/mesh_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <queue>
+#include <sstream>
+#include <vector>
 
-#include "mesh/components.h"
 #include "mesh/outliers.h"
-#include "mesh/t_junctions.h"
+#include "mesh/surface_locator.h"
+#include "support/disjoint_sets.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Loops by joining border edges at their vertices; near borders by a tree of boxes over the border
+// vertices and short walks along edges
+
+namespace {
+
+/// Borders closer than this fraction of their edge lengths are near each other.
+constexpr double near_share = 0.1;
+/// They are connected, and not reported, if a path along edges joins them that is at most this many border
+/// edges long. The path round the end of a slit whose sides are one edge each has length 2.
+constexpr double joined_edges = 1.5;
+/// Limits of the work for one vertex, so that dense clusters of border vertices and vertices with thousands
+/// of edges cost time proportional to their number. A walk that is cut short is treated like a path found: no
+/// warning without proof.
+constexpr int max_neighbours = 1024;
+constexpr int max_steps = 4096;
+
+/// The vertices that paths along edges reach from a vertex within a length.
+class Walk {
+ public:
+  explicit Walk(const Mesh& mesh) : mesh_(mesh), distance_(mesh.vertex_count(), unreachable) {}
+
+  /// \return false if the walk was cut short.
+  bool run(Index start, double length) {
+    for (Index v : seen_) distance_[v] = unreachable;
+    seen_.clear();
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    int steps = 0;
+    auto reach = [&](Index vertex, double distance) {
+      if (distance > length || distance >= distance_[vertex]) return;
+      if (distance_[vertex] == unreachable) seen_.push_back(vertex);
+      distance_[vertex] = distance;
+      open.emplace(distance, vertex);
+    };
+    reach(start, 0.0);
+    while (!open.empty()) {
+      const auto [distance, vertex] = open.top();
+      open.pop();
+      if (distance > distance_[vertex]) continue;
+      for (Index h : mesh_.corners(vertex)) {
+        if (++steps > max_steps) return false;
+        const Index previous = Mesh::previous_in_face(h);
+        reach(mesh_.head(h), distance + mesh_.edge_length(mesh_.edge_of(h)));
+        reach(mesh_.tail(previous), distance + mesh_.edge_length(mesh_.edge_of(previous)));
+      }
+    }
+    return true;
+  }
+  bool reached(Index vertex) const { return distance_[vertex] != unreachable; }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<double> distance_;
+  std::vector<Index> seen_;
+};
+
+/// Mean length of the border edges at each vertex; 0 where there is none.
+std::vector<double> border_edge_lengths(const Mesh& mesh) {
+  std::vector<double> sum(mesh.vertex_count(), 0.0);
+  std::vector<Index> count(mesh.vertex_count(), 0);
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (!mesh.is_border_edge(edge)) continue;
+    for (Index v : mesh.edge_vertices(edge)) {
+      sum[v] += mesh.edge_length(edge);
+      ++count[v];
+    }
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= std::max<Index>(count[v], 1);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Index> face_groups(const Mesh& mesh, Index vertex) {
+  const auto corners = mesh.corners(vertex);
+  std::vector<std::pair<Index, Index>> place;  // of each corner among them, by half-edge
+  for (std::size_t i = 0; i < corners.size(); ++i) place.emplace_back(corners[i], static_cast<Index>(i));
+  std::sort(place.begin(), place.end());
+  auto place_of = [&](Index corner) {
+    return std::lower_bound(place.begin(), place.end(), std::pair{corner, Index{0}})->second;
+  };
+  DisjointSets groups(static_cast<Index>(corners.size()));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (Index side : {corners[i], Mesh::previous_in_face(corners[i])}) {
+      const Index next = mesh.next_around_edge(side);
+      groups.join(static_cast<Index>(i),
+                  place_of(mesh.tail(next) == vertex ? next : Mesh::next_in_face(next)));
+    }
+  }
+  std::vector<Index> result(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) result[i] = groups.root(static_cast<Index>(i));
+  return result;
+}
+
+std::vector<Index> border_loops_of_edges(const Mesh& mesh) {
+  DisjointSets loops(mesh.edge_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (!mesh.is_border(v)) continue;
+    const auto corners = mesh.corners(v);
+    const std::vector<Index> group = face_groups(mesh, v);
+    std::vector<Index> edge_of_group(corners.size(), no_index);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (Index side : {corners[i], Mesh::previous_in_face(corners[i])}) {
+        const Index edge = mesh.edge_of(side);
+        if (!mesh.is_border_edge(edge)) continue;
+        Index& first = edge_of_group[group[i]];
+        if (first == no_index) first = edge;
+        loops.join(edge, first);
+      }
+    }
+  }
+  std::vector<Index> loop(mesh.edge_count(), no_index);
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (mesh.is_border_edge(edge)) loop[edge] = loops.root(edge);
+  }
+  return loop;
+}
+
+BorderLoops find_border_loops(const Mesh& mesh) {
+  const std::vector<Index> loop_of = border_loops_of_edges(mesh);
+  std::vector<double> length(mesh.edge_count(), 0.0);
+  std::vector<Index> edges(mesh.edge_count(), 0);
+  BorderLoops result;
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    const Index loop = loop_of[edge];
+    if (loop == no_index) continue;
+    length[loop] += mesh.edge_length(edge);
+    result.count += edges[loop]++ == 0;
+  }
+  Index longest = no_index;
+  for (Index loop = 0; loop < mesh.edge_count(); ++loop) {
+    if (edges[loop] > 0 && (longest == no_index || length[loop] > length[longest])) longest = loop;
+  }
+  if (longest == no_index) return result;
+  result.longest_length = length[longest];
+  result.longest_edges = edges[longest];
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    if (loop_of[edge] != longest) continue;
+    const Index v = mesh.edge_vertices(edge)[0];
+    if (result.longest_vertex == no_index || v < result.longest_vertex) result.longest_vertex = v;
+  }
+  return result;
+}
+
+NearBorders find_near_borders(const Mesh& mesh) {
+  const std::vector<double> edge = border_edge_lengths(mesh);
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (edge[v] > 0.0) vertices.push_back(v);
+  }
+  NearBorders result;
+  if (vertices.empty()) return result;
+  std::vector<Box> boxes;
+  boxes.reserve(vertices.size());
+  for (const Index v : vertices) boxes.push_back({mesh.position(v), mesh.position(v)});
+  const BoxTree tree(boxes);
+  Walk walk(mesh);
+  for (const Index u : vertices) {
+    double least = near_share * edge[u];
+    Index nearest = no_index;
+    bool walked = false;
+    bool ended = false;
+    const auto look_at = [&](Index place) {
+      const Index v = vertices[place];
+      const double distance = distance_between(mesh.position(u), mesh.position(v));
+      if (v == u || distance > near_share * edge[v] || (nearest != no_index && distance >= least))
+        return least;
+      if (mesh.component(u) == mesh.component(v)) {
+        if (!walked) ended = walk.run(u, joined_edges * edge[u]);
+        walked = true;
+        if (!ended || walk.reached(v)) return least;
+      }
+      nearest = v;
+      least = distance;
+      return least;
+    };
+    tree.visit_near({mesh.position(u), mesh.position(u)}, least, max_neighbours, look_at,
+                    [](Index) { return false; });
+    if (nearest == no_index) continue;
+    if (result.count++ == 0) result.first = u;
+    if (result.closest[0] == no_index || least < result.least) {
+      result.least = least;
+      result.closest = {u, nearest};
+    }
+    result.greatest = std::max(result.greatest, least);
+  }
+  return result;
+}
+
+// ---- For each border vertex, the border edges near it, by a tree of their boxes
+
+namespace {
+
+/// How far a vertex inside an edge may lie from it: this fraction of the edge's length, and of the largest
+/// coordinate, which files often hold in single precision (6e-8 for each coordinate).
+constexpr double off_share = 1e-6;
+constexpr double off_coordinate = 2e-7;
+/// But no farther than this fraction of the edge: small edges far from the origin have lost their directions.
+constexpr double max_off = 1e-2;
+/// Border edges examined for one vertex, so that a heap of edges at one place costs time proportional to
+/// their number.
+constexpr int max_edges = 1024;
+
+double tolerance(const Mesh& mesh, Index edge) {
+  double greatest = 0.0;
+  for (Index v : mesh.edge_vertices(edge)) {
+    for (double x : mesh.position(v)) greatest = std::max(greatest, std::abs(x));
+  }
+  const double length = mesh.edge_length(edge);
+  return std::min(max_off * length, off_share * length + off_coordinate * greatest);
+}
+
+/// Whether a point lies on the edge, away from its ends.
+bool is_inside(const Mesh& mesh, Index edge, const Point& point) {
+  const double length = mesh.edge_length(edge);
+  if (!(length > 0.0)) return false;
+  const auto [a, b] = mesh.edge_vertices(edge);
+  const Point& from = mesh.position(a);
+  const Point& to = mesh.position(b);
+  const double off = tolerance(mesh, edge);
+  double along = 0.0;
+  for (int k = 0; k < 3; ++k) along += (point[k] - from[k]) * ((to[k] - from[k]) / length);
+  if (!(along > off && along < length - off)) return false;
+  Point foot{};
+  for (int k = 0; k < 3; ++k) foot[k] = std::lerp(from[k], to[k], along / length);
+  return distance_between(point, foot) <= off && distance_between(point, from) > off &&
+         distance_between(point, to) > off;
+}
+
+}  // namespace
+
+TJunctions find_t_junctions(const Mesh& mesh) {
+  TJunctions result;
+  std::vector<Index> edges;
+  std::vector<Box> boxes;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (!mesh.is_border_edge(e)) continue;
+    const auto [a, b] = mesh.edge_vertices(e);
+    const double off = tolerance(mesh, e);
+    Box box{mesh.position(a), mesh.position(a)};
+    box.add({mesh.position(b), mesh.position(b)});
+    for (int k = 0; k < 3; ++k) {
+      box.low[k] -= off;
+      box.high[k] += off;
+    }
+    edges.push_back(e);
+    boxes.push_back(box);
+  }
+  if (edges.empty()) return result;
+  const BoxTree tree(std::move(boxes));
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % elements_per_checkpoint == 0) checkpoint();
+    if (!mesh.is_border(v)) continue;
+    Index found = no_index;
+    // Once an edge is found, nothing is near enough any more.
+    auto look_at = [&](Index place) {
+      const Index edge = edges[place];
+      const auto& own = mesh.face_vertices(Mesh::face_of(mesh.edge_halfedge(edge)));
+      const bool is_corner = std::ranges::find(own, v) != own.end();
+      if (found == no_index && !is_corner && is_inside(mesh, edge, mesh.position(v))) found = edge;
+      return found == no_index ? 0.0 : -1.0;
+    };
+    tree.visit_near({mesh.position(v), mesh.position(v)}, 0.0, max_edges, look_at,
+                    [](Index) { return false; });
+    if (found == no_index) continue;
+    if (result.count++ == 0) {
+      result.first = v;
+      result.first_edge = mesh.edge_vertices(found);
+    }
+  }
+  return result;
+}
+
+// ---- The report on a triangle soup: findings on the raw arrays first, then on the connectivity of the
+// usable faces
 
 namespace {
 
@@ -189,6 +468,169 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
   report.first_t_junction_edge = t_junctions.first_edge;
   check_gaps(mesh, report);
   return report;
+}
+
+// ---- What the report on a mesh says: one sentence for each finding, and a summary
+
+namespace {
+
+/// "1 face has" or "3 faces have", from "face has|faces have".
+std::string counted(Index count, const std::string& forms) {
+  const auto bar = forms.find('|');
+  return std::to_string(count) + " " + (count == 1 ? forms.substr(0, bar) : forms.substr(bar + 1));
+}
+
+/// "10,000".
+std::string grouped(double power_of_ten) {
+  std::ostringstream text;
+  text.precision(0);
+  text << std::fixed << power_of_ten;
+  std::string digits = text.str();
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) digits.insert(at, 1, ',');
+  return digits;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+/// Four digits of a value, not below it.
+std::string number_above(double value) {
+  const double unit = value > 0.0 ? std::pow(10.0, std::floor(std::log10(value)) - 3.0) : 1.0;
+  return number(std::ceil(value / unit * (1.0 - 1e-12)) * unit);
+}
+
+/// "2000, 40 and 3 vertices (the first: 0, 2000 and 2040)".
+std::string sizes_of(const std::vector<MeshComponent>& components) {
+  constexpr std::size_t max_named = 5;
+  const std::size_t named = std::min(components.size(), max_named);
+  std::string sizes;
+  std::string vertices;
+  for (std::size_t i = 0; i < named; ++i) {
+    const std::string comma = i == 0 ? "" : i + 1 == components.size() ? " and " : ", ";
+    sizes += comma + std::to_string(components[i].vertices);
+    vertices += comma + std::to_string(components[i].first_vertex);
+  }
+  const std::size_t rest = components.size() - named;
+  const std::string more = rest == 0 ? "" : " and " + std::to_string(rest) + " more";
+  return sizes + more + " vertices (the first of each: " + vertices + more + ")";
+}
+
+}  // namespace
+
+std::vector<std::string> MeshReport::sentences() const {
+  std::vector<std::string> result;
+  auto say = [&](const MeshFinding& finding, const std::string& forms, const std::string& where,
+                 const std::string& meaning) {
+    if (finding.count == 0) return;
+    const std::string first = finding.count == 1 ? " (" : " (the first: ";
+    result.push_back(counted(finding.count, forms) + first + where + "); " + meaning);
+  };
+  auto vertex = [](const MeshFinding& finding) { return "vertex " + std::to_string(finding.first); };
+  auto face = [](const MeshFinding& finding) { return "face " + std::to_string(finding.first); };
+
+  if (faces == 0) result.emplace_back("The mesh has no face; distances over a surface need at least one.");
+  say(non_finite_vertices,
+      "vertex has a coordinate that is not a finite number|vertices have a coordinate that is not a finite "
+      "number",
+      vertex(non_finite_vertices), "such a mesh is refused: repair it or remove its bad vertices.");
+  say(faces_out_of_range, "face names a vertex that does not exist|faces name a vertex that does not exist",
+      face(faces_out_of_range),
+      "such a mesh is refused: it has " +
+          (vertices == 0 ? std::string("no vertices") : "vertices 0 to " + std::to_string(vertices - 1)) +
+          "; repair it or remove its bad faces.");
+  say(faces_with_repeated_vertex, "face names a vertex twice|faces name a vertex twice",
+      face(faces_with_repeated_vertex), "left out.");
+  say(duplicate_faces,
+      "face has the three vertices of an earlier face|faces have the three vertices of an earlier face",
+      face(duplicate_faces), "left out.");
+  say(zero_area_faces, "face has no area|faces have no area", face(zero_area_faces),
+      "kept as a connection without width, which paths cross at no cost.");
+  say(duplicate_vertices,
+      "vertex lies at the position of an earlier vertex|vertices lie at the position of an earlier vertex",
+      vertex(duplicate_vertices),
+      "not joined to it, so paths pass only where faces connect; merge close vertices first if they should "
+      "be one.");
+  say(isolated_vertices, "vertex belongs to no face|vertices belong to no face", vertex(isolated_vertices),
+      "not reached by any path.");
+  say(non_manifold_edges, "edge has three or more faces|edges have three or more faces",
+      "between vertices " + std::to_string(first_non_manifold_edge[0]) + " and " +
+          std::to_string(first_non_manifold_edge[1]) + ", at face " +
+          std::to_string(non_manifold_edges.first),
+      "paths may turn from each of the faces into any other.");
+  say(non_manifold_vertices,
+      "vertex joins faces that share no edge there|vertices join faces that share no edge there",
+      vertex(non_manifold_vertices), "paths may pass through the vertex from any of the faces to any other.");
+  say(inconsistent_edges,
+      "edge lies between faces of opposite orientation|edges lie between faces of opposite orientation",
+      "at face " + std::to_string(inconsistent_edges.first), "this does not change distances.");
+  say(t_junctions,
+      "vertex lies inside a border edge of another face|vertices lie inside a border edge of another face",
+      vertex(t_junctions) + ", on the edge between vertices " + std::to_string(first_t_junction_edge[0]) +
+          " and " + std::to_string(first_t_junction_edge[1]),
+      "no path crosses such a T-junction: split the edge at the vertex if the surface should be joined.");
+  // 17234 typical edges are given as 10,000: the order of magnitude is enough.
+  const std::string ratio =
+      outliers.count == 0 ? "" : grouped(std::pow(10.0, std::floor(std::log10(outlier_ratio) + 1e-9)));
+  say(outliers,
+      "vertex lies " + ratio + " times farther out than the rest|vertices lie " + ratio +
+          " times farther out than the rest",
+      vertex(outliers),
+      "distances between the others are not affected (up to 1e13 times); remove them if they are errors of "
+      "measurement or no-data values.");
+  if (components > 1) {
+    result.push_back(std::to_string(components) + " components, of " + sizes_of(component_sizes) +
+                     "; no path leads from one to another.");
+    if (gap_to_join_all < unreachable) {
+      result.push_back("Bridging gaps of " +
+                       (gap_to_join_all > 0.0 ? "up to " + number_above(gap_to_join_all)
+                                              : std::string("any width, as borders touch,")) +
+                       " would make the components one.");
+    }
+  }
+  if (gap.length > 0.0) {
+    result.push_back("Bridging gaps of up to " + number(gap.length) + " joins " +
+                     counted(joined_borders, "border|borders") + " of " + std::to_string(border_loops.count) +
+                     " and leaves " + counted(components_after_bridging, "component|components") + ".");
+  }
+  if (near_borders.count > 0) {
+    result.push_back(counted(near_borders.count, "border vertex lies|border vertices lie") + " close to " +
+                     (near_borders.count == 1 ? "another" : "others") +
+                     " that no short path leads to (the closest: " + "vertices " +
+                     std::to_string(near_borders.closest[0]) + " and " +
+                     std::to_string(near_borders.closest[1]) + ", " + number(near_borders.least) +
+                     " apart; the farthest: " + number(near_borders.greatest) +
+                     "); paths cross such gaps only if they are bridged, or the vertices merged.");
+  }
+  const double factor = factor_to_unit(mean_edge_length, longest_edge_length);
+  auto say_scale = [&](const std::string& who, const LengthLimits& limits) {
+    result.push_back("Edges are " + number(mean_edge_length) + " long on average and up to " +
+                     number(longest_edge_length) + ", but " + who + " mean lengths of at least " +
+                     number(limits.least_mean) + " and edges of at most " + number(limits.greatest) +
+                     ": multiply the coordinates, for example by " + number(factor) +
+                     ", and divide the distances by it.");
+  };
+  if (!fits(exact_lengths)) {
+    say_scale("distances take", exact_lengths);
+  } else if (!fits(index_lengths)) {
+    say_scale("an index takes", index_lengths);
+  }
+  return result;
+}
+
+std::string MeshReport::summary() const {
+  std::string result = counted(vertices, "vertex|vertices") + ", " + counted(faces, "face|faces") + ", " +
+                       counted(components, "component|components") + ", " +
+                       counted(border_loops.count, "border loop|border loops");
+  if (border_loops.count > 0) {
+    result += std::string(border_loops.count == 1 ? " (" : " (the longest: ") +
+              counted(border_loops.longest_edges, "edge|edges") + ", " + number(border_loops.longest_length) +
+              " long, at vertex " + std::to_string(border_loops.longest_vertex) + ")";
+  }
+  return result + ".";
 }
 
 }  // namespace vorogeo

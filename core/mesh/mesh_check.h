@@ -1,16 +1,65 @@
-// What a mesh contains that a user should know before trusting distances on it.
+// What is unusual about a mesh, counted and said in sentences.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "mesh/border_check.h"
-#include "mesh/gap_bridges.h"
-#include "mesh/length_limits.h"
+#include "mesh/gaps.h"
 #include "mesh/mesh.h"
 
 namespace vorogeo {
+
+// ---- Borders of a mesh: closed loops of border edges, and borders that nearly touch though no short path
+// joins them
+
+/// The closed loops of border edges. Where borders meet at a vertex, each continues along the faces it
+/// bounds.
+struct BorderLoops {
+  Index count = 0;
+  Index longest_edges = 0;          ///< edges of the longest loop
+  Index longest_vertex = no_index;  ///< its lowest-numbered vertex
+  double longest_length = 0.0;
+};
+
+/// Border vertices that have another border vertex nearer than a tenth of the border edges at both, but no
+/// path along edges to it shorter than one and a half of these: gaps that a program left open, or slits.
+struct NearBorders {
+  Index count = 0;  ///< vertices with such a neighbour
+  Index first = no_index;
+  std::array<Index, 2> closest{no_index, no_index};
+  double least = 0.0;     ///< distance of the closest pair
+  double greatest = 0.0;  ///< largest distance of such a vertex from its nearest such neighbour
+};
+
+/// By edge, a number that the edges of one border loop share; no_index for edges inside the surface.
+/// Complexity: O(m) for m faces.
+std::vector<Index> border_loops_of_edges(const Mesh& mesh);
+/// Complexity: O(m) for m faces.
+BorderLoops find_border_loops(const Mesh& mesh);
+
+/// Edge lengths must be within exact_lengths. Complexity: O(b log b) for b border vertices: each examines a
+/// bounded number of others and of edges around it.
+NearBorders find_near_borders(const Mesh& mesh);
+
+/// Groups of the faces around a vertex that are connected across edges at the vertex: one number for each
+/// corner of the vertex, the same for corners of one group. Complexity: O(k log k) for k corners.
+std::vector<Index> face_groups(const Mesh& mesh, Index vertex);
+
+// ---- T-junctions: vertices that lie inside a border edge of a face to which they do not belong
+
+/// A gap without width: one side of it is split at a vertex, the other is not, so no path crosses it.
+struct TJunctions {
+  Index count = 0;                                      ///< vertices inside a border edge
+  Index first = no_index;                               ///< the first of them
+  std::array<Index, 2> first_edge{no_index, no_index};  ///< ends of the edge it lies in
+};
+
+/// Vertices count as inside an edge if their distance from it is what rounding to single precision explains.
+/// Edge lengths must be within exact_lengths. Complexity: O(b log b) for b border edges.
+TJunctions find_t_junctions(const Mesh& mesh);
+
+// ---- What a mesh contains that a user should know before trusting distances on it
 
 /// One kind of finding: how many elements, and the first of them.
 struct MeshFinding {
@@ -40,7 +89,7 @@ struct MeshReport {
   MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
   MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no effect
   MeshFinding outliers;                    ///< far from the rest of their component (mesh/outliers.h)
-  MeshFinding t_junctions;                 ///< inside a border edge of another face (mesh/t_junctions.h)
+  MeshFinding t_junctions;                 ///< inside a border edge of another face (mesh/mesh_check.h)
   double outlier_ratio = 0.0;              ///< shortest edge from an outlier to the rest, in typical edges
   std::array<Index, 2> first_non_manifold_edge{no_index, no_index};
   std::array<Index, 2> first_t_junction_edge{no_index, no_index};

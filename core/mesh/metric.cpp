@@ -1,19 +1,23 @@
-// Integrals along edges, checks of costs and tensors, and the repair of triangles.
+// Metrics: sides of faces by costs, tensors and slopes, and faces split where one triangle is too coarse.
 #include "mesh/metric.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <sstream>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
-#include "mesh/face_splits.h"
-#include "mesh/sorted_sides.h"
+#include "mesh/gaps.h"
 #include "mesh/vectors.h"
-#include "support/checkpoint.h"
 #include "support/error.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Integrals along edges, checks of costs and tensors, and the repair of triangles
 
 namespace {
 
@@ -232,6 +236,309 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     }
   }
   return count;
+}
+
+// ---- Normals of vertices, bends of edges, and the principal directions of their sums
+
+namespace {
+
+/// Bends below this, in radians, come from rounding: single precision has 1e-7.
+constexpr double flat_bend = 1e-6;
+
+Point cross_of(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot_of(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Point step_to(const Point& a, const Point& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
+
+/// The vector with length 1; zero stays zero.
+Point unit_of(const Point& a) {
+  const double length = std::hypot(a[0], a[1], a[2]);
+  return length > 0.0 ? Point{a[0] / length, a[1] / length, a[2] / length} : Point{};
+}
+
+/// Normal of a face, as long as twice its area.
+Point face_normal(std::span<const Point> positions, const std::array<Index, 3>& face) {
+  return cross_of(step_to(positions[face[0]], positions[face[1]]),
+                  step_to(positions[face[0]], positions[face[2]]));
+}
+
+/// Sums of the normals of the faces at each vertex, scaled to length 1. Flipped faces would cancel out, so
+/// each normal is turned to the side of those before it.
+std::vector<Point> vertex_normals(std::span<const Point> positions,
+                                  std::span<const std::array<Index, 3>> faces) {
+  std::vector<Point> normals(positions.size());
+  for (const auto& face : faces) {
+    const Point normal = face_normal(positions, face);
+    for (Index v : face) {
+      const double sign = dot_of(normals[v], normal) < 0.0 ? -1.0 : 1.0;
+      for (int k = 0; k < 3; ++k) normals[v][k] += sign * normal[k];
+    }
+  }
+  for (Point& normal : normals) normal = unit_of(normal);
+  return normals;
+}
+
+/// A symmetric matrix for each vertex: the sum over its inner edges of bend times length, in the direction
+/// across the edge.
+std::vector<Tensor> bend_tensors(std::span<const Point> positions,
+                                 std::span<const std::array<Index, 3>> faces) {
+  const std::vector<SideOfFace> sides = sides_in_mesh(faces);
+  std::vector<Tensor> sum(positions.size(), Tensor{});
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const auto& [ends, face, corner] = sides[i];
+    const auto& [next_ends, next_face, next_corner] = sides[i + 1];
+    if (next_ends != ends) continue;
+    const auto [a, b] = ends;
+    const Point along = step_to(positions[a], positions[b]);
+    const Point edge = unit_of(along);
+    // Directions in both faces away from the edge: opposite on a plane.
+    auto away = [&](Index v) {
+      Point aside = step_to(positions[a], positions[v]);
+      const double x = dot_of(aside, edge);
+      for (int k = 0; k < 3; ++k) aside[k] -= x * edge[k];
+      return unit_of(aside);
+    };
+    const Point left = away(faces[face][corner]);
+    const Point right = away(faces[next_face][next_corner]);
+    const Point bisector{left[0] + right[0], left[1] + right[1], left[2] + right[2]};
+    const Point across = unit_of(step_to(right, left));
+    // The sign tells ridges from valleys; which is which does not matter.
+    const Point normal = face_normal(positions, faces[face]);
+    const double sign = dot_of(bisector, normal) < 0.0 ? -1.0 : 1.0;
+    const double bend =
+        sign * 2.0 * std::asin(std::min(1.0, 0.5 * std::hypot(bisector[0], bisector[1], bisector[2])));
+    if (std::abs(bend) < flat_bend) continue;
+    const double weight = bend * std::hypot(along[0], along[1], along[2]);
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        sum[a][3 * r + c] += weight * across[r] * across[c];
+        sum[b][3 * r + c] += weight * across[r] * across[c];
+      }
+    }
+  }
+  return sum;
+}
+
+/// Each matrix with those of its neighbours: a single ring of edges has too few directions.
+std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
+                                    std::span<const std::array<Index, 3>> faces) {
+  std::vector<Tensor> sum(of);
+  for (const auto& face : faces) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 9; ++k) {
+        // In a closed fan every neighbour comes twice.
+        sum[face[i]][k] += 0.5 * (of[face[(i + 1) % 3]][k] + of[face[(i + 2) % 3]][k]);
+      }
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                               const Point& up, double penalty) {
+  if (!(penalty >= 0.0 && std::isfinite(penalty))) {
+    throw InvalidInput("The slope penalty is " + std::to_string(penalty) + "; give a number of at least 0.");
+  }
+  const Point upwards = unit_of(up);
+  if (!(dot_of(upwards, upwards) > 0.5)) {
+    throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
+  }
+  std::vector<double> cost;
+  cost.reserve(positions.size());
+  for (const Point& normal : vertex_normals(positions, faces)) {
+    const Point tilt = cross_of(normal, upwards);
+    cost.push_back(1.0 + penalty * std::min(1.0, std::hypot(tilt[0], tilt[1], tilt[2])));
+  }
+  return cost;
+}
+
+std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
+                                      std::span<const std::array<Index, 3>> faces, double weight) {
+  if (!std::isfinite(weight)) throw InvalidInput("The weight of the curvature is not finite; give a number.");
+  const auto normals = vertex_normals(positions, faces);
+  const auto bends = over_neighbours(bend_tensors(positions, faces), faces);
+  std::vector<Tensor> tensors(positions.size(), Tensor{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  for (std::size_t v = 0; v < tensors.size(); ++v) {
+    // In the plane of the vertex: two directions across the normal.
+    const Point& n = normals[v];
+    const Point axis = std::abs(n[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
+    const Point u = unit_of(cross_of(n, axis));
+    const Point w = cross_of(n, u);
+    auto entry = [&](const Point& a, const Point& b) {
+      double value = 0.0;
+      for (int i = 0; i < 9; ++i) value += a[i / 3] * bends[v][i] * b[i % 3];
+      return value;
+    };
+    const double uu = entry(u, u);
+    const double ww = entry(w, w);
+    const double uw = entry(u, w);
+    const double mean = 0.5 * (uu + ww);
+    const double spread = std::hypot(0.5 * (uu - ww), uw);
+    const double one = std::abs(mean + spread);
+    const double two = std::abs(mean - spread);
+    if (!(one + two > 0.0)) continue;
+    // Direction of the eigenvalue mean + spread; the other one is across.
+    double angle = 0.5 * std::atan2(2.0 * uw, uu - ww);
+    if ((one < two) != (weight < 0.0)) angle += std::acos(0.0);
+    const double strength = std::abs(weight) * std::abs(one - two) / (one + two);
+    Point d{};
+    for (int k = 0; k < 3; ++k) d[k] = std::cos(angle) * u[k] + std::sin(angle) * w[k];
+    for (int i = 0; i < 9; ++i) tensors[v][i] += strength * d[i / 3] * d[i % 3];
+  }
+  return tensors;
+}
+
+// ---- Bisection of longest sides, in the order in which faces and their parts are found to need it
+
+namespace {
+
+/// Less is rounding, which is not split but shortened.
+constexpr double split_slack = 1e-9;
+
+/// Bisections of a face one after the other: beside an edge that is nearly for free, parts of all sizes would
+/// be too long on one side, 16 times as many faces with these.
+constexpr Index most_splits = 6;
+
+struct Part {
+  std::array<Index, 3> corners;
+  Index given_face;
+  Index depth;  ///< bisections it took; no_index: it was split itself
+};
+
+class Splitter {
+ public:
+  Splitter(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+           const LengthsAlongLines& lines)
+      : lines_(lines), positions_(positions.begin(), positions.end()) {
+    parts_.reserve(faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (f % elements_per_checkpoint == 0) checkpoint();
+      const auto& v = faces[f];
+      parts_.push_back({v, static_cast<Index>(f), 0});
+      if (is_usable(v)) link(static_cast<Index>(f));
+    }
+  }
+
+  /// Splits a part, if it needs that and can be split.
+  void split(Index part) {
+    const Part at = parts_[part];
+    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return;
+    const auto sides = sides_of(at.corners);
+    if (!breaks_triangle(sides, split_slack)) return;
+    const auto apex = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+    const Index a = at.corners[(apex + 1) % 3];
+    const Index b = at.corners[(apex + 2) % 3];
+    const auto middle = static_cast<Index>(positions_.size());
+    const auto [low, high] = std::minmax(a, b);
+    splits_.middle_of.push_back({low, high});
+    positions_.push_back(moved(positions_[low], 0.5, minus(positions_[high], positions_[low])));
+    lines_.add_middle(low, high);
+    const std::vector<Index> around = faces_at_[key(a, b)];
+    for (Index each : around) bisect(each, low, high, middle);
+  }
+
+  /// The parts that a split has made or changed since the last call.
+  std::vector<Index> take_new() { return std::exchange(new_, {}); }
+
+  FaceSplits take() {
+    std::vector<Index> order;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (parts_[p].depth != no_index) order.push_back(static_cast<Index>(p));
+    }
+    std::ranges::stable_sort(order, {}, [&](Index p) { return parts_[p].given_face; });
+    for (Index p : order) {
+      splits_.faces.push_back(parts_[p].corners);
+      splits_.given_face.push_back(parts_[p].given_face);
+      splits_.sides.push_back(sides_of(parts_[p].corners));
+    }
+    return std::move(splits_);
+  }
+
+ private:
+  static std::uint64_t key(Index a, Index b) {
+    const auto [low, high] = std::minmax(a, b);
+    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
+  }
+
+  std::array<double, 3> sides_of(const std::array<Index, 3>& v) const {
+    std::array<double, 3> sides{};
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
+      if (low != high) sides[i] = lines_.length(low, high);
+    }
+    return sides;
+  }
+
+  bool has_width(const std::array<Index, 3>& v) const {
+    constexpr double least_square = 1e-12;  // of the sine; rounding of the difference is 1e-15
+    const Point u = minus(positions_[v[1]], positions_[v[0]]);
+    const Point w = minus(positions_[v[2]], positions_[v[0]]);
+    return dot(u, u) * dot(w, w) - dot(u, w) * dot(u, w) > least_square * dot(u, u) * dot(w, w);
+  }
+
+  void link(Index part) {
+    const auto& v = parts_[part].corners;
+    for (int i = 0; i < 3; ++i) faces_at_[key(v[i], v[(i + 1) % 3])].push_back(part);
+  }
+
+  void bisect(Index part, Index low, Index high, Index middle) {
+    const Part old = parts_[part];
+    for (int i = 0; i < 3; ++i) {
+      auto& there = faces_at_[key(old.corners[i], old.corners[(i + 1) % 3])];
+      std::erase(there, part);
+    }
+    parts_[part].depth = no_index;
+    for (Index end : {low, high}) {
+      Part half{old.corners, old.given_face, old.depth + 1};
+      *std::ranges::find(half.corners, end) = middle;
+      new_.push_back(static_cast<Index>(parts_.size()));
+      parts_.push_back(half);
+      link(new_.back());
+    }
+  }
+
+  const LengthsAlongLines& lines_;
+  std::vector<Point> positions_;
+  std::vector<Part> parts_;
+  std::unordered_map<std::uint64_t, std::vector<Index>> faces_at_;
+  std::vector<Index> new_;
+  FaceSplits splits_;
+};
+
+}  // namespace
+
+bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
+  const auto k = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+  return sides[k] > (sides[(k + 1) % 3] + sides[(k + 2) % 3]) * (1.0 + slack);
+}
+
+FaceSplits split_faces_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                           const SideLengths& sides, const LengthsAlongLines& lines, Index& split_faces) {
+  split_faces = 0;
+  std::vector<Index> broken;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (breaks_triangle(sides[f], split_slack)) broken.push_back(static_cast<Index>(f));
+  }
+  if (broken.empty()) return {};
+  std::deque<Index> open(broken.begin(), broken.end());
+  Splitter splitter(positions, faces, lines);
+  while (!open.empty()) {
+    checkpoint();
+    const Index part = open.front();
+    open.pop_front();
+    splitter.split(part);
+    for (Index fresh : splitter.take_new()) open.push_back(fresh);
+  }
+  FaceSplits splits = splitter.take();
+  if (splits.empty()) return {};
+  // A face may have been split by its neighbour only.
+  for (const Index f : broken) split_faces += std::ranges::equal_range(splits.given_face, f).size() > 1;
+  return splits;
 }
 
 }  // namespace vorogeo

@@ -1,13 +1,16 @@
-// Metrics from costs and tensors: the lengths that they give to the edges of a mesh.
+// Metrics: sides of faces by costs, tensors and slopes, and faces split where one triangle is too coarse.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
 
 namespace vorogeo {
+
+// ---- Metrics from costs and tensors: the lengths that they give to the edges of a mesh
 
 /// Symmetric 3 x 3 matrix, row by row.
 using Tensor = std::array<double, 9>;
@@ -55,5 +58,46 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
 /// Shortens every side that is longer than the two others together to their sum, in all faces of its edge,
 /// until the triangle inequality holds everywhere. \return the number of edges concerned.
 Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides);
+
+// ---- Costs and tensors that follow from the shape of a surface: slopes and principal directions
+
+/// A cost for each vertex that grows with the slope: 1 + penalty * sin(angle between the surface and the
+/// level), so 1 on level ground and 1 + penalty on a wall. The same uphill, downhill and along the slope.
+/// \throw InvalidInput for a penalty below 0 or not finite, or a direction of length 0.
+std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                               const Point& up, double penalty);
+
+/// A tensor for each vertex that makes one of the principal directions costlier: I + |weight| a d d', where
+/// a = (|k1| - |k2|) / (|k1| + |k2|) of the principal curvatures |k1| >= |k2|. With a weight above 0, d is
+/// the direction of k1: paths follow ridges, valleys and limbs. Below 0 it is that of k2: paths run around
+/// them. Where the curvature has no direction (planes, spheres), lengths stay as they are.
+///
+/// Curvatures: edges by their bend, over the vertex and its neighbours (Cohen-Steiner, Morvan 2003).
+/// \throw InvalidInput for a weight that is not finite.
+std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
+                                      std::span<const std::array<Index, 3>> faces, double weight);
+
+// ---- Splits faces on which a metric varies so much that one side is longer than the two others together
+
+/// A metric on the edges of a mesh to which vertices can be added.
+struct LengthsAlongLines {
+  /// The length of the line between two vertices, the smaller number first.
+  std::function<double(Index, Index)> length;
+  /// Adds the vertex in the middle of a line, with the metric interpolated there.
+  std::function<void(Index, Index)> add_middle;
+};
+
+/// Whether the longest side of a face is longer than the two others together by more than `slack`, a
+/// fraction.
+bool breaks_triangle(const std::array<double, 3>& sides, double slack);
+
+/// Splits each face that breaks the triangle inequality in the middle of its longest side, with the other
+/// faces at that side, and so on for their parts: the smaller the parts, the less the metric varies on them.
+/// Faces without width in space, and the last of many parts of a face, stay as they are.
+///
+/// \param split_faces Becomes the number of faces that break the inequality and are split.
+/// \return empty if there are none. Complexity: linear in the faces, if few have to be split.
+FaceSplits split_faces_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                           const SideLengths& sides, const LengthsAlongLines& lines, Index& split_faces);
 
 }  // namespace vorogeo

@@ -1,12 +1,35 @@
-// Pieces of a component that are connected by short edges; the small ones next to a large one are outliers.
+// Components, and vertices far away from the rest.
 #include "mesh/outliers.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
-#include "support/checkpoint.h"
 #include "support/disjoint_sets.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- Counts over faces and vertices
+
+Index components_with_faces(const Mesh& mesh) {
+  std::vector<std::uint8_t> has_face(mesh.component_count(), 0);
+  for (const auto& face : mesh.faces()) has_face[mesh.component(face[0])] = 1;
+  return static_cast<Index>(std::ranges::count(has_face, 1));
+}
+
+LargestComponent largest_component(const Mesh& mesh) {
+  std::vector<Index> size(mesh.component_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) ++size[mesh.component(v)];
+  const auto largest = static_cast<Index>(std::ranges::max_element(size) - size.begin());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.component(v) == largest) return {v, size[largest]};
+  }
+  return {};
+}
+
+// ---- Pieces of a component that are connected by short edges; the small ones next to a large one are
+// outliers
 
 namespace {
 

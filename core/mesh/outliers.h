@@ -1,4 +1,4 @@
-// Vertices far away from the rest of their component: measuring errors, no-data cells, spikes.
+// Components, and vertices far away from the rest.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,22 @@
 #include "mesh/mesh.h"
 
 namespace vorogeo {
+
+// ---- The components of a mesh: how many are surfaces, and the largest one
+
+/// Number of components that have a face; a vertex without one is a component of its own, too. Complexity:
+/// O(faces).
+Index components_with_faces(const Mesh& mesh);
+
+/// The component with the most vertices, the first of several.
+struct LargestComponent {
+  Index first_vertex = no_index;
+  Index vertices = 0;
+};
+/// Complexity: O(vertices).
+LargestComponent largest_component(const Mesh& mesh);
+
+// ---- Vertices far away from the rest of their component: measuring errors, no-data cells, spikes
 
 /// Vertices that are connected to the rest of their component only by edges far longer than the typical one.
 struct Outliers {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "mesh/length_limits.h"
+#include "mesh/mesh.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
 

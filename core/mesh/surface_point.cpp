@@ -1,4 +1,4 @@
-// Validation and position of surface points.
+// Points of the surface, lists of them, and distances between points of one face.
 #include "mesh/surface_point.h"
 
 #include <algorithm>
@@ -6,9 +6,12 @@
 #include <sstream>
 #include <string>
 
+#include "mesh/vectors.h"
 #include "support/error.h"
 
 namespace vorogeo {
+
+// ---- Validation and position of surface points
 
 namespace {
 
@@ -130,6 +133,73 @@ bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
     if (there[0] != v && there[1] != v && there[2] != v) return false;
   }
   return true;
+}
+
+// ---- Checks of point lists
+
+bool PointList::only_vertices() const {
+  return std::ranges::all_of(points_, [](const SurfacePoint& point) { return point.is_vertex(); });
+}
+
+std::vector<Index> PointList::vertices() const {
+  std::vector<Index> result;
+  result.reserve(points_.size());
+  for (const SurfacePoint& point : points_) result.push_back(point.vertex);
+  return result;
+}
+
+PointList points_on(const Mesh& mesh, const PointList& points, const char* role) {
+  std::vector<SurfacePoint> result;
+  result.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SurfacePoint& point = points[i];
+    const std::string name = std::string(role) + " " + std::to_string(i);
+    if (point.face == no_index && (point.vertex < 0 || point.vertex >= mesh.vertex_count())) {
+      throw InvalidInput(name + " is vertex " + std::to_string(point.vertex) +
+                         ", which does not exist: the mesh has vertices 0 to " +
+                         std::to_string(mesh.vertex_count() - 1) + ".");
+    }
+    try {
+      result.push_back(canonical(mesh, validated(mesh, point)));
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(name + " is not on the mesh. " + error.what());
+    }
+  }
+  return result;
+}
+
+// ---- The face in the plane: paths through its corners, and paths unfolded over its edges
+
+double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
+                        const std::array<double, 3>& corner_distance) {
+  std::array<double, 3> length{};  // of the edge from corner i to the next
+  for (int i = 0; i < 3; ++i) length[i] = mesh.side_length(3 * face + i);
+  std::array<double, 3> to_corner{};  // distance of the point from corner i, by edge lengths alone
+  for (int i = 0; i < 3; ++i) {
+    const double next = weights[(i + 1) % 3];
+    const double previous = weights[(i + 2) % 3];
+    const double a = length[i] * length[i];
+    const double b = length[(i + 2) % 3] * length[(i + 2) % 3];
+    const double opposite = length[(i + 1) % 3] * length[(i + 1) % 3];
+    const double square = next * next * a + previous * previous * b + next * previous * (a + b - opposite);
+    to_corner[i] = std::sqrt(std::fmax(0.0, square));
+  }
+  double best = unreachable;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    best = std::min(best, corner_distance[i] + to_corner[i]);
+    if (!(corner_distance[i] < unreachable && corner_distance[j] < unreachable)) continue;
+    double through =
+        unfolded_distance(length[i], corner_distance[i], corner_distance[j], to_corner[i], to_corner[j]);
+    const double third =
+        unfolded_distance(length[i], corner_distance[i], corner_distance[j], length[k], length[j]);
+    if (third < corner_distance[k] && corner_distance[k] < unreachable) {
+      through += weights[k] * (corner_distance[k] - third);
+    }
+    best = std::min(best, through);
+  }
+  return best;
 }
 
 }  // namespace vorogeo

@@ -1,12 +1,18 @@
-// A point on the surface: in a face, given by barycentric coordinates (vertices and edge points included).
+// Points of the surface, lists of them, and distances between points of one face.
 #pragma once
 
 #include <array>
 #include <compare>
+#include <concepts>
+#include <ranges>
+#include <vector>
 
 #include "mesh/mesh.h"
 
 namespace vorogeo {
+
+// ---- A point on the surface: in a face, given by barycentric coordinates (vertices and edge points
+// included)
 
 /// Where a point lies: exactly one of `vertex`, or `face` with `barycentric`, is set.
 struct SurfacePoint {
@@ -73,5 +79,51 @@ void for_each_face_at(const Mesh& mesh, const SurfacePoint& point, Visit&& visit
     }
   }
 }
+
+// ---- The points that a task is asked about: vertices, or any points of the surface
+
+/// A list of points on a mesh. Lists of vertices and of surface points convert to it implicitly, so that
+/// every function that takes points accepts both.
+class PointList {
+ public:
+  PointList() = default;
+  template <std::ranges::input_range Range>
+  requires std::same_as<std::remove_cv_t<std::ranges::range_value_t<Range>>, Index> PointList(
+      const Range& vertices) {  // NOLINT(google-explicit-constructor)
+    for (const Index vertex : vertices) points_.push_back(SurfacePoint::at_vertex(vertex));
+  }
+  template <std::ranges::input_range Range>
+  requires std::same_as<std::remove_cv_t<std::ranges::range_value_t<Range>>, SurfacePoint> PointList(
+      const Range& points)  // NOLINT(google-explicit-constructor)
+      : points_(std::ranges::begin(points), std::ranges::end(points)) {}
+
+  std::size_t size() const { return points_.size(); }
+  bool empty() const { return points_.empty(); }
+  const SurfacePoint& operator[](std::size_t i) const { return points_[i]; }
+  auto begin() const { return points_.begin(); }
+  auto end() const { return points_.end(); }
+
+  bool only_vertices() const;
+  /// \pre only_vertices()
+  std::vector<Index> vertices() const;
+
+ private:
+  std::vector<SurfacePoint> points_;
+};
+
+/// The list in canonical form. \throw InvalidInput if a point is not on the mesh; the message names it by
+/// `role` and its position in the list.
+PointList points_on(const Mesh& mesh, const PointList& points, const char* role);
+
+// ---- Distance of a point in a face, from the distances of the face's corners
+
+/// Distance of the point with these barycentric weights in a face whose corners have these distances from one
+/// source: the shortest of the paths through a corner and of those that enter through an edge, which are
+/// straight lines from where the distances of the edge's ends place the source in the plane. Where the third
+/// corner is farther than such a wave would put it, the difference is interpolated linearly. Exact where the
+/// wave of a single point crosses a face; elsewhere an interpolation. Infinite corners are left out;
+/// `unreachable` if all are.
+double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
+                        const std::array<double, 3>& corner_distance);
 
 }  // namespace vorogeo

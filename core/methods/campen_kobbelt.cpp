@@ -1,13 +1,12 @@
 // Waves over raw meshes that cross whatever is nearer in space than a tolerance.
 #include <cmath>
 
-#include "mesh/box_tree.h"
 #include "mesh/surface_locator.h"
 #include "mesh/vectors.h"
 #include "methods/fast_marching.h"
-#include "methods/method_table.h"
-#include "support/checkpoint.h"
+#include "methods/method.h"
 #include "support/error.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "exact/exact_solver.h"
-#include "methods/method_table.h"
-#include "support/checkpoint.h"
+#include "methods/method.h"
 #include "support/error.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -1,4 +1,4 @@
-// What all geodesic methods have in common: options, what they claim, fields, pairs, memory.
+// What a method to compare with is, and the table of them.
 #pragma once
 
 #include <functional>
@@ -12,6 +12,8 @@
 #include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- What all geodesic methods have in common: options, what they claim, fields, pairs, memory
 
 /// A number that a method takes.
 struct MethodOption {
@@ -73,5 +75,39 @@ template <class T>
 std::size_t bytes_of(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
+
+// ---- The table of all geodesic methods, by their names
+
+// Each in the file of its name.
+MethodEntry mmp_entry();
+MethodEntry ammp_entry();
+MethodEntry ch_entry();  // in chen_han.cpp, with ich
+MethodEntry ich_entry();
+MethodEntry fast_marching_entry();
+MethodEntry heat_entry();
+MethodEntry svg_entry();
+MethodEntry dgg_entry();
+MethodEntry gsp_entry();
+MethodEntry gtu_entry();
+MethodEntry campen_kobbelt_entry();
+MethodEntry stvd_entry();
+MethodEntry dijkstra_entry();
+MethodEntry vorogeo_entry();
+
+/// In the order in which they are offered.
+const std::vector<MethodEntry>& all_methods();
+
+/// \throw InvalidInput for a name that is not known; it lists those that are.
+const MethodEntry& method_named(const std::string& name);
+
+/// Options of a method with standard values for those that are not given.
+/// \throw InvalidInput for an unknown option, or a value out of range.
+MethodOptions completed_options(const MethodInfo& info, const MethodOptions& given);
+
+/// Prepares a method. Options that are not given have their standard value.
+/// \throw InvalidInput for an unknown name or option, or a value out of range; Cancelled.
+std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,
+                                               const std::shared_ptr<const Mesh>& mesh,
+                                               const MethodOptions& given, const Progress& progress);
 
 }  // namespace vorogeo

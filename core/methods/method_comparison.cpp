@@ -11,7 +11,7 @@
 
 #include "exact/exact_solver.h"
 #include "support/error.h"
-#include "tasks/field_difference.h"
+#include "tasks/extent.h"
 
 namespace vorogeo {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/gap_bridges.h"
-#include "methods/method_table.h"
+#include "mesh/gaps.h"
+#include "methods/method.h"
 
 namespace vorogeo {
 

@@ -1,7 +1,7 @@
 // This project's index as one of the methods.
-#include "field/geodesic_query.h"
 #include "index/geodesic_index.h"
-#include "methods/method_table.h"
+#include "methods/method.h"
+#include "query/geodesic_query.h"
 
 namespace vorogeo {
 

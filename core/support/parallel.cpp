@@ -1,19 +1,30 @@
-// Threads: workers take items from a shared counter, the caller works along and reports progress.
+// Work shared by threads, scratch memory for each worker, and the processor time of a thread.
 #include "support/parallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <ctime>
 #include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 namespace vorogeo {
+
+// ---- The clock of POSIX for the calling thread
+
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// ---- Threads: workers take items from a shared counter, the caller works along and reports progress
 
 int resolve_thread_count(int requested) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

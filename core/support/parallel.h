@@ -1,14 +1,25 @@
-// The one place that starts threads.
+// Work shared by threads, scratch memory for each worker, and the processor time of a thread.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "support/progress.h"
 #include "support/types.h"
 
 namespace vorogeo {
+
+// ---- How long a thread has worked
+
+/// Seconds of the processor that the calling thread has had. Unlike a clock on the wall it stands still while
+/// other programs run, so that two measured parts of work compare on a busy machine, too.
+double thread_seconds();
+
+// ---- The one place that starts threads
 
 /// Number of threads to use for a request: 0 or less means one per core of this process.
 ///
@@ -35,5 +46,27 @@ inline std::size_t range_count(Index count) {
 /// for each element. Few elements are one range, on the calling thread. The beginning of a range is a
 /// checkpoint.
 void parallel_ranges(Index count, const std::function<void(Index begin, Index end)>& body);
+
+// ---- Scratch memory of the workers of a parallel_for
+
+/// One object for each worker, made when that worker first asks for it: a thread that gets no item costs
+/// nothing.
+template <class Scratch>
+class PerWorker {
+ public:
+  /// `threads`: as for parallel_for.
+  explicit PerWorker(int threads) : of_worker_(resolve_thread_count(threads)) {}
+
+  /// The object of a worker; the first call makes it from the arguments.
+  template <class... Arguments>
+  Scratch& of(int worker, Arguments&&... arguments) {
+    auto& own = of_worker_[worker];
+    if (!own) own.emplace(std::forward<Arguments>(arguments)...);
+    return *own;
+  }
+
+ private:
+  std::vector<std::optional<Scratch>> of_worker_;
+};
 
 }  // namespace vorogeo

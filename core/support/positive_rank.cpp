@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 

@@ -1,12 +1,17 @@
-// Many distances in one call: pairs, matrices between two sets of points, fields of many sources.
+// Matrices of distances, and the fields of landmarks.
 #pragma once
 
+#include <memory>
 #include <span>
 
+#include "exact/exact_landmarks.h"
+#include "index/geodesic_index.h"
 #include "support/progress.h"
 #include "tasks/field_team.h"
 
 namespace vorogeo {
+
+// ---- Many distances in one call: pairs, matrices between two sets of points, fields of many sources
 
 /// How the entries of a matrix are computed. Both methods approximate the same distances and agree within the
 /// errors of the index.
@@ -46,5 +51,14 @@ void distance_fields(FieldTeam& team, const PointList& sources, double max_dista
 /// The same, rounded to single precision.
 void distance_fields(FieldTeam& team, const PointList& sources, double max_distance, std::span<float> rows,
                      const Progress& progress = {});
+
+// ---- Landmarks for exact paths: spread by the index, measured by the exact solver
+
+/// Exact distances, on the surface of exact runs (IndexData::unsplit), from `count` vertices that are far
+/// from one another, all in the component with the most vertices. \throw InvalidInput for a count that is not
+/// in 1 to ExactLandmarks::max_count, Cancelled. Complexity: an exact field for each, on `threads` threads
+/// (0: one per core).
+std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const GeodesicIndex>& index,
+                                                   int count, int threads = 0, const Progress& progress = {});
 
 }  // namespace vorogeo

@@ -1,4 +1,4 @@
-// How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks.
+// Eccentricity, diameter and disks, and how two fields differ.
 #pragma once
 
 #include <span>
@@ -8,6 +8,25 @@
 #include "tasks/field_team.h"
 
 namespace vorogeo {
+
+// ---- How two distance fields of one mesh differ
+
+/// Signed relative differences at the vertices that have a distance in both fields, and their statistics.
+struct FieldDifference {
+  std::vector<double> relative;  ///< NaN where there is nothing to compare
+  int compared = 0;
+  int one_only = 0;  ///< vertices with a distance in only one of the fields
+  double bias = 0.0;
+  double mean = 0.0;
+  double rms = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+
+/// Complexity: O(n log n). \pre Both have the same size.
+FieldDifference difference_of(const std::vector<double>& values, const std::vector<double>& reference);
+
+// ---- How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks
 
 /// The greatest finite distance of a vertex from a point, and that vertex (of equally far ones, the first).
 struct Eccentricity {

@@ -7,12 +7,12 @@
 #include <optional>
 #include <span>
 
-#include "field/geodesic_query.h"
+#include "exact/local_solver.h"
 #include "index/index_data.h"
-#include "path/path_query.h"
+#include "query/geodesic_query.h"
+#include "query/path_query.h"
 #include "support/error.h"
-#include "support/per_worker.h"
-#include "weighted/local_solver.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 

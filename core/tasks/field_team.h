@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "index/geodesic_index.h"
-#include "mesh/point_list.h"
+#include "mesh/surface_point.h"
 #include "support/types.h"
 
 namespace vorogeo {

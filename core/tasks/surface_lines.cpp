@@ -1,10 +1,18 @@
-// Points of lines, looked up by the element of the mesh on which they lie.
+// Lines drawn on the surface, and isolines of fields.
 #include "tasks/surface_lines.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 #include <utility>
 
+#include "mesh/given_points.h"
+#include "support/error.h"
+
 namespace vorogeo {
+
+// ---- Points of lines, looked up by the element of the mesh on which they lie
 
 double SurfaceLines::length() const {
   double sum = 0.0;
@@ -53,6 +61,73 @@ bool LineBuilder::add_segment(Index a, Index b) {
   if (!segment_of_.try_emplace({a, static_cast<std::uint64_t>(b)}, number).second) return false;
   lines_.segments.push_back({a, b});
   return true;
+}
+
+// ---- Marching triangles; crossings of edges are interpolated linearly or as for distances in the plane
+
+double crossing(double at_first, double at_second, double length, double level, Interpolation interpolation) {
+  const double linear = (level - at_first) / (at_second - at_first);
+  if (interpolation == Interpolation::linear || length <= 0.0 ||
+      std::abs(at_second - at_first) > length * (1.0 + 1e-6)) {
+    return std::clamp(linear, 0.0, 1.0);
+  }
+  // With the source at (foot, y), y^2 = at_first^2 - foot^2: the roots of x^2 - 2 foot x + product = 0.
+  const double foot = 0.5 * (length + (at_first - at_second) * (at_first + at_second) / length);
+  const double product = (at_first - level) * (at_first + level);
+  const double root = std::sqrt(std::max(0.0, foot * foot - product));
+  const double far = foot + std::copysign(root, foot);
+  const double near = far == 0.0 ? 0.0 : product / far;
+  const bool rising = at_second > at_first;
+  const double x = rising == (foot >= 0.0) ? far : near;
+  const double t = x / length;
+  return t >= -1e-9 && t <= 1.0 + 1e-9 ? std::clamp(t, 0.0, 1.0) : std::clamp(linear, 0.0, 1.0);
+}
+
+Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
+                  Interpolation interpolation) {
+  if (given.size() != static_cast<std::size_t>(mesh.given_vertex_count())) {
+    throw InvalidInput("The field has " + std::to_string(given.size()) + " values, but the mesh has " +
+                       std::to_string(mesh.given_vertex_count()) + " vertices; give one value for each.");
+  }
+  const std::vector<double> values = with_middles(mesh, given);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (!std::isfinite(levels[i])) {
+      throw InvalidInput("Level " + std::to_string(i) + " is " + std::to_string(levels[i]) +
+                         "; levels must be finite numbers.");
+    }
+  }
+  std::vector<Index> order(levels.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return levels[a] < levels[b]; });
+
+  Isolines result;
+  LineBuilder builder(mesh);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& corners = mesh.face_vertices(f);
+    const std::array<double, 3> at{values[corners[0]], values[corners[1]], values[corners[2]]};
+    if (!std::isfinite(at[0] + at[1] + at[2])) continue;
+    const auto [low, high] = std::minmax({at[0], at[1], at[2]});
+    auto next = std::upper_bound(order.begin(), order.end(), low,
+                                 [&](double value, Index level) { return value < levels[level]; });
+    for (; next != order.end() && levels[*next] <= high; ++next) {
+      const double level = levels[*next];
+      Index end[2];
+      int ends = 0;
+      for (int i = 0; i < 3 && ends < 2; ++i) {
+        if ((at[i] >= level) == (at[(i + 1) % 3] >= level)) continue;
+        const Index edge = mesh.edge_of(3 * f + i);
+        const auto [a, b] = mesh.edge_vertices(edge);
+        const double t = crossing(values[a], values[b], mesh.edge_length(edge), level, interpolation);
+        end[ends++] = builder.on_edge(edge, t, static_cast<std::uint64_t>(*next));
+        if (static_cast<std::size_t>(end[ends - 1]) == result.level_of_point.size()) {
+          result.level_of_point.push_back(*next);
+        }
+      }
+      if (ends == 2 && builder.add_segment(end[0], end[1])) result.level_of_segment.push_back(*next);
+    }
+  }
+  result.lines = builder.take();
+  return result;
 }
 
 }  // namespace vorogeo

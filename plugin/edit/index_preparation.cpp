@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "support/checkpoint.h"
+#include "support/progress.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

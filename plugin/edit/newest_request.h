@@ -10,7 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include "support/checkpoint.h"
 #include "support/progress.h"
 
 namespace vorogeo::plugin {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "choice/surface.h"
+#include "query/surface.h"
 #include "edit/drag_paths.h"
 #include "edit/picked.h"
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "mesh/surface_locator.h"
 #include "mesh/vcg_adapter.h"
 #include "support/progress.h"
-#include "tasks/isolines.h"
+#include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {
 

@@ -9,7 +9,7 @@
 #include "layers/parameters.h"
 #include "layers/task_points.h"
 #include "layers/team_of_layer.h"
-#include "mesh/components.h"
+#include "mesh/outliers.h"
 
 namespace vorogeo::plugin {
 

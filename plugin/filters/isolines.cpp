@@ -1,5 +1,5 @@
 // Filter: lines of equal vertex quality as a polyline layer.
-#include "tasks/isolines.h"
+#include "tasks/surface_lines.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "filters/help.h"
 #include "filters/rows.h"
 #include "host/host_methods.h"
@@ -19,7 +19,7 @@
 #include "layers/parameters.h"
 #include "layers/start_vertex.h"
 #include "support/error.h"
-#include "tasks/field_difference.h"
+#include "tasks/extent.h"
 
 namespace vorogeo::plugin {
 

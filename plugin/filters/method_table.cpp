@@ -7,7 +7,7 @@
 #include "host/ticking.h"
 #include "layers/parameters.h"
 #include "methods/method_comparison.h"
-#include "support/output_file.h"
+#include "support/file.h"
 
 namespace vorogeo::plugin {
 

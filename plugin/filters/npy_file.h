@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-#include "support/output_file.h"
+#include "support/file.h"
 
 namespace vorogeo::plugin {
 

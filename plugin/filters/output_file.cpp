@@ -3,7 +3,7 @@
 
 #include <QFile>
 
-#include "support/output_file.h"
+#include "support/file.h"
 
 namespace vorogeo::plugin {
 

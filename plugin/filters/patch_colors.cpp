@@ -6,7 +6,7 @@
 #include "layers/index_of_layer.h"
 #include "layers/parameters.h"
 #include "mesh/given_points.h"
-#include "partition/patch_coloring.h"
+#include "patches/partition.h"
 
 namespace vorogeo::plugin {
 

@@ -8,7 +8,6 @@
 #include "layers/parameters.h"
 #include "layers/task_points.h"
 #include "layers/team_of_layer.h"
-#include "tasks/lloyd.h"
 #include "tasks/spread_points.h"
 
 namespace vorogeo::plugin {

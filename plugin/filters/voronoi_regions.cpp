@@ -11,7 +11,7 @@
 #include "layers/task_points.h"
 #include "layers/team_of_layer.h"
 #include "mesh/given_points.h"
-#include "partition/patch_coloring.h"
+#include "patches/partition.h"
 
 namespace vorogeo::plugin {
 

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "support/checkpoint.h"
 #include "support/progress.h"
 
 namespace vorogeo::plugin {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/filter_row.h"
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 
 namespace vorogeo::plugin {
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "choice/rent_or_buy.h"
+#include "query/rent_or_buy.h"
 #include "index/geodesic_index.h"
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "mesh/vcg_adapter.h"
 
 namespace vorogeo::plugin {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/filter_row.h"
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "mesh/mesh.h"
 #include "mesh/vcg_adapter.h"
 

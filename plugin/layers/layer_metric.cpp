@@ -7,7 +7,6 @@
 
 #include "layers/parameters.h"
 #include "mesh/metric.h"
-#include "mesh/shape_metrics.h"
 
 namespace vorogeo::plugin {
 

@@ -6,7 +6,7 @@
 
 #include "host/filter_row.h"
 #include "layers/layer_mesh.h"
-#include "mesh/point_list.h"
+#include "mesh/surface_point.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "choice/surface.h"
+#include "query/surface.h"
 #include "host/filter_row.h"
 #include "layers/layer_mesh.h"
 

@@ -7,7 +7,7 @@
 
 #include "host/filter_row.h"
 #include "layers/layer_mesh.h"
-#include "mesh/point_list.h"
+#include "mesh/surface_point.h"
 
 namespace vorogeo::plugin {
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "mesh/mesh.h"
 #include "support/error.h"
 

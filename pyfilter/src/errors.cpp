@@ -3,7 +3,7 @@
 
 #include "support/error.h"
 #include "support/memory.h"
-#include "support/output_file.h"
+#include "support/file.h"
 
 namespace vorogeo::python {
 

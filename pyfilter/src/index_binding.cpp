@@ -13,7 +13,7 @@
 #include "mesh/given_points.h"
 #include "progress_bridge.h"
 #include "query_pool.h"
-#include "support/checkpoint.h"
+#include "support/progress.h"
 #include "support/parallel.h"
 
 namespace vorogeo::python {

@@ -7,7 +7,7 @@
 #include "index/build_estimate.h"
 #include "mesh/mesh_check.h"
 #include "progress_bridge.h"
-#include "weighted/local_solver.h"
+#include "exact/local_solver.h"
 
 namespace vorogeo::python {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/surface_locator.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 #include "point_arrays.h"
 
 namespace vorogeo::python {

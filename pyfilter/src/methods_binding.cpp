@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "arrays.h"
-#include "methods/method_table.h"
+#include "methods/method.h"
 #include "progress_bridge.h"
 
 namespace vorogeo::python {

@@ -3,7 +3,6 @@
 
 #include "arrays.h"
 #include "mesh/metric.h"
-#include "mesh/shape_metrics.h"
 
 namespace vorogeo::python {
 

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "support/output_file.h"
+#include "support/file.h"
 
 namespace vorogeo::python {
 

@@ -7,12 +7,12 @@
 #include "arrays.h"
 #include "index_binding.h"
 #include "mesh_points.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 #include "point_arrays.h"
 #include "progress_bridge.h"
 #include "support/parallel.h"
-#include "tasks/landmark_fields.h"
-#include "weighted/local_solver.h"
+#include "tasks/distance_matrix.h"
+#include "exact/local_solver.h"
 
 namespace vorogeo::python {
 

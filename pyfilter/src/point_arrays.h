@@ -7,7 +7,7 @@
 
 #include "arrays.h"
 #include "mesh/given_points.h"
-#include "mesh/point_list.h"
+#include "mesh/surface_point.h"
 #include "support/error.h"
 
 namespace vorogeo::python {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 
 namespace vorogeo::python {
 

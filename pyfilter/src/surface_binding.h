@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "choice/surface.h"
+#include "query/surface.h"
 #include "mesh_points.h"
 
 namespace vorogeo::python {

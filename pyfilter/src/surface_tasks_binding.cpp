@@ -1,11 +1,10 @@
 // The functions of _core for what is built on distance fields.
 #include "arrays.h"
-#include "mesh/components.h"
+#include "mesh/outliers.h"
 #include "mesh/given_points.h"
 #include "point_arrays.h"
 #include "tasks/extent.h"
-#include "tasks/isolines.h"
-#include "tasks/lloyd.h"
+#include "tasks/surface_lines.h"
 #include "tasks/spread_points.h"
 #include "tasks/voronoi_regions.h"
 #include "tasks_binding.h"

@@ -7,10 +7,10 @@
 #include "mesh/edge_points.h"
 #include "mesh/metric.h"
 #include "mesh_points.h"
-#include "path/mesh_path.h"
+#include "query/mesh_path.h"
 #include "progress_bridge.h"
-#include "support/checkpoint.h"
-#include "weighted/paths_from_point.h"
+#include "support/progress.h"
+#include "exact/paths_from_point.h"
 
 namespace vorogeo::python {
 

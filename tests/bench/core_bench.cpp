@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "index/geodesic_index.h"
 #include "mesh_file.h"
 

@@ -17,10 +17,9 @@
 
 #include "exact/exact_solver.h"
 #include "mesh_file.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 #include "support/parallel.h"
-#include "support/thread_clock.h"
-#include "tasks/landmark_fields.h"
+#include "tasks/distance_matrix.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 #include "support/hostile_meshes.h"
 #include "support/ply.h"
 #include "support/shapes.h"

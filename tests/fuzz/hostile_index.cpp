@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "fuzz/hostile_case.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 #include "support/error.h"
 #include "support/temporary.h"
 #include "tasks/voronoi_regions.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "fuzz/hostile_case.h"
-#include "path/path_query.h"
+#include "query/path_query.h"
 
 namespace vorogeo::test {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "fuzz/fuzz.h"
 #include "support/error.h"
 #include "support/index_blocks.h"

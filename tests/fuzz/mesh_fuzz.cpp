@@ -8,7 +8,7 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "fuzz/fuzz.h"
 #include "mesh/mesh_check.h"
 #include "support/error.h"

@@ -14,10 +14,7 @@ PACKAGE = Path("pyfilter", "vorogeo")
 
 # The rooms of each part from the bottom to the top: a file includes or imports of its own room and those before it.
 ORDER = {
-    "core": (
-        *("support", "mesh", "exact", "weighted", "partition", "index", "route", "field", "path", "choice"),
-        *("tasks", "methods"),
-    ),
+    "core": ("support", "mesh", "exact", "patches", "index", "query", "tasks", "methods"),
     "plugin": ("host", "layers", "filters", "edit"),
     "pyfilter": ("src", "vorogeo", "vorogeo/compat", "vorogeo/cli"),
 }

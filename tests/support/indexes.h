@@ -12,7 +12,7 @@
 
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
-#include "route/graph_route.h"
+#include "query/graph_route.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {

@@ -9,7 +9,7 @@
 
 #include "mesh/metric.h"
 #include "support/shapes.h"
-#include "weighted/weighted_solver.h"
+#include "exact/weighted_solver.h"
 
 namespace vorogeo::test {
 

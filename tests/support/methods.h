@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "methods/method_table.h"
+#include "methods/method.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {

@@ -1,5 +1,5 @@
 // Distances at points of faces that have no area, and the step back from them.
-#include "exact/back_step.h"
+#include "exact/path_tracing.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "exact/exact_solver.h"
-#include "support/checkpoint.h"
+#include "support/progress.h"
 #include "support/error.h"
 #include "support/exhaustive.h"
 #include "support/indexes.h"

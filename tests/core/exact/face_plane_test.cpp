@@ -1,5 +1,5 @@
 // Faces in the plane have the sides they have in space, those of no length and no area too.
-#include "exact/face_plane.h"
+#include "exact/exact_geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "support/checkpoint.h"
+#include "support/progress.h"
 #include "support/error.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"

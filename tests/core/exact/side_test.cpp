@@ -1,5 +1,5 @@
 // Windows on their way to a side: rays leave where straight lines do, whichever end positions count from.
-#include "exact/side.h"
+#include "exact/solver_state.h"
 
 #include <gtest/gtest.h>
 

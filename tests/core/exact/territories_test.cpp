@@ -8,7 +8,7 @@
 
 #include "support/indexes.h"
 #include "support/small_copy.h"
-#include "support/thread_clock.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/indexes.h"

@@ -1,5 +1,5 @@
 // Windows: distances by Pythagoras, and where a vertex overtakes.
-#include "exact/window.h"
+#include "exact/envelope.h"
 
 #include <gtest/gtest.h>
 

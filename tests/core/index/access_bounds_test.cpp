@@ -1,5 +1,5 @@
 // Bounds are never above what they bound, and close below it.
-#include "index/access_bounds.h"
+#include "index/transit_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Searches along a corridor: as close to exact distances as full searches, and equal to these nearly
 // everywhere.
-#include "index/batch_dijkstra.h"
+#include "index/boundary_dijkstra.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "exact/exact_solver.h"
-#include "index/min_plus.h"
+#include "index/scans.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

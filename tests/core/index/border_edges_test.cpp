@@ -1,5 +1,5 @@
 // Border edges by node: against the edges of the mesh.
-#include "index/border_edges.h"
+#include "index/patch_layer.h"
 
 #include <gtest/gtest.h>
 

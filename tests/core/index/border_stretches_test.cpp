@@ -1,5 +1,5 @@
 // Stretches of a border: together they are the border, in the order of its rows.
-#include "index/border_stretches.h"
+#include "index/patch_layer.h"
 
 #include <gtest/gtest.h>
 

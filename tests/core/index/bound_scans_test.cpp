@@ -1,5 +1,5 @@
 // Scans over lower bounds against plain loops.
-#include "index/bound_scans.h"
+#include "index/scans.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "index/memory_budget.h"
-#include "partition/partition.h"
+#include "patches/partition.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

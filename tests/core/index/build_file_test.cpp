@@ -1,6 +1,6 @@
 // Indexes built in a file: the same to the last bit as one that is built in memory and saved, however often
 // the build is stopped; nothing half-made is loaded, and other meshes and options are refused.
-#include "index/build_file.h"
+#include "index/index_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/file.h>

@@ -1,5 +1,5 @@
 // Many crossings at once: against the formulas for one.
-#include "index/crossing_gains.h"
+#include "index/scans.h"
 
 #include <gtest/gtest.h>
 

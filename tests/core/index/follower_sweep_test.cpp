@@ -1,5 +1,5 @@
 // The sweep alone: lanes against full searches, lanes that are empty, and lanes that are used again.
-#include "index/follower_sweep.h"
+#include "index/boundary_dijkstra.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "index/border_pieces.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

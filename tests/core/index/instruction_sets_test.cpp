@@ -5,10 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "index/bound_scans.h"
-#include "index/crossing_gains.h"
-#include "index/lane_sums.h"
-#include "index/min_plus.h"
+#include "index/scans.h"
 
 namespace vorogeo_scalar {
 using Index = vorogeo::Index;

@@ -1,5 +1,5 @@
 // Lanes side by side: against a loop by the definition, for all lengths around the size of a block.
-#include "index/lane_sums.h"
+#include "index/scans.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Legs: what was put in comes out, and the code is the one of index files.
-#include "index/leg.h"
+#include "index/patch_layer.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/heavy.h"
 #include "support/indexes.h"

@@ -1,5 +1,5 @@
 // Min-plus scans: against loops by their definitions, for all lengths around the size of their blocks.
-#include "index/min_plus.h"
+#include "index/scans.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Pieces near saddle vertices: as short as circles around these ask for.
-#include "index/near_saddles.h"
+#include "index/border_pieces.h"
 
 #include <gtest/gtest.h>
 

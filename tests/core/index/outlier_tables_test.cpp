@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "mesh/outliers.h"
 #include "support/indexes.h"
 

@@ -1,5 +1,5 @@
 // First-layer tables composed from the second layer: against exact distances, inside the surroundings only.
-#include "index/overlay.h"
+#include "index/local_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Touching patches: against the patches at every vertex.
-#include "index/patch_neighbours.h"
+#include "index/patch_layer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "support/error.h"

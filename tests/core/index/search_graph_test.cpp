@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "index/table_draft.h"
+#include "index/local_tables.h"
 #include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

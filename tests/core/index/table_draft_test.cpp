@@ -1,5 +1,5 @@
 // Distances become entries: symmetric, within half a unit, in both orders.
-#include "index/table_draft.h"
+#include "index/local_tables.h"
 
 #include <gtest/gtest.h>
 

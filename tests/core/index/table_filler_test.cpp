@@ -1,6 +1,6 @@
 // Tables filled in a wave over the patches: every run once, few drafts at a time, and parts that are there
 // are kept.
-#include "index/table_filler.h"
+#include "index/local_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Room for tables: what is marked as filled is believed only in a file, and only while its contents are the
 // same.
-#include "index/table_room.h"
+#include "index/local_tables.h"
 
 #include <gtest/gtest.h>
 

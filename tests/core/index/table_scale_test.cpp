@@ -1,6 +1,6 @@
 // Steps of the two scales, and distances inside parts that are much smaller than what they have grown
 // together with.
-#include "index/table_scale.h"
+#include "index/patch_layer.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "support/indexes.h"
 #include "support/small_copy.h"
 

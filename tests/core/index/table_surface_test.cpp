@@ -1,5 +1,5 @@
 // The surface of the table runs: the user's faces, and the points of the work mesh on their edges.
-#include "index/table_surface.h"
+#include "index/work_mesh.h"
 
 #include <gtest/gtest.h>
 

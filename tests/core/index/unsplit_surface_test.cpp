@@ -1,5 +1,5 @@
 // The surface of exact pairs: taken where the work mesh has many points, the user's mesh by patch.
-#include "index/unsplit_surface.h"
+#include "index/work_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
-#include "path/path_query.h"
+#include "query/geodesic_query.h"
+#include "query/path_query.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

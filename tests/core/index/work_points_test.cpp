@@ -1,5 +1,5 @@
 // Surface points between the user's mesh and the work mesh: the same place in space, there and back.
-#include "index/work_points.h"
+#include "index/index_data.h"
 
 #include <gtest/gtest.h>
 

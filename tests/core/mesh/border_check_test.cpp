@@ -1,6 +1,6 @@
 // Border loops counted and measured on shapes where that is known; near borders found only where there is a
 // gap.
-#include "mesh/border_check.h"
+#include "mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Directions, neighbours and distances of border edges, by hand.
-#include "mesh/border_sides.h"
+#include "mesh/gaps.h"
 
 #include <gtest/gtest.h>
 

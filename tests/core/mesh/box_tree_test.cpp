@@ -1,5 +1,5 @@
 // The tree of boxes against a look at all of them.
-#include "mesh/box_tree.h"
+#include "mesh/surface_locator.h"
 
 #include <gtest/gtest.h>
 

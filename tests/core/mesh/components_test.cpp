@@ -1,5 +1,5 @@
 // Counts of components, on soups whose components are known.
-#include "mesh/components.h"
+#include "mesh/outliers.h"
 
 #include <gtest/gtest.h>
 

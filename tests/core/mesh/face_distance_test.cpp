@@ -1,5 +1,5 @@
 // Distances inside faces: exact for a wave over a plane, and never shorter than a single wave allows.
-#include "mesh/face_distance.h"
+#include "mesh/surface_point.h"
 
 #include <gtest/gtest.h>
 

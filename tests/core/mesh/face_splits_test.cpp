@@ -1,12 +1,11 @@
 // Faces whose longest side is longer than the two others together, against integrals along lines.
-#include "mesh/face_splits.h"
+#include "mesh/metric.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "mesh/metric.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

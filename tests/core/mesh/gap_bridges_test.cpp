@@ -1,6 +1,6 @@
 // Bridged gaps: distances as on the whole surface, nothing joined that the rule forbids, nothing changed
 // without a gap.
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "field/geodesic_query.h"
-#include "mesh/border_check.h"
+#include "query/geodesic_query.h"
+#include "mesh/mesh_check.h"
 #include "support/error.h"
 #include "support/gaps.h"
 

@@ -1,12 +1,12 @@
 // Rows of triangles: they cover a gap without overlap, end where it widens, and fill what is left where gaps
 // meet.
-#include "mesh/gap_zipper.h"
+#include "mesh/gaps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "mesh/border_check.h"
+#include "mesh/mesh_check.h"
 #include "support/gaps.h"
 
 namespace vorogeo {

@@ -1,5 +1,5 @@
 // Limits of edge lengths: what passes, what is refused, and that the advised factor helps.
-#include "mesh/length_limits.h"
+#include "mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

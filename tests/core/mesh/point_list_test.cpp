@@ -1,11 +1,11 @@
 // Lists of points: canonical form, errors, and fields, matrices and disks of points in faces.
-#include "mesh/point_list.h"
+#include "mesh/surface_point.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -1,5 +1,5 @@
 // Slopes of tilted planes, and the directions of a cylinder.
-#include "mesh/shape_metrics.h"
+#include "mesh/metric.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Sides of few faces, by hand.
-#include "mesh/sorted_sides.h"
+#include "mesh/gaps.h"
 
 #include <gtest/gtest.h>
 

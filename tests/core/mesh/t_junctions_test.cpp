@@ -1,11 +1,10 @@
 // T-junctions: found where a crack was made, at any place and scale, and nowhere else.
-#include "mesh/t_junctions.h"
+#include "mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "mesh/mesh_check.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

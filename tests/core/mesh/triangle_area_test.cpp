@@ -1,5 +1,5 @@
 // Areas of triangles against closed forms, also where Heron's formula has no digits left.
-#include "mesh/triangle_area.h"
+#include "mesh/vectors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Distances over an unfolded edge against points of the plane.
-#include "mesh/unfolded_distance.h"
+#include "mesh/vectors.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "methods/window_runs.h"
+#include "methods/window_methods.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 #include "support/ply.h"

@@ -2,7 +2,7 @@
 // literature names.
 #include <gtest/gtest.h>
 
-#include "mesh/gap_bridges.h"
+#include "mesh/gaps.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/methods.h"

@@ -1,7 +1,7 @@
 // The rule by which vertices are left out of a graph: what is left out has a detour that is good enough.
 #include <gtest/gtest.h>
 
-#include "methods/window_tree.h"
+#include "methods/chen_han.h"
 #include "support/methods.h"
 
 namespace vorogeo {

@@ -2,7 +2,7 @@
 // slow.
 #include <gtest/gtest.h>
 
-#include "methods/graph_method.h"
+#include "methods/graph_methods.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 

@@ -1,5 +1,5 @@
 // Dijkstra's search over a graph given by arcs.
-#include "methods/distance_graph.h"
+#include "methods/graph_methods.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Graphs of direct geodesics: on a plane one arc is a distance.
-#include "methods/graph_method.h"
+#include "methods/graph_methods.h"
 
 #include <gtest/gtest.h>
 

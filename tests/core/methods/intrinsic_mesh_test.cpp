@@ -1,5 +1,5 @@
 // Intrinsic triangulations: area and angles that flips keep, and the Delaunay condition.
-#include "methods/intrinsic_mesh.h"
+#include "methods/heat.h"
 
 #include <gtest/gtest.h>
 

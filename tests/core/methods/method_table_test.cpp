@@ -1,5 +1,5 @@
 // The table of methods: every method on every kind of mesh, and what is refused.
-#include "methods/method_table.h"
+#include "methods/method.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Splits of obtuse corners, against the plane.
-#include "methods/obtuse_corners.h"
+#include "methods/fast_marching.h"
 
 #include <gtest/gtest.h>
 

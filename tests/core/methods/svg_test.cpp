@@ -2,7 +2,7 @@
 // makes it.
 #include <gtest/gtest.h>
 
-#include "methods/graph_method.h"
+#include "methods/graph_methods.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 #include "support/ply.h"

@@ -1,5 +1,5 @@
 // Fields and pairs by windows.
-#include "methods/window_runs.h"
+#include "methods/window_methods.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The tree of windows against closed forms, and direct geodesics alone.
-#include "methods/window_tree.h"
+#include "methods/chen_han.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Checkpoints: who is told, how often, and how workers leave.
-#include "support/checkpoint.h"
+#include "support/progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Bytes at their places, space that is really taken, and messages that say what to do.
-#include "support/file_writes.h"
+#include "support/file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

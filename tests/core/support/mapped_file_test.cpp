@@ -1,5 +1,5 @@
 // Mapped files: their contents, also after they were removed or replaced, and what cannot be mapped.
-#include "support/mapped_file.h"
+#include "support/file.h"
 
 #include <gtest/gtest.h>
 

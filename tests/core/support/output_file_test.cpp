@@ -1,6 +1,6 @@
 // Files that replace their target once they are complete: links, devices, full disks, writers that were
 // killed.
-#include "support/output_file.h"
+#include "support/file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // Scratch memory of workers: made once for each that asks, and only then.
-#include "support/per_worker.h"
+#include "support/parallel.h"
 
 #include <gtest/gtest.h>
 

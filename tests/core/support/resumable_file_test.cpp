@@ -1,5 +1,5 @@
 // A file made in several runs: its contents stay until it is finished or discarded, and one process has it.
-#include "support/resumable_file.h"
+#include "support/file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Arrays that never change: copies share their elements, which live as long as one of them.
-#include "support/shared_array.h"
+#include "support/file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The clock of a thread goes on while it works, and neither while it sleeps nor while another one works.
-#include "support/thread_clock.h"
+#include "support/parallel.h"
 
 #include <gtest/gtest.h>
 

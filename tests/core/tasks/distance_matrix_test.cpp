@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/geodesic_query.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

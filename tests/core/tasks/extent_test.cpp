@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/components.h"
+#include "mesh/outliers.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -1,5 +1,5 @@
 // Statistics of the difference of two fields, counted by hand.
-#include "tasks/field_difference.h"
+#include "tasks/extent.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Isolines: circles on the plane, closed lines, levels at vertices, borders of what was reached.
-#include "tasks/isolines.h"
+#include "tasks/surface_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Landmarks spread over a plane: at its ends, bounding distances from below, never across components.
-#include "tasks/landmark_fields.h"
+#include "tasks/distance_matrix.h"
 
 #include <gtest/gtest.h>
 

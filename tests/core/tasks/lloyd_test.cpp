@@ -1,5 +1,5 @@
 // Relaxation on rectangles, whose best points and their energy are known.
-#include "tasks/lloyd.h"
+#include "tasks/spread_points.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,7 @@
 #include "support/indexes.h"
 #include "support/shapes.h"
 #include "tasks/extent.h"
-#include "tasks/isolines.h"
-#include "tasks/lloyd.h"
+#include "tasks/surface_lines.h"
 #include "tasks/spread_points.h"
 #include "tasks/voronoi_regions.h"
 

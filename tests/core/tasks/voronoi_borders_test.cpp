@@ -1,5 +1,5 @@
 // Shares and borders of regions in a single triangle of the plane, where bisectors are straight lines.
-#include "tasks/voronoi_borders.h"
+#include "tasks/voronoi_regions.h"
 
 #include <gtest/gtest.h>
 

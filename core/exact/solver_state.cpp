@@ -1,0 +1,667 @@
+// The memory of an exact solver, and how windows are sent out, travel across faces and are dropped.
+#include "exact/solver_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vorogeo {
+
+// ---- Where windows come from: sources, and vertices at which a shortest path may bend
+
+namespace {
+
+/// Widening of the sector into which a vertex emits, in radians.
+constexpr double sector_tolerance = 1e-6;
+
+}  // namespace
+
+void ExactSolver::State::emit(Index vertex, Index corner, double width, double least_angle,
+                              double greatest_angle) {
+  const Index opposite = Mesh::next_in_face(corner);
+  const FaceFrame& frame = geometry->frame[opposite];
+  const Index edge = mesh.edge_of(opposite);
+  const double length = mesh.edge_length(edge);
+  const VertexState& state = vertices[vertex];
+  Window window =
+      Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
+  // A vertex that lies on the edge up to a negligible distance would see a sector through no part of the
+  // edge.
+  const bool is_on_edge = frame.apex_depth <= ExactGeometry::next_to_nothing * length;
+  if (!is_on_edge && (least_angle > 0.0 || greatest_angle < width)) {
+    // The corner's angle grows along the edge if it begins at the side of the edge's first vertex.
+    const bool own = geometry->begins_at_own_edge[corner] != 0;
+    const bool first_side_begins = (frame.first_side(opposite) == corner) == own;
+    if (!first_side_begins) {
+      std::swap(least_angle, greatest_angle);
+      least_angle = width - least_angle;
+      greatest_angle = width - greatest_angle;
+    }
+    const double first = std::atan2(-frame.apex_x, frame.apex_depth);
+    auto at = [&](double angle) {
+      const double direction = first + angle;
+      if (direction >= 0.5 * std::numbers::pi - 1e-6) return length;
+      return frame.apex_x + frame.apex_depth * std::tan(direction);
+    };
+    if (least_angle > 0.0) window.begin = std::max(0.0, at(least_angle));
+    if (greatest_angle < width) window.end = std::min(length, at(greatest_angle));
+  }
+  add_window(edge, window);
+  if (is_on_edge && length > 0.0 && lies_on_edge(window, length)) pass_through(window);
+}
+
+void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
+  const auto corners = mesh.corners(vertex);
+  const double arrival = vertices[vertex].arrival;
+  const auto fan = mesh.fan(vertex);
+  everywhere |= arrival < 0.0 || geometry->can_bend[vertex] == ExactGeometry::anywhere;
+  const double total = mesh.total_angle(vertex);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Index corner = corners[i];
+    if (!may_enter(Mesh::face_of(corner))) continue;
+    if (everywhere) {
+      emit(vertex, corner, 0.0, 0.0, 0.0);
+      continue;
+    }
+    // A path bends only where the angles on both its sides are at least pi.
+    const double begin = geometry->corner_begin[corner];
+    const double width = (i + 1 < corners.size() ? geometry->corner_begin[corners[i + 1]] : total) - begin;
+    auto emit_sector = [&](double from, double to) {
+      const double least = std::max(0.0, from - sector_tolerance - begin);
+      const double greatest = std::min(width, to + sector_tolerance - begin);
+      if (least < greatest) emit(vertex, corner, width, least, greatest);
+    };
+    if (fan == Mesh::Fan::open) {
+      emit_sector(arrival + std::numbers::pi, total);
+      emit_sector(0.0, arrival - std::numbers::pi);
+    } else {
+      const double from = arrival + std::numbers::pi;
+      const double to = arrival + total - std::numbers::pi;
+      emit_sector(from, to);
+      emit_sector(from - total, to - total);
+    }
+  }
+}
+
+void ExactSolver::State::take_vertex(Index vertex) {
+  const VertexState state = vertices[vertex];
+  if (state.distance > max_distance) return;
+  // A face that may not be entered acts like a border of the mesh: paths may bend around it.
+  bool beside_barrier = false;
+  for (Index corner : mesh.corners(vertex)) {
+    if (!may_enter(Mesh::face_of(corner))) {
+      beside_barrier = true;
+      continue;
+    }
+    for (Index side : {corner, Mesh::previous_in_face(corner)}) {
+      const Index other = side == corner ? mesh.head(side) : mesh.tail(side);
+      const double distance = state.distance + mesh.edge_length(mesh.edge_of(side));
+      if (distance >= vertices[other].distance) continue;
+      double arrival = -1.0;
+      if (geometry->can_bend[other] == ExactGeometry::by_angle) {
+        const Index there = side == corner ? Mesh::next_in_face(side) : side;
+        const bool at_own_edge = there == side;
+        arrival = geometry->corner_begin[there];
+        if (at_own_edge != (geometry->begins_at_own_edge[there] != 0)) arrival += mesh.corner_angle(there);
+      }
+      reach_vertex(other, distance, state.source, arrival, vertex);
+    }
+  }
+  if (beside_barrier) {
+    barrier_distance = std::min(barrier_distance, length_at_vertex(state.distance, vertex));
+  }
+  const bool is_source = state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
+  if (geometry->can_bend[vertex] || is_source || beside_barrier) emit_fan(vertex, beside_barrier);
+}
+
+void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index halfedge) {
+  // From a point of the face of `halfedge` onto the edge of `halfedge`.
+  const Index face = Mesh::face_of(halfedge);
+  const FaceFrame& frame = geometry->frame[halfedge];
+  const Index edge = mesh.edge_of(halfedge);
+  const bool along = mesh.tail(halfedge) == geometry->ends(edge)[0];
+  const int tail = halfedge - 3 * face;
+  const double at_apex = source.point.barycentric[(tail + 2) % 3];
+  const double at_second = source.point.barycentric[along ? (tail + 1) % 3 : tail];
+  const double length = mesh.edge_length(edge);
+  add_window(edge, Window::from_source(length, at_second * length + at_apex * frame.apex_x,
+                                       at_apex * frame.apex_depth, source.offset, halfedge, id));
+}
+
+void ExactSolver::State::start_at(const ExactSource& source, Index id) {
+  if (source.point.is_vertex()) {
+    if (source.offset < vertices[source.point.vertex].distance) {
+      reach_vertex(source.point.vertex, source.offset, id, -1.0, no_index);
+    }
+    return;
+  }
+  // The face of the point and, for a point on an edge, all faces around that edge.
+  auto start_in = [&](Index face, const std::array<double, 3>& barycentric) {
+    ExactSource local = source;
+    local.point = SurfacePoint::in_face(face, barycentric);
+    face_sources.emplace(face, id);
+    const FacePlane plane(*geometry, face);
+    const auto at = plane.at(barycentric);
+    for (int i = 0; i < 3; ++i) {
+      const double distance =
+          source.offset + std::hypot(at[0] - plane.corner[i][0], at[1] - plane.corner[i][1]);
+      const Index v = mesh.face_vertices(face)[i];
+      if (distance < vertices[v].distance) reach_vertex(v, distance, id, -1.0, no_index);
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (barycentric[(i + 2) % 3] > 0.0) emit_from(local, id, 3 * face + i);
+    }
+  };
+  for_each_face_at(mesh, source.point, [&](Index face, const std::array<double, 3>& weights) {
+    if (face == source.point.face || may_enter(face)) start_in(face, weights);
+  });
+}
+
+// ---- How windows travel: an edge passes its new windows on across its faces
+
+namespace {
+
+/// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
+/// edge's length.
+constexpr double vertex_tolerance = 1e-11;
+/// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to
+/// which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on
+/// both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one of
+/// them keeps what lies in the rays of the other: as far as the root of that rounding. The way over the end
+/// is a path, so it makes no distance too short; its detour is half the square of the angle.
+constexpr double gap_angle = 1e-5;
+/// By how much nearer a vertex in such a gap has to become, relative to its distance.
+constexpr double least_gain = 1e-10;
+
+/// Windows narrower than this, relative to their edge, come from rounding at ties.
+constexpr double least_width = 1e-11;
+
+/// Pseudo-sources this close to the edge, relative to its length, send all rays through its next point.
+constexpr double near_edge = 1e-6;
+
+/// Pseudo-sources of neighbouring windows this close together, relative to their distance and the edge's
+/// length, are one up to the rounding of the crossings that led there.
+constexpr double same_source = 1e-13;
+
+/// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
+/// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
+/// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
+/// lost.
+void open_at_source(const ExactGeometry& geometry, Index edge, Window& window, double length) {
+  if (!(window.source_y < near_edge * length)) return;
+  const double distance = window.offset + window.source_y;
+  const double tolerance =
+      4e-16 * geometry.scale_at(edge, window.source_x, distance, length) + 1e-12 * distance;
+  if (window.source_x <= window.begin - tolerance || window.source_x >= window.end + tolerance) return;
+  if (window.source_x < window.begin + tolerance) window.begin -= 2.0 * tolerance;
+  if (window.source_x > window.end - tolerance) window.end += 2.0 * tolerance;
+}
+
+}  // namespace
+
+void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
+                                      Index along_edge_from) {
+  if (!in_corridor(length_at_vertex(distance, vertex))) return;
+  VertexState& state = vertices[vertex];
+  if (state.distance == unreachable) touched_vertices.push_back(vertex);
+  state = {distance, arrival, source, along_edge_from};
+  territories == nullptr ? queue.push(vertex, distance) : announce(vertex);
+}
+
+bool ExactSolver::State::open_edge(Index edge) {
+  open = edge;
+  open_length = mesh.edge_length(edge);
+  if (territories != nullptr && territories->of_edge[edge] != number) {
+    open_elsewhere = &outbox[territories->of_edge[edge]];
+    return true;
+  }
+  if (envelope.is_retired(edge)) return false;
+  const auto [a, b] = geometry->ends(edge);
+  least_open_width = least_width * open_length;
+  from_first = vertices[a].distance;
+  from_second = vertices[b].distance;
+  if (has_corridor) look_at_target();
+  const double at_begin = least_width * geometry->scale_at(edge, 0.0, 0.0, open_length);
+  envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0});
+  return true;
+}
+
+void ExactSolver::State::store_edge() {
+  if (open_elsewhere != nullptr) {
+    open_elsewhere = nullptr;
+    return;
+  }
+  const double least = envelope.store();
+  if (least <= max_distance) queue.push(mesh.vertex_count() + open, least);
+}
+
+bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& at_end) const {
+  // Xin, Wang 2009, section 4.
+  if (from_first + window.begin < at_begin) {
+    if (from_first + window.end <= at_end) return false;
+    window.begin = std::clamp(vertex_takeover(from_first, window.offset, window.source_x, window.source_y),
+                              window.begin, window.end);
+    at_begin = window.distance(window.begin);
+  }
+  if (from_second + (open_length - window.end) < at_end) {
+    if (from_second + (open_length - window.begin) <= at_begin) return false;
+    window.end = std::clamp(open_length - vertex_takeover(from_second, window.offset,
+                                                          open_length - window.source_x, window.source_y),
+                            window.begin, window.end);
+    at_end = window.distance(window.end);
+  }
+  return true;
+}
+
+void ExactSolver::State::insert_cut(Window window, double at_begin, double at_end) {
+  if (!cut_at_ends(window, at_begin, at_end)) return;
+  if (is_sliver(window)) return;
+  if (has_corridor && !in_corridor(length_through(window))) return;
+  envelope.insert(window, at_begin, at_end);
+}
+
+bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
+  const double scale = geometry->scale_at(open, window.begin, window.distance(window.begin), open_length);
+  return !(window.end - window.begin > least_width * scale);
+}
+
+inline bool ExactSolver::State::is_sliver(const Window& window) const {
+  return !(window.end - window.begin > least_open_width) && is_narrow_sliver(window);
+}
+
+inline void ExactSolver::State::insert_window(const Window& window) {
+  if (open_elsewhere != nullptr) {
+    open_elsewhere->add(open, window);
+    return;
+  }
+  if (is_sliver(window)) return;
+  const double at_begin = window.distance(window.begin);
+  const double at_end = window.distance(window.end);
+  const bool cut =
+      (from_first + window.begin < at_begin) | (from_second + (open_length - window.end) < at_end);
+  if (cut | has_corridor) {
+    insert_cut(window, at_begin, at_end);
+  } else {
+    envelope.insert(window, at_begin, at_end);
+  }
+}
+
+void ExactSolver::State::add_window(Index edge, const Window& window) {
+  if (!open_edge(edge)) return;
+  Window inside = window;
+  inside.begin = std::max(window.begin, 0.0);
+  inside.end = std::min(window.end, open_length);
+  insert_window(inside);
+  store_edge();
+}
+
+void ExactSolver::State::take_in(const Outbox& news) {
+  for (const auto& [vertex, state] : news.vertices) {
+    if (!(state.distance < vertices[vertex].distance)) continue;
+    if (vertices[vertex].distance == unreachable) touched_vertices.push_back(vertex);
+    vertices[vertex] = state;
+    if (territories->of_vertex[vertex] == number) queue.push(vertex, state.distance);
+    if (distances_only) close_edges_at(vertex);
+  }
+  for (auto item = news.windows.begin(); item != news.windows.end();) {
+    const Index edge = item->edge;
+    const bool is_open = open_edge(edge);
+    for (; item != news.windows.end() && item->edge == edge; ++item) {
+      if (is_open) insert_window(item->window);
+    }
+    if (is_open) store_edge();
+  }
+}
+
+void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
+  const FaceFrame& frame = geometry->frame[halfedge];
+  double arrival = -1.0;
+  if (geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
+    // Angle at the apex between the corner's first edge and the line back to the pseudo-source.
+    const Index corner = Mesh::previous_in_face(halfedge);
+    const bool first_side_begins =
+        (frame.first_side(halfedge) == corner) == (geometry->begins_at_own_edge[corner] != 0);
+    const double side_x = first_side_begins ? -frame.apex_x : geometry->apex_from_second(halfedge);
+    const double side_y = frame.apex_depth;
+    const double dx = frame.apex_x - window.source_x;
+    const double height = window.source_y + frame.apex_depth;
+    arrival = geometry->corner_begin[corner] +
+              std::atan2(std::abs(side_x * height + side_y * dx), side_y * height - side_x * dx);
+  }
+  reach_vertex(frame.apex, distance, window.source, arrival, no_index);
+}
+
+void ExactSolver::State::cross_face(Index halfedge) {
+  const Index edge = mesh.edge_of(halfedge);
+  if (!may_enter(Mesh::face_of(halfedge))) {
+    for (const Crossing& item : crossing) {
+      barrier_distance = std::min(barrier_distance, length_at_edge(item.window.least_distance(), edge));
+    }
+    return;
+  }
+  const FaceFrame& frame = geometry->frame[halfedge];
+  const double length = mesh.edge_length(edge);
+  const bool is_long = geometry->is_long(edge);
+  double tolerance = vertex_tolerance * length;
+  // The apex first: its distance cuts the windows on both sides.
+  for (Crossing& item : crossing) {
+    open_at_source(*geometry, edge, item.window, length);
+    const Window& window = item.window;
+    const double height = window.source_y + frame.apex_depth;
+    const double dx = frame.apex_x - window.source_x;
+    item.to_apex = height > 0.0 ? window.source_x + dx * (window.source_y / height) : frame.apex_x;
+    if (is_long) {
+      tolerance =
+          vertex_tolerance * geometry->scale_at(edge, item.to_apex, window.offset + window.source_y, length);
+    }
+    const double outside = std::max(window.begin - item.to_apex, item.to_apex - window.end);
+    const double known = vertices[frame.apex].distance;
+    if (outside <= tolerance) {
+      const double distance = window.offset + std::sqrt(dx * dx + height * height);
+      if (distance < known) reach_apex(window, halfedge, distance);
+    } else if (const double across = outside * height, straight = std::abs(dx) + height;
+               across <= gap_angle * straight * straight) {
+      const double end = std::clamp(item.to_apex, window.begin, window.end);
+      const double rest = std::hypot(frame.apex_x - end, frame.apex_depth);
+      const double distance = window.distance(end) + rest;
+      // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
+      // near.
+      if (across <= gap_angle * straight * rest && distance < (1.0 - least_gain) * known)
+        reach_apex(window, halfedge, distance);
+    }
+  }
+  hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),
+          false, edge, frame.apex_x);
+  hand_on(Side(mesh, frame.second_side(halfedge), frame.second_side_reversed,
+               geometry->apex_from_second(halfedge), frame.apex_depth),
+          true, edge, frame.apex_x);
+}
+
+void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_edge, double apex_along) {
+  const double crossed_length = mesh.edge_length(crossed_edge);
+  if (!(side.length > 0.0)) return;
+  bool is_open = false;
+  const bool is_long = geometry->is_long(crossed_edge) || geometry->is_long(side.edge);
+  auto hand_on_one = [&](const Crossing& item) {
+    const double begin = second ? std::max(item.window.begin, item.to_apex) : item.window.begin;
+    const double end = second ? item.window.end : std::min(item.window.end, item.to_apex);
+    if (!(begin < end)) return;
+    if (!is_open) {
+      if (!open_edge(side.edge)) return;
+      is_open = true;
+    }
+    // A window that is cut at the ray to the apex ends at the apex: from a source close to the edge, all rays
+    // leave the edge at the same position up to rounding.
+    const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
+    const Window window = is_long && side.reversed
+                              ? side.arriving_from_apex(item.window, begin, end, to_end, second,
+                                                        crossed_length, apex_along, item.to_apex)
+                              : side.arriving(item.window, begin, end, to_end, second, crossed_length);
+    insert_window(window);
+    if (passes_through && lies_on_edge(window, side.length)) through.push_back(window);
+  };
+  // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
+  if (side.reversed == second) {
+    for (const Crossing& item : crossing) hand_on_one(item);
+  } else {
+    for (auto item = crossing.rbegin(); item != crossing.rend(); ++item) hand_on_one(*item);
+  }
+  if (is_open) store_edge();
+}
+
+bool ExactSolver::State::was_passed(const Window& window) {
+  // An edge that more points lie on is one of a heap of faces without width all along, whose vertices pass on
+  // what they are reached by themselves.
+  constexpr std::size_t max_points = 64;
+  const PassedPoint here{window.source_x, window.offset + window.source_y};
+  const double rounding = 1e-12 * (here.distance + mesh.edge_length(mesh.edge_of(window.entry())));
+  auto covers = [rounding](const PassedPoint& point, const PassedPoint& other) {
+    return point.distance + std::abs(other.x - point.x) <= other.distance + rounding;
+  };
+  std::vector<PassedPoint>& points = points_passed[window.entry()];
+  if (std::ranges::any_of(points, [&](const PassedPoint& point) { return covers(point, here); })) return true;
+  std::erase_if(points, [&](const PassedPoint& point) { return covers(here, point); });
+  if (points.size() >= max_points) return true;
+  points.push_back(here);
+  return false;
+}
+
+void ExactSolver::State::pass_through(const Window& window) {
+  passes_through = true;
+  through.assign(1, window);
+  // This loop ends: an edge is passed again only where no point that was passed is nearer along it.
+  for (std::size_t i = 0; i < through.size(); ++i) {
+    const Window next = through[i];
+    if (was_passed(next)) continue;
+    const Index entry = next.entry();
+    for (Index h = mesh.next_around_edge(entry); h != entry; h = mesh.next_around_edge(h)) {
+      crossing.assign(1, {next, 0.0});
+      cross_face(h);
+    }
+  }
+  passes_through = false;
+}
+
+inline bool ExactSolver::State::is_continued(Index edge, const Window& window, const Window& next) const {
+  const double length = mesh.edge_length(edge);
+  if (window.offset != next.offset || window.source != next.source || window.came_from != next.came_from)
+    return false;
+  const double scale = geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
+  const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + scale);
+  if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
+      window.source_y < near_edge * scale)
+    return false;
+  return next.begin - window.end <= least_width * scale;
+}
+
+void ExactSolver::State::take_edge(Index edge) {
+  const Index first = mesh.edge_halfedge(edge);
+  Index h = first;
+  do {
+    crossing.clear();
+    for (const Window& window : envelope.new_windows(edge)) {
+      if (window.is_propagated() || window.came_from == h) continue;
+      if (!crossing.empty() && is_continued(edge, crossing.back().window, window)) {
+        crossing.back().window.end = window.end;
+      } else {
+        crossing.push_back({window, 0.0});
+      }
+    }
+    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(edge);
+    if (!crossing.empty()) cross_face(h);
+    h = mesh.next_around_edge(h);
+  } while (h != first);
+  for (Window& window : envelope.new_windows(edge)) window.set_propagated();
+  envelope.take_new(edge);
+}
+
+// ---- One window for several neighbouring ones, where it deviates little from them
+
+namespace {
+
+/// The window with the distances of `a` where that begins and of `b` where that ends, whose rays stay between
+/// those of the two. False if there is none.
+bool merge(const Window& a, const Window& b, Window& result) {
+  const double at_begin = a.distance(a.begin);
+  const double at_end = b.distance(b.end);
+  const double width = b.end - a.begin;
+  const double rise = at_end - at_begin;
+  const double slope = rise / width;
+  const double room = 0.5 * (width - slope * rise);  // (width^2 - rise^2) / (2 width)
+  const double radius_at_begin = at_begin - a.offset;
+  const double radius_at_end = at_end - b.offset;
+  if (!(room > 0.0 && radius_at_begin > 0.0 && radius_at_end > 0.0)) return false;
+  // Distance of the new pseudo-source from the beginning. A smaller one turns the rays at both ends outwards,
+  // which must stay between those of the old windows.
+  const double slope_at_begin = (a.begin - a.source_x) / radius_at_begin;
+  const double slope_at_end = (b.end - b.source_x) / radius_at_end;
+  double radius = std::max(radius_at_begin, radius_at_end - rise);
+  if (slope > slope_at_begin) radius = std::min(radius, room / (slope - slope_at_begin));
+  if (slope_at_end > slope) radius = std::min(radius, room / (slope_at_end - slope) - rise);
+  const double along = room - radius * slope;
+  const double square = (radius - along) * (radius + along);
+  const double offset = at_begin - radius;
+  if (!(radius > 0.0 && radius + rise > 0.0 && square > 0.0 && offset >= 0.0)) return false;
+  result = a;
+  result.end = b.end;
+  result.source_x = a.begin + along;
+  result.source_y = std::sqrt(square);
+  result.offset = offset;
+  return true;
+}
+
+/// Largest deviation of `merged` from `a` and `b`, where they meet and halfway to their other ends.
+double deviation(const Window& merged, const Window& a, const Window& b) {
+  const double in_a = 0.5 * (a.begin + a.end);
+  const double in_b = 0.5 * (b.begin + b.end);
+  return std::max({std::abs(merged.distance(in_a) - a.distance(in_a)),
+                   std::abs(merged.distance(b.begin) - b.distance(b.begin)),
+                   std::abs(merged.distance(in_b) - b.distance(in_b))});
+}
+
+}  // namespace
+
+void ExactSolver::State::merge_crossing(Index edge) {
+  const double length = mesh.edge_length(edge);
+  // Windows travel on from long faces to short ones, whose edges may be shorter than the tolerance on a long
+  // edge; and long edges lead into parts that are smaller altogether, where the distance itself bounds it.
+  const double tolerance = merge_tolerance * std::min(length, mesh.typical_edge_length());
+  // Far out on a long edge, the distances have not the digits from which a pseudo-source could be made again:
+  // around an outlier a window would get nearer by rounding each time round, without end.
+  const bool is_long = geometry->is_long(edge);
+  const double greatest_end =
+      is_long ? ExactGeometry::long_beside_small * geometry->fineness[edge] : unreachable;
+  std::size_t last = 0;
+  double deviated = 0.0;  // largest deviation from the windows that the last one replaces
+  for (std::size_t i = 1; i < crossing.size(); ++i) {
+    const Window& next = crossing[i].window;
+    Window& window = crossing[last].window;
+    Window merged;
+    const double end_rounding =
+        1e-9 * geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
+    if (next.end <= greatest_end && next.source == window.source && next.came_from == window.came_from &&
+        std::abs(next.begin - window.end) <= end_rounding && merge(window, next, merged)) {
+      const double sum = deviated + deviation(merged, window, next);
+      if (sum <= tolerance &&
+          sum <= merge_tolerance * std::min(window.least_distance(), next.least_distance())) {
+        window = merged;
+        deviated = sum;
+        continue;
+      }
+    }
+    deviated = 0.0;
+    crossing[++last] = crossing[i];
+  }
+  crossing.resize(last + 1);
+}
+
+// ---- Corridors: lower bounds of the length of a path to the target through a window
+
+void ExactSolver::State::look_at_target() {
+  const auto [a, b] = geometry->ends(open);
+  const Point& p = mesh.position(a);
+  const Point& q = mesh.position(b);
+  const double in_space = mesh.has_metric() ? distance_between(p, q) : open_length;
+  edge_in_space = open_length > 0.0 ? in_space / open_length : 0.0;
+  const double scale = in_space > 0.0 ? 1.0 / in_space : 0.0;
+  target_x = 0.0;
+  for (int i = 0; i < 3; ++i) target_x += (corridor_at[i] - p[i]) * (q[i] - p[i]) * scale;
+  double square = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double aside = corridor_at[i] - p[i] - target_x * ((q[i] - p[i]) * scale);
+    square += aside * aside;
+  }
+  target_depth = std::sqrt(square);
+  if (landmarks == nullptr) return;
+  proven_at_first = landmarks->least_distance(a, target_seen);
+  proven_at_second = landmarks->least_distance(b, target_seen);
+}
+
+double ExactSolver::State::straight_through(const Window& window) const {
+  if (mesh.has_metric()) {
+    // In space and on the surface, lengths differ, so nothing can be unfolded: the nearest points to source
+    // and target need not be the same.
+    const double scale = mesh.straight_scale();
+    if (!(scale > 0.0)) return window.least_distance();
+    const double aside =
+        std::max({0.0, window.begin * edge_in_space - target_x, target_x - window.end * edge_in_space});
+    return window.least_distance() + scale * std::sqrt(aside * aside + target_depth * target_depth);
+  }
+  // The target rotated about the edge into the plane, opposite the source: the straight line between the two
+  // crosses the edge where the sum of both distances is least.
+  const double height = window.source_y + target_depth;
+  const double across = height > 0.0
+                            ? window.source_x + (target_x - window.source_x) * (window.source_y / height)
+                            : window.source_x;
+  const double at = std::clamp(across, window.begin, window.end);
+  const double dx = at - target_x;
+  return window.distance(at) + std::sqrt(dx * dx + target_depth * target_depth);
+}
+
+double ExactSolver::State::length_through(const Window& window) const {
+  const double straight = straight_through(window);
+  const double length = open_length;
+  if (landmarks != nullptr) {
+    // The bound at each end of the edge, less the distance to that end, is a bound here. The larger of the
+    // two is least where they are equal; the window's distance changes no faster than they do.
+    const double x =
+        std::clamp(0.5 * (proven_at_first - proven_at_second + length), window.begin, window.end);
+    return std::max(straight,
+                    window.distance(x) + std::max(proven_at_first - x, proven_at_second - (length - x)));
+  }
+  if (least_remaining.empty()) return straight;
+  const auto [a, b] = geometry->ends(open);
+  const double from_a = least_remaining[a];
+  const double from_b = least_remaining[b];
+  const double nearest = std::min(from_a, from_b);
+  if (!(std::max(from_a, from_b) < unreachable)) {
+    return std::max(straight, window.least_distance() + nearest - length);
+  }
+  // Between the ends, the distance to the target may sag below the chord, by at most as much as for a circle
+  // around a point at distance `nearest`.
+  const double sag = nearest > length ? 0.125 * length * length / (nearest - 0.5 * length) : 0.5 * length;
+  const double slope = std::clamp((from_b - from_a) / length, -1.0, 1.0);
+  // The sum of the window's distance and the chord is least where their slopes cancel.
+  const double steepness = std::sqrt(1.0 - slope * slope);
+  const double level = steepness > 0.0 ? window.source_x - slope * window.source_y / steepness
+                                       : (slope > 0.0 ? window.begin : window.end);
+  const double x = std::clamp(level, window.begin, window.end);
+  const double chord = std::min(from_a + slope * x, from_b - slope * (length - x));
+  return std::max(straight, window.distance(x) + chord - sag);
+}
+
+// ---- Edges that the front has passed drop their windows, where only distances of vertices are wanted
+
+std::int64_t ExactSolver::State::closing_bucket(double distance) const {
+  constexpr auto greatest = static_cast<double>(TimingWheel<ClosingEdge>::greatest_bucket / 2);
+  return static_cast<std::int64_t>(std::min(distance / closing_width, greatest));
+}
+
+void ExactSolver::State::close_edges_at(Index vertex) {
+  // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
+  // and the edge's length.
+  auto close_later = [&](Index edge) {
+    if (territories != nullptr && territories->of_edge[edge] != number) return;
+    const auto [a, b] = mesh.edge_vertices(edge);
+    const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
+    if (bound < unreachable)
+      closing.add({std::max(closing.current(), closing_bucket(bound * (1.0 + 1e-12))), edge});
+  };
+  for (Index corner : mesh.corners(vertex)) {
+    close_later(mesh.edge_of(corner));
+    close_later(mesh.edge_of(Mesh::previous_in_face(corner)));
+  }
+}
+
+void ExactSolver::State::close_edges_behind(double front) {
+  // A bound whose bucket lies before that of the front is below the front.
+  const std::int64_t bucket = closing_bucket(front);
+  if (bucket <= closed_before) return;
+  closed_before = bucket;
+  while (closing.least_bucket() < bucket) {
+    closing.advance();
+    while (closing.has_current()) envelope.retire(closing.take().edge);
+  }
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,122 @@
+// Propagation from point to point of edges, where the metric jumps at edges.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "exact/refraction.h"
+#include "support/bucket_queue.h"
+
+namespace vorogeo {
+
+class PlacedSource;
+
+/// The weighted region problem on a surface: shortest paths refract at edges and run along cheap ones.
+///
+/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in order
+/// of distance, nearly. A face is crossed from the points of a side or from between two of them: the
+/// distances of both place a source in the plane of the face. With p points on an edge, the error of a
+/// crossing is of the order of 1 / p^2. Its functions are those of ExactSolver, for any metric. One object
+/// belongs to one thread.
+class WeightedSolver {
+ public:
+  explicit WeightedSolver(std::shared_ptr<const FaceNorms> norms);
+
+  const Mesh& mesh() const { return norms_->mesh(); }
+
+  /// See ExactSolver::run. Landmarks are not used, as distances from them are not exact; windows are neither
+  /// merged nor dropped, as there are none. \throw InvalidInput for a bad source; Cancelled.
+  void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
+  /// The same from vertices.
+  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {});
+
+  /// Distance of a vertex, of any point of the surface, or of a point of an edge; `unreachable` where there
+  /// is no path or only one longer than the limit.
+  double distance(Index vertex) const;
+  double distance(const SurfacePoint& point) const;
+  double distance(const EdgePoint& point) const;
+  /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
+  Index nearest_source(Index vertex) const;
+
+  /// A shortest path from a point back to its nearest source, target first. Its edges are found by going back
+  /// through the distances; then its crossings are moved to where its length is least, by Snell's law. Empty
+  /// if unreachable.
+  SurfacePath path_to_source(const SurfacePoint& target) const;
+
+  /// Distances up to this one are final.
+  double settled_distance() const;
+  /// Least distance at which a path met a face that it may not enter; with a corridor, a lower bound of the
+  /// length of a path to its target by way of such a face.
+  double barrier_distance() const { return barrier_distance_; }
+
+ private:
+  struct PointState {
+    double distance = unreachable;
+    // In parts of lengths, which floats would not hold.
+    float flatness = 0.0f;                                  ///< EdgePiece::farther, of the distance
+    float slope = std::numeric_limits<float>::quiet_NaN();  ///< along its edge, of its cost; NaN: unknown
+    Index source : 31 = no_index;
+    bool settled : 1 = false;
+
+    double farther() const { return flatness > 0.0f ? distance * flatness : 0.0; }
+  };
+  /// Where the last piece of a path to a point of a face comes from.
+  struct BackStep {
+    double distance = unreachable;        ///< of the point
+    double begin_distance = unreachable;  ///< of where the piece begins
+    Index source = no_index;              ///< the piece begins at a source in the face, or
+    Index edge = no_index;                ///< on an edge,
+    double fraction = 0.0;                ///< here, from the edge's first vertex;
+    Index face = no_index;                ///< it crosses this face; no_index: it runs along the edge
+  };
+
+  void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
+  void start_at(Index source);
+  void reach(Index point, double distance, Index source, double farther = 0.0,
+             double slope = std::numeric_limits<double>::quiet_NaN());
+  bool is_one_wave(Index edge, Index first) const;
+  PlacedSource placed_source(Index edge, Index first, double length) const;
+  bool is_final(const ExactLimits& limits, double bound);
+  double longest_piece() const { return mesh().longest_edge_length() * norms_->fraction(1); }
+  double least_rest_at(Index vertex) const;
+  double least_rest(Index point) const;
+  bool is_beyond_limit(Index point) const;
+  bool may_enter(Index face, double distance);
+  void settle(Index point);
+  void cross_from(Index halfedge, Index from);
+  void cross_thin(Index halfedge, Index from);
+  BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
+  BackStep step_along(Index edge, double fraction, double below) const;
+  /// `below`: the distance of where the piece begins is less.
+  BackStep best_step(const SurfacePoint& point, double below) const;
+  bool is_at_source(Index vertex) const;
+  double within_limit(double distance) const { return distance <= max_distance_ ? distance : unreachable; }
+
+  std::shared_ptr<const FaceNorms> norms_;
+  std::vector<PointState> state_;
+  std::vector<std::uint8_t> times_reached_;  ///< by point
+  std::vector<Index> touched_;
+  std::vector<ExactSource> sources_;
+  std::vector<Index> face_sources_;  ///< numbers of those that are no vertices
+  BucketQueue queue_;
+
+  // Limits of the last run.
+  double max_distance_ = unreachable;
+  std::span<const std::uint8_t> face_allowed_;
+  std::span<const double> least_remaining_;
+  bool has_corridor_ = false;
+  Point corridor_at_{};
+  SurfacePoint corridor_point_;             ///< its target
+  double corridor_distance_ = unreachable;  ///< of that, when all targets were final
+  std::size_t final_targets_ = 0;
+  std::size_t final_edge_targets_ = 0;
+  double settled_distance_ = unreachable;
+  double barrier_distance_ = unreachable;
+  double rest_ = 0.0;  ///< lower bound of the rest of a path from the point that is settled
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,75 @@
+// Two layers of patches of the faces, their labels and their colours.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "patches/sampling.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+// ---- The two layers of geodesic Voronoi patches
+
+/// How many patches, and how they are placed.
+struct PartitionOptions {
+  Index first_layer_patches = 0;   ///< of the mesh; 0: chosen from the number of vertices
+  Index second_layer_patches = 0;  ///< per first-layer patch, on average; 0: chosen
+  std::uint64_t seed = 0;
+  int threads = 0;
+  FrontMeasure cells = FrontMeasure::distance;  ///< which sample is the nearest one
+};
+
+/// Patch of each face in both layers. Each second-layer patch lies in one first-layer patch; no patch is
+/// empty.
+struct Partition {
+  std::vector<Index> first_layer;   ///< by face
+  std::vector<Index> second_layer;  ///< by face, numbered so that the patches of one parent are consecutive
+  std::vector<Index> parent;        ///< first-layer patch, by second-layer patch
+  Index first_layer_count = 0;
+  Index second_layer_count = 0;
+};
+
+/// First-layer patches that make_partition() aims at on a mesh, or on one like it with so many vertices.
+Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options);
+
+/// How much more the tables of the first layer take for each vertex of a mesh than on meshes of ordinary size
+/// (1): its patches become more and larger, both with the cube root of the mesh.
+double first_layer_growth(double vertices);
+
+/// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
+/// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
+Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);
+
+// ---- Renumbering patches, and joining faces into one
+
+/// Renumbers the labels of some faces so that those in use are 0, 1, ... in the same order; returns how many
+/// there are. `labels`: all are below.
+Index compact(std::vector<Index>& label, std::span<const Index> faces, Index labels);
+
+/// Makes one patch of the faces whose mask is not 0, in a first-layer patch of its own; both become the last
+/// ones. Patches that have no other face vanish. At least one face has a mask that is not 0.
+void join_into_one_patch(std::span<const std::uint8_t> mask, Partition& partition);
+
+// ---- Colours for patches, different for neighbours
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// A palette and the place of each patch in it.
+struct PatchColoring {
+  std::vector<Rgb> palette;
+  std::vector<int> color_of_patch;
+  /// How many colours of the palette are used.
+  int colors_used = 0;
+};
+
+/// Patches that share a vertex get different colours. Greedy, patches with most neighbours first, with the
+/// least used of the colours left. The palette has eight colours that also colour-blind people tell apart
+/// (Okabe, Ito 2008); more are added only if a patch has neighbours of all eight. Complexity: O(m + p log p +
+/// pairs of neighbours) for m faces and p patches.
+PatchColoring color_neighbors_differently(const Mesh& mesh, std::span<const Index> face_patches);
+
+}  // namespace vorogeo

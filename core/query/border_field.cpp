@@ -1,0 +1,443 @@
+// From the sources of a field to the borders of patches, and from these in one sweep to the vertices of each.
+#include "query/border_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "index/scans.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+// ---- Columns are processed 32 at a time: least sums in integers, then the distances at the crossings in
+// single precision
+
+namespace {
+
+/// In typical border edges of the layer: a border edge from which on it is unfolded for all members.
+constexpr double long_border_edge = 2.0;
+
+static_assert(Crossings::capacity == PatchLayer::tile_width);
+
+}  // namespace
+
+void FieldSweep::look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row) {
+  Beside& beside = beside_[row];
+  beside.known = true;
+  const auto nodes = layer.nodes(patch);
+  const Index predecessor = border.predecessor[nodes[row]];
+  int count = 0;
+  for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
+    if (count == 2) break;
+    const Index node = nodes[next.row];
+    if (border.distance[node] == unreachable) continue;
+    if (!BoundaryDijkstra::may_share_wave(predecessor, border.predecessor[node])) continue;
+    beside.row[count] = next.row;
+    beside.length[count] = next.length;
+    ++count;
+  }
+}
+
+void FieldSweep::scan_tiles(const PatchLayer& layer, Index patch, Index column, int count) {
+  std::int16_t least[PatchLayer::tile_width];
+  std::int16_t best[PatchLayer::tile_width];
+  least_tile_sums(base_.data(), layer.tile(patch, column / PatchLayer::tile_width), layer.border_size(patch),
+                  least, best);
+  for (int k = 0; k < count; ++k) row_[k] = least[k] <= greatest_least ? best[k] : no_index;
+}
+
+void FieldSweep::scan_lines(const PatchLayer& layer, Index patch, Index column, int count) {
+  const Index rows = layer.border_size(patch);
+  for (int k = 0; k < count; ++k) {
+    const std::uint16_t* line = layer.line(patch, column + k);
+    const std::int16_t least = least_entry_sum(base_.data(), line, rows);
+    row_[k] = least <= greatest_least ? first_entry_sum(base_.data(), line, rows, least) : no_index;
+  }
+}
+
+/// For incomplete tables and those with a graded scale.
+void FieldSweep::scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count) {
+  const Index rows = layer.border_size(patch);
+  std::fill(std::begin(row_), std::end(row_), no_index);
+  if (layer.order == TableOrder::tiles) {
+    float least[PatchLayer::tile_width];
+    std::fill(std::begin(least), std::end(least), unreachable_float);
+    const std::uint16_t* tile = layer.tile(patch, column / PatchLayer::tile_width);
+    for (Index row = 0; row < rows; ++row, tile += PatchLayer::tile_width) {
+      relax_by_line(tile, layer.scale[patch], above_[row], row, PatchLayer::tile_width, least, row_);
+    }
+    return;
+  }
+  line_.resize(rows);
+  for (int k = 0; k < count; ++k) {
+    layer.read_column(patch, column + k, line_.data());
+    float least = unreachable_float;
+    for (Index row = 0; row < rows; ++row) {
+      const float sum = above_[row] + line_[row];
+      if (sum >= least) continue;
+      least = sum;
+      row_[k] = row;
+    }
+  }
+}
+
+void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column,
+                       int count) {
+  const bool tiles = layer.order == TableOrder::tiles;
+  const auto rows = static_cast<std::size_t>(layer.border_size(patch));
+  const std::uint16_t* entries =
+      tiles ? layer.tile(patch, column / PatchLayer::tile_width) : layer.line(patch, column);
+  // Steps in memory from one row, or column, to the next.
+  const std::size_t row_step = tiles ? PatchLayer::tile_width : 1;
+  const std::size_t column_step = tiles ? 1 : rows;
+  const TableScale scale = layer.scale[patch];
+  for (int k = 0; k < Crossings::capacity; ++k) {
+    if (k >= count || row_[k] == no_index) {
+      crossings_.source[k] = crossings_.target[k] = 0.0f;
+      for (auto& side : crossings_.side) side.source[k] = side.target[k] = side.length[k] = 0.0f;
+      continue;
+    }
+    const Index row = row_[k];
+    if (!beside_[row].known) look_beside(layer, border, patch, row);
+    const Beside& beside = beside_[row];
+    const std::uint16_t* of_column = entries + k * column_step;
+    crossings_.source[k] = above_[row];
+    const float offset = layer.offset_of(patch, column + k);
+    crossings_.target[k] = offset + scale.distance(of_column[row * row_step]);
+    for (int s : {0, 1}) {
+      auto& side = crossings_.side[s];
+      const Index other = beside.row[s] == no_index ? row : beside.row[s];
+      const std::uint16_t entry = of_column[other * row_step];
+      side.source[k] = above_[other];
+      side.target[k] = offset + scale.distance(entry);
+      side.length[k] = entry == PatchLayer::infinite_entry ? 0.0f : beside.length[s];
+    }
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings_, static_cast<float>(lowest_), gain);
+  for (int k = 0; k < count; ++k) {
+    crossing_row_[column + k] = row_[k];
+    if (row_[k] == no_index) continue;
+    const float above = crossings_.source[k] + crossings_.target[k] - gain[k];
+    result_[column + k] = lowest_ + static_cast<double>(above);
+  }
+}
+
+void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count) {
+  const TableScale scale = layer.scale[patch];
+  const std::uint16_t* entries = layer.tile(patch, column / PatchLayer::tile_width);
+  for (const LongBorderEdge& edge : long_edges_) {
+    for (int k = 0; k < count; ++k) {
+      const double offset = layer.offset_of(patch, column + k);
+      const auto through = edge.across(result_[column + k], [&](Index from) {
+        const std::uint16_t entry = entries[static_cast<std::size_t>(from) * PatchLayer::tile_width + k];
+        return entry == PatchLayer::infinite_entry ? unreachable : offset + scale.distance(entry);
+      });
+      if (through.row == no_index) continue;
+      result_[column + k] = through.distance;
+      crossing_row_[column + k] = through.row;
+    }
+  }
+}
+
+std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderDistances& border,
+                                          Index patch) {
+  const auto nodes = layer.nodes(patch);
+  const Index rows = layer.border_size(patch);
+  const Index columns = layer.member_count(patch);
+  result_.assign(columns, unreachable);
+  crossing_row_.assign(columns, no_index);
+  // Sums are formed relative to the least border distance, so that they need few digits far from the source.
+  lowest_ = unreachable;
+  for (Index row = 0; row < rows; ++row) lowest_ = std::min(lowest_, border.distance[nodes[row]]);
+  if (lowest_ == unreachable) return result_;
+  above_.resize(rows);
+  beside_.assign(rows, {});
+  for (Index row = 0; row < rows; ++row) {
+    above_[row] = static_cast<float>(border.distance[nodes[row]] - lowest_);
+  }
+  const TableScale scale = layer.scale[patch];
+  const bool in_integers =
+      layer.complete[patch] != 0 && !scale.is_graded() && rows <= std::numeric_limits<std::int16_t>::max();
+  if (in_integers) base_.resize(rows);
+  for (Index row = 0; in_integers && row < rows; ++row) {
+    const double above = border.distance[nodes[row]] - lowest_;
+    // In a complete table, a row that exceeds the lowest one by more than the greatest entry is of no use: no
+    // member is that far from the lowest row.
+    const double units = above > 0.0 ? above / scale.unit() : 0.0;
+    base_[row] = units <= PatchLayer::greatest_entry
+                     ? static_cast<std::int16_t>(lowest_base + std::nearbyint(units))
+                     : std::int16_t{0};
+  }
+  if (layer.order == TableOrder::tiles) {
+    find_long_border_edges(
+        layer, patch, long_border_edge * layer.edges.typical_length(),
+        [&](Index node) { return border.distance[node]; },
+        [&](Index node) { return border.predecessor[node]; }, long_edges_);
+  }
+  // Tiles begin among the border nodes, which keep their own distances.
+  const Index begin =
+      layer.order == TableOrder::tiles ? rows / PatchLayer::tile_width * PatchLayer::tile_width : rows;
+  for (Index column = begin; column < columns; column += Crossings::capacity) {
+    const int count = std::min(Crossings::capacity, columns - column);
+    if (!in_integers) {
+      scan_in_distances(layer, patch, column, count);
+    } else if (layer.order == TableOrder::tiles) {
+      scan_tiles(layer, patch, column, count);
+    } else {
+      scan_lines(layer, patch, column, count);
+    }
+    cross(layer, border, patch, column, count);
+    if (layer.order == TableOrder::tiles) cross_long_edges(layer, patch, column, count);
+  }
+  for (Index row = 0; row < rows; ++row) {
+    result_[row] = border.distance[nodes[row]];
+    crossing_row_[row] = no_index;
+  }
+  return result_;
+}
+
+// ---- From the seeds to the border nodes of the whole mesh
+
+namespace {
+
+/// In typical border edges of the layer: a border edge from which on it is unfolded for all nodes of a patch.
+/// Shorter ones than for the other members, as errors of nodes are passed on.
+constexpr double long_edge_for_nodes = 1.0;
+/// What is shorter by less is rounding of tables.
+constexpr double least_repair = 1e-4;
+/// Groups of the transit table that a thread takes at a time.
+constexpr Index groups_at_once = 32;
+
+}  // namespace
+
+BorderField::BorderField(const IndexData& data, int threads)
+    : data_(data),
+      threads_(threads),
+      search_(data.second),
+      distance_(data.second.node_count(), unreachable),
+      predecessor_(data.second.node_count(), no_index),
+      first_distance_(data.first.node_count(), unreachable),
+      first_predecessor_(data.first.node_count(), no_index),
+      is_seed_parent_(data.first.patch_count, 0) {}
+
+void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
+  max_distance_ = max_distance;
+  search_.reset();
+  std::fill(is_seed_parent_.begin(), is_seed_parent_.end(), 0);
+  Index parents = 0;
+  for (const Seed& seed : seeds) {
+    search_.add(seed.node, seed.distance, seed.wave);
+    for (const PatchRow& at : data_.second.patches_of(seed.node)) {
+      std::uint8_t& is_parent = is_seed_parent_[data_.partition.parent[at.patch]];
+      if (is_parent == 0) ++parents;
+      is_parent = 1;
+    }
+  }
+  // With sources nearly everywhere, the transit table saves nothing.
+  searched_all_ = data_.transit_table.count == 0 || 2 * parents > data_.first.patch_count;
+  if (searched_all_) {
+    search_.run({}, max_distance);
+    allowed_.assign(data_.second.patch_count, 1);
+    cross_long_edges();
+    for (Index node = 0; node < data_.second.node_count(); ++node) {
+      distance_[node] = search_.distance(node);
+      predecessor_[node] = search_.predecessor(node);
+    }
+    return;
+  }
+  allowed_.assign(data_.second.patch_count, 0);
+  for (Index p = 0; p < data_.first.patch_count; ++p) {
+    if (!is_seed_parent_[p]) continue;
+    for (Index child : data_.children(p)) allowed_[child] = 1;
+  }
+  search_.run(allowed_, max_distance);
+  cross_long_edges();
+  cross_transit_table();
+}
+
+/// As in a sweep, nodes right behind the middle of a long border edge may have been reached over another
+/// border.
+void BorderField::cross_long_edges() {
+  for (Index p = 0; p < data_.second.patch_count; ++p) {
+    if (allowed_[p] != 0) cross_long_edges(p);
+  }
+}
+
+void BorderField::cross_long_edges(Index patch) {
+  const PatchLayer& layer = data_.second;
+  const auto nodes = layer.nodes(patch);
+  // Only what was reached from outside passes on into the patch.
+  auto distance = [&](Index node) {
+    const double found = search_.distance(node);
+    return found <= max_distance_ && search_.predecessor_patch(node) != patch ? found : unreachable;
+  };
+  find_long_border_edges(
+      layer, patch, long_edge_for_nodes * layer.edges.typical_length(), distance,
+      [&](Index node) { return search_.predecessor(node); }, long_edges_);
+  if (long_edges_.empty()) return;
+  const Index count = layer.border_size(patch);
+  auto most_of = [&](Index node) {
+    // Seeds are exact.
+    return search_.predecessor_patch(node) == no_index ? 0.0 : search_.distance(node) * (1.0 - least_repair);
+  };
+  most_.resize(count);
+  for (Index column = 0; column < count; ++column) most_[column] = most_of(nodes[column]);
+  for (std::vector<float>& line : beyond_) line.resize(count);
+  for (const LongBorderEdge& edge : long_edges_) {
+    const Index ends[] = {nodes[edge.end[0].row], nodes[edge.end[1].row]};
+    // Another edge may have reached them through the patch meanwhile.
+    if (distance(ends[0]) == unreachable || distance(ends[1]) == unreachable) continue;
+    for (int i : {0, 1}) layer.read_border(patch, edge.end[i].row, beyond_[i].data());
+    for (Index column = 0; column < count; ++column) {
+      // True of nearly all.
+      if (edge.is_beyond(most_[column], beyond_[0][column], beyond_[1][column])) continue;
+      const Index node = nodes[column];
+      if (node == ends[0] || node == ends[1]) continue;
+      const auto target = [&](Index row) { return static_cast<double>(layer.distance(patch, row, column)); };
+      const auto through = edge.across(most_[column], target);
+      if (through.row == no_index) continue;
+      search_.settle(node, {patch, through.row}, search_.distance(nodes[through.row]) + target(through.row),
+                     through.distance);
+      most_[column] = most_of(node);
+    }
+  }
+}
+
+void BorderField::cross_transit_table() {
+  const Index count = data_.first.node_count();
+  rows_.clear();
+  lowest_ = unreachable;
+  for (Index node = 0; node < count; ++node) {
+    const auto patches = data_.first.patches_of(node);
+    const bool beside_start = std::any_of(patches.begin(), patches.end(),
+                                          [&](const PatchRow& at) { return is_seed_parent_[at.patch] != 0; });
+    const double distance = search_.distance(data_.second_node[node]);
+    if (!beside_start || !(distance <= max_distance_)) continue;
+    rows_.push_back(node);
+    lowest_ = std::min(lowest_, distance);
+  }
+  least_.assign(count, std::numeric_limits<float>::infinity());
+  least_row_.assign(count, no_index);
+  find_bases();
+  const TransitTable& table = data_.transit_table;
+  const Index groups = table.group_count();
+  worst_.assign(groups, std::numeric_limits<float>::infinity());
+  const auto items = static_cast<std::size_t>((groups + groups_at_once - 1) / groups_at_once);
+  parallel_for(items, bases_.empty() ? 1 : threads_, {}, "", [&](std::size_t item, int) {
+    const Index first = static_cast<Index>(item) * groups_at_once;
+    const Index last = std::min(groups, first + groups_at_once);
+    scan_transit_table(first, last);
+    const Index end = table.group_begin[last];
+    for (Index begin = table.group_begin[first]; begin < end; begin += Crossings::capacity) {
+      cross_rows(begin, std::min(Crossings::capacity, end - begin));
+    }
+  });
+}
+
+/// Sorts rows_ into groups, the nearest group first.
+void BorderField::find_bases() {
+  const TransitTable& table = data_.transit_table;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  bases_.clear();
+  for (Index row : rows_) {
+    const Index group = table.group_of[row];
+    if (bases_.empty() || bases_.back().group != group) {
+      bases_.push_back({group, infinite, {}});
+      std::fill(std::begin(bases_.back().base), std::end(bases_.back().base), infinite);
+    }
+    GroupBase& at = bases_.back();
+    const auto base = static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
+    at.base[row - table.group_begin[group]] = base;
+    at.least = std::min(at.least, base);
+  }
+  std::sort(bases_.begin(), bases_.end(), [](const GroupBase& a, const GroupBase& b) {
+    return a.least < b.least || (a.least == b.least && a.group < b.group);
+  });
+}
+
+/// Least sums over rows_ for the nodes of some groups. Most cells of the table are skipped because of their
+/// least distance.
+void BorderField::scan_transit_table(Index first_group, Index end_group) {
+  const TransitTable& table = data_.transit_table;
+  for (const GroupBase& from : bases_) {
+    const float* least = table.least_from(from.group);
+    for (Index to = first_group; to < end_group; ++to) {
+      if (!(from.least + least[to] < worst_[to])) continue;
+      const Index begin = table.group_begin[to];
+      worst_[to] = relax_by_cell(table.cell(from.group, to), table.size(from.group), table.size(to),
+                                 from.base, least[to], table.scale, table.group_begin[from.group],
+                                 least_.data() + begin, least_row_.data() + begin);
+    }
+  }
+}
+
+/// Distances of the first-layer nodes [begin, begin + count), unfolded at the row of the least sum.
+void BorderField::cross_rows(Index begin, Index count) {
+  Crossings crossings{};
+  for (Index k = 0; k < count; ++k) {
+    const Index row = least_row_[begin + k];
+    if (row == no_index) continue;
+    const Index column = begin + k;
+    crossings.source[k] = static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
+    crossings.target[k] = data_.transit_table.distance(row, column);
+    int used = 0;
+    for (const BorderEdges::Edge& edge : data_.first.edges.at(row)) {
+      if (edge.node == no_index || used == 2) break;
+      const double distance = search_.distance(data_.second_node[edge.node]);
+      if (distance == unreachable ||
+          !BoundaryDijkstra::may_share_wave(search_.predecessor(data_.second_node[row]),
+                                            search_.predecessor(data_.second_node[edge.node]))) {
+        continue;
+      }
+      auto& side = crossings.side[used++];
+      side.source[k] = static_cast<float>(distance - lowest_);
+      side.target[k] = data_.transit_table.distance(edge.node, column);
+      side.length[k] = edge.length;
+    }
+  }
+  float gain[Crossings::capacity];
+  crossing_gains(crossings, static_cast<float>(lowest_), gain);
+  for (Index k = 0; k < count; ++k) {
+    const Index node = begin + k;
+    const Index name = data_.second_node[node];
+    const Index row = least_row_[node];
+    double distance = search_.distance(name);
+    Index predecessor = search_.predecessor(name);
+    if (row != no_index && row != node) {
+      const float above = crossings.source[k] + crossings.target[k] - gain[k];
+      const double through = lowest_ + static_cast<double>(above);
+      if (through < distance) {
+        distance = through;
+        predecessor = data_.second_node[row];
+      }
+    }
+    first_distance_[node] = distance_[name] = distance;
+    first_predecessor_[node] = predecessor_[name] = predecessor;
+  }
+}
+
+void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
+  if (searched_all_) return;
+  const PatchLayer& first = data_.first;
+  const auto nodes = first.nodes(first_layer_patch);
+  const auto members = first.members(first_layer_patch);
+  const bool reached = std::any_of(nodes.begin(), nodes.end(),
+                                   [&](Index node) { return first_distance_[node] <= max_distance_; });
+  std::span<const double> found;
+  if (reached) {
+    found = sweep.sweep(first, {first_distance_, first_predecessor_}, first_layer_patch);
+  }
+  const auto rows = sweep.crossing_rows();
+  for (std::size_t i = nodes.size(); i < members.size(); ++i) {
+    const Index node = data_.second.vertex_node[members[i]];
+    distance_[node] = search_.distance(node);
+    predecessor_[node] = search_.predecessor(node);
+    if (!reached || !(found[i] < distance_[node])) continue;
+    distance_[node] = found[i];
+    predecessor_[node] = data_.second_node[nodes[rows[i]]];
+  }
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,105 @@
+// One bounded run of the solver.
+#include "query/near_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorogeo {
+
+NearField::NearField(const IndexData& data) : data_(data), is_near_(data.second.patch_count, 0) {}
+
+LocalSolver& NearField::solver() {
+  if (!solver_) solver_.emplace(data_.geometry);
+  return *solver_;
+}
+
+Halo& NearField::halo() {
+  if (!halo_) halo_.emplace(*data_.work.mesh, data_.first_face);
+  return *halo_;
+}
+
+void NearField::clear() {
+  for (Index p : patches_) is_near_[p] = 0;
+  patches_.clear();
+}
+
+void NearField::add(Index patch) {
+  if (is_near_[patch] != 0) return;
+  patches_.push_back(patch);
+  is_near_[patch] = 1;
+}
+
+void NearField::add_at(const SurfacePoint& point) {
+  const Mesh& mesh = *data_.work.mesh;
+  for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    add(data_.work.second_layer[face]);
+    const double twice_area = 2.0 * mesh.face_area(face);
+    for (int i = 0; i < 3; ++i) {
+      const Index own = 3 * face + i;
+      const double length = mesh.side_length(own);
+      // The faces at a side that the point is on are visited themselves.
+      if (!(weights[(i + 2) % 3] > 0.0)) continue;
+      if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * length) continue;
+      for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
+        add(data_.work.second_layer[Mesh::face_of(h)]);
+      }
+    }
+  });
+}
+
+void NearField::solve(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+  ExactLimits limits;
+  limits.face_allowed = halo_->mask();
+  limits.targets = targets_;
+  limits.distances_only = distances_only;
+  limits.max_distance = max_distance;
+  solver().run(sources, limits);
+  certain_ = std::min(solver_->settled_distance(), solver_->barrier_distance());
+}
+
+/// Of the patches' vertices, from the source nearest to each without its offset.
+double NearField::median_distance(std::span<const ExactSource> sources) {
+  from_source_.clear();
+  for (Index v : targets_) {
+    const double found = solver_->distance(v);
+    if (found < unreachable) from_source_.push_back(found - sources[solver_->nearest_source(v)].offset);
+  }
+  if (from_source_.empty()) return 0.0;
+  const auto middle = from_source_.begin() + static_cast<std::ptrdiff_t>(from_source_.size() / 2);
+  std::ranges::nth_element(from_source_, middle);
+  return *middle;
+}
+
+void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+  targets_.clear();
+  Index patch_faces = 0;
+  for (Index p : patches_) {
+    const auto members = data_.second.members(p);
+    targets_.insert(targets_.end(), members.begin(), members.end());
+    patch_faces += data_.first_face[p + 1] - data_.first_face[p];
+  }
+  around_.clear();
+  double nearest_offset = unreachable;
+  for (const ExactSource& one : sources) {
+    for_each_face_at(*data_.work.mesh, one.point,
+                     [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
+    nearest_offset = std::min(nearest_offset, one.offset);
+  }
+  halo().surround(patches_, growth);
+  const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
+  const double members = static_cast<double>(targets_.size()) / patches;
+  halo_->widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
+               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
+  solve(sources, max_distance, distances_only);
+  const double most = most_widened * static_cast<double>(halo_->faces().size());
+  // Each round doubles the faces or is the last.
+  while (static_cast<double>(halo_->faces().size()) <= most &&
+         solver_->barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
+    const std::size_t before = halo_->faces().size();
+    halo_->surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
+    solve(sources, max_distance, distances_only);
+    if (halo_->faces().size() <= before) break;
+  }
+}
+
+}  // namespace vorogeo

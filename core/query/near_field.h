@@ -1,0 +1,99 @@
+// Exact distances around sources: where the tables would be least accurate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/local_solver.h"
+#include "index/index_data.h"
+#include "patches/halo.h"
+
+namespace vorogeo {
+
+/// Propagation inside the second-layer patches of the sources and a halo around patches and sources. Keeps
+/// its memory from run to run; one object belongs to one thread.
+class NearField {
+ public:
+  /// Growth of the halo around the patches, for paths that leave them; on needles these stray farther than
+  /// elsewhere.
+  static constexpr double growth = 2.5;
+  /// Rings of faces around the sources, relative to the square root of the members of a patch: where a border
+  /// is close to a source, the largest errors would lie in the patch beyond it.
+  static constexpr double reach = 0.7;
+  /// No further ring is added beyond this many faces per source, relative to the members of a patch: rings of
+  /// regular faces have about three, those at fans of needles any number.
+  static constexpr double max_faces = 8.0;
+  /// Inside the patches the solver's distance holds, unless a path outside the halo is shorter by more than
+  /// unfolded crossings can err: then the distance by the tables is below this fraction of it.
+  static constexpr double shorter_outside = 0.99;
+
+  /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
+  /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
+  static constexpr double near_border_edge = 0.5;
+  /// The halo is widened until no path leaves it within this part of the median distance of the patches'
+  /// vertices: below, the distance by the tables is a small difference of rounded entries. Around an ordinary
+  /// patch that is ten times as far; across needles, hundreds of faces may be nearer.
+  static constexpr double least_certain = 1.0 / 32.0;
+  /// Bounds the time of that: once the halo has grown this many times, it is widened no more.
+  static constexpr double most_widened = 16.0;
+
+  explicit NearField(const IndexData& data);
+
+  /// Forgets the patches.
+  void clear();
+  /// Adds a patch in which distances are to be exact, unless it was added before.
+  void add(Index patch);
+  /// Adds the patches of the faces at a point of the work mesh, and those just behind a border beside it.
+  void add_at(const SurfacePoint& point);
+  /// Solves from the sources (on the work mesh) until all vertices of the patches are reached.
+  /// `distances_only`: as in ExactLimits.
+  void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+
+  /// Whether a face of the work mesh is in one of the patches.
+  bool inside(Index face) const { return is_near_[data_.work.second_layer[face]] != 0; }
+  /// After run(): whether an exact distance replaces that by the tables. It does up to the distance at which
+  /// a path could have left the halo; beyond that if it is shorter, and inside the patches unless that by the
+  /// tables is much shorter.
+  bool holds(double exact, double by_tables, bool is_inside) const {
+    return exact < unreachable &&
+           (exact <= certain_ || exact <= by_tables || (is_inside && by_tables >= shorter_outside * exact));
+  }
+  /// Calls visit(vertex, distance) for the work vertices in patches and halo where holds() says so.
+  /// `by_tables(vertex)` gives the other distance. A vertex may be visited again.
+  template <class ByTables, class Visit>
+  void for_each_held(ByTables&& by_tables, Visit&& visit) const {
+    for (Index face : halo_->faces()) {
+      const bool is_inside = inside(face);
+      for (Index v : data_.work.mesh->face_vertices(face)) {
+        const double exact = solver_->distance(v);
+        if (holds(exact, by_tables(v), is_inside)) visit(v, exact);
+      }
+    }
+  }
+
+  /// The solver and the halo, created when first asked for; other runs may use them between those of the near
+  /// field.
+  LocalSolver& solver();
+  Halo& halo();
+  /// After run().
+  const LocalSolver& solver() const { return *solver_; }
+  const Halo& halo() const { return *halo_; }
+
+ private:
+  void solve(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+  double median_distance(std::span<const ExactSource> sources);
+
+  const IndexData& data_;
+  std::optional<LocalSolver> solver_;
+  std::optional<Halo> halo_;
+  std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
+  std::vector<Index> patches_;
+  std::vector<Index> targets_;
+  std::vector<Index> around_;        ///< faces at the sources
+  std::vector<double> from_source_;  ///< scratch memory of median_distance()
+  double certain_ = 0.0;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,53 @@
+// The distance of two vertices: exact if they are near, otherwise unfolded along the shortest route.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "query/near_field.h"
+#include "query/router.h"
+
+namespace vorogeo {
+
+/// Pairs of work vertices of one index. One object belongs to one thread.
+class PairDistance {
+ public:
+  /// `near` lends its solver where the work mesh is the surface of exact runs (IndexData::unsplit); both must
+  /// outlive the object.
+  PairDistance(const IndexData& data, NearField& near);
+
+  /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
+  /// the source, which makes the answer symmetric to the last bit.
+  double distance(Index a, Index b);
+
+ private:
+  double bound_by_tables(Index source, Index target);
+  void bound_rest(Index target, std::span<const Index> vertex_of_run);
+  bool is_solved(double bound) const;
+  bool is_close(double length) const;
+  double distance_nearby(Index source, Index target, double bound);
+  double distance_around_patches(Index source, Index target, double bound, const UnsplitSurface* unsplit);
+  double route_length(Index source, Index target);
+
+  const IndexData& data_;
+  NearField& near_;
+  std::optional<LocalSolver> solver_;  ///< on the unsplit surface, when first needed
+  std::optional<Halo> halo_;
+  Router router_;
+  RouteUnfolder unfolder_;
+  RouteEnd from_;
+  RouteEnd to_;
+  GraphRoute route_;
+  std::vector<Index> patches_;  ///< of both ends, if they touch
+  bool share_patch_ = false;    ///< whether one of them is a patch of both
+  std::vector<float> source_column_;
+  std::vector<float> target_column_;
+  // Bounds of near pairs, where the metric jumps.
+  std::vector<double> least_rest_;  ///< by vertex of the run's mesh
+  std::vector<Index> bounded_;      ///< where it is not 0
+  std::vector<float> from_target_;  ///< by row of a patch: distance of the node from the target, or NaN
+  std::vector<float> greatest_;     ///< by member of a tile
+};
+
+}  // namespace vorogeo

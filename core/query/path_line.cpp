@@ -1,0 +1,601 @@
+// A strip of faces, and the shortest line in it, which can be moved to the other side of vertices.
+#include "query/path_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "exact/exact_geometry.h"
+#include "support/progress.h"
+
+namespace vorogeo {
+
+// ---- Walks around vertices, and removal of detours from strips
+
+namespace {
+
+/// The half-edge of the face of `halfedge` that also ends in `vertex`, but is not `halfedge`.
+Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
+  const Index next = Mesh::next_in_face(halfedge);
+  const Index previous = Mesh::previous_in_face(halfedge);
+  return mesh.tail(halfedge) == vertex ? previous : next;
+}
+
+/// Walks around a vertex from the face of `exit` across that half-edge, until `face` is entered, and adds the
+/// crossings to the strip, but not the faces. \return the angle between the two faces; infinity if a border
+/// of the mesh or a non-manifold edge is met.
+double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& strip) {
+  double angle = 0.0;
+  const Index begin = Mesh::face_of(exit);
+  // Each step enters the next face around the vertex: the walk ends at `face`, at a border of the mesh, or
+  // where it began.
+  for (;;) {
+    const Index entry = mesh.next_around_edge(exit);
+    if (entry == exit || mesh.next_around_edge(entry) != exit) return unreachable;
+    strip.exit.push_back(exit);
+    strip.entry.push_back(entry);
+    const Index at = Mesh::face_of(entry);
+    if (at == face) return angle;
+    if (at == begin) return unreachable;
+    exit = other_halfedge_at(mesh, entry, vertex);
+    angle += mesh.corner_angle(mesh.tail(entry) == vertex ? entry : exit);
+  }
+}
+
+/// The path around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
+/// `passed` is empty.
+bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<HalfedgePair>& passed) {
+  struct Visit {
+    Index face;
+    HalfedgePair by;
+    std::size_t predecessor;
+  };
+  // Each face of the fan is visited once, and the faces around each edge are passed once.
+  std::vector<Visit> visited{{from, {no_index, no_index}, 0}};
+  std::unordered_set<Index> faces{from}, edges;
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    if (i % elements_per_checkpoint == 0) checkpoint();
+    if (visited[i].face == to) {
+      for (std::size_t at = i; at != 0; at = visited[at].predecessor) passed.push_back(visited[at].by);
+      std::ranges::reverse(passed);
+      return true;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Index exit = 3 * visited[i].face + k;
+      if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+      if (!edges.insert(mesh.edge_of(exit)).second) continue;
+      for (Index entry = mesh.next_around_edge(exit); entry != exit; entry = mesh.next_around_edge(entry)) {
+        const Index face = Mesh::face_of(entry);
+        if (faces.insert(face).second) visited.push_back({face, {exit, entry}, i});
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void FaceStrip::clear() {
+  faces.clear();
+  entry.clear();
+  exit.clear();
+}
+
+void FaceStrip::push(Index face, Index exit_halfedge, Index entry_halfedge) {
+  faces.push_back(face);
+  exit.push_back(exit_halfedge);
+  entry.push_back(entry_halfedge);
+}
+
+bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
+  const Index from = strip.faces.back();
+  if (from == face) return true;
+  // Both ways round are added to the end of the strip; the longer one is removed again.
+  const std::size_t old_size = strip.entry.size();
+  double least = unreachable;
+  auto cut = [&](std::size_t begin, std::size_t end) {
+    for (std::vector<Index>* list : {&strip.exit, &strip.entry}) {
+      list->erase(list->begin() + static_cast<std::ptrdiff_t>(begin),
+                  list->begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  };
+  for (int k = 0; k < 3 && mesh.fan(vertex) != Mesh::Fan::non_manifold; ++k) {
+    const Index exit = 3 * from + k;
+    if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
+    const std::size_t middle = strip.entry.size();
+    const double angle = walk(mesh, vertex, exit, face, strip);
+    if (angle < least) {
+      least = angle;
+      cut(old_size, middle);
+    } else {
+      cut(middle, strip.entry.size());
+    }
+  }
+  if (least == unreachable) {
+    std::vector<HalfedgePair> found;
+    if (!search(mesh, vertex, from, face, found)) return false;
+    for (const HalfedgePair& crossing : found) {
+      strip.exit.push_back(crossing.exit);
+      strip.entry.push_back(crossing.entry);
+    }
+  }
+  for (std::size_t i = old_size; i < strip.entry.size(); ++i) {
+    strip.faces.push_back(Mesh::face_of(strip.entry[i]));
+  }
+  return true;
+}
+
+bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
+  if (mesh.fan(vertex) != Mesh::Fan::closed) return false;
+  exit = other_halfedge_at(mesh, exit, vertex);
+  // The fan is one cycle, so the walk comes to `face`.
+  for (Index at = Mesh::face_of(exit); at != face;) {
+    const Index entry = mesh.next_around_edge(exit);
+    passed.push_back({exit, entry});
+    at = Mesh::face_of(entry);
+    exit = other_halfedge_at(mesh, entry, vertex);
+  }
+  return true;
+}
+
+void tidy(const Mesh& mesh, FaceStrip& strip) {
+  // Removes faces left and entered again at once, by a stack.
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < strip.faces.size(); ++i) {
+    if (kept > 0 && strip.faces[kept - 1] == strip.faces[i]) {
+      --kept;
+      continue;
+    }
+    if (kept > 0 && strip.exit[i - 1] == strip.entry[kept - 1]) {
+      // The face was left by the edge by which it was entered, to a third face of that edge: go straight
+      // there.
+      strip.faces[kept] = strip.faces[i];
+      strip.entry[kept - 1] = strip.entry[i - 1];
+      continue;
+    }
+    ++kept;
+    strip.faces[kept] = strip.faces[i];
+    strip.entry[kept - 1] = strip.entry[i - 1];
+    strip.exit[kept - 1] = strip.exit[i - 1];
+  }
+  if (!strip.faces.empty()) {
+    strip.faces.resize(kept + 1);
+    strip.entry.resize(kept);
+    strip.exit.resize(kept);
+  }
+  std::array<double, 3> weights{};
+  std::size_t begin = 0;
+  while (begin + 1 < strip.faces.size() &&
+         weights_in_face(mesh, strip.source, strip.faces[begin + 1], weights)) {
+    ++begin;
+  }
+  if (begin > 0) {
+    strip.faces.erase(strip.faces.begin(), strip.faces.begin() + static_cast<std::ptrdiff_t>(begin));
+    strip.entry.erase(strip.entry.begin(), strip.entry.begin() + static_cast<std::ptrdiff_t>(begin));
+    strip.exit.erase(strip.exit.begin(), strip.exit.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+  while (strip.faces.size() > 1 &&
+         weights_in_face(mesh, strip.target, strip.faces[strip.faces.size() - 2], weights)) {
+    strip.faces.pop_back();
+    strip.entry.pop_back();
+    strip.exit.pop_back();
+  }
+}
+
+// ---- The funnel as a double-ended queue
+
+namespace {
+
+double cross(const PlanePoint& origin, const PlanePoint& a, const PlanePoint& b) {
+  return (a[0] - origin[0]) * (b[1] - origin[1]) - (a[1] - origin[1]) * (b[0] - origin[0]);
+}
+
+}  // namespace
+
+void Funnel::reset(const PlanePoint& point, std::size_t gates) {
+  nodes_.clear();
+  const std::size_t middle = gates + 2;
+  if (funnel_.size() < 2 * middle + 1) funnel_.resize(2 * middle + 1);
+  head_ = tail_ = apex_ = middle;
+  nodes_.push_back({0, {no_index, true}});
+  funnel_[middle] = {point, 0};
+}
+
+// Each point that the loops below pass leaves the funnel for good.
+
+void Funnel::add_left(const PlanePoint& point, Index gate) {
+  const Slot* slot = funnel_.data();
+  std::size_t head = head_;
+  while (head < tail_) {
+    if (head < apex_) {
+      if (cross(slot[head + 1].at, slot[head].at, point) > 0.0) break;
+      ++head;
+    } else {
+      if (cross(slot[head].at, slot[head + 1].at, point) >= 0.0) break;
+      ++head;
+      apex_ = head;
+    }
+  }
+  nodes_.push_back({slot[head].node, {gate, true}});
+  head_ = head - 1;
+  funnel_[head_] = {point, static_cast<std::uint32_t>(nodes_.size() - 1)};
+}
+
+void Funnel::add_right(const PlanePoint& point, Index gate) {
+  const Slot* slot = funnel_.data();
+  std::size_t tail = tail_;
+  while (head_ < tail) {
+    if (tail > apex_) {
+      if (cross(slot[tail - 1].at, slot[tail].at, point) < 0.0) break;
+      --tail;
+    } else {
+      if (cross(slot[tail].at, slot[tail - 1].at, point) <= 0.0) break;
+      --tail;
+      apex_ = tail;
+    }
+  }
+  nodes_.push_back({slot[tail].node, {gate, false}});
+  tail_ = tail + 1;
+  funnel_[tail_] = {point, static_cast<std::uint32_t>(nodes_.size() - 1)};
+}
+
+const std::vector<Funnel::Bend>& Funnel::finish(const PlanePoint& point) {
+  add_left(point, no_index);
+  bends_.clear();
+  for (std::uint32_t node = nodes_.back().parent; node != 0; node = nodes_[node].parent) {
+    bends_.push_back(nodes_[node].bend);
+  }
+  std::ranges::reverse(bends_);
+  return bends_;
+}
+
+// ---- Unfolding, and pulling tight between joints
+
+namespace {
+
+/// Edges crossed, and the line itself, are this fraction of the longest of them: ten digits remain of its
+/// length.
+constexpr double least_scale = 1e-6;
+
+double distance_between(const PlanePoint& a, const PlanePoint& b) {
+  const double dx = a[0] - b[0], dy = a[1] - b[1];
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+UnfoldedCrossing PathLine::crossing_at(Index exit, Index entry, Index left, Index right) {
+  const Mesh& mesh = *geometry_->mesh;
+  const FaceFrame& frame = geometry_->frame[entry];
+  const double length = mesh.edge_length(mesh.edge_of(entry));
+  shortest_crossed_ = std::min(shortest_crossed_, length);
+  longest_crossed_ = std::max(longest_crossed_, length);
+  UnfoldedCrossing crossing{exit, entry, left, right, 0.0, 0.0, 0.0, {}, {}};
+  if (!(length > 0.0)) {
+    crossing.corner_distance = mesh.edge_length(mesh.edge_of(frame.first_side(entry)));
+    return crossing;
+  }
+  const bool left_first = (mesh.tail(entry) == left) == frame.along;
+  crossing.along = (left_first ? frame.apex_x : length - frame.apex_x) / length;
+  crossing.aside = frame.apex_depth / length;
+  return crossing;
+}
+
+void PathLine::assign(const FaceStrip& strip) {
+  const Mesh& mesh = *geometry_->mesh;
+  source_ = strip.source;
+  target_ = strip.target;
+  first_face_ = strip.faces.front();
+  shortest_crossed_ = unreachable;
+  longest_crossed_ = 0.0;
+  crossings_.clear();
+  for (std::size_t i = 0; i < strip.entry.size(); ++i) {
+    // Corners are counterclockwise in the plane: leaving across a half-edge, its head is on the left.
+    Index left = mesh.head(strip.exit[i]);
+    Index right = mesh.tail(strip.exit[i]);
+    if (i > 0 && (left == crossings_.back().right || right == crossings_.back().left)) std::swap(left, right);
+    crossings_.push_back(crossing_at(strip.exit[i], strip.entry[i], left, right));
+  }
+  joints_.assign(2, {});
+  joints_.front().last = -1;
+  joints_.back().first = joints_.back().last = size_of(crossings_);
+  next_joints_.assign(1, joints_.front());
+  pull(next_joints_.front(), joints_.back());
+  next_joints_.push_back(joints_.back());
+  std::swap(joints_, next_joints_);
+}
+
+void PathLine::assign(const PathLine& other) {
+  source_ = other.source_;
+  target_ = other.target_;
+  first_face_ = other.first_face_;
+  crossings_ = other.crossings_;
+  joints_ = other.joints_;
+  shortest_crossed_ = other.shortest_crossed_;
+  longest_crossed_ = other.longest_crossed_;
+}
+
+bool PathLine::is_rough() const {
+  const double line = length();
+  return std::min(shortest_crossed_, line) < least_scale * std::max(longest_crossed_, line);
+}
+
+double PathLine::length() const {
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {
+    length += distance_between(joints_[k].out, joints_[k + 1].in);
+  }
+  return length;
+}
+
+double PathLine::turn(std::size_t joint) const {
+  const Joint& j = joints_[joint];
+  const PlanePoint in{j.in[0] - joints_[joint - 1].out[0], j.in[1] - joints_[joint - 1].out[1]};
+  PlanePoint out{joints_[joint + 1].in[0] - j.out[0], joints_[joint + 1].in[1] - j.out[1]};
+  if (j.is_seam) {
+    // From the plane after the joint into the plane before it, by the direction of the edge known in both.
+    const double ex = j.other_in[0] - j.in[0], ey = j.other_in[1] - j.in[1];
+    const double fx = j.other_out[0] - j.out[0], fy = j.other_out[1] - j.out[1];
+    const double cosine = ex * fx + ey * fy, sine = ey * fx - ex * fy;
+    out = {out[0] * cosine - out[1] * sine, out[0] * sine + out[1] * cosine};
+  }
+  const double across = in[0] * out[1] - in[1] * out[0];
+  return std::atan2(j.left ? across : -across, in[0] * out[0] + in[1] * out[1]);
+}
+
+void PathLine::find_range(Index at, Joint& joint) const {
+  auto has = [&](Index i) { return (joint.left ? crossings_[i].left : crossings_[i].right) == joint.vertex; };
+  joint.first = joint.last = at;
+  while (joint.first > 0 && has(joint.first - 1)) --joint.first;
+  while (joint.last + 1 < size_of(crossings_) && has(joint.last + 1)) ++joint.last;
+}
+
+/// Unfolds the crossings between two joints, and adds the bends found to next_joints_.
+void PathLine::pull(Joint& from, Joint& to) {
+  const Mesh& mesh = *geometry_->mesh;
+  const Index begin = from.last + 1;
+  const Index end = std::min(to.last + 1, size_of(crossings_));
+  std::array<double, 3> weights{};
+  if (begin == 0) {
+    const FacePlane plane(*geometry_, first_face_);
+    weights_in_face(mesh, source_, first_face_, weights);
+    from.out = plane.at(weights);
+    if (crossings_.empty()) {
+      weights_in_face(mesh, target_, first_face_, weights);
+      to.in = plane.at(weights);
+      return;
+    }
+    auto corner = [&](Index vertex) {
+      const auto& corners = mesh.face_vertices(first_face_);
+      return plane.corner[vertex == corners[0] ? 0 : vertex == corners[1] ? 1 : 2];
+    };
+    crossings_[0].at_left = corner(crossings_[0].left);
+    crossings_[0].at_right = corner(crossings_[0].right);
+  }
+  UnfoldedCrossing previous{};
+  if (begin > 0) {
+    previous = crossings_[from.last];
+    previous.at_left = {0.0, 0.0};
+    previous.at_right = {mesh.edge_length(mesh.edge_of(previous.entry)), 0.0};
+    from.out = from.left ? previous.at_left : previous.at_right;
+    from.other_out = from.left ? previous.at_right : previous.at_left;
+    from.is_seam = true;
+  }
+  funnel_.reset(from.out, static_cast<std::size_t>(end - begin));
+  for (Index i = begin; i < end; ++i) {
+    UnfoldedCrossing& crossing = crossings_[i];
+    bool new_left = true, new_right = true;
+    if (i > 0) {
+      const UnfoldedCrossing& before = i == begin ? previous : crossings_[i - 1];
+      const PlanePoint apex = before.apex();
+      const bool keeps_left = crossing.left == before.left;
+      crossing.at_left = keeps_left ? before.at_left : apex;
+      crossing.at_right = keeps_left ? apex : before.at_right;
+      new_left = !keeps_left || i == begin;
+      new_right = keeps_left || i == begin;
+    }
+    if (i >= to.first) continue;
+    if (new_left) funnel_.add_left(crossing.at_left, i);
+    if (new_right) funnel_.add_right(crossing.at_right, i);
+  }
+  if (to.vertex == no_index) {
+    const UnfoldedCrossing& last = end > begin ? crossings_[end - 1] : previous;
+    const PlanePoint apex = last.apex();
+    const Index face = Mesh::face_of(last.entry);
+    weights_in_face(mesh, target_, face, weights);
+    to.in = {};
+    for (int k = 0; k < 3; ++k) {
+      const Index v = mesh.face_vertices(face)[k];
+      const PlanePoint& at = v == last.left ? last.at_left : v == last.right ? last.at_right : apex;
+      to.in[0] += weights[k] * at[0];
+      to.in[1] += weights[k] * at[1];
+    }
+  } else {
+    const UnfoldedCrossing& last = crossings_[to.last];
+    to.in = to.left ? last.at_left : last.at_right;
+    to.other_in = to.left ? last.at_right : last.at_left;
+    to.is_seam = true;
+  }
+  for (const Funnel::Bend& bend : funnel_.finish(to.in)) {
+    Joint joint;
+    joint.left = bend.left;
+    joint.vertex = bend.left ? crossings_[bend.gate].left : crossings_[bend.gate].right;
+    find_range(bend.gate, joint);
+    joint.last = std::min(joint.last, end - 1);
+    const UnfoldedCrossing& last = crossings_[joint.last];
+    joint.in = joint.out = bend.left ? last.at_left : last.at_right;
+    joint.other_in = joint.other_out = bend.left ? last.at_right : last.at_left;
+    next_joints_.push_back(joint);
+  }
+}
+
+// ---- Changes of a line: strips moved to the other side of vertices, and the parts that stay
+
+/// Adds a crossing to the strip being made, without detours: a face left and entered again at once. Calls
+/// itself only after removing a crossing, so no more often than there are crossings.
+void PathLine::push(const UnfoldedCrossing& crossing) {
+  if (!next_.empty()) {
+    const UnfoldedCrossing last = next_.back();
+    const bool turns = last.entry == crossing.exit;
+    const bool returns = Mesh::face_of(last.exit) == Mesh::face_of(crossing.entry);
+    if (turns || returns) {
+      next_.pop_back();
+      disturbed_ |= size_of(next_) < fixed_;
+      if (returns) return;
+      // The face was left by the edge by which it was entered, to a third face of that edge: go straight
+      // there.
+      push(crossing_at(last.exit, crossing.entry, last.left, last.right));
+      return;
+    }
+  }
+  next_.push_back(crossing);
+}
+
+void PathLine::copy(Index begin, Index end) {
+  for (; begin < end; ++begin) {
+    const Index old_size = size_of(next_);
+    push(crossings_[begin]);
+    if (size_of(next_) > old_size) {
+      next_.insert(next_.end(), crossings_.begin() + begin + 1, crossings_.begin() + end);
+      return;
+    }
+  }
+}
+
+bool PathLine::push_other_side(const Joint& joint) {
+  const Mesh& mesh = *geometry_->mesh;
+  const UnfoldedCrossing& first = crossings_[joint.first];
+  passed_.clear();
+  if (!other_side(mesh, joint.vertex, first.exit, Mesh::face_of(crossings_[joint.last].entry), passed_)) {
+    return false;
+  }
+  for (const HalfedgePair& pair : passed_) {
+    const Index other = mesh.tail(pair.exit) == joint.vertex ? mesh.head(pair.exit) : mesh.tail(pair.exit);
+    push(crossing_at(pair.exit, pair.entry, joint.left ? other : joint.vertex,
+                     joint.left ? joint.vertex : other));
+  }
+  return true;
+}
+
+/// Removes the faces at the ends of the new strip that the end points do not need. \return how many at its
+/// beginning.
+Index PathLine::trim_ends() {
+  const Mesh& mesh = *geometry_->mesh;
+  std::array<double, 3> weights{};
+  Index cut = 0;
+  while (cut < size_of(next_) && weights_in_face(mesh, source_, Mesh::face_of(next_[cut].entry), weights)) {
+    first_face_ = Mesh::face_of(next_[cut++].entry);
+  }
+  next_.erase(next_.begin(), next_.begin() + cut);
+  while (!next_.empty() && weights_in_face(mesh, target_, Mesh::face_of(next_.back().exit), weights)) {
+    next_.pop_back();
+  }
+  return cut;
+}
+
+/// Releases joints whose crossings overlap those that change.
+void PathLine::release_neighbours(std::vector<Change>& changes) const {
+  auto release = [&](std::size_t k) {
+    if (changes[k] == Change::keep) changes[k] = Change::release;
+  };
+  const std::size_t last = joints_.size() - 1;
+  for (std::size_t k = 1; k < last; ++k) {
+    if (changes[k] != Change::flip) continue;
+    if (k > 1 && joints_[k - 1].last >= joints_[k].first) release(k - 1);
+    if (k + 1 < last && joints_[k + 1].first <= joints_[k].last) release(k + 1);
+  }
+  for (std::size_t k = last - 1; k > 0; --k) {
+    if (changes[k + 1] != Change::keep && joints_[k].last >= joints_[k + 1].first) release(k);
+  }
+}
+
+/// Makes the new strip; joints that stay get the number of their last crossing in it. \return flips done.
+int PathLine::rebuild(std::vector<Change>& changes) {
+  const std::size_t last = joints_.size() - 1;
+  int flips = 0;
+  Index copied = 0;  // crossings before this one are in next_
+  next_.clear();
+  fixed_ = 0;
+  disturbed_ = false;
+  for (std::size_t k = 1; k < last; ++k) {
+    Joint& joint = joints_[k];
+    if (changes[k] != Change::release && joint.first < copied) changes[k] = Change::release;
+    if (changes[k] == Change::release) continue;
+    copy(copied, joint.first);
+    copied = joint.first;
+    if (changes[k] == Change::flip) {
+      if (!push_other_side(joint)) continue;
+      copied = joint.last + 1;
+      ++flips;
+      continue;
+    }
+    copy(copied, joint.last + 1);
+    copied = joint.last + 1;
+    disturbed_ |= next_.empty() || next_.back().entry != crossings_[joint.last].entry;
+    joint.last = size_of(next_) - 1;
+    fixed_ = size_of(next_);
+  }
+  copy(copied, size_of(crossings_));
+  const Index cut = trim_ends();
+  for (std::size_t k = 1; k < last; ++k) {
+    if (changes[k] != Change::keep) continue;
+    joints_[k].last -= cut;
+    disturbed_ |= joints_[k].last < 0 || joints_[k].last >= size_of(next_);
+  }
+  std::swap(crossings_, next_);
+  joints_[last].first = joints_[last].last = size_of(crossings_);
+  return flips;
+}
+
+/// Updates a joint that stays after rebuild(), as it may have more crossings.
+void PathLine::extend(Joint& joint) {
+  const Index old_last = joint.last;
+  find_range(old_last, joint);
+  for (Index i = old_last + 1; i <= joint.last; ++i) {
+    UnfoldedCrossing& crossing = crossings_[i];
+    const UnfoldedCrossing& previous = crossings_[i - 1];
+    const PlanePoint apex = previous.apex();
+    crossing.at_left = joint.left ? previous.at_left : apex;
+    crossing.at_right = joint.left ? apex : previous.at_right;
+    joint.other_in = apex;
+  }
+}
+
+int PathLine::change(std::vector<Change>& changes) {
+  release_neighbours(changes);
+  const int flips = rebuild(changes);
+  const std::size_t last = joints_.size() - 1;
+  Index end = -1;
+  for (std::size_t k = 1; k < last && !disturbed_; ++k) {
+    if (changes[k] != Change::keep) continue;
+    extend(joints_[k]);
+    disturbed_ = joints_[k].last <= end;
+    end = joints_[k].last;
+  }
+  if (disturbed_) std::fill(changes.begin() + 1, changes.end() - 1, Change::release);
+  next_joints_.assign(1, joints_.front());
+  bool changed = false;
+  for (std::size_t k = 1; k <= last; ++k) {
+    if (changes[k] != Change::keep) {
+      changed = true;
+      continue;
+    }
+    if (changed) {
+      next_joints_.back().settled = joints_[k].settled = false;
+      pull(next_joints_.back(), joints_[k]);
+    }
+    changed = false;
+    next_joints_.push_back(joints_[k]);
+  }
+  std::swap(joints_, next_joints_);
+  return flips;
+}
+
+bool PathLine::flip_beside(std::size_t piece, const Joint& beside) {
+  joints_.insert(joints_.begin() + static_cast<std::ptrdiff_t>(piece) + 1, beside);
+  std::vector<Change> changes(joints_.size(), Change::keep);
+  changes[piece + 1] = Change::flip;
+  return change(changes) > 0;
+}
+
+}  // namespace vorogeo

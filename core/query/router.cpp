@@ -1,0 +1,149 @@
+// The shortest route of two points by whatever tables there are, and its length with borders unfolded.
+#include "query/router.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "index/unfolding.h"
+
+namespace vorogeo {
+
+// ---- Walks a route table by table with the distances of a few border nodes at each crossing
+
+namespace {
+
+using Near = RouteUnfolder::Near;
+using Stage = RouteUnfolder::Stage;
+
+/// Row of a vertex on the border of a patch of either layer; no_index if it is not there.
+Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
+  const Index node = layer.vertex_node[vertex];
+  return node == no_index ? no_index : layer.row_of(node, patch);
+}
+
+/// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
+double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
+  if (leg.table() == Leg::Table::transit) {
+    const Index a = data.first.vertex_node[from];
+    const Index b = data.first.vertex_node[to];
+    return a == no_index || b == no_index ? unreachable : data.transit_table.distance(a, b);
+  }
+  const PatchLayer& layer = leg.in_first_layer() ? data.first : data.second;
+  auto column_of = [&](Index vertex) {
+    return leg.in_second_layer() ? data.column_in_patch(leg.patch(), vertex)
+                                 : data.column_in_parent(leg.patch(), data.second.vertex_node[vertex]);
+  };
+  Index row = row_in(layer, from, leg.patch());
+  Index other = to;
+  if (row == no_index) {
+    row = row_in(layer, to, leg.patch());
+    other = from;
+  }
+  const Index column = row == no_index ? no_index : column_of(other);
+  return column == no_index ? unreachable : layer.distance(leg.patch(), row, column);
+}
+
+/// Least distance of a vertex through the near nodes, then across the border edges at the best of them.
+double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& near, Index vertex) {
+  std::array<double, 8> beyond{};
+  const std::size_t count = std::min(near.size(), beyond.size());
+  double best = unreachable;
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    beyond[i] = distance_by(data, leg, near[i].vertex, vertex);
+    if (near[i].distance + beyond[i] < best) {
+      best = near[i].distance + beyond[i];
+      least = i;
+    }
+  }
+  if (best == unreachable) return best;
+  std::array<BorderSample, 8> beside{};
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Only the route's own node is a neighbour of all the others.
+    if (i == least || (least != 0 && i != 0) || beyond[i] == unreachable) continue;
+    beside[known++] = {near[i].distance, beyond[i], near[std::max(i, least)].length};
+  }
+  return crossing_distance(near[least].distance, beyond[least], {beside.data(), known});
+}
+
+void find_stages(const IndexData& data, const GraphRoute& route, Index source, Index target,
+                 Index source_patch, Index target_patch, std::vector<Stage>& stages) {
+  stages.clear();
+  auto add = [&](Leg leg, Index exit_vertex) {
+    if (!stages.empty() && stages.back().leg == leg) stages.pop_back();
+    stages.push_back({leg, exit_vertex});
+  };
+  auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
+  if (data.second.vertex_node[source] == no_index) source_patch = data.home_patch[source];
+  if (data.second.vertex_node[target] == no_index) target_patch = data.home_patch[target];
+  if (source_patch != no_index && source != vertex_of(route.nodes.front())) {
+    add(Leg::through_second(source_patch), vertex_of(route.nodes.front()));
+  }
+  for (std::size_t i = 0; i < route.legs.size(); ++i) add(route.legs[i], vertex_of(route.nodes[i + 1]));
+  if (target_patch != no_index && target != vertex_of(route.nodes.back())) {
+    add(Leg::through_second(target_patch), target);
+  }
+}
+
+/// Calls visit(vertex, length) for the border neighbours of the vertex where the route passes from one stage
+/// to the next: along the border of a patch on either side that has the vertex on its border.
+template <class Visit>
+void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& next, Visit&& visit) {
+  for (const Leg& side : {stage.leg, next.leg}) {
+    if (side.table() == Leg::Table::transit) continue;
+    const PatchLayer& layer = side.in_first_layer() ? data.first : data.second;
+    const Index row = row_in(layer, stage.exit_vertex, side.patch());
+    if (row == no_index) continue;
+    for (const BorderNeighbour& beside : layer.neighbours(side.patch(), row)) {
+      visit(layer.node_vertex[layer.nodes(side.patch())[beside.row]], beside.length);
+    }
+    return;
+  }
+}
+
+}  // namespace
+
+double RouteUnfolder::length(const GraphRoute& route, Index source, Index target, Index source_patch,
+                             Index target_patch) {
+  find_stages(data_, route, source, target, source_patch, target_patch, stages_);
+  if (stages_.empty()) return source == target ? 0.0 : unreachable;
+  near_.assign(1, {source, 0.0, 0.0});
+  for (std::size_t i = 0; i < stages_.size(); ++i) {
+    const Stage& stage = stages_[i];
+    next_.clear();
+    next_.push_back({stage.exit_vertex, cross(data_, stage.leg, near_, stage.exit_vertex), 0.0});
+    if (i + 1 < stages_.size()) {
+      for_each_neighbour(data_, stage, stages_[i + 1], [&](Index vertex, double length) {
+        next_.push_back({vertex, cross(data_, stage.leg, near_, vertex), length});
+      });
+    }
+    near_.swap(next_);
+  }
+  return near_.front().distance;
+}
+
+// ---- Selects the router that has the shortest route
+
+void Router::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
+  if (data_.graph.has_arcs()) {
+    if (!graph_) graph_.emplace(data_);
+    graph_->route(source, target, result);
+    return;
+  }
+  result.length = unreachable;
+  result.nodes.clear();
+  result.legs.clear();
+  const bool neighbours =
+      std::find_first_of(source.parents.begin(), source.parents.end(), target.parents.begin(),
+                         target.parents.end()) != source.parents.end();
+  if (neighbours) {
+    if (!patches_) patches_.emplace(data_);
+    patches_->route(source, target, result);
+  }
+  if (!tables_) tables_.emplace(data_);
+  tables_->route(source, target, result, result.length);
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,198 @@
+// The steps of a field, and the results read from them.
+#include "query/source_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "index/index_data.h"
+#include "mesh/surface_point.h"
+#include "support/error.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+SourceField::SourceField(const IndexData& data, NearField& near, int threads)
+    : data_(data),
+      near_(near),
+      threads_(resolve_thread_count(threads)),
+      borders_(data, threads_),
+      sweeps_(threads_) {}
+
+/// Separates the sources on the work mesh from isolated ones. All are checked before anything changes.
+void SourceField::take_sources(std::span<const ExactSource> given, double max_distance) {
+  if (given.empty()) throw InvalidInput("There is no source; give at least one.");
+  if (!(max_distance >= 0.0)) {
+    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
+                       "; it must be at least 0.");
+  }
+  sources_.clear();
+  number_.clear();
+  isolated_.clear();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const ExactSource& one = given[i];
+    if (!(one.offset >= 0.0 && std::isfinite(one.offset))) {
+      throw InvalidInput("Source " + std::to_string(i) + " has the offset " + std::to_string(one.offset) +
+                         "; it must be a finite number of at least 0.");
+    }
+    const SurfacePoint point = validated(*data_.mesh, one.point);
+    if (one.offset > max_distance) continue;
+    if (point.is_vertex() && data_.work.work_vertex[point.vertex] == no_index) {
+      isolated_.push_back({static_cast<Index>(i), {point, one.offset}});
+      continue;
+    }
+    sources_.push_back({work_point(data_, point), one.offset});
+    number_.push_back(static_cast<Index>(i));
+  }
+}
+
+/// Takes the border nodes that the near field reached as seeds.
+void SourceField::find_seeds() {
+  const LocalSolver& solver = near_.solver();
+  seeds_.clear();
+  for (Index face : near_.halo().faces()) {
+    for (Index v : data_.work.mesh->face_vertices(face)) {
+      const Index node = data_.second.vertex_node[v];
+      if (node == no_index) continue;
+      const double found = solver.distance(v);
+      if (found < unreachable) seeds_.push_back({node, found, number_[solver.nearest_source(v)]});
+    }
+  }
+  std::ranges::sort(seeds_, {}, &BorderField::Seed::node);
+  const auto repeated = std::ranges::unique(seeds_, {}, &BorderField::Seed::node);
+  seeds_.erase(repeated.begin(), repeated.end());
+}
+
+void SourceField::sweep(Index first_layer_patch, FieldSweep& sweep, bool labels) {
+  borders_.fill(first_layer_patch, sweep);
+  const BorderDistances border = borders_.border();
+  for (Index p : data_.children(first_layer_patch)) {
+    const auto nodes = data_.second.nodes(p);
+    if (std::ranges::all_of(nodes, [&](Index node) { return border.distance[node] == unreachable; }))
+      continue;
+    const auto found = sweep.sweep(data_.second, border, p);
+    const auto rows = sweep.crossing_rows();
+    const auto members = data_.second.members(p);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      // A border node belongs to several patches: its home patch writes it.
+      if (data_.home_patch[members[i]] != p) continue;
+      distance_[members[i]] = found[i];
+      if (!labels) continue;
+      const Index row = i < nodes.size() ? static_cast<Index>(i) : rows[i];
+      label_[members[i]] = row == no_index ? no_index : nodes[row];
+    }
+  }
+}
+
+/// Follows the predecessors of a node back to where a source's wave began, and remembers the answer.
+Index SourceField::label_of_node(Index node) {
+  const auto predecessor = borders_.border().predecessor;
+  passed_.clear();
+  Index at = node;
+  while (at >= 0 && node_label_[at] == no_index && passed_.size() <= predecessor.size()) {
+    passed_.push_back(at);
+    at = predecessor[at];
+  }
+  Index found = no_index;
+  if (at >= 0) {
+    found = node_label_[at];
+  } else if (at < no_index) {
+    found = BoundaryDijkstra::source_name(0) - at;
+  }
+  for (Index n : passed_) node_label_[n] = found;
+  return found;
+}
+
+/// Replaces the border node on each vertex's path by the source to which it leads.
+void SourceField::find_labels() {
+  node_label_.assign(data_.second.node_count(), no_index);
+  for (Index& label : label_) {
+    if (label != no_index) label = label_of_node(label);
+  }
+}
+
+/// Fills in distance_ and, if they are wanted, label_.
+void SourceField::run(std::span<const ExactSource> given, double max_distance, Wanted wanted) {
+  take_sources(given, max_distance);
+  distance_.assign(data_.work.mesh->vertex_count(), unreachable);
+  if (wanted.labels) label_.assign(data_.work.mesh->vertex_count(), no_index);
+  near_.clear();
+  if (sources_.empty()) return;
+  for (const ExactSource& one : sources_) near_.add_at(one.point);
+  near_.run(sources_, max_distance, !wanted.windows);
+  find_seeds();
+  borders_.reset(seeds_, max_distance);
+  parallel_for(static_cast<std::size_t>(data_.first.patch_count), threads_, {}, "",
+               [&](std::size_t parent, int worker) {
+                 sweep(static_cast<Index>(parent), sweeps_.of(worker), wanted.labels);
+               });
+  if (wanted.labels) find_labels();
+  near_.for_each_held([&](Index v) { return distance_[v]; },
+                      [&](Index v, double exact) {
+                        distance_[v] = exact;
+                        if (wanted.labels) label_[v] = number_[near_.solver().nearest_source(v)];
+                      });
+}
+
+/// After a run that kept its windows, if the point is in a face.
+double SourceField::distance_at(const SurfacePoint& user) const {
+  if (user.is_vertex() && data_.work.work_vertex[user.vertex] == no_index) {
+    double least = unreachable;
+    for (const auto& [place, one] : isolated_) {
+      if (one.point.vertex == user.vertex) least = std::min(least, one.offset);
+    }
+    return least;
+  }
+  if (sources_.empty()) return unreachable;
+  const SurfacePoint point = work_point(data_, user);
+  if (point.is_vertex()) return distance_[point.vertex];
+  const NearField& near = near_;
+  double by_index = unreachable;
+  bool inside = false;
+  bool in_halo = false;
+  for_each_face_at(*data_.work.mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    std::array<double, 3> corners{};
+    for (int i = 0; i < 3; ++i) corners[i] = distance_[data_.work.mesh->face_vertices(face)[i]];
+    by_index = std::min(by_index, distance_in_face(*data_.work.mesh, face, weights, corners));
+    inside = inside || near.inside(face);
+    in_halo = in_halo || near.halo().mask()[face] != 0;
+  });
+  if (!in_halo) return by_index;
+  const double exact = near.solver().distance(point);
+  return near.holds(exact, by_index, inside) ? exact : by_index;
+}
+
+std::vector<double> SourceField::field(std::span<const ExactSource> sources, double max_distance,
+                                       std::vector<Index>* labels) {
+  run(sources, max_distance, {.windows = false, .labels = labels != nullptr});
+  const Index count = data_.mesh->vertex_count();
+  std::vector<double> field(count, unreachable);
+  if (labels != nullptr) labels->assign(count, no_index);
+  for (Index v = 0; v < count; ++v) {
+    const Index work = data_.work.work_vertex[v];
+    if (work == no_index || !(distance_[work] <= max_distance) || distance_[work] == unreachable) continue;
+    field[v] = distance_[work];
+    if (labels != nullptr) (*labels)[v] = label_[work];
+  }
+  for (const auto& [place, one] : isolated_) {
+    if (one.offset >= field[one.point.vertex]) continue;
+    field[one.point.vertex] = one.offset;
+    if (labels != nullptr) (*labels)[one.point.vertex] = place;
+  }
+  return field;
+}
+
+std::vector<double> SourceField::distances(std::span<const ExactSource> sources, const PointList& targets,
+                                           double max_distance) {
+  const PointList points = points_on(*data_.mesh, targets, "Target");
+  run(sources, max_distance, {.windows = !points.only_vertices(), .labels = false});
+  std::vector<double> result;
+  result.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    const double distance = distance_at(point);
+    result.push_back(distance <= max_distance ? distance : unreachable);
+  }
+  return result;
+}
+
+}  // namespace vorogeo

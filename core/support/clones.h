@@ -1,9 +1,0 @@
-// Marks a function to be compiled for several instruction sets; the loader picks the best one of the machine.
-#pragma once
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(VOROGEO_NO_CLONES)
-#define VOROGEO_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
-#else
-#define VOROGEO_CLONES
-#endif

@@ -1,0 +1,204 @@
+// Files: written whole or not at all, mapped, gone on with after a stop; errors name the file.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/error.h"
+
+namespace vorogeo {
+
+// ---- Writing to open files: all of it or an error, and space that is there before it is used
+
+/// A file that the system does not let us write: no room, no permission. The message names file and reason.
+class FileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Writes all bytes at an offset, or at the end if it is negative. \return errno, or 0.
+int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset);
+
+/// Reserves disk space for the bytes from an offset on, so that memory mapped to the file can be written
+/// without a signal; what the file has there stays. On file systems that cannot reserve space, zeros are
+/// written behind its end. Bytes that clearly cannot fit take none. Reports at checkpoints. \return errno, or
+/// 0.
+int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes);
+
+/// What the system says of an error.
+std::string reason_of(int error);
+
+/// The beginning of a message: what the file is, and its name.
+std::string named_file(const std::filesystem::path& file, const std::string& what);
+
+/// \throw FileError that names the file, how far it came, the reason and what to do.
+[[noreturn]] void fail_writing(const std::filesystem::path& file, const std::string& what,
+                               const std::string& how_far, int error);
+
+// ---- A file as read-only memory
+
+/// The contents of a plain file, mapped: its pages are those of the system's cache, so that all processes
+/// that map the file share them, and none has memory of its own for them.
+///
+/// The file may be removed, or replaced by renaming another to its name, while it is mapped: the old contents
+/// stay. It must not be written to or cut in place: a read beyond its new end ends the process (SIGBUS).
+class MappedFile {
+ public:
+  /// \throw std::system_error if the file cannot be opened or mapped.
+  explicit MappedFile(const std::filesystem::path& file);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  /// Aligned to a page.
+  std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+// ---- An array that never changes, in memory or in a mapped file
+
+/// Elements that copies share: those of a vector, or a part of what some other owner keeps.
+template <class T>
+class SharedArray {
+ public:
+  SharedArray() = default;
+  explicit SharedArray(std::vector<T> elements) {
+    auto owner = std::make_shared<const std::vector<T>>(std::move(elements));
+    elements_ = *owner;
+    owner_ = std::move(owner);
+  }
+  /// `owner` keeps the elements where they are.
+  SharedArray(std::span<const T> elements, std::shared_ptr<const void> owner)
+      : elements_(elements), owner_(std::move(owner)) {}
+
+  const T* data() const { return elements_.data(); }
+  std::size_t size() const { return elements_.size(); }
+  bool empty() const { return elements_.empty(); }
+  const T& operator[](std::size_t i) const { return elements_[i]; }
+  auto begin() const { return elements_.begin(); }
+  auto end() const { return elements_.end(); }
+  friend bool operator==(const SharedArray& a, const SharedArray& b) {
+    return std::ranges::equal(a.elements_, b.elements_);
+  }
+
+ private:
+  std::span<const T> elements_;
+  std::shared_ptr<const void> owner_;
+};
+
+// ---- A file that replaces its target only once it is complete; if the writer is stopped, the old file stays
+
+/// Where a file of this name is written: the name itself, or what a symbolic link points to, which need not
+/// exist. `what` begins the messages ("The index file").
+/// \throw InvalidInput if that is a folder, a device or a pipe, or in a folder that does not exist; FileError
+/// if it may not be written to.
+std::filesystem::path output_target(const std::filesystem::path& file, const std::string& what);
+
+/// Writes to a temporary file next to the target and renames it at the end.
+///
+/// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. So any
+/// user of the folder can tell one that a killed process has left from one in use, and whoever next writes to
+/// the same target removes it. An existing target keeps its permissions; not thread-safe, but any number of
+/// writers may share a target: the last to finish wins.
+class OutputFile {
+ public:
+  /// \throw as output_target, and FileError if no file can be made there.
+  OutputFile(const std::filesystem::path& file, std::string what);
+  ~OutputFile() { discard(); }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Reserves disk space for this many bytes, so that memory mapped to the file can be written without a
+  /// signal. On file systems that cannot reserve space, zeros are written. \throw FileError if there is not
+  /// enough; it says how many bytes are needed.
+  void reserve(std::uint64_t bytes);
+  /// Appends. \throw FileError if the disk is full or fails.
+  void write(std::span<const std::byte> bytes);
+  /// Puts the file, safely on its disk, in the place of the target. \throw FileError if that fails.
+  void finish();
+  /// Removes the temporary unless finish() has succeeded.
+  void discard() noexcept;
+
+  /// The file being written, for callers that map it into memory; valid until finish() or discard().
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+ private:
+  void remove_leftovers() const;
+  void create();
+  [[noreturn]] void fail(const std::string& how_far, int error) const;
+
+  std::filesystem::path file_;  ///< as the caller named it
+  std::string what_;
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;
+  std::uint64_t written_ = 0;
+};
+
+// ---- A file that is made in one or more runs: what a run that was stopped has written is there for the next
+
+/// Writes to a file next to its target, NAME.unfinished, which stays until finish() renames it or discard()
+/// removes it, whatever stops the process. A lock (flock) keeps a second process from going on with it at the
+/// same time, where the file system has locks. Not thread-safe, except for writing to different places of the
+/// mapped memory.
+class ResumableFile {
+ public:
+  /// Opens what an earlier run has left, or makes an empty file. `what` begins the messages ("The index
+  /// file"). \throw as output_target, and FileError if the file cannot be made or another process has it.
+  ResumableFile(const std::filesystem::path& target, std::string what);
+  /// A file that is still empty is removed.
+  ~ResumableFile();
+  ResumableFile(const ResumableFile&) = delete;
+  ResumableFile& operator=(const ResumableFile&) = delete;
+
+  /// The name that the file has until it is finished.
+  static std::filesystem::path unfinished_name(const std::filesystem::path& target);
+  const std::filesystem::path& unfinished() const { return unfinished_; }
+
+  /// Bytes that it has.
+  std::uint64_t size() const;
+  /// Its first bytes; fewer if it is shorter.
+  std::string head(std::size_t bytes) const;
+  /// Cuts or extends it. \throw FileError.
+  void resize(std::uint64_t bytes);
+  /// Reserves disk space (reserve_space). \throw FileError if there is not enough; it says how much is
+  /// needed.
+  void reserve(std::uint64_t offset, std::uint64_t bytes);
+  /// Maps all of it to memory that can be written. \throw FileError if the file system cannot.
+  void map();
+  std::span<std::byte> mapped() const;
+  /// What keeps it mapped, also beyond the life of this object. Call after map().
+  std::shared_ptr<const void> mapping() const;
+  /// \throw FileError if the disk is full or fails.
+  void write(std::uint64_t offset, std::span<const std::byte> bytes);
+  /// Waits until all that was written is on the disk; reports at checkpoints. \throw FileError.
+  void sync();
+  /// Renames the file to its target, and lets its mapped memory be read only. \throw FileError, also if the
+  /// file was removed or replaced meanwhile, or another one has its target's name.
+  void finish();
+  /// Removes it.
+  void discard() noexcept;
+
+ private:
+  class Mapping;
+  /// Whether the file of that name is still this one.
+  bool has_its_name() const;
+  [[noreturn]] void fail(const std::string& how_far, int error) const;
+
+  std::filesystem::path target_;
+  std::filesystem::path unfinished_;
+  std::string what_;
+  int descriptor_ = -1;
+  std::shared_ptr<Mapping> mapping_;
+};
+
+}  // namespace vorogeo

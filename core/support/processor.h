@@ -1,0 +1,24 @@
+// Hints to the processor and the compiler; empty where they are unknown.
+#pragma once
+
+// ---- Marks a function to be compiled for several instruction sets; the loader picks the best one of the
+// machine
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(VOROGEO_NO_CLONES)
+#define VOROGEO_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
+#else
+#define VOROGEO_CLONES
+#endif
+
+namespace vorogeo {
+
+// ---- A hint that memory will be read soon
+
+inline void prefetch_line([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,139 @@
+// Strips whose shortest lines are known, and walks around vertices.
+#include "query/path_line.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "query/path_refine.h"
+#include "support/path_check.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+/// The strip of faces around the apex of a cone, from the vertex at the rim of sector 0 on.
+FaceStrip strip_around(const Mesh& mesh, Index apex, int faces) {
+  FaceStrip strip;
+  const auto corners = mesh.corners(apex);
+  strip.faces.push_back(Mesh::face_of(corners[0]));
+  for (int i = 1; i <= faces; ++i) {
+    turn_around(mesh, strip, apex, Mesh::face_of(corners[static_cast<std::size_t>(i) % corners.size()]));
+  }
+  return strip;
+}
+
+TEST(PathLine, PassesTheApexOfAWideFan) {
+  // Flat hexagons around vertex 0: 60 degrees each, radius 1.
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  for (int faces = 1; faces <= 4; ++faces) {
+    FaceStrip strip = strip_around(*mesh, 0, faces);
+    ASSERT_EQ(strip.faces.size(), static_cast<std::size_t>(faces) + 1);
+    const auto middle = [&](Index face) {
+      std::array<double, 3> weights{0.5, 0.5, 0.5};
+      for (int i = 0; i < 3; ++i) {
+        if (mesh->face_vertices(face)[i] == 0) weights[i] = 0.0;
+      }
+      return SurfacePoint::in_face(face, weights);
+    };
+    strip.source = middle(strip.faces.front());
+    strip.target = middle(strip.faces.back());
+    PathLine line(geometry);
+    line.assign(strip);
+    // From the middle of one rim edge to another: straight up to three faces on, then through the centre.
+    const double height = std::sqrt(0.75);
+    const double straight =
+        faces <= 3 ? 2.0 * height * std::sin(faces * std::numbers::pi / 6.0) : 2.0 * height;
+    EXPECT_NEAR(line.length(), straight, 1e-12) << faces;
+    EXPECT_EQ(line.joints().size(), faces > 3 ? 3U : 2U);
+    if (faces > 3) {
+      EXPECT_NEAR(line.turn(1), (faces - 3) * std::numbers::pi / 3.0, 1e-12);
+    }
+  }
+}
+
+TEST(PathRefiner, GoesRoundTheOtherSide) {
+  // Five faces one way round a cone's apex, one the other way: the refiner moves there.
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi * 0.8, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip = strip_around(*mesh, 0, 3);
+  std::vector<HalfedgePair> other;
+  ASSERT_TRUE(other_side(*mesh, 0, strip.exit.front(), strip.faces.back(), other));
+  EXPECT_EQ(strip.entry.size() + other.size(), 6U);
+  const auto corners = mesh->corners(0);
+  FaceStrip long_way;
+  long_way.faces.push_back(Mesh::face_of(corners[0]));
+  for (int i = 1; i <= 5; ++i) {
+    // Each next face is one step further, so that the strip goes the long way round.
+    ASSERT_TRUE(turn_around(*mesh, long_way, 0, Mesh::face_of(corners[i])));
+  }
+  ASSERT_EQ(long_way.faces.size(), 6U);
+  long_way.source = SurfacePoint::in_face(long_way.faces.front(), {0.2, 0.4, 0.4});
+  long_way.target = SurfacePoint::in_face(long_way.faces.back(), {0.2, 0.4, 0.4});
+  ExactSolver solver(mesh);
+  const ExactSource source{long_way.source};
+  solver.run(std::span(&source, 1));
+  PathRefiner refiner(geometry);
+  const auto from = long_way.source;
+  const auto to = long_way.target;
+  EXPECT_NEAR(refiner.refine(long_way), solver.distance(to), 1e-12);
+  EXPECT_EQ(refiner.line().crossings().size(), 1U);
+  EXPECT_EQ(test::path_fault(*mesh, refiner.path(), from, to), "");
+}
+
+/// A flat strip that narrows in steps to a gate of 1e-8 and widens again, and is turned in space. The
+/// straight line of length 2 from vertex 0 to the last passes the middle.
+test::Soup hourglass() {
+  const double heights[] = {1.0, 1e-4, 1e-8, 1e-4};
+  const double places[] = {-0.5, -1e-4, 0.0, 1e-4};
+  test::Soup soup;
+  const std::array<double, 3> along{2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0}, aside{-2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0};
+  auto add = [&](double x, double y) {
+    soup.positions.push_back(
+        {x * along[0] + y * aside[0], x * along[1] + y * aside[1], x * along[2] + y * aside[2]});
+  };
+  add(-1.0, 0.0);
+  for (int i = 0; i < 4; ++i) {
+    add(places[i], -0.4 * heights[i]);
+    add(places[i], 0.7 * heights[i]);
+  }
+  add(1.0, 0.0);
+  soup.faces = {{0, 1, 2}, {1, 4, 2}, {1, 3, 4}, {3, 6, 4}, {3, 5, 6}, {5, 8, 6}, {5, 7, 8}, {7, 9, 8}};
+  return soup;
+}
+
+TEST(PathRefiner, KeepsTheLengthOfALineThroughATinyGate) {
+  const auto mesh = test::make_mesh(hourglass());
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip;
+  strip.faces.push_back(0);
+  ASSERT_TRUE(turn_around(*mesh, strip, 1, 2));
+  ASSERT_TRUE(turn_around(*mesh, strip, 3, 4));
+  ASSERT_TRUE(turn_around(*mesh, strip, 5, 6));
+  ASSERT_TRUE(turn_around(*mesh, strip, 7, 7));
+  strip.source = SurfacePoint::at_vertex(0);
+  strip.target = SurfacePoint::at_vertex(9);
+  PathRefiner refiner(geometry);
+  refiner.refine(strip);
+  EXPECT_TRUE(refiner.line().is_rough());
+  const SurfacePath path = refiner.path();
+  EXPECT_NEAR(path.length, 2.0, 1e-11);
+  EXPECT_EQ(test::path_fault(*mesh, path, strip.source, strip.target), "");
+}
+
+TEST(PathLine, IsNotRoughOnUsualFaces) {
+  const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip = strip_around(*mesh, 0, 2);
+  strip.source = SurfacePoint::in_face(strip.faces.front(), {0.2, 0.4, 0.4});
+  strip.target = SurfacePoint::in_face(strip.faces.back(), {0.2, 0.4, 0.4});
+  PathLine line(geometry);
+  line.assign(strip);
+  EXPECT_FALSE(line.is_rough());
+}
+
+}  // namespace
+}  // namespace vorogeo

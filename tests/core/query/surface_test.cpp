@@ -1,0 +1,188 @@
+// A surface answers by the method asked for, names it, and builds an index when exact answers took as long.
+#include "query/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "query/geodesic_query.h"
+#include "support/error.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+std::vector<ExactSource> from_vertices(const std::vector<Index>& vertices) {
+  std::vector<ExactSource> sources;
+  for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v)});
+  return sources;
+}
+
+TEST(Surface, AnswersByTheMethodAskedFor) {
+  const test::Soup soup = test::hills(30, 0.4);
+  const auto mesh = test::make_mesh(soup);
+  Surface surface(mesh);
+  const auto sources = from_vertices({3, 500});
+  const auto exact = exact_distance_field(mesh, std::vector<Index>{3, 500});
+  Answered answered;
+  const LabelledField by_exact = surface.field(sources, unreachable, AnswerMethod::exact, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_EQ(by_exact.distance, exact);
+  EXPECT_FALSE(surface.index());
+
+  const LabelledField quick = surface.field(sources, unreachable, AnswerMethod::quick, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::quick);
+  const LabelledField by_index = surface.field(sources, unreachable, AnswerMethod::index, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::index);
+  EXPECT_GT(answered.index_seconds, 0.0);
+  ASSERT_TRUE(surface.index());
+  EXPECT_EQ(by_index.distance, GeodesicQuery(surface.index()).labelled_field(sources).distance);
+  test::ErrorCollector errors;
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    errors.add(quick.distance[v], exact[v]);
+    EXPECT_TRUE(quick.source[v] == 0 || quick.source[v] == 1);
+    EXPECT_TRUE(by_exact.source[v] == 0 || by_exact.source[v] == 1);
+  }
+  EXPECT_LT(errors.statistics().mean, 0.005);
+
+  const LabelledField automatic = surface.field(sources, 0.3, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::index);
+  EXPECT_EQ(answered.index_seconds, 0.0);
+  EXPECT_EQ(automatic.distance, GeodesicQuery(surface.index()).labelled_field(sources, 0.3).distance);
+}
+
+TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
+  const auto mesh = test::make_mesh(test::icosphere(3));
+  RentOrBuy spent(mesh->vertex_count());
+  Surface surface(mesh, nullptr, spent);
+  const auto sources = from_vertices({5});
+  Answered answered;
+  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_EQ(answered.remark, "");
+  EXPECT_GT(surface.spent().rent(), 0.0);
+
+  for (int i = 0; i < 10; ++i) spent.pay(360.0);  // more than any such index costs
+  Surface later(mesh, nullptr, spent);
+  later.field(sources, unreachable, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::index);
+  EXPECT_GT(answered.index_seconds, 0.0);
+  EXPECT_NE(answered.remark, "");
+  EXPECT_TRUE(later.index());
+}
+
+TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
+  const auto mesh = test::make_mesh(test::icosphere(5));
+  RentOrBuy spent(mesh->vertex_count());
+  for (int i = 0; i < 10; ++i) spent.pay(360.0);
+  IndexOptions options;
+  options.memory_budget = 1;
+  Surface surface(mesh, nullptr, spent, options);
+  const auto sources = from_vertices({5});
+  Answered answered;
+  surface.field(sources, 0.1, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_NE(answered.remark.find("memory budget"), std::string::npos);
+  surface.field(sources, 0.1, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.remark, "");
+  EXPECT_THROW(surface.field(sources, 0.1, AnswerMethod::index, answered), InvalidInput);
+}
+
+TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
+  test::Soup soup = test::icosphere(3);
+  for (Point& p : soup.positions) {
+    for (double& x : p) x *= 1e-40;
+  }
+  const auto mesh = test::make_mesh(soup);
+  RentOrBuy spent(mesh->vertex_count());
+  for (int i = 0; i < 10; ++i) spent.pay(360.0);
+  Surface surface(mesh, nullptr, spent);
+  Answered answered;
+  const LabelledField field =
+      surface.field(from_vertices({5}), unreachable, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_NE(answered.remark.find("an index takes lengths between"), std::string::npos);
+  EXPECT_EQ(field.distance, exact_distance_field(mesh, std::vector<Index>{5}));
+}
+
+TEST(Surface, FindsPathsAndDistancesWithAndWithoutAnIndex) {
+  const test::Shape shape = test::box({1.0, 2.0, 1.5}, 5);
+  const auto mesh = test::make_mesh(shape.soup);
+  Surface surface(mesh);
+  const auto a = SurfacePoint::at_vertex(0);
+  const auto b = SurfacePoint::in_face(mesh->face_count() / 2, {0.3, 0.3, 0.4});
+  const double length = shape.distance(a, b);
+  Answered answered;
+  for (const AnswerMethod method : {AnswerMethod::automatic, AnswerMethod::index, AnswerMethod::exact}) {
+    const ExactPath exact = surface.path(a, b, method, true, answered);
+    EXPECT_NEAR(exact.path.length, length, 1e-9);
+    EXPECT_TRUE(exact.certified);
+    EXPECT_NEAR(surface.path(a, b, method, false, answered).path.length, length, 0.01 * length);
+    EXPECT_NEAR(surface.distance(a, b, method, answered), length, 0.01 * length);
+    EXPECT_EQ(answered.by, method == AnswerMethod::automatic ? AnswerMethod::exact : method);
+    const auto c = SurfacePoint::at_vertex(17);
+    EXPECT_NEAR(surface.distance(a, c, method, answered), shape.distance(a, c), 0.02 * shape.distance(a, c));
+  }
+  EXPECT_THROW(surface.path(a, b, AnswerMethod::quick, true, answered), InvalidInput);
+  EXPECT_THROW(surface.distance(a, b, AnswerMethod::quick, answered), InvalidInput);
+}
+
+TEST(Surface, NamesWhatAnswersAtOnce) {
+  Surface small(test::make_mesh(test::icosphere(2)));
+  EXPECT_EQ(small.at_once(true), AnswerMethod::exact);
+  EXPECT_EQ(small.at_once(false), AnswerMethod::exact);
+  small.build_index();
+  EXPECT_EQ(small.at_once(true), AnswerMethod::index);
+  EXPECT_EQ(small.at_once(false), AnswerMethod::index);
+  const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
+  ASSERT_GT(static_cast<Index>(plate.positions.size()), max_vertices_at_once);
+  const Surface large(test::make_mesh(plate));
+  EXPECT_EQ(large.at_once(true), AnswerMethod::quick);
+  EXPECT_EQ(large.at_once(false), AnswerMethod::exact);
+}
+
+TEST(Surface, GivesTheSameDistanceFromAnIndexBuiltForItAndLater) {
+  Surface surface(test::make_mesh(test::icosphere(3)));
+  Answered answered;
+  const auto a = SurfacePoint::at_vertex(5);
+  const auto b = SurfacePoint::at_vertex(400);
+  const double first = surface.distance(a, b, AnswerMethod::index, answered);
+  EXPECT_GT(answered.index_seconds, 0.0);
+  EXPECT_EQ(surface.distance(b, a, AnswerMethod::index, answered), first);
+  EXPECT_EQ(surface.distance(b, a, AnswerMethod::automatic, answered), first);
+  EXPECT_EQ(answered.index_seconds, 0.0);
+}
+
+TEST(Surface, IsUsedBySeveralThreads) {
+  const auto mesh = test::make_mesh(test::icosphere(3));
+  Surface surface(mesh);
+  const auto exact = exact_distance_field(mesh, std::vector<Index>{9});
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 3; ++t) {
+    threads.emplace_back([&, t] {
+      Answered answered;
+      const auto method = t == 0 ? AnswerMethod::index : AnswerMethod::exact;
+      for (int i = 0; i < 3; ++i) {
+        const LabelledField field = surface.field(from_vertices({9}), unreachable, method, answered);
+        if (method == AnswerMethod::exact) {
+          EXPECT_EQ(field.distance, exact);
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST(Surface, RefusesNoSourceAndNamesItsMethods) {
+  Surface surface(test::make_mesh(test::icosphere(1)));
+  Answered answered;
+  EXPECT_THROW(surface.field({}, unreachable, AnswerMethod::exact, answered), InvalidInput);
+  EXPECT_STREQ(to_string(AnswerMethod::quick), "quick");
+  EXPECT_STREQ(to_string(AnswerMethod::automatic), "automatic");
+  EXPECT_STREQ(to_string(AnswerMethod::index), "index");
+  EXPECT_STREQ(to_string(AnswerMethod::exact), "exact");
+}
+
+}  // namespace
+}  // namespace vorogeo
