@@ -9,8 +9,7 @@
 
 #include "edit/ruler_tool.h"
 #include "filters/rows.h"
-#include "layers/gap_parameters.h"
-#include "layers/layer_metric.h"
+#include "layers/layer_mesh.h"
 #include "support/error.h"
 
 using vorogeo::plugin::FilterCall;

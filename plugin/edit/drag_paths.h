@@ -6,8 +6,8 @@
 #include <memory>
 #include <thread>
 
-#include "query/mesh_path.h"
 #include "exact/paths_from_point.h"
+#include "query/mesh_path.h"
 
 namespace vorogeo::plugin {
 

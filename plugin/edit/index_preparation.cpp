@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "support/progress.h"
 #include "support/error.h"
+#include "support/progress.h"
 
 namespace vorogeo::plugin {
 

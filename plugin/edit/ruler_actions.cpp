@@ -9,9 +9,8 @@
 #include <thread>
 
 #include "edit/ruler_tool.h"
-#include "host/logged_length.h"
-#include "layers/distance_field.h"
-#include "layers/new_layer.h"
+#include "host/edit_host.h"
+#include "layers/results.h"
 
 namespace vorogeo::plugin {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "query/surface.h"
 #include "edit/drag_paths.h"
 #include "edit/picked.h"
 #include "mesh/gaps.h"
 #include "mesh/surface_locator.h"
 #include "mesh/vcg_adapter.h"
+#include "query/surface.h"
 #include "support/progress.h"
 #include "tasks/surface_lines.h"
 

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-#include "host/logged_length.h"
+#include "host/edit_host.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

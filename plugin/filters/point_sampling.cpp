@@ -1,13 +1,12 @@
 // Filters: samplings by geodesic distance and Lloyd relaxation, each as a new layer of points.
 #include <string>
 
-#include "filters/help.h"
 #include "filters/rows.h"
-#include "host/logged_length.h"
-#include "layers/new_layer.h"
+#include "host/edit_host.h"
+#include "layers/layer_surface.h"
 #include "layers/parameters.h"
-#include "layers/task_points.h"
-#include "layers/team_of_layer.h"
+#include "layers/points.h"
+#include "layers/results.h"
 #include "tasks/spread_points.h"
 
 namespace vorogeo::plugin {

@@ -1,10 +1,22 @@
-// Finds widgets by their class's name, and asks the host to draw other colours.
+// The tools of the window, as MeshLab asks for them.
 #include "host/edit_host.h"
 
 #include <QApplication>
 #include <QGLWidget>
+#include <iomanip>
+#include <sstream>
 
 namespace vorogeo::plugin {
+
+// ---- How lengths are written into the host's log
+
+std::string logged_length(double length) {
+  std::ostringstream text;
+  text << std::setprecision(7) << length << " mesh units";
+  return text.str();
+}
+
+// ---- Finds widgets by their class's name, and asks the host to draw other colours
 
 QWidget* widget_of(const GLArea* area) {
   // A view is a widget before it is anything else, so that both have the same address.

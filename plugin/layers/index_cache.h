@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "query/rent_or_buy.h"
 #include "index/geodesic_index.h"
 #include "mesh/gaps.h"
 #include "mesh/vcg_adapter.h"
+#include "query/rent_or_buy.h"
 
 namespace vorogeo::plugin {
 

@@ -1,14 +1,18 @@
-// Checks a layer and copies it into the core's arrays.
+// A layer of the host as a mesh of the core: its arrays, its metric, its gaps.
 #include "layers/layer_mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
-#include "layers/gap_parameters.h"
-#include "layers/layer_metric.h"
+#include "layers/parameters.h"
 #include "mesh/mesh_check.h"
+#include "mesh/metric.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
+
+// ---- Checks a layer and copies it into the core's arrays
 
 LayerMesh::LayerMesh(const CMeshO& layer, const GapLimit& gap) : gap_(gap) {
   if (layer.vn == 0) {
@@ -46,6 +50,203 @@ Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) cons
 
 std::vector<std::string> LayerMesh::warnings() const {
   return check_mesh(arrays_.positions, arrays_.faces, gap_).sentences();
+}
+
+// ---- Reads costs and tensors of a layer and integrates them along its edges
+
+namespace {
+
+constexpr const char* cost_attribute = "metric_cost";
+constexpr const char* result_attribute = "metric_result";
+
+using Attribute = CMeshO::PerVertexAttributeHandle<Scalarm>;
+
+Attribute attribute(CMeshO& layer, const char* name) {
+  return vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Scalarm>(layer, name);
+}
+
+/// Whether the quality is what the last filter wrote over its cost. NaN, which is no cost, counts as equal.
+bool is_result(CMeshO& layer, Attribute cost, Attribute result) {
+  using Allocator = vcg::tri::Allocator<CMeshO>;
+  if (!Allocator::IsValidHandle(layer, cost) || !Allocator::IsValidHandle(layer, result)) return false;
+  return std::ranges::all_of(layer.vert, [&](const CVertexO& vertex) {
+    return vertex.IsD() || vertex.cQ() == result[vertex] || std::isnan(vertex.cQ());
+  });
+}
+
+/// The cost of each vertex of the host: its quality, or what it was before a filter wrote its result there.
+std::vector<Scalarm> cost_of(const FilterCall& call, bool& is_kept) {
+  CMeshO& layer = call.layer.cm;
+  Attribute cost = attribute(layer, cost_attribute);
+  is_kept = is_result(layer, cost, attribute(layer, result_attribute));
+  std::vector<Scalarm> values;
+  values.reserve(layer.vert.size());
+  for (const CVertexO& vertex : layer.vert) values.push_back(is_kept ? cost[vertex] : vertex.cQ());
+  return values;
+}
+
+/// A quality as a cost. \throw InvalidInput, naming the element by its number in the host.
+double checked_cost(const FilterCall& call, const std::string& element, Index number, Scalarm quality) {
+  const auto value = static_cast<double>(quality);
+  if (value > 0.0 && std::isfinite(value)) return value;
+  const bool of_vertex = element == "vertex";
+  refuse(call, "metric", "the quality",
+         ", but " + element + " " + std::to_string(number) + " has quality " + std::to_string(value) +
+             ". A cost is a number above 0: 2 makes paths count twice there. Give all " +
+             (of_vertex ? "vertices" : "faces") + " such a quality, for example with 'Per " +
+             (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
+}
+
+MetricLengths lengths_by_face_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+  if (!call.layer.hasDataMask(MeshModel::MM_FACEQUALITY)) {
+    throw InvalidInput(
+        "The faces have no quality that could be the cost of paths. Compute one above 0, or choose another "
+        "metric.");
+  }
+  std::vector<double> cost;
+  for (const Index input : arrays.input_of_face) {
+    cost.push_back(
+        checked_cost(call, "face", input, call.layer.cm.face[static_cast<std::size_t>(input)].cQ()));
+  }
+  MetricLengths found;
+  found.sides = sides_by_face_cost(arrays.positions, arrays.faces, cost);
+  return found;
+}
+
+MetricLengths lengths_by_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+  if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
+    throw InvalidInput(
+        "The vertices have no quality that could be the cost of paths. Paint or compute one above 0, or "
+        "choose another metric.");
+  }
+  bool is_kept = false;
+  const std::vector<Scalarm> values = cost_of(call, is_kept);
+  if (is_kept) {
+    call.log(std::string("Metric: the quality is the result of the last filter; the cost is the one kept as "
+                         "the vertex attribute ") +
+             cost_attribute);
+  }
+  std::vector<double> cost;
+  for (const Index input : arrays.input_of_vertex) {
+    cost.push_back(checked_cost(call, "vertex", input, values[static_cast<std::size_t>(input)]));
+  }
+  return lengths_by_cost(arrays.positions, arrays.faces, cost);
+}
+
+}  // namespace
+
+void add_metric_parameters(RichParameterList& list) {
+  list.addParam(RichEnum(
+      "metric", static_cast<int>(LayerMetric::length),
+      {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature", "Face quality as cost"},
+      "Metric",
+      "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
+      "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
+      "more across ridges and limbs than along them; or the quality of faces as a cost that jumps at "
+      "edges, where paths refract. An index belongs to its metric: newly "
+      "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
+      "the vertex attribute metric_cost, so that it can be applied again."));
+  list.addParam(RichFloat(
+      "slope_penalty", 1, "Slope penalty",
+      "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards."));
+  list.addParam(RichFloat("curvature_weight", 3, "Curvature weight",
+                          "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, "
+                          "they run around them."));
+}
+
+// Short: a dialog is as high as its help, and must leave room for its buttons on a small screen.
+QString help_on_metric() {
+  return "<p><b>Metric</b>: lengths, or a cost of paths; its tooltip explains.</p>";
+}
+
+LayerMetric metric_of(const FilterCall& call) {
+  if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
+  const int number = call.parameters.getEnum("metric");
+  if (number < 0 || number > static_cast<int>(LayerMetric::face_quality)) {
+    refuse(
+        call, "metric", number,
+        ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature or "
+        "4 for face quality as cost.");
+  }
+  return static_cast<LayerMetric>(number);
+}
+
+MetricLengths lengths_of_layer(const FilterCall& call, const VcgMeshArrays& arrays) {
+  MetricLengths found;
+  switch (metric_of(call)) {
+    case LayerMetric::length:
+      break;
+    case LayerMetric::vertex_quality:
+      found = lengths_by_quality(call, arrays);
+      break;
+    case LayerMetric::face_quality:
+      found = lengths_by_face_quality(call, arrays);
+      break;
+    case LayerMetric::slope: {
+      const double penalty = call.parameters.getFloat("slope_penalty");
+      if (!(penalty >= 0.0 && std::isfinite(penalty))) {
+        refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
+      }
+      found = lengths_by_cost(arrays.positions, arrays.faces,
+                              slope_cost(arrays.positions, arrays.faces, {0, 0, 1}, penalty));
+      break;
+    }
+    case LayerMetric::curvature: {
+      const double weight = call.parameters.getFloat("curvature_weight");
+      if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
+      found = lengths_by_tensor(arrays.positions, arrays.faces,
+                                curvature_tensors(arrays.positions, arrays.faces, weight));
+      break;
+    }
+  }
+  if (found.split_faces > 0) {
+    call.log(
+        "Metric: " + std::to_string(found.split_faces) +
+        " faces are measured in parts, as one side would cost more than the other two together; the mesh "
+        "is coarse for this metric");
+  }
+  if (found.shortened_edges > 0) {
+    call.log("Metric: " + std::to_string(found.shortened_edges) +
+             " edges would cost more than the other two sides of a face together, and cost as much as these");
+  }
+  return found;
+}
+
+KeptCost::KeptCost(const FilterCall& call, const FilterRow& row) {
+  const bool writes_quality = (row.changes & MeshModel::MM_VERTQUALITY) != 0;
+  if (!row.has_metric || !writes_quality || metric_of(call) != LayerMetric::vertex_quality) return;
+  bool is_kept = false;
+  if (call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) cost_ = cost_of(call, is_kept);
+}
+
+void KeptCost::write(FilterCall& call) const {
+  CMeshO& layer = call.layer.cm;
+  if (cost_.empty() || cost_.size() != layer.vert.size()) return;
+  using Allocator = vcg::tri::Allocator<CMeshO>;
+  auto cost = Allocator::GetPerVertexAttribute<Scalarm>(layer, cost_attribute);
+  auto result = Allocator::GetPerVertexAttribute<Scalarm>(layer, result_attribute);
+  for (std::size_t v = 0; v < cost_.size(); ++v) {
+    cost[v] = cost_[v];
+    result[v] = layer.vert[v].cQ();
+  }
+}
+
+// ---- Reads gap and bridge_folds
+
+void add_gap_parameters(RichParameterList& list, const MeshDocument& document) {
+  list.addParam(length_parameter(
+      document, "gap", 0.0, "Bridge gaps up to",
+      "Borders at most this far apart that face each other, and equal positions, are joined in the mesh that "
+      "is measured on; crossing a gap costs its width. The layer is not changed. 0: nothing is bridged."));
+  list.addParam(
+      RichBool("bridge_folds", false, "Bridge folds",
+               "Bridge also where the surface would turn back: rims side by side, sheets above each other."));
+}
+
+GapLimit gap_of(const FilterCall& call) {
+  if (!call.parameters.hasParameter("gap")) return {};
+  return {length_of(call, "gap", true),
+          call.parameters.hasParameter("bridge_folds") && call.parameters.getBool("bridge_folds")};
 }
 
 }  // namespace vorogeo::plugin

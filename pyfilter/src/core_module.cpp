@@ -1,17 +1,13 @@
 // The compiled extension vorogeo._core: the core behind the Python package, which checks all arguments.
 #include <nanobind/nanobind.h>
 
+#include "arrays.h"
 #include "errors.h"
 #include "index_binding.h"
 #include "mesh_binding.h"
 #include "methods_binding.h"
-#include "metric_binding.h"
-#include "output_binding.h"
-#include "paths_binding.h"
-#include "point_arrays.h"
 #include "surface_binding.h"
 #include "tasks_binding.h"
-#include "weighted_binding.h"
 
 NB_MODULE(_core, module) {
   module.doc() =

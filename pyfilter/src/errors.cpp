@@ -2,8 +2,8 @@
 #include "errors.h"
 
 #include "support/error.h"
-#include "support/memory.h"
 #include "support/file.h"
+#include "support/memory.h"
 
 namespace vorogeo::python {
 

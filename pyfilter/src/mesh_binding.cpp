@@ -1,15 +1,71 @@
-// The functions of _core that need no index: exact distances and the mesh check.
+// Meshes, points on them, metrics and checks.
 #include "mesh_binding.h"
 
 #include <nanobind/stl/string.h>
 
+#include <string>
+
 #include "arrays.h"
+#include "exact/exact_solver.h"
+#include "exact/local_solver.h"
 #include "index/build_estimate.h"
 #include "mesh/mesh_check.h"
+#include "mesh/metric.h"
 #include "progress_bridge.h"
-#include "exact/local_solver.h"
+#include "tasks/curve_sources.h"
 
 namespace vorogeo::python {
+
+// ---- Points of a mesh in numpy arrays
+
+nb::tuple MeshPoints::snap(const VertexArray& points) {
+  PointRows rows;
+  std::vector<double> distances(points.shape(0));
+  {
+    nb::gil_scoped_release release;
+    const SurfaceLocator& on_surface = locator();
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      const double* p = points.data() + 3 * i;
+      const SnappedPoint found = on_surface.nearest({p[0], p[1], p[2]});
+      distances[i] = found.distance;
+      rows.add(mesh(), found.point);
+    }
+  }
+  return nb::make_tuple(to_numpy(std::move(rows.face)), to_numpy(std::move(rows.weights)),
+                        to_numpy(std::move(distances)));
+}
+
+nb::tuple MeshPoints::along_edges(const EdgeArray& ends, double spacing) const {
+  std::vector<Index> edges;
+  for (std::size_t i = 0; i < ends.shape(0); ++i) {
+    const auto parts =
+        edges_between(mesh(), mesh().representative(ends(i, 0)), mesh().representative(ends(i, 1)));
+    if (parts.empty()) {
+      throw InvalidInput("There is no edge between vertex " + std::to_string(ends(i, 0)) + " and vertex " +
+                         std::to_string(ends(i, 1)) + "; a curve runs along edges of the mesh.");
+    }
+    edges.insert(edges.end(), parts.begin(), parts.end());
+  }
+  PointRows rows;
+  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
+  for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted)) rows.add(mesh(), source.point);
+  return nb::make_tuple(to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),
+                        to_numpy(std::move(rows.weights)));
+}
+
+nb::tuple MeshPoints::path_arrays(const std::vector<ExactPath>& found) const {
+  PathArrays arrays(mesh());
+  for (const ExactPath& one : found) arrays.add(one.path, one.certified);
+  return arrays.take();
+}
+
+const SurfaceLocator& MeshPoints::locator() {
+  const std::lock_guard lock(mutex_);
+  if (!locator_) locator_ = std::make_unique<SurfaceLocator>(mesh_);
+  return *locator_;
+}
+
+// ---- The functions of _core that need no index: exact distances and the mesh check
 
 namespace {
 
@@ -118,6 +174,61 @@ void bind_mesh_functions(nb::module_& module) {
   module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"), nb::arg("gap"), nb::arg("folds"));
+}
+
+// ---- The functions of _core for metrics, without argument checks
+
+namespace {
+
+using ValueArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+std::vector<Tensor> tensors_of(const ValueArray& values) {
+  std::vector<Tensor> tensors(values.shape(0) / 9);
+  const double* value = values.data();
+  for (Tensor& tensor : tensors) {
+    for (double& entry : tensor) entry = *value++;
+  }
+  return tensors;
+}
+
+/// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
+nb::tuple as_tuple(const MetricLengths& found) {
+  nb::object splits = nb::none();
+  if (!found.splits.empty()) {
+    splits =
+        nb::make_tuple(flattened(found.splits.middle_of), flattened(found.splits.faces),
+                       to_numpy(std::vector<Index>(found.splits.given_face)), flattened(found.splits.sides));
+  }
+  return nb::make_tuple(flattened(found.sides), found.shortened_edges, found.split_faces, splits);
+}
+
+nb::tuple by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
+  return as_tuple(
+      lengths_by_cost(points_of(vertices), triangles_of(faces), std::span(cost.data(), cost.shape(0))));
+}
+
+nb::tuple by_tensor(const VertexArray& vertices, const FaceArray& faces, const ValueArray& tensors) {
+  return as_tuple(lengths_by_tensor(points_of(vertices), triangles_of(faces), tensors_of(tensors)));
+}
+
+DoubleArray slope(const VertexArray& vertices, const FaceArray& faces, double x, double y, double z,
+                  double penalty) {
+  return to_numpy(slope_cost(points_of(vertices), triangles_of(faces), {x, y, z}, penalty));
+}
+
+DoubleArray curvature(const VertexArray& vertices, const FaceArray& faces, double weight) {
+  return flattened(curvature_tensors(points_of(vertices), triangles_of(faces), weight));
+}
+
+}  // namespace
+
+void bind_metrics(nb::module_& module) {
+  const nb::arg vertices("vertices"), faces("faces");
+  module.def("lengths_by_cost", &by_cost, vertices, faces, nb::arg("cost"));
+  module.def("lengths_by_tensor", &by_tensor, vertices, faces, nb::arg("tensors"));
+  module.def("slope_cost", &slope, vertices, faces, nb::arg("x"), nb::arg("y"), nb::arg("z"),
+             nb::arg("penalty"));
+  module.def("curvature_tensors", &curvature, vertices, faces, nb::arg("weight"));
 }
 
 }  // namespace vorogeo::python

@@ -1,12 +1,12 @@
-// The class _core.Surface: a mesh that builds an index when that pays.
+// Surfaces, and the tasks on them.
 #pragma once
 
 #include <nanobind/nanobind.h>
 
 #include <memory>
 
+#include "mesh_binding.h"
 #include "query/surface.h"
-#include "mesh_points.h"
 
 namespace vorogeo::python {
 

@@ -1,4 +1,4 @@
-// The file a user names for an index.
+// Filters for the index: build, describe, save and load.
 #pragma once
 
 #include <QString>

@@ -1,17 +1,21 @@
-// Computes a distance field and writes it into the layer.
-#include "layers/distance_field.h"
+// What filters leave behind: distances as vertex quality, and new layers.
+#include "layers/results.h"
+
+#include <vcg/complex/allocate.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "host/logged_length.h"
+#include "host/edit_host.h"
 #include "host/ticking.h"
 #include "layers/parameters.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
+
+// ---- Computes a distance field and writes it into the layer
 
 namespace {
 
@@ -168,6 +172,56 @@ Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
   results["source_points"] = results["source_vertices"];
   results.erase("source_vertices");
   return results;
+}
+
+// ---- Fills new layers of the document
+
+namespace {
+
+MeshModel& new_layer(MeshDocument& document, const MeshModel& on, const QString& name,
+                     const std::vector<Point>& points, std::span<const double> quality, bool make_current) {
+  MeshModel& layer = *document.addNewMesh("", name, make_current);
+  layer.cm.Tr = on.cm.Tr;
+  if (!points.empty()) vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, points.size());
+  if (!quality.empty()) layer.updateDataMask(MeshModel::MM_VERTQUALITY);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    layer.cm.vert[i].P() =
+        Point3m(static_cast<Scalarm>(p[0]), static_cast<Scalarm>(p[1]), static_cast<Scalarm>(p[2]));
+    if (!quality.empty()) layer.cm.vert[i].Q() = static_cast<Scalarm>(quality[i]);
+    layer.cm.bbox.Add(layer.cm.vert[i].P());
+  }
+  return layer;
+}
+
+}  // namespace
+
+void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
+                     std::span<const double> quality, bool make_current) {
+  new_layer(call.document, call.layer, name, points, quality, make_current);
+}
+
+void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
+                        const SurfaceLines& lines, std::span<const double> quality, bool make_current) {
+  MeshModel& layer = new_layer(document, on, name, lines.points, quality, make_current);
+  if (lines.segments.empty()) return;
+  vcg::tri::Allocator<CMeshO>::AddEdges(layer.cm, lines.segments.size());
+  for (std::size_t i = 0; i < lines.segments.size(); ++i) {
+    layer.cm.edge[i].V(0) = &layer.cm.vert[lines.segments[i][0]];
+    layer.cm.edge[i].V(1) = &layer.cm.vert[lines.segments[i][1]];
+  }
+}
+
+QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
+                                 const Mesh& mesh, const PointList& points) {
+  std::vector<Point> positions;
+  std::vector<int> numbers;
+  for (const SurfacePoint& point : points) {
+    positions.push_back(position_of(mesh, point));
+    numbers.push_back(point.is_vertex() ? layer_mesh.host_vertex(point.vertex) : -1);
+  }
+  add_point_layer(call, name, positions, {}, true);
+  return as_vector(numbers);
 }
 
 }  // namespace vorogeo::plugin

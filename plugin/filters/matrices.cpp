@@ -1,0 +1,248 @@
+// Filters that write matrices and lists of pairs to files.
+#include "filters/matrices.h"
+
+#include <QFile>
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string>
+
+#include "filters/rows.h"
+#include "layers/layer_surface.h"
+#include "layers/parameters.h"
+#include "layers/points.h"
+#include "layers/results.h"
+#include "support/error.h"
+#include "support/file.h"
+#include "support/memory.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/neighbors.h"
+
+namespace vorogeo::plugin {
+
+// ---- Reads matrix_file
+
+RichFileToWrite output_file_parameter() {
+  return RichFileToWrite("matrix_file", "", "*.npy", "File",
+                         "File to write to, in the format of numpy. Empty: nothing is written.");
+}
+
+std::filesystem::path output_file(const FilterCall& call) {
+  const std::filesystem::path file =
+      QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
+  if (!file.empty()) output_target(file, "The file");
+  return file;
+}
+
+// ---- The header of version 1.0 of the format, then the values as they are in memory
+
+NpyFile::NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns)
+    : out_(file, "The file") {
+  constexpr std::size_t alignment = 64;
+  constexpr std::size_t before_header = 10;
+  const char* order = std::endian::native == std::endian::little ? "<" : ">";
+  std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (" +
+                       std::to_string(rows) + ", " + std::to_string(columns) + "), }";
+  while ((before_header + header.size() + 1) % alignment != 0) header += ' ';
+  header += '\n';
+  std::string start("\x93NUMPY\x01\x00", 8);
+  start += static_cast<char>(header.size() % 256);
+  start += static_cast<char>(header.size() / 256);
+  start += header;
+  out_.reserve(start.size() + sizeof(double) * rows * columns);
+  out_.write(std::as_bytes(std::span(start)));
+}
+
+void NpyFile::finish(std::span<const double> values) {
+  out_.write(std::as_bytes(values));
+  out_.finish();
+}
+
+// ---- Filters: distances between all points given, and those of pairs within a radius
+
+namespace {
+
+RichParameterList matrix_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_task_point_parameters(list, document, "points whose distances are wanted");
+  list.addParam(output_file_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results distance_matrix_of_selection(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  const TaskPoints points = task_points(call, layer_mesh, "whose distances are wanted");
+  const std::size_t k = points.size();
+  // Once here, and once in the array that the host passes on.
+  require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
+                 "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
+                 "Give fewer points, or use the numpy interface, which can write it to a file directly.");
+  const auto file = output_file(call);
+  std::optional<NpyFile> output;
+  if (!file.empty()) output.emplace(file, k, k);
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  std::vector<double> matrix(k * k);
+  distance_matrix(found.team, points.points, MatrixMethod::automatic, matrix, found.progress);
+  if (output) {
+    output->finish(matrix);
+    call.log("Distance matrix: written to " + file.string());
+  }
+  call.log("Distance matrix of " + std::to_string(k) + " " + points.what);
+  Results results = std::move(found.about_index);
+  results["rows"] = static_cast<int>(k);
+  results["columns"] = static_cast<int>(k);
+  results["vertices"] = as_vector(points.numbers);
+  results["snap_distance"] = points.snap_distance;
+  results["distances"] = as_vector(matrix);
+  return results;
+}
+
+RichParameterList pairs_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_task_point_parameters(list, document, "points of the pairs");
+  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance of a pair."));
+  list.addParam(output_file_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results pairs_of_selection(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  const double radius = length_of(call, "radius", true);
+  const TaskPoints points = task_points(call, layer_mesh, "among which pairs are wanted");
+  const auto file = output_file(call);
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const SparseDistances pairs = pairs_within(found.team, points.points, radius, 0, found.progress);
+  std::vector<int> first;
+  std::vector<int> second;
+  std::vector<double> distance;
+  std::vector<double> table;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::int64_t at = pairs.row_begin[i]; at < pairs.row_begin[i + 1]; ++at) {
+      if (pairs.column[at] < static_cast<Index>(i)) continue;
+      first.push_back(points.numbers[i]);
+      second.push_back(points.numbers[pairs.column[at]]);
+      distance.push_back(pairs.distance[at]);
+      table.insert(table.end(), {double(first.back()), double(second.back()), distance.back()});
+    }
+  }
+  if (!file.empty()) {
+    NpyFile(file, distance.size(), 3).finish(table);
+    call.log("Pairs within the radius: written to " + file.string());
+  }
+  call.log(std::to_string(distance.size()) + " pairs of " + std::to_string(points.size()) + " " +
+           points.what + " are within the radius");
+  Results results = std::move(found.about_index);
+  results["pairs"] = static_cast<int>(distance.size());
+  results["first"] = as_vector(first);
+  results["second"] = as_vector(second);
+  results["snap_distance"] = points.snap_distance;
+  results["distances"] = as_vector(distance);
+  return results;
+}
+
+}  // namespace
+
+FilterRow distance_matrix_row() {
+  return {"Geodesic distance matrix of the selection (VoroGeo)",
+          "get_vorogeo_distance_matrix_of_selection",
+          "<p>Geodesic distances between all points given. The matrix is symmetric, with 0 on its diagonal "
+          "and infinity between components. It is returned as <i>distances</i>, <i>rows</i> x <i>columns</i> "
+          "numbers row by row, with the numbers of the points as <i>vertices</i>; <b>File</b> writes it as a "
+          ".npy file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          matrix_parameters,
+          distance_matrix_of_selection};
+}
+
+FilterRow pairs_within_row() {
+  return {"Geodesic pairs within a radius (VoroGeo)",
+          "get_vorogeo_pairs_within_radius_of_selection",
+          "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. Returned "
+          "as <i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> "
+          "writes these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          pairs_parameters,
+          pairs_of_selection};
+}
+
+// ---- Filter: the k nearest points of another layer for each of the points given
+
+namespace {
+
+RichParameterList nearest_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_source_layer_parameters(list, document, "points");
+  list.addParam(RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."));
+  add_task_point_parameters(list, document, "points whose nearest ones are wanted", false);
+  list.addParam(output_file_parameter());
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results nearest_points(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  const int neighbours = call.parameters.getInt("neighbour_number");
+  if (neighbours < 1) {
+    refuse(call, "neighbour_number", neighbours, ". Give 1 or more.");
+  }
+  const TaskPoints queries = task_points(call, layer_mesh, "whose nearest points are wanted");
+  const auto file = output_file(call);
+  const auto count = static_cast<std::size_t>(neighbours);
+  require_memory(64.0 * static_cast<double>(queries.size()) * static_cast<double>(count), 0,
+                 "The table of " + std::to_string(count) + " neighbours of " +
+                     std::to_string(queries.size()) + " points",
+                 "Lower neighbour_number or give fewer points.");
+  const SnappedLayer set = snapped_layer(call, read_mesh(call, layer_mesh), "source_layer", "points");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const NearestOfSet nearest = nearest_of_set(found.team, set.points, queries.points, count, found.progress);
+  std::vector<int> of_query;
+  std::vector<double> place;
+  std::vector<double> table;
+  for (std::size_t i = 0; i < nearest.position.size(); ++i) {
+    const Index position = nearest.position[i];
+    if (i % count == 0) of_query.push_back(queries.numbers[i / count]);
+    place.push_back(position == no_index ? -1.0 : static_cast<double>(set.numbers[position]));
+    table.insert(table.end(), {double(of_query.back()), place.back(), nearest.distance[i]});
+  }
+  if (!file.empty()) {
+    NpyFile(file, place.size(), 3).finish(table);
+    call.log("Nearest points: written to " + file.string());
+  }
+  call.log("The " + std::to_string(count) + " nearest of " + std::to_string(set.points.size()) +
+           " points for " + std::to_string(queries.size()) + " " + queries.what);
+  Results results = std::move(found.about_index);
+  results["rows"] = static_cast<int>(queries.size());
+  results["columns"] = neighbours;
+  results["vertices"] = as_vector(of_query);
+  results["nearest"] = as_vector(place);
+  results["distances"] = as_vector(nearest.distance);
+  results["snap_distance"] = std::max(set.snap_distance, queries.snap_distance);
+  return results;
+}
+
+}  // namespace
+
+FilterRow nearest_points_row() {
+  return {"Geodesic nearest points of a layer (VoroGeo)",
+          "get_vorogeo_nearest_points_of_layer",
+          "<p>For each selected vertex, or each other point given, the geodesically nearest points of "
+          "another layer, nearest first: <b>Neighbours</b> of them. The points are first moved to the "
+          "nearest points of the surface, which need not be vertices; <i>snap_distance</i> is the farthest "
+          "move.</p><p>Returned as <i>nearest</i> (numbers of vertices of that layer, -1 where fewer can be "
+          "reached) and <i>distances</i> (infinity there), <i>rows</i> x <i>columns</i> numbers row by row, "
+          "with the numbers of the <i>vertices</i>; <b>File</b> writes vertex, nearest point and distance as "
+          "three columns of a .npy file that <i>numpy.load</i> reads.</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          FilterPlugin::Measure,
+          MeshModel::MM_NONE,
+          nearest_parameters,
+          nearest_points};
+}
+
+}  // namespace vorogeo::plugin

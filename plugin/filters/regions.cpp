@@ -1,0 +1,372 @@
+// Filters that divide the surface: Voronoi regions, patches in colours, isolines, extent and disks.
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "filters/rows.h"
+#include "host/edit_host.h"
+#include "layers/layer_surface.h"
+#include "layers/parameters.h"
+#include "layers/points.h"
+#include "layers/results.h"
+#include "mesh/given_points.h"
+#include "mesh/outliers.h"
+#include "patches/partition.h"
+#include "support/error.h"
+#include "tasks/extent.h"
+#include "tasks/surface_lines.h"
+#include "tasks/voronoi_regions.h"
+
+namespace vorogeo::plugin {
+
+// ---- Filter: geodesic Voronoi regions of points, as colours, quality and a layer of borders
+
+namespace {
+
+RichParameterList voronoi_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  add_task_point_parameters(list, document, "points whose regions are wanted");
+  list.addParam(RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."));
+  list.addParam(exact_parameter());
+  return list;
+}
+
+vcg::Color4b grey() { return {160, 160, 160, 255}; }
+
+/// Colours by the regions of the faces; faces in no region are given one of their own for this purpose.
+PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::size_t count) {
+  std::vector<Index> region = regions.face_region;
+  for (Index& r : region) {
+    if (r == no_index) r = static_cast<Index>(count);
+  }
+  return color_neighbors_differently(mesh, region);
+}
+
+Results color_voronoi_regions(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  const TaskPoints points = task_points(call, layer_mesh, "whose regions are wanted");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const Mesh& mesh = found.team.mesh();
+  const VoronoiRegions regions = voronoi_regions(found.team, points.points, found.progress);
+  const PatchColoring coloring = coloring_of(mesh, regions, points.size());
+  if (call.parameters.getBool("borders")) {
+    add_polyline_layer(call.document, call.layer, "Voronoi borders", regions.borders, {}, false);
+  }
+  call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR);
+  int unreached = 0;
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
+    call.layer.cm.vert[layer_mesh.host_vertex(v)].Q() = static_cast<Scalarm>(regions.vertex_region[v]);
+    unreached += regions.vertex_region[v] == no_index;
+  }
+  for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
+  for (Index f : central_parts(mesh)) {
+    if (regions.face_region[f] == no_index) continue;
+    const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
+    call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
+  }
+  call.log("Voronoi regions of " + std::to_string(points.size()) + " " + points.what +
+           "; their borders are " + logged_length(regions.borders.length()) + " long");
+  if (unreached > 0) {
+    call.log("No path leads to " + std::to_string(unreached) +
+             " vertices, in other components than the points; their quality is -1");
+  }
+  Results results = std::move(found.about_index);
+  results["regions"] = static_cast<int>(points.size());
+  results["vertices"] = as_vector(points.numbers);
+  results["snap_distance"] = points.snap_distance;
+  results["areas"] = as_vector(regions.area);
+  results["border_length"] = regions.borders.length();
+  results["unreachable_vertices"] = unreached;
+  return results;
+}
+
+}  // namespace
+
+FilterRow voronoi_regions_row() {
+  return {
+      "Geodesic Voronoi regions of the selection: colour faces (VoroGeo)",
+      "compute_color_by_vorogeo_voronoi_regions_per_face",
+      "<p>Geodesic Voronoi regions: the parts of the surface that are nearer to one of the points than to "
+      "the others. Faces are coloured by the region of their centre, neighbouring regions differently; the "
+      "quality of each vertex is the number of its region, counted from 0, or -1 where no path leads.</p>"
+      "<p><b>Borders</b> adds the borders of the regions as a polyline layer. They cross the faces where the "
+      "distances from two points are equal, and meet where those from three are; on flat parts of the "
+      "surface they are exact for the given distances. The current layer stays current.</p>"
+      "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their points as "
+      "<i>vertices</i>, the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
+          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+      FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
+      MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR,
+      voronoi_parameters,
+      color_voronoi_regions};
+}
+
+// ---- Filter: colour the faces by the patches of one layer of the index
+
+namespace {
+
+RichParameterList patch_colors_parameters(const MeshDocument&) {
+  RichParameterList list;
+  list.addParam(RichInt("layer", 1, "Layer", "Layer of patches: 1 (large patches) or 2 (small patches)."));
+  return list;
+}
+
+/// Light grey: the colour of faces that are in no patch, because they repeat another face or name a vertex
+/// twice.
+vcg::Color4b color_without_patch() { return {160, 160, 160, 255}; }
+
+Results color_patches(FilterCall& call) {
+  const int layer = call.parameters.getInt("layer");
+  if (layer != 1 && layer != 2) {
+    refuse(call, "layer", layer, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
+  }
+  const LayerMesh layer_mesh(call);
+  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  const Mesh& mesh = *found.index->mesh();
+  const auto patches = found.index->face_patches(layer);
+  const PatchColoring coloring = color_neighbors_differently(mesh, patches);
+  call.progress.report(1.0, "Writing colours");
+
+  call.layer.updateDataMask(MeshModel::MM_FACECOLOR);
+  for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = color_without_patch();
+  for (Index f : central_parts(mesh)) {
+    const Rgb& color = coloring.palette[coloring.color_of_patch[patches[f]]];
+    call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
+  }
+  call.log("Patches of layer " + std::to_string(layer) + ": " +
+           std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
+           " colours");
+  Results results = {{"patches", static_cast<int>(coloring.color_of_patch.size())},
+                     {"colors", coloring.colors_used}};
+  results.merge(about_index(found));
+  return results;
+}
+
+}  // namespace
+
+FilterRow patch_colors_row() {
+  return {"Geodesic Voronoi patches: colour faces (VoroGeo)",
+          "compute_color_by_vorogeo_patches_per_face",
+          "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
+          "vertex have clearly different colours. Faces that are in no patch (repeated faces, faces that "
+          "name a vertex twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, "
+          "layer 2 the small ones that they consist of, inside which distances are exact.</p><p>Returns the "
+          "number of <i>patches</i> and of <i>colors</i>.</p>" +
+              help_on_index() + references_of_index(),
+          FilterPlugin::FaceColoring,
+          MeshModel::MM_FACECOLOR,
+          patch_colors_parameters,
+          color_patches};
+}
+
+// ---- Filter: lines of equal vertex quality as a polyline layer
+
+namespace {
+
+RichParameterList isolines_parameters(const MeshDocument&) {
+  RichParameterList list;
+  list.addParam(RichInt("line_number", 10, "Lines",
+                        "Number of values, evenly spaced between the least and the greatest quality."));
+  list.addParam(RichString("values", "", "Values",
+                           "The values themselves, separated by spaces or semicolons; used if not empty."));
+  list.addParam(RichBool("is_distance", true, "Quality is a distance",
+                         "Negative quality means no distance, and lines cross edges as distances do."));
+  return list;
+}
+
+std::vector<double> values_of(const FilterCall& call, double low, double high) {
+  std::vector<double> values;
+  QString text = call.parameters.getString("values");
+  const QStringList words = text.replace(';', ' ').split(' ', Qt::SkipEmptyParts);
+  for (const QString& word : words) {
+    bool is_number = false;
+    values.push_back(word.toDouble(&is_number));
+    if (is_number && std::isfinite(values.back())) continue;
+    throw InvalidInput(named(call, "values") + " holds '" + word.toStdString() +
+                       "', which is not a finite number. Separate numbers by spaces or semicolons.");
+  }
+  if (!values.empty()) return values;
+  const int count = call.parameters.getInt("line_number");
+  if (count < 1) {
+    refuse(call, "line_number", count, ". Give 1 or more, or the values themselves.");
+  }
+  for (int i = 1; i <= count; ++i) values.push_back(low + (high - low) * i / (count + 1));
+  return values;
+}
+
+Results draw_isolines(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
+    throw InvalidInput("The vertices have no quality. Compute a distance first.");
+  }
+  const bool is_distance = call.parameters.getBool("is_distance");
+  const auto mesh = read_mesh(call, layer_mesh);
+  std::vector<double> field(static_cast<std::size_t>(mesh->given_vertex_count()));
+  double low = unreachable;
+  double high = -unreachable;
+  for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
+    const double quality = call.layer.cm.vert[layer_mesh.host_vertex(v)].cQ();
+    field[v] = is_distance && quality < 0.0 ? unreachable : quality;
+    if (!std::isfinite(field[v])) continue;
+    low = std::min(low, field[v]);
+    high = std::max(high, field[v]);
+  }
+  if (low > high) {
+    throw InvalidInput("No vertex has a quality that a line could be drawn for. Compute a distance first.");
+  }
+  const auto values = values_of(call, low, high);
+  call.progress.report(0.0, "Isolines");
+  const Isolines found =
+      isolines(*mesh, field, values, is_distance ? Interpolation::distance : Interpolation::linear);
+  std::vector<double> quality;
+  for (Index level : found.level_of_point) quality.push_back(values[level]);
+  call.progress.report(1.0, "Isolines");
+  add_polyline_layer(call.document, call.layer, "Isolines", found.lines, quality, true);
+  call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
+           logged_length(found.lines.length()) + " long in all");
+  return {{"segments", static_cast<int>(found.lines.segments.size())},
+          {"length", found.lines.length()},
+          {"values", as_vector(values)}};
+}
+
+}  // namespace
+
+FilterRow isolines_row() {
+  return {
+      "Isolines of a geodesic distance (VoroGeo)",
+      "generate_polyline_by_vorogeo_isolines",
+      "<p>Lines on which the quality of the vertices has given values, as a new polyline layer, which "
+      "becomes the current one; the quality of its vertices is the value of their line. Lines run straight "
+      "through each face and continue across edges.</p><p>How to choose: the values are <b>Lines</b> evenly "
+      "spaced ones between the least and the greatest quality, or those in <b>Values</b>, such as <tt>0.1 "
+      "0.2 0.5</tt>. If <b>Quality is a distance</b> is ticked, vertices with negative quality (without a "
+      "distance) have no lines at them, and an edge is crossed where the distance from a point of the plane "
+      "would have the value, which is exact where the surface is flat: isolines there are circles. Otherwise "
+      "any quality is interpolated linearly.</p><p>Returns the number of <i>segments</i>, their "
+      "<i>length</i> and the <i>values</i>. First run one of the distance filters.</p>" +
+          references_of_index(),
+      FilterPlugin::Quality,
+      MeshModel::MM_NONE,
+      isolines_parameters,
+      draw_isolines};
+}
+
+// ---- Filters: select a geodesic disk, and bound the geodesic diameter and radius
+
+namespace {
+
+RichParameterList disk_parameters(const MeshDocument& document) {
+  RichParameterList list;
+  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."));
+  list.addParam(RichInt("vertex_index", -1, "Vertex",
+                        "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
+                        "the points given below."));
+  add_task_point_parameters(list, document, "points around which the disk shall lie");
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results select_disk(FilterCall& call) {
+  const LayerMesh layer_mesh(call);
+  const double radius = length_of(call, "radius", true);
+  const int number = call.parameters.getInt("vertex_index");
+  TaskPoints sources;
+  if (number != -1) {
+    sources.points = std::vector<Index>{vertex_of(call, layer_mesh, "vertex_index")};
+  } else {
+    sources = task_points(call, layer_mesh, "around which the disk shall lie");
+  }
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  const GeodesicDisk disk = geodesic_disk(found.team, sources.points, radius);
+  found.progress.report(1.0, "Selecting");
+  for (CVertexO& vertex : call.layer.cm.vert) {
+    if (!vertex.IsD()) vertex.ClearS();
+  }
+  for (CFaceO& face : call.layer.cm.face) {
+    if (!face.IsD()) face.ClearS();
+  }
+  for (Index v : disk.vertices) call.layer.cm.vert[layer_mesh.host_vertex(v)].SetS();
+  for (Index f : disk.faces) call.layer.cm.face[layer_mesh.host_face(found.team.mesh(), f)].SetS();
+  call.log("Selected " + std::to_string(disk.vertices.size()) + " vertices and " +
+           std::to_string(disk.faces.size()) + " faces");
+  Results results = std::move(found.about_index);
+  results["selected_vertices"] = static_cast<int>(disk.vertices.size());
+  results["selected_faces"] = static_cast<int>(disk.faces.size());
+  results["snap_distance"] = sources.snap_distance;
+  return results;
+}
+
+RichParameterList extent_parameters(const MeshDocument&) {
+  RichParameterList list;
+  list.addParam(RichInt("fields", 20, "Fields", "Distance fields that may be computed, at least 2."));
+  list.addParam(RichInt("vertex_index", -1, "Vertex",
+                        "Number of a vertex of the component, counted from 0; -1: the largest component."));
+  list.addParam(exact_parameter());
+  return list;
+}
+
+Results measure_extent(FilterCall& call) {
+  const int fields = call.parameters.getInt("fields");
+  if (fields < 2) refuse(call, "fields", fields, ". Give 2 or more.");
+  const LayerMesh layer_mesh(call);
+  const int number = call.parameters.getInt("vertex_index");
+  Index start = number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
+  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  if (start == no_index) start = largest_component(found.team.mesh()).first_vertex;
+  const Extent extent = extent_of_component(found.team, start, fields, found.progress);
+  Results results = std::move(found.about_index);
+  results["diameter_lower"] = extent.diameter.lower;
+  results["diameter_upper"] = extent.diameter.upper;
+  results["diameter_start"] = layer_mesh.host_vertex(extent.ends[0]);
+  results["diameter_end"] = layer_mesh.host_vertex(extent.ends[1]);
+  results["radius_lower"] = extent.radius.lower;
+  results["radius_upper"] = extent.radius.upper;
+  results["centre"] = layer_mesh.host_vertex(extent.centre);
+  results["fields"] = extent.fields;
+  call.log("Geodesic diameter between " + logged_length(extent.diameter.lower) + " and " +
+           logged_length(extent.diameter.upper) + ", radius between " + logged_length(extent.radius.lower) +
+           " and " + logged_length(extent.radius.upper) + " around vertex " +
+           std::to_string(layer_mesh.host_vertex(extent.centre)));
+  return results;
+}
+
+}  // namespace
+
+FilterRow disk_selection_row() {
+  return {"Select a geodesic disk (VoroGeo)",
+          "compute_selection_by_vorogeo_geodesic_disk",
+          "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
+          "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "
+          "selected vertices or of other points given: a selection grows by the radius over the surface, not "
+          "through space. The previous selection is replaced.</p><p>Returns the numbers of "
+          "<i>selected_vertices</i> and <i>selected_faces</i>.</p>" +
+              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
+          FilterPlugin::Selection,
+          MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT,
+          disk_parameters,
+          select_disk};
+}
+
+FilterRow extent_row() {
+  return {
+      "Geodesic diameter and centre (VoroGeo)",
+      "get_vorogeo_diameter_and_centre",
+      "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
+      "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
+      "further fields start where the ends or the centre may still be, and the triangle inequality bounds "
+      "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances as "
+      "computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
+      "<i>diameter_upper</i>, the vertices <i>diameter_start</i> and <i>diameter_end</i> whose distance is "
+      "the lower bound, <i>radius_lower</i>, <i>radius_upper</i>, the <i>centre</i> whose eccentricity is "
+      "the upper bound, and the number of <i>fields</i> computed. The mesh is not changed.</p>" +
+          help_on_exact_parameter() + help_on_index() +
+          "<p>See:<br/><i>Frank W. Takes, Walter A. Kosters</i><br/><b>\"Determining the diameter of small "
+          "world networks\"</b><br/>CIKM 2011.</p>",
+      FilterPlugin::Measure,
+      MeshModel::MM_NONE,
+      extent_parameters,
+      measure_extent};
+}
+
+}  // namespace vorogeo::plugin

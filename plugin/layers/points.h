@@ -1,0 +1,142 @@
+// Points that filters ask for: a start vertex, two ends, lists, the selection, another layer.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/filter_row.h"
+#include "layers/layer_mesh.h"
+#include "mesh/surface_locator.h"
+#include "mesh/surface_point.h"
+
+namespace vorogeo::plugin {
+
+// ---- The vertices that the user has selected, as sources or points of a filter
+
+/// Core vertices selected in the layer, ascending. \throw InvalidInput if there is none; `purpose` ends the
+/// sentence "Select the vertices ...".
+std::vector<Index> selected_vertices(const CMeshO& layer, const LayerMesh& layer_mesh, const char* purpose);
+
+// ---- The source of a filter that takes only one: a vertex by number, a point of the surface, or the vertex
+// nearest to a point
+
+/// A vertex and its distance from the point for which it was found; 0 if it was named by number.
+struct StartVertex {
+  Index vertex = no_index;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// A point of the surface and its distance from the point in space for which it was found; 0 if it was named
+/// by number.
+struct StartPoint {
+  SurfacePoint point;
+  double distance = 0.0;
+};
+
+/// The parameters start_point (a point picker in the window) and vertex_index. `where`: ends the sentence
+/// "Where distances start: ..." about the point.
+void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document, const QString& where);
+
+/// The start vertex named by number, otherwise the point of the surface nearest to the start point: a vertex
+/// if it is one up to single precision. Logs which. \throw as start_vertex.
+StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
+                       const std::shared_ptr<const Mesh>& mesh);
+
+/// The start vertex named by number, otherwise the one nearest to the start point that has a face; logs
+/// which. \throw InvalidInput for a number without a vertex and a point that is not finite.
+StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh);
+
+// ---- The two points of a filter for one pair
+
+/// Two points of the surface; `distance` is how far each was moved there.
+struct EndPoints {
+  SnappedPoint source;
+  SnappedPoint target;
+};
+
+/// The parameters source and target (vertices by number), source_point and target_point (in space),
+/// max_snap_distance, and surface_points (both as text). `vertex`: what source and target are by default.
+void add_end_point_parameters(RichParameterList& list, const MeshDocument& document, int vertex);
+
+/// The points that these parameters give. \throw InvalidInput for a point that does not exist or is too far
+/// from the surface.
+EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
+                     const std::shared_ptr<const Mesh>& mesh);
+
+/// How far the points were moved to the surface, as returned values.
+Results about_end_points(const EndPoints& ends);
+
+/// Explains source and target, for the help.
+QString help_on_end_points();
+
+// ---- The points that a task is about: selected vertices, the points of a layer, or surface points in a text
+
+/// The points, and what errors, logs and results call them.
+struct TaskPoints {
+  PointList points;
+  /// The number of each point: that of its vertex in the current layer (selection) or in the layer that it
+  /// comes from, or its position in the text.
+  std::vector<int> numbers;
+  std::string what;            ///< such as "selected vertices"
+  double snap_distance = 0.0;  ///< the farthest move of a layer's point
+
+  std::size_t size() const { return points.size(); }
+};
+
+/// The parameters point_layer and surface_points; max_snap_distance belongs to them and is also added unless
+/// the filter has it anyway. `what`: ends the sentence "The layer with the ...".
+void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what,
+                               bool with_snap_distance = true);
+
+/// The points that these parameters give. `purpose`: as for selected_vertices. \throw InvalidInput if there
+/// is no point, or one that is not on the surface or too far from it.
+TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, const char* purpose);
+
+/// Surface points written as text, separated by semicolons: a vertex as its number, any other point as the
+/// number of a face and three weights. All numbers are the host's. \throw InvalidInput that names the
+/// parameter and the entry.
+std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, const LayerMesh& layer_mesh,
+                                               const Mesh& mesh, const char* parameter);
+
+// ---- A layer from which a filter takes points: its parameter, and its points moved to the surface
+
+/// The parameters source_layer and max_snap_distance. `what`: "points", or "points or lines".
+void add_source_layer_parameters(RichParameterList& list, const MeshDocument& document, const char* what);
+
+/// The layer named by a parameter. \throw InvalidInput if there is none, or if it is the current one.
+const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what);
+
+Point position_of(const CVertexO& vertex);
+
+/// Moves points to the surface, within max_snap_distance.
+class PointSnapper {
+ public:
+  /// `parameter`: the one that names the layer of the points.
+  PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter);
+  /// `number`: that of the vertex in the layer, for the error. \throw InvalidInput if it is too far away.
+  SurfacePoint snap(const Point& at, std::size_t number);
+  /// The farthest move so far.
+  double farthest() const { return farthest_; }
+
+ private:
+  SurfaceLocator locator_;
+  const FilterCall& call_;
+  const char* parameter_;
+  double max_distance_;
+  double farthest_ = 0.0;
+};
+
+/// All vertices of a layer, moved to the surface.
+struct SnappedLayer {
+  std::vector<SurfacePoint> points;
+  std::vector<int> numbers;  ///< of the vertices in their layer
+  double snap_distance = 0.0;
+};
+
+/// \throw InvalidInput as other_layer and PointSnapper, and for a layer without vertices.
+SnappedLayer snapped_layer(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter,
+                           const char* what);
+
+}  // namespace vorogeo::plugin
