@@ -32,14 +32,20 @@ constexpr int most_threads = 16;
 std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource> sources) {
   std::vector<ExactSource> checked;
   checked.reserve(sources.size());
-  for (const ExactSource& source : sources) {
-    if (!(source.offset >= 0.0 && std::isfinite(source.offset))) {
-      throw InvalidInput("A source has start offset " + std::to_string(source.offset) +
-                         "; it must be a number of at least 0.");
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const double offset = sources[i].offset;
+    if (!(offset >= 0.0 && std::isfinite(offset))) {
+      throw InvalidInput("Source " + std::to_string(i) + " has the offset " + std::to_string(offset) +
+                         "; it must be a finite number of at least 0.");
     }
-    checked.push_back({validated(mesh, source.point), source.offset});
+    checked.push_back({validated(mesh, sources[i].point), offset});
   }
   return checked;
+}
+
+void require_limit(double max_distance) {
+  if (max_distance >= 0.0) return;
+  throw InvalidInput("The greatest distance is " + std::to_string(max_distance) + "; it must be at least 0.");
 }
 
 ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)

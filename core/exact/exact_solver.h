@@ -26,6 +26,9 @@ struct ExactSource {
 /// finite.
 std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource> sources);
 
+/// \throw InvalidInput for a greatest distance that is negative or no number.
+void require_limit(double max_distance);
+
 /// A point inside an edge, by its distance from the edge's first vertex.
 struct EdgePoint {
   Index edge;

@@ -80,10 +80,10 @@ std::optional<ExactPath> MeshPathQuery::known_path(const SurfacePoint& from, con
   auto component = [&](const SurfacePoint& p) {
     return mesh_.component(p.is_vertex() ? p.vertex : mesh_.face_vertices(p.face).front());
   };
+  if (is_same_point(mesh_, from, to)) return ExactPath{{{from, to}, 0.0}, true};
   if (!is_on_surface(mesh_, from) || !is_on_surface(mesh_, to) || component(from) != component(to)) {
     return ExactPath{{{}, unreachable}, true};
   }
-  if (is_same_point(mesh_, from, to)) return ExactPath{{{from, to}, 0.0}, true};
   return std::nullopt;
 }
 

@@ -190,8 +190,8 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   SurfacePoint t = validated(mesh, target);
   SurfacePath none;
   none.length = unreachable;
-  if (!state.connected(s, t)) return none;
   if (is_same_point(mesh, s, t)) return {{s, t}, 0.0};
+  if (!state.connected(s, t)) return none;
   // Searches from either end may find different paths: both directions take the same one.
   const bool swapped = canonical(mesh, t) < canonical(mesh, s);
   if (swapped) std::swap(s, t);
@@ -219,8 +219,8 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   ExactPath result;
   result.path.length = unreachable;
   result.certified = true;
-  if (!state.connected(s, t)) return result;
   if (is_same_point(mesh, s, t)) return {{{s, t}, 0.0}, true};
+  if (!state.connected(s, t)) return result;
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
   FoundPath found = state.path(from, to);

@@ -22,26 +22,19 @@ SourceField::SourceField(const IndexData& data, NearField& near, int threads)
 /// Separates the sources on the work mesh from isolated ones. All are checked before anything changes.
 void SourceField::take_sources(std::span<const ExactSource> given, double max_distance) {
   if (given.empty()) throw InvalidInput("There is no source; give at least one.");
-  if (!(max_distance >= 0.0)) {
-    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
-                       "; it must be at least 0.");
-  }
+  require_limit(max_distance);
   sources_.clear();
   number_.clear();
   isolated_.clear();
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const ExactSource& one = given[i];
-    if (!(one.offset >= 0.0 && std::isfinite(one.offset))) {
-      throw InvalidInput("Source " + std::to_string(i) + " has the offset " + std::to_string(one.offset) +
-                         "; it must be a finite number of at least 0.");
-    }
-    const SurfacePoint point = validated(*data_.mesh, one.point);
-    if (one.offset > max_distance) continue;
+  const std::vector<ExactSource> checked = validated(*data_.mesh, given);
+  for (std::size_t i = 0; i < checked.size(); ++i) {
+    const auto& [point, offset] = checked[i];
+    if (offset > max_distance) continue;
     if (point.is_vertex() && data_.work.work_vertex[point.vertex] == no_index) {
-      isolated_.push_back({static_cast<Index>(i), {point, one.offset}});
+      isolated_.push_back({static_cast<Index>(i), checked[i]});
       continue;
     }
-    sources_.push_back({work_point(data_, point), one.offset});
+    sources_.push_back({work_point(data_, point), offset});
     number_.push_back(static_cast<Index>(i));
   }
 }

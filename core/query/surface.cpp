@@ -148,6 +148,7 @@ AnswerMethod Surface::choose(AnswerMethod method, bool is_field, Answered& answe
 LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                              Answered& answered, const Progress& progress) {
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
+  require_limit(max_distance);
   answered = {};
   answered.by = choose(method, true, answered, progress);
   const auto start = Clock::now();

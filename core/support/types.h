@@ -1,4 +1,4 @@
-// The index type, and the values for "none" and "unreachable", of every room of the core.
+// The index type, and the values for "none" and "unreachable", of every module of the core.
 #pragma once
 
 #include <cstdint>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/exact_solver.h"
 #include "exact/local_solver.h"
 #include "index/index_data.h"
 #include "mesh/outliers.h"
@@ -129,10 +130,7 @@ void fill_rows(FieldTeam& team, const PointList& given, double max_distance, std
   const auto width = static_cast<std::size_t>(team.mesh().given_vertex_count());
   require_size(rows.size(), given.size() * width);
   const PointList sources = points_on(team.mesh(), given, "Source");
-  if (!(max_distance >= 0.0)) {
-    throw InvalidInput("The greatest distance is " + std::to_string(max_distance) +
-                       "; it must be at least 0.");
-  }
+  require_limit(max_distance);
   parallel_for(sources.size(), team.threads(), progress, "Distance fields", [&](std::size_t i, int worker) {
     const auto field = team.field(sources[i], max_distance, worker);
     std::ranges::transform(std::span(field).first(width),

@@ -115,5 +115,14 @@ TEST(DistanceContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
   }
 }
 
+TEST(DistanceContract, AVertexInNoFaceIsReachedFromItselfAlone) {
+  const Ask ask(test::with_isolated_vertex(test::icosphere(1), {0, 0, 9}));
+  for (const By by : {By::exact, By::index}) {
+    EXPECT_EQ(ask.distance(vertex(42), vertex(42), by), 0.0);
+    EXPECT_EQ(ask.distance(vertex(42), vertex(0), by), unreachable);
+    EXPECT_EQ(ask.path(vertex(42), vertex(42), by).length(), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace vorogeo::contract

@@ -86,12 +86,16 @@ TEST(RefusalsContract, NumbersThatMakeNoSenseAreNamed) {
   for (const By by : {By::exact, By::index, By::quick}) {
     const std::string how = std::string(", ") + to_string(by);
     all.push_back({"no source" + how, [=] { surface().field({}, by); }, {"no source"}});
-    all.push_back({"offset" + how, [=] { surface().field({{a}, {a, -0.5}}, by); }, {"offset -0.5"}});
+    all.push_back({"offset" + how,
+                   [=] {
+                     surface().field({{a}, {a, -0.5}}, by);
+                   },
+                   {"Source 1", "offset -0.5"}});
     all.push_back({"offset" + how, [=] { surface().field({{a, no_number}}, by); }, {"offset nan"}});
     all.push_back({"offset" + how, [=] { surface().field({{a, unreachable}}, by); }, {"offset inf"}});
+    all.push_back({"limit" + how, [=] { surface().field({{a}}, by, -1.5); }, {"-1.5"}});
+    all.push_back({"limit" + how, [=] { surface().field({{a}}, by, no_number); }, {"nan"}});
   }
-  all.push_back({"limit", [=] { surface().field({{a}}, By::index, -1.5); }, {"-1.5"}});
-  all.push_back({"limit", [=] { surface().field({{a}}, By::index, no_number); }, {"nan"}});
   for (const By by : {By::exact, By::index}) {
     all.push_back({"radius", [=] { surface().pairs_within({a}, -1.0, by); }, {"radius", "-1"}});
     all.push_back({"radius", [=] { surface().pairs_within({a}, no_number, by); }, {"radius", "nan"}});
