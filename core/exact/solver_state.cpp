@@ -382,14 +382,15 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
   if (!(side.length > 0.0)) return;
   bool is_open = false;
   const bool is_long = geometry->is_long(crossed_edge) || geometry->is_long(side.edge);
-  auto hand_on_one = [&](const Crossing& item) {
+  // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
+  const bool forth = side.reversed == second;
+  for (std::size_t i = 0; i < crossing.size(); ++i) {
+    const Crossing& item = crossing[forth ? i : crossing.size() - 1 - i];
     const double begin = second ? std::max(item.window.begin, item.to_apex) : item.window.begin;
     const double end = second ? item.window.end : std::min(item.window.end, item.to_apex);
-    if (!(begin < end)) return;
-    if (!is_open) {
-      if (!open_edge(side.edge)) return;
-      is_open = true;
-    }
+    if (!(begin < end)) continue;
+    if (!is_open && !open_edge(side.edge)) return;
+    is_open = true;
     // A window that is cut at the ray to the apex ends at the apex: from a source close to the edge, all rays
     // leave the edge at the same position up to rounding.
     const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
@@ -399,12 +400,6 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
                               : side.arriving(item.window, begin, end, to_end, second, crossed_length);
     insert_window(window);
     if (passes_through && lies_on_edge(window, side.length)) through.push_back(window);
-  };
-  // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
-  if (side.reversed == second) {
-    for (const Crossing& item : crossing) hand_on_one(item);
-  } else {
-    for (auto item = crossing.rbegin(); item != crossing.rend(); ++item) hand_on_one(*item);
   }
   if (is_open) store_edge();
 }
@@ -649,7 +644,10 @@ void ExactSolver::State::close_edges_at(Index vertex) {
   };
   for (Index corner : mesh.corners(vertex)) {
     close_later(mesh.edge_of(corner));
-    close_later(mesh.edge_of(Mesh::previous_in_face(corner)));
+    // The other edge of the corner is that of the next one, unless that is turned over or missing.
+    const Index other = Mesh::previous_in_face(corner);
+    const Index beside = mesh.next_around_edge(other);
+    if (beside == other || mesh.tail(beside) != vertex) close_later(mesh.edge_of(other));
   }
 }
 

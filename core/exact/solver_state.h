@@ -46,12 +46,11 @@ struct Side {
   }
   double inside(double x) const { return std::clamp(x, 0.0, length); }
 
-  /// A pseudo-source that rounding has taken behind the line of the side is laid on the line, as far from
-  /// where positions count from as it was, (across, away): at an edge of a few units in the last place, it
-  /// may lie anywhere behind.
-  static void lay_on_line(double& x, double& y, double across, double away) {
-    x = std::copysign(std::sqrt(across * across + away * away), x);
-    y = 0.0;
+  /// Where a pseudo-source that rounding has taken behind the line of the side is laid on the line, towards
+  /// `x`: as far from where positions count from as it was, (across, away). At an edge of a few units in the
+  /// last place, it may lie anywhere behind.
+  static double on_line(double x, double across, double away) {
+    return std::copysign(std::sqrt(across * across + away * away), x);
   }
 
   /// The part [begin, end] of a window, as it arrives at the side. `to_end`: it ends at the ray to the apex.
@@ -64,12 +63,12 @@ struct Side {
     const double from = crossing(second ? crossed_length - end : begin, source_x, source_y);
     const double to = to_end ? length : crossing(second ? crossed_length - begin : end, source_x, source_y);
     double turned_x = source_x * cosine - source_y * sine;
-    double turned_y = source_y * cosine + source_x * sine;
-    if (turned_y < 0.0) lay_on_line(turned_x, turned_y, source_x, source_y);
+    const double turned_y = source_y * cosine + source_x * sine;
+    if (turned_y < 0.0) turned_x = on_line(turned_x, source_x, source_y);
     return {inside(reversed ? length - to : from),
             inside(reversed ? length - from : to),
             reversed ? length - turned_x : turned_x,
-            turned_y,
+            std::max(0.0, turned_y),
             window.offset,
             halfedge,
             window.source};
@@ -93,12 +92,12 @@ struct Side {
     };
     const double source_x = second ? crossed_length - window.source_x : window.source_x;
     double turned_x = sign * (apex_along - window.source_x) * cosine + height * sine;
-    double turned_y = source_y * cosine + source_x * sine;
-    if (turned_y < 0.0) lay_on_line(turned_x, turned_y, apex_along - window.source_x, height);
+    const double turned_y = source_y * cosine + source_x * sine;
+    if (turned_y < 0.0) turned_x = on_line(turned_x, apex_along - window.source_x, height);
     return {to_end ? 0.0 : from_apex(second ? begin : end),
             from_apex(second ? end : begin),
             turned_x,
-            turned_y,
+            std::max(0.0, turned_y),
             window.offset,
             halfedge,
             window.source};
