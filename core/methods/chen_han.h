@@ -21,7 +21,8 @@ struct TreeRules {
   bool bends = true;  ///< paths go on from saddle vertices; else geodesics from the sources alone are found
   /// The run ends when so many vertices beside the sources are final.
   Index max_vertices = std::numeric_limits<Index>::max();
-  /// Above 0: what a detour over a vertex beside it reaches with this relative excess is left out (graph_methods.cpp).
+  /// Above 0: what a detour over a vertex beside it reaches with this relative excess is left out
+  /// (graph_methods.cpp).
   double epsilon = 0.0;
 };
 

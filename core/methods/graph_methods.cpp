@@ -213,7 +213,8 @@ MethodEntry svg_entry() {
 
 // ---- The discrete geodesic graph: arcs along direct geodesics, as few as an expected error allows
 
-// Windows end, and vertices get no arc, where a detour over a vertex beside them is good enough: graph_methods.cpp.
+// Windows end, and vertices get no arc, where a detour over a vertex beside them is good enough:
+// graph_methods.cpp.
 MethodEntry dgg_entry() {
   return {
       {"dgg",

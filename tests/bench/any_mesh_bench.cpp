@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "index/geodesic_index.h"
+#include "query/geodesic_query.h"
 #include "support/ply.h"
 #include "support/shapes.h"
 

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "index/geodesic_index.h"
 #include "mesh_file.h"
+#include "query/geodesic_query.h"
 
 namespace {
 

@@ -8,18 +8,18 @@
 #include <variant>
 #include <vector>
 
-#include "query/surface.h"
 #include "mesh/edge_points.h"
 #include "mesh/gaps.h"
 #include "mesh/given_points.h"
 #include "mesh/metric.h"
+#include "query/surface.h"
 #include "support/error.h"
 #include "support/shapes.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
-#include "tasks/surface_lines.h"
-#include "tasks/spread_points.h"
 #include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
+#include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
 
 namespace vorogeo::contract {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "query/geodesic_query.h"
 #include "fuzz/hostile_case.h"
+#include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/error.h"
 #include "support/temporary.h"

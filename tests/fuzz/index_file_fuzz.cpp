@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "query/geodesic_query.h"
 #include "fuzz/fuzz.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/index_blocks.h"
 #include "support/indexes.h"

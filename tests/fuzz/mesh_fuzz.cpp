@@ -8,9 +8,9 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "fuzz/fuzz.h"
 #include "mesh/mesh_check.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

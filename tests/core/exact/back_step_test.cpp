@@ -1,11 +1,10 @@
 // Distances at points of faces that have no area, and the step back from them.
-#include "exact/path_tracing.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
+#include "exact/path_tracing.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // Crossings of a piece of an edge against sources in a plane, and against the least of all ways.
-#include "exact/refraction.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "exact/refraction.h"
 #include "support/layers.h"
 
 namespace vorogeo {

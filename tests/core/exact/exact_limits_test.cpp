@@ -5,11 +5,11 @@
 #include <random>
 
 #include "exact/exact_solver.h"
-#include "support/progress.h"
 #include "support/error.h"
 #include "support/exhaustive.h"
 #include "support/indexes.h"
 #include "support/near.h"
+#include "support/progress.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // Layouts and points of faces with sides of their own.
-#include "exact/refraction.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "exact/refraction.h"
 #include "support/error.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,9 @@
 // Faces in the plane have the sides they have in space, those of no length and no area too.
-#include "exact/exact_geometry.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "exact/exact_geometry.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,8 +1,7 @@
 // Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
-#include "exact/local_solver.h"
-
 #include <gtest/gtest.h>
 
+#include "exact/local_solver.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

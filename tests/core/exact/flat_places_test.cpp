@@ -1,10 +1,9 @@
 // Places at no length from a point, where the places of vertices say which these are.
-#include "exact/refraction.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "exact/refraction.h"
 #include "mesh/metric.h"
 
 namespace vorogeo {

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "support/progress.h"
 #include "support/error.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/near.h"
 #include "support/ply.h"
+#include "support/progress.h"
 #include "support/small_copy.h"
 
 namespace vorogeo {

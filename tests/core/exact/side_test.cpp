@@ -1,11 +1,10 @@
 // Windows on their way to a side: rays leave where straight lines do, whichever end positions count from.
-#include "exact/solver_state.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
+#include "exact/solver_state.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,9 +1,9 @@
 // Refraction against Snell's law and a one-dimensional search.
-#include "exact/refraction.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "exact/refraction.h"
 
 namespace vorogeo {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "support/indexes.h"
-#include "support/small_copy.h"
 #include "support/parallel.h"
+#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {

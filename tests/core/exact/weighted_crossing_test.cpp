@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "exact/weighted_solver.h"
 #include "mesh/metric.h"
 #include "support/shapes.h"
-#include "exact/weighted_solver.h"
 
 namespace vorogeo {
 namespace {

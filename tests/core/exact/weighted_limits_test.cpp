@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "support/layers.h"
 #include "exact/weighted_solver.h"
+#include "support/layers.h"
 
 namespace vorogeo {
 namespace {

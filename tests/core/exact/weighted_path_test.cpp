@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "support/layers.h"
 #include "exact/weighted_solver.h"
+#include "support/layers.h"
 
 namespace vorogeo {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "mesh/metric.h"
 #include "exact/weighted_solver.h"
+#include "mesh/metric.h"
 
 namespace vorogeo {
 namespace {

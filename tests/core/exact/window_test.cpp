@@ -1,10 +1,10 @@
 // Windows: distances by Pythagoras, and where a vertex overtakes.
-#include "exact/envelope.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "exact/envelope.h"
 
 namespace vorogeo {
 namespace {

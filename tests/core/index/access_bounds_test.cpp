@@ -1,12 +1,11 @@
 // Bounds are never above what they bound, and close below it.
-#include "index/transit_table.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "index/index_data.h"
+#include "index/transit_table.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

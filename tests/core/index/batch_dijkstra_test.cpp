@@ -1,7 +1,5 @@
 // Searches along a corridor: as close to exact distances as full searches, and equal to these nearly
 // everywhere.
-#include "index/boundary_dijkstra.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numeric>
 
 #include "exact/exact_solver.h"
+#include "index/boundary_dijkstra.h"
 #include "index/scans.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -1,11 +1,10 @@
 // Border edges by node: against the edges of the mesh.
-#include "index/patch_layer.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "index/patch_layer.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

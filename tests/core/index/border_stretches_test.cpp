@@ -1,8 +1,7 @@
 // Stretches of a border: together they are the border, in the order of its rows.
-#include "index/patch_layer.h"
-
 #include <gtest/gtest.h>
 
+#include "index/patch_layer.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,12 +1,12 @@
 // Scans over lower bounds against plain loops.
-#include "index/scans.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "index/scans.h"
 
 namespace vorogeo {
 namespace {

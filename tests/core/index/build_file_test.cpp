@@ -1,7 +1,5 @@
 // Indexes built in a file: the same to the last bit as one that is built in memory and saved, however often
 // the build is stopped; nothing half-made is loaded, and other meshes and options are refused.
-#include "index/index_file.h"
-
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -17,6 +15,7 @@
 #include <thread>
 
 #include "index/geodesic_index.h"
+#include "index/index_file.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

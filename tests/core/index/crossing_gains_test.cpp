@@ -1,6 +1,4 @@
 // Many crossings at once: against the formulas for one.
-#include "index/scans.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "index/scans.h"
 #include "index/unfolding.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // The sweep alone: lanes against full searches, lanes that are empty, and lanes that are used again.
-#include "index/boundary_dijkstra.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "index/boundary_dijkstra.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

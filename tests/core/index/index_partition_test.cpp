@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "index/border_pieces.h"
+#include "query/geodesic_query.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,10 @@
 // Lanes side by side: against a loop by the definition, for all lengths around the size of a block.
-#include "index/scans.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
+
+#include "index/scans.h"
 
 namespace vorogeo {
 namespace {

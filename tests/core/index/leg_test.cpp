@@ -1,9 +1,9 @@
 // Legs: what was put in comes out, and the code is the one of index files.
-#include "index/patch_layer.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
+
+#include "index/patch_layer.h"
 
 namespace vorogeo {
 namespace {

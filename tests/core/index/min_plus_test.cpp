@@ -1,12 +1,12 @@
 // Min-plus scans: against loops by their definitions, for all lengths around the size of their blocks.
-#include "index/scans.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "index/scans.h"
 
 namespace vorogeo {
 namespace {

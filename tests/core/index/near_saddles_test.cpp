@@ -1,10 +1,9 @@
 // Pieces near saddle vertices: as short as circles around these ask for.
-#include "index/border_pieces.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "index/border_pieces.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "mesh/outliers.h"
+#include "query/geodesic_query.h"
 #include "support/indexes.h"
 
 namespace vorogeo {

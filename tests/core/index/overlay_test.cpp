@@ -1,11 +1,10 @@
 // First-layer tables composed from the second layer: against exact distances, inside the surroundings only.
-#include "index/local_tables.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "exact/exact_solver.h"
+#include "index/local_tables.h"
 #include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

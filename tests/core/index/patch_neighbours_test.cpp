@@ -1,11 +1,10 @@
 // Touching patches: against the patches at every vertex.
-#include "index/patch_layer.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <utility>
 
+#include "index/patch_layer.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "query/geodesic_query.h"
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -1,6 +1,4 @@
 // Distances become entries: symmetric, within half a unit, in both orders.
-#include "index/local_tables.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "index/local_tables.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,12 +1,11 @@
 // Tables filled in a wave over the patches: every run once, few drafts at a time, and parts that are there
 // are kept.
-#include "index/local_tables.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "index/local_tables.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,11 +1,11 @@
 // Room for tables: what is marked as filled is believed only in a file, and only while its contents are the
 // same.
-#include "index/local_tables.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
+
+#include "index/local_tables.h"
 
 namespace vorogeo {
 namespace {

@@ -1,13 +1,12 @@
 // Steps of the two scales, and distances inside parts that are much smaller than what they have grown
 // together with.
-#include "index/patch_layer.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/exact_solver.h"
+#include "index/patch_layer.h"
 #include "query/geodesic_query.h"
 #include "support/indexes.h"
 #include "support/small_copy.h"

@@ -1,12 +1,11 @@
 // The surface of the table runs: the user's faces, and the points of the work mesh on their edges.
-#include "index/work_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "index/index_data.h"
+#include "index/work_mesh.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

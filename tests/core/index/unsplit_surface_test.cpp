@@ -1,12 +1,11 @@
 // The surface of exact pairs: taken where the work mesh has many points, the user's mesh by patch.
-#include "index/work_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/exact_solver.h"
+#include "index/work_mesh.h"
 #include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/indexes.h"

@@ -1,10 +1,9 @@
 // Surface points between the user's mesh and the work mesh: the same place in space, there and back.
-#include "index/index_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "index/index_data.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

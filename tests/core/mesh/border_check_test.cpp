@@ -1,7 +1,5 @@
 // Border loops counted and measured on shapes where that is known; near borders found only where there is a
 // gap.
-#include "mesh/mesh_check.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "mesh/mesh_check.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // Directions, neighbours and distances of border edges, by hand.
-#include "mesh/gaps.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/gaps.h"
 #include "support/gaps.h"
 
 namespace vorogeo {

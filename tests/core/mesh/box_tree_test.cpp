@@ -1,10 +1,10 @@
 // The tree of boxes against a look at all of them.
-#include "mesh/surface_locator.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
+
+#include "mesh/surface_locator.h"
 
 namespace vorogeo {
 namespace {

@@ -1,8 +1,7 @@
 // Counts of components, on soups whose components are known.
-#include "mesh/outliers.h"
-
 #include <gtest/gtest.h>
 
+#include "mesh/outliers.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,9 @@
 // Distances inside faces: exact for a wave over a plane, and never shorter than a single wave allows.
-#include "mesh/surface_point.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/surface_point.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

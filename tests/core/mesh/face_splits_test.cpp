@@ -1,11 +1,10 @@
 // Faces whose longest side is longer than the two others together, against integrals along lines.
-#include "mesh/metric.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "mesh/metric.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,15 +1,14 @@
 // Bridged gaps: distances as on the whole surface, nothing joined that the rule forbids, nothing changed
 // without a gap.
-#include "mesh/gaps.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
+#include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/gaps.h"
 

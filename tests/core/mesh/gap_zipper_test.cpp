@@ -1,11 +1,10 @@
 // Rows of triangles: they cover a gap without overlap, end where it widens, and fill what is left where gaps
 // meet.
-#include "mesh/gaps.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "support/gaps.h"
 

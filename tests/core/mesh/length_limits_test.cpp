@@ -1,11 +1,10 @@
 // Limits of edge lengths: what passes, what is refused, and that the advised factor helps.
-#include "mesh/mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "mesh/mesh.h"
 #include "support/error.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,9 @@
 // Lists of points: canonical form, errors, and fields, matrices and disks of points in faces.
-#include "mesh/surface_point.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/surface_point.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"

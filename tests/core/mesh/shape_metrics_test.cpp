@@ -1,10 +1,9 @@
 // Slopes of tilted planes, and the directions of a cylinder.
-#include "mesh/metric.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "mesh/metric.h"
 #include "support/error.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,7 @@
 // Sides of few faces, by hand.
-#include "mesh/gaps.h"
-
 #include <gtest/gtest.h>
+
+#include "mesh/gaps.h"
 
 namespace vorogeo {
 namespace {

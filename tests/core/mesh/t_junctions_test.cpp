@@ -1,10 +1,9 @@
 // T-junctions: found where a crack was made, at any place and scale, and nowhere else.
-#include "mesh/mesh_check.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "mesh/mesh_check.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

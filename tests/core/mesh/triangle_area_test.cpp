@@ -1,7 +1,7 @@
 // Areas of triangles against closed forms, also where Heron's formula has no digits left.
-#include "mesh/vectors.h"
-
 #include <gtest/gtest.h>
+
+#include "mesh/vectors.h"
 
 namespace vorogeo {
 namespace {

@@ -1,10 +1,10 @@
 // Distances over an unfolded edge against points of the plane.
-#include "mesh/vectors.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "mesh/vectors.h"
 
 namespace vorogeo {
 namespace {

@@ -1,7 +1,7 @@
 // Dijkstra's search over a graph given by arcs.
-#include "methods/graph_methods.h"
-
 #include <gtest/gtest.h>
+
+#include "methods/graph_methods.h"
 
 namespace vorogeo {
 namespace {

@@ -1,8 +1,7 @@
 // Graphs of direct geodesics: on a plane one arc is a distance.
-#include "methods/graph_methods.h"
-
 #include <gtest/gtest.h>
 
+#include "methods/graph_methods.h"
 #include "support/methods.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // Intrinsic triangulations: area and angles that flips keep, and the Delaunay condition.
-#include "methods/heat.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "methods/heat.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 

@@ -1,11 +1,10 @@
 // The table of methods: every method on every kind of mesh, and what is refused.
-#include "methods/method.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <set>
 
+#include "methods/method.h"
 #include "support/error.h"
 #include "support/methods.h"
 

@@ -1,8 +1,7 @@
 // Splits of obtuse corners, against the plane.
-#include "methods/fast_marching.h"
-
 #include <gtest/gtest.h>
 
+#include "methods/fast_marching.h"
 #include "support/methods.h"
 
 namespace vorogeo {

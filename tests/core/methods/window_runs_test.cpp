@@ -1,8 +1,7 @@
 // Fields and pairs by windows.
-#include "methods/window_methods.h"
-
 #include <gtest/gtest.h>
 
+#include "methods/window_methods.h"
 #include "support/methods.h"
 
 namespace vorogeo {

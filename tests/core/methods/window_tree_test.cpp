@@ -1,10 +1,9 @@
 // The tree of windows against closed forms, and direct geodesics alone.
-#include "methods/chen_han.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "methods/chen_han.h"
 #include "support/methods.h"
 
 namespace vorogeo {

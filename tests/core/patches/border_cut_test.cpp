@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "support/indexes.h"
-#include "support/shapes.h"
 #include "support/parallel.h"
+#include "support/shapes.h"
 
 namespace vorogeo {
 namespace {

@@ -1,11 +1,10 @@
 // The front: close to exact distances, nearest sources, only allowed faces, restarts.
-#include "patches/sampling.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "exact/exact_solver.h"
+#include "patches/sampling.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

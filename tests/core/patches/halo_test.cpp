@@ -9,8 +9,8 @@
 #include <set>
 
 #include "support/indexes.h"
-#include "support/shapes.h"
 #include "support/parallel.h"
+#include "support/shapes.h"
 
 namespace vorogeo {
 namespace {

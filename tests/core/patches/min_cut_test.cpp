@@ -1,10 +1,10 @@
 // Minimum cuts: against all cuts of small graphs, and by the maximum flow through a grid.
-#include "patches/border_cut.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
+
+#include "patches/border_cut.h"
 
 namespace vorogeo {
 namespace {

@@ -1,12 +1,11 @@
 // Colours of patches: neighbours differ, few colours suffice where few are needed, more are made where they
 // are.
-#include "patches/partition.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
 
+#include "patches/partition.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,10 +1,10 @@
 // Labels renumbered and joined by hand.
-#include "patches/partition.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
+
+#include "patches/partition.h"
 
 namespace vorogeo {
 namespace {

@@ -1,6 +1,4 @@
 // Voronoi labels of faces: nearest samples by formula, short borders, only the faces asked for.
-#include "patches/sampling.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <queue>
 #include <set>
 
+#include "patches/sampling.h"
 #include "support/indexes.h"
 #include "support/ply.h"
 #include "support/shapes.h"

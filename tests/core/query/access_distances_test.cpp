@@ -1,11 +1,10 @@
 // Distances from an end to the border of its first-layer patch: bounds, and the values themselves.
-#include "query/table_route.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "query/table_route.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

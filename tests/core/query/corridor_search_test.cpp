@@ -1,9 +1,8 @@
 // Exact runs from point to point within a bound.
-#include "query/exact_search.h"
-
 #include <gtest/gtest.h>
 
 #include "exact/exact_geometry.h"
+#include "query/exact_search.h"
 #include "support/path_check.h"
 #include "support/shapes.h"
 

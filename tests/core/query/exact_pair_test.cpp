@@ -1,8 +1,7 @@
 // Lower bounds of the index: below the distance, and none where no path can pass.
-#include "query/exact_search.h"
-
 #include <gtest/gtest.h>
 
+#include "query/exact_search.h"
 #include "query/path_chain.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -1,13 +1,12 @@
 // Sweeps over a patch: the least sum over the border, unfolded; exact from exact border distances in the
 // plane.
-#include "query/border_field.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "exact/exact_solver.h"
 #include "index/boundary_dijkstra.h"
+#include "query/border_field.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "query/geodesic_query.h"
+#include "exact/local_solver.h"
 #include "mesh/metric.h"
+#include "query/geodesic_query.h"
 #include "support/indexes.h"
 #include "support/layers.h"
 #include "support/temporary.h"
-#include "exact/local_solver.h"
 
 namespace vorogeo {
 namespace {

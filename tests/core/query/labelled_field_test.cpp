@@ -1,11 +1,10 @@
 // What solvers have found as a field: straight distances on a plane, limits, what is not reached.
-#include "query/source_field.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "exact/exact_solver.h"
+#include "query/source_field.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,10 +1,9 @@
 // Long border edges: unfolded for what lies behind them, unless two waves meet there.
-#include "query/border_field.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "query/border_field.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

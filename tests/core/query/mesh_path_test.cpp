@@ -8,9 +8,9 @@
 #include "exact/exact_geometry.h"
 #include "support/error.h"
 #include "support/indexes.h"
+#include "support/parallel.h"
 #include "support/path_check.h"
 #include "support/shapes.h"
-#include "support/parallel.h"
 
 namespace vorogeo {
 namespace {

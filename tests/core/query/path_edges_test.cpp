@@ -1,12 +1,11 @@
 // Paths along edges against the Bellman-Ford algorithm.
-#include "query/path_chain.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 #include <vector>
 
+#include "query/path_chain.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

@@ -1,11 +1,10 @@
 // Ends of paths: patches around a point, and distances to the border of its patch.
-#include "query/path_chain.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "query/path_chain.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,7 @@
 // Strings through gates whose bends are known.
-#include "query/path_line.h"
-
 #include <gtest/gtest.h>
+
+#include "query/path_line.h"
 
 namespace vorogeo {
 namespace {

@@ -1,12 +1,11 @@
 // Rings around a strip, and the roughness of surfaces whose angles are known.
-#include "query/path_refine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
 #include "query/path_line.h"
+#include "query/path_refine.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

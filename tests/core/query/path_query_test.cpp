@@ -9,8 +9,8 @@
 #include <cmath>
 #include <random>
 
-#include "query/geodesic_query.h"
 #include "mesh/surface_locator.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/heavy.h"
 #include "support/indexes.h"

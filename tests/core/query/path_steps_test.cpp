@@ -1,10 +1,9 @@
 // Strips along chains: from the source's face to the target's, each face adjacent to the previous one.
-#include "query/path_chain.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "query/path_chain.h"
 #include "query/path_refine.h"
 #include "query/router.h"
 #include "support/indexes.h"

@@ -1,11 +1,10 @@
 // Strips around vertices and without detours.
-#include "query/path_line.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
+#include "query/path_line.h"
 #include "support/shapes.h"
 
 namespace vorogeo {

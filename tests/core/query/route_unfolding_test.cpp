@@ -1,11 +1,10 @@
 // Unfolded routes: closer to the exact distance than the sum over the nodes.
-#include "query/router.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "exact/exact_solver.h"
+#include "query/router.h"
 #include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "query/geodesic_query.h"
 #include "mesh/surface_locator.h"
+#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

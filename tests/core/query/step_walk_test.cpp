@@ -1,8 +1,7 @@
 // Walks to a border vertex of a patch: they arrive, over faces of the patch.
-#include "query/path_chain.h"
-
 #include <gtest/gtest.h>
 
+#include "query/path_chain.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 

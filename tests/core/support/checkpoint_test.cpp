@@ -1,6 +1,4 @@
 // Checkpoints: who is told, how often, and how workers leave.
-#include "support/progress.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,6 +6,7 @@
 #include <thread>
 
 #include "support/parallel.h"
+#include "support/progress.h"
 
 namespace vorogeo {
 namespace {

@@ -1,6 +1,4 @@
 // Bytes at their places, space that is really taken, and messages that say what to do.
-#include "support/file.h"
-
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,6 +7,7 @@
 
 #include <cerrno>
 
+#include "support/file.h"
 #include "support/temporary.h"
 
 namespace {

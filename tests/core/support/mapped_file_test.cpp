@@ -1,11 +1,10 @@
 // Mapped files: their contents, also after they were removed or replaced, and what cannot be mapped.
-#include "support/file.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <system_error>
 
+#include "support/file.h"
 #include "support/temporary.h"
 
 namespace vorogeo {

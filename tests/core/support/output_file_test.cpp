@@ -1,7 +1,5 @@
 // Files that replace their target once they are complete: links, devices, full disks, writers that were
 // killed.
-#include "support/file.h"
-
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -10,6 +8,7 @@
 #include <csignal>
 #include <optional>
 
+#include "support/file.h"
 #include "support/temporary.h"
 
 namespace vorogeo {

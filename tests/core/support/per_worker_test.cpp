@@ -1,7 +1,7 @@
 // Scratch memory of workers: made once for each that asks, and only then.
-#include "support/parallel.h"
-
 #include <gtest/gtest.h>
+
+#include "support/parallel.h"
 
 namespace vorogeo {
 namespace {

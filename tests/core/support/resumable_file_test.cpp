@@ -1,12 +1,11 @@
 // A file made in several runs: its contents stay until it is finished or discarded, and one process has it.
-#include "support/file.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <optional>
 
 #include "support/error.h"
+#include "support/file.h"
 #include "support/temporary.h"
 
 namespace vorogeo {

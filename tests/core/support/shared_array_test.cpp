@@ -1,10 +1,10 @@
 // Arrays that never change: copies share their elements, which live as long as one of them.
-#include "support/file.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <optional>
+
+#include "support/file.h"
 
 namespace vorogeo {
 namespace {

@@ -1,10 +1,10 @@
 // The clock of a thread goes on while it works, and neither while it sleeps nor while another one works.
-#include "support/parallel.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
+
+#include "support/parallel.h"
 
 namespace vorogeo {
 namespace {

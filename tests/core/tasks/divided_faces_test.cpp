@@ -1,11 +1,10 @@
 // Regions inside a dear face: borders where the distances of both sites are equal.
-#include "tasks/voronoi_regions.h"
-
 #include <gtest/gtest.h>
 
 #include "mesh/metric.h"
 #include "mesh/surface_locator.h"
 #include "support/shapes.h"
+#include "tasks/voronoi_regions.h"
 
 namespace vorogeo {
 namespace {

@@ -1,11 +1,11 @@
 // Statistics of the difference of two fields, counted by hand.
-#include "tasks/extent.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "tasks/extent.h"
 
 namespace vorogeo {
 namespace {

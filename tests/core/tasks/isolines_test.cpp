@@ -1,6 +1,4 @@
 // Isolines: circles on the plane, closed lines, levels at vertices, borders of what was reached.
-#include "tasks/surface_lines.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "support/error.h"
 #include "support/shapes.h"
+#include "tasks/surface_lines.h"
 
 namespace vorogeo {
 namespace {

@@ -1,6 +1,4 @@
 // Landmarks spread over a plane: at its ends, bounding distances from below, never across components.
-#include "tasks/distance_matrix.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
+#include "tasks/distance_matrix.h"
 
 namespace vorogeo {
 namespace {

@@ -1,6 +1,4 @@
 // Relaxation on rectangles, whose best points and their energy are known.
-#include "tasks/spread_points.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
+#include "tasks/spread_points.h"
 
 namespace vorogeo {
 namespace {

@@ -9,8 +9,8 @@
 #include "support/shapes.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
-#include "tasks/spread_points.h"
 #include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
 #include "tasks/voronoi_regions.h"
 
 namespace vorogeo {

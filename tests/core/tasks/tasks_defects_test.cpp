@@ -7,8 +7,8 @@
 #include "support/indexes.h"
 #include "support/shapes.h"
 #include "tasks/extent.h"
-#include "tasks/surface_lines.h"
 #include "tasks/spread_points.h"
+#include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
 
 namespace vorogeo {

@@ -1,12 +1,11 @@
 // Shares and borders of regions in a single triangle of the plane, where bisectors are straight lines.
-#include "tasks/voronoi_regions.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "support/shapes.h"
+#include "tasks/voronoi_regions.h"
 
 namespace vorogeo {
 namespace {
