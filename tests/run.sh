@@ -5,8 +5,8 @@
 #   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, older PyMeshLab versions and the window.
 #   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
 #     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
-# The core is compiled twice, as it is used and under sanitizers; the C++ tests are compiled once. All run with the first, the
-# contract and hostile meshes also with the second.
+# The core is compiled twice, as it is used and under sanitizers; the C++ tests are compiled once. All run with the first; the
+# contract, the exact solver's kernels, index files and hostile meshes also with the second.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
 # meshes runs a quarter of it.
@@ -206,7 +206,7 @@ wait "$newer"
 # One process per core, each with its part of the tests: a start under sanitizers takes as long as many a test.
 run_sanitized() {
   GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$1" timeout 1800 build/release/tests/core_tests_sanitized \
-    --gtest_brief=1 '--gtest_filter=*Contract.*-Seeds/*' "--gtest_output=xml:$results/cpp-sanitized-$1.xml"
+    --gtest_brief=1 '--gtest_filter=*Contract.*:SharedRun.*:BucketQueue.*:*Envelope*:*IndexFile*:BuildFile.*-Seeds/*' "--gtest_output=xml:$results/cpp-sanitized-$1.xml"
 }
 if [ "$quick" = no ]; then
   if check "build of the core with sanitizers" \

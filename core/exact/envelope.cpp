@@ -131,30 +131,33 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   const Window& loser = division.new_first ? old : fresh;
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
-  // Zeros at the ends are found on either side of them, or not at all. So it is the middle of each part that
-  // tells its owner, or its end. A part without a difference there is no more than rounding, and goes with
-  // its neighbour.
+  // Zeros at the ends are found on either side of them, or not at all, and others by chance where both
+  // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends and in the
+  // middle of each part. Between two places with different owners there is a cut; places without a difference
+  // belong to either.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
+  double decided_at = l;
   bool is_decided = false;
   bool last_is_new = false;
-  auto decide = [&](double from, double gained, double tied) {
-    if (std::abs(gained) <= tied) return false;
+  auto look_at = [&](double at, double gained, double tied) {
+    if (std::abs(gained) <= tied) return;
     const bool is_new = gained > 0.0;
     if (!is_decided) division.new_first = is_new;
-    if (is_decided && is_new != last_is_new) division.at[division.cuts++] = from;
+    if (is_decided && is_new != last_is_new && division.cuts < 2) {
+      division.at[division.cuts++] = sign_change<is_long>(fresh, old, decided_at, at, last_is_new);
+    }
     is_decided = true;
     last_is_new = is_new;
-    return true;
+    decided_at = at;
   };
+  look_at(l, gain_l, tie_l);
   for (int i = 0; i <= zeros; ++i) {
-    const double from = i == 0 ? l : x[i - 1];
-    const double middle = 0.5 * (from + (i == zeros ? r : x[i]));
+    const double middle = 0.5 * ((i == 0 ? l : x[i - 1]) + (i == zeros ? r : x[i]));
     const double at_old = old.distance(middle);
-    if (decide(from, gain(middle, at_old, fresh.distance(middle)), tie_at(at_old))) continue;
-    if (i == 0 && decide(from, gain_l, tie_l)) continue;
-    if (i == zeros) decide(from, gain_r, tie_r);
+    look_at(middle, gain(middle, at_old, fresh.distance(middle)), tie_at(at_old));
   }
+  look_at(r, gain_r, tie_r);
   return division;
 }
 

@@ -56,7 +56,8 @@ void SharedRun::prepare(ExactSolver::State& first) {
     for (Outbox& outbox : from) outbox.clear();
   }
   std::fill(taken_.begin(), taken_.end(), 0);
-  step_length_ = least_step * first.mesh.typical_edge_length();
+  least_step_length_ = least_step * positive_or_one(first.mesh.typical_edge_length());
+  step_length_ = least_step_length_;
   end_of_step_ = 0.0;
   step_ = 0;
 }
@@ -135,8 +136,7 @@ void SharedRun::begin_next_step() {
     return;
   }
   const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
-  const double least = least_step * all_.front()->mesh.typical_edge_length();
-  step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least, 0.5 * step_length_);
+  step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least_step_length_, 0.5 * step_length_);
   front_ = front;
   end_of_step_ = std::max(end_of_step_, front) + step_length_;
   std::size_t reached = 0;

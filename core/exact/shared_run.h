@@ -56,6 +56,7 @@ class SharedRun {
   double front_ = 0.0;              ///< no distance below it is still to be propagated
   double end_of_step_ = 0.0;
   double step_length_ = 0.0;
+  double least_step_length_ = 0.0;    ///< positive
   std::atomic<double> reached_{0.0};  ///< fraction of the vertices
   static constexpr int ended = -1;
   std::atomic<int> step_{0};

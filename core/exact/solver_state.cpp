@@ -167,8 +167,8 @@ constexpr double vertex_tolerance = 1e-11;
 /// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to
 /// which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on
 /// both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one of
-/// them keeps what lies in the rays of the other: as far as the root of that rounding. The way over the end
-/// is a path, so it makes no distance too short; its detour is half the square of the angle.
+/// them keeps what lies in the rays of the other: as far as the root of that rounding. The path over the end
+/// makes no distance too short; its detour is at most half the square of the angle, 5e-11.
 constexpr double gap_angle = 1e-5;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
@@ -409,7 +409,9 @@ bool ExactSolver::State::was_passed(const Window& window) {
   // what they are reached by themselves.
   constexpr std::size_t max_points = 64;
   const PassedPoint here{window.source_x, window.offset + window.source_y};
-  const double rounding = 1e-12 * (here.distance + mesh.edge_length(mesh.edge_of(window.entry())));
+  const Index edge = mesh.edge_of(window.entry());
+  const double scale = geometry->scale_at(edge, here.x, here.distance, mesh.edge_length(edge));
+  const double rounding = 1e-12 * (here.distance + scale);
   auto covers = [rounding](const PassedPoint& point, const PassedPoint& other) {
     return point.distance + std::abs(other.x - point.x) <= other.distance + rounding;
   };

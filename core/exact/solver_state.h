@@ -125,8 +125,6 @@ struct VertexState {
   Index along_edge_from = no_index;
 };
 
-struct Side;
-
 /// What a solver that shares a run has for another one: windows on its edges, distances of its vertices.
 struct Outbox {
   struct OnEdge {
@@ -156,6 +154,9 @@ struct Outbox {
     least = unreachable;
   }
 };
+
+/// The scale of steps on a mesh; of any size where all edges have length 0.
+inline double positive_or_one(double length) { return length > 0.0 ? length : 1.0; }
 
 struct ExactSolver::State {
   explicit State(std::shared_ptr<const ExactGeometry> shared_geometry);

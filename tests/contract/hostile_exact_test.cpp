@@ -128,7 +128,7 @@ TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThrea
     const std::vector<double> shared = field_of(several, source, {.distances_only = true, .threads = 8});
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       if (shared[v] == field[v]) continue;
-      ASSERT_NEAR(shared[v], field[v], 1e-12 * field[v]) << "source " << source << ", vertex " << v;
+      ASSERT_NEAR(shared[v], field[v], 1e-9 * field[v]) << "source " << source << ", vertex " << v;
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace vorogeo {
@@ -271,6 +272,48 @@ TEST(WindowEnvelope, ClearForgetsAllEdges) {
     envelope.clear();
     EXPECT_EQ(envelope.made(), 0U);
     for (Index edge = 0; edge < 3; ++edge) EXPECT_TRUE(envelope.windows(edge).empty());
+  }
+}
+
+/// Inserts two windows of the whole edge [0, 1], and compares their envelope with the lesser of the two.
+void expect_least(const Window& old, const Window& fresh) {
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  insert(envelope, 0, old);
+  insert(envelope, 0, fresh);
+  const auto list = windows_of(envelope, 0);
+  for (int k = 0; k <= 64; ++k) {
+    const double x = std::clamp(k / 64.0, 1e-6, 1.0 - 1e-6);
+    const double least = std::min(old.distance(x), fresh.distance(x));
+    const double length = std::abs(old.source_x) + old.source_y + std::abs(fresh.source_x) + fresh.source_y;
+    ASSERT_LE(value_at(list, x), least + 1e-9 * (old.offset + fresh.offset + length)) << "at " << x;
+  }
+}
+
+TEST(WindowEnvelope, WindowsThatTieInOnePartAreCutWhereTheyPartWherever) {
+  // Pseudo-sources on the line of the edge: the equation for where they are equal is next to 0 = 0.
+  expect_least(window(0, 1, 0.6654546040327461, 0, 0),
+               window(0, 1, 0.6654301612156492, 0, 2.4442816585864222e-05));
+  // Pseudo-sources a million edges away.
+  expect_least(window(0, 1, -0.42341319287353074, 12196729.797259726, 3626.9381056095945),
+               window(0, 1, 0.44779016386122517, 1e-4, 12200356.482989138));
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  // One pseudo-source is seen from the other along the edge's line, up to rounding.
+  for (int i = 0; i < 5000; ++i) {
+    const double x = uniform(-1.0, 2.0);
+    const double next = x + std::pow(10.0, uniform(-8.0, 0.0)) * (i % 2 == 0 ? 1.0 : -1.0);
+    const double noise = std::pow(10.0, uniform(-16.0, -11.0)) * uniform(-1.0, 1.0);
+    const double height = i % 3 == 0 ? std::pow(10.0, uniform(-12.0, -4.0)) : 0.0;
+    const Window parent = window(0, 1, x, height, 0.0);
+    const Window child = window(0, 1, next, 0.0, std::abs(next - x) + noise + height, 1);
+    if (child.offset < 0.0) continue;
+    i % 5 == 0 ? expect_least(child, parent) : expect_least(parent, child);
+    if (HasFatalFailure()) return;
   }
 }
 
