@@ -17,6 +17,8 @@ namespace vorogeo {
 namespace {
 
 constexpr double tie = 1e-12;
+/// Of positions, relative to the greatest on the part of an edge that is divided.
+constexpr double position_rounding = 4e-16;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
@@ -110,7 +112,11 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   auto gain = [&](double x, double at_old, double at_fresh) {
     return is_long ? gain_at(fresh, old, x) : at_old - at_fresh;
   };
-  auto tie_at = [&](double at_old) { return tie * (is_long ? gain_scale(fresh, old, at_old) : at_old); };
+  // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
+  // about a vertex at the source would replace one another without end.
+  auto tie_at = [&](double at_old) {
+    return is_long ? tie * gain_scale(fresh, old, at_old) : tie * at_old + position_rounding * r;
+  };
   const double gain_l = gain(l, old_l, fresh_l);
   const double gain_r = gain(r, old_r, fresh_r);
   const double tie_l = tie_at(old_l);

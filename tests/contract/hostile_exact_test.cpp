@@ -10,6 +10,7 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
+#include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/hostile_meshes.h"
 #include "support/ply.h"
@@ -177,6 +178,23 @@ TEST(PathContract, RefinedPathsAcrossNeedlesAreShortestToTwoThousandths) {
   EXPECT_LE(largest_excess(ring, std::array<Index, 4>{174, 548, 1200, 2000}, 60), 2e-3);
   VOROGEO_READ_OR_SKIP(basket, "basket");
   EXPECT_LE(largest_excess(test::make_mesh(basket), std::array<Index, 2>{5883, 7712}, 80), 2e-3);
+}
+
+TEST(IndexContract, FieldsEndWhereAnotherVertexLiesAtTheSource) {
+  // Rays that turn about that vertex have distances as small as the rounding of positions.
+  const auto mesh = test::make_mesh(test::hostile_mesh(50002231, 60).soup);
+  IndexOptions options;
+  options.first_layer_patches = 2;
+  options.second_layer_patches = 2;
+  GeodesicQuery query(GeodesicIndex::build(mesh, options), 1);
+  ExactSolver solver(mesh);
+  const std::array<Index, 2> sources{36, 19};
+  solver.run_from_vertices(sources);
+  const std::vector<double> field = query.distance_field(std::span(sources));
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (solver.distance(v) == unreachable) continue;
+    EXPECT_NEAR(field[v], solver.distance(v), 0.1 * solver.distance(v) + 1e-9) << v;
+  }
 }
 
 TEST(IndexContract, BuildsEndOnExtrusionsOfNoWidth) {
