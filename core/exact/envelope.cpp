@@ -17,8 +17,10 @@ namespace vorogeo {
 namespace {
 
 constexpr double tie = 1e-12;
-/// Of positions, relative to the greatest on the part of an edge that is divided.
-constexpr double position_rounding = 4e-16;
+/// Of positions, relative to the greatest on the part of an edge that is divided, or on a long edge to that
+/// of the pseudo-source: some units in the last place, as a ray that turns about a vertex crosses several
+/// edges.
+constexpr double position_rounding = 2e-15;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
@@ -45,6 +47,7 @@ double gain_scale(const Window& fresh, const Window& old, double old_x) {
 /// How an interval is divided between the old window and the new one: alternating owners, cut at `at`.
 struct Division {
   bool new_first = false;
+  bool is_tie = false;  ///< Neither is shorter anywhere.
   int cuts = 0;
   std::array<double, 2> at{};
 };
@@ -114,8 +117,9 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   };
   // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
   // about a vertex at the source would replace one another without end.
+  const double of_positions = position_rounding * (is_long ? std::abs(old.source_x) : r);
   auto tie_at = [&](double at_old) {
-    return is_long ? tie * gain_scale(fresh, old, at_old) : tie * at_old + position_rounding * r;
+    return tie * (is_long ? gain_scale(fresh, old, at_old) : at_old) + of_positions;
   };
   const double gain_l = gain(l, old_l, fresh_l);
   const double gain_r = gain(r, old_r, fresh_r);
@@ -129,6 +133,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     return division;
   }
   division.new_first = gain_l > tie_l || gain_r > tie_r;
+  division.is_tie = std::abs(gain_l) <= tie_l && std::abs(gain_r) <= tie_r;
   // The difference of two distances has two zeros at most, and one if the pseudo-sources are equally far. So
   // the window that is longer at an end, or at both, can own the middle only if its least distance is low
   // enough.
@@ -154,6 +159,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
       division.at[division.cuts++] = sign_change<is_long>(fresh, old, decided_at, at, last_is_new);
     }
     is_decided = true;
+    division.is_tie = false;
     last_is_new = is_new;
     decided_at = at;
   };
@@ -253,8 +259,15 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     }
     const double fresh_l = l == window.begin ? at_begin : window.distance(l);
     const double fresh_r = r == window.end ? at_end : window.distance(r);
-    const Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r)
-                                      : divide<false>(window, old, l, r, fresh_l, fresh_r);
+    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r)
+                                : divide<false>(window, old, l, r, fresh_l, fresh_r);
+    // An old window as long as the new one gives way to a wider piece beside it. Kept, it would cut the new
+    // one in two; behind the next edge, its rays arrive elsewhere by rounding, leave a gap here and cut the
+    // new one there: with each face, the windows would double. This ends: whatever is replaced, its place
+    // then belongs to a window at least twice as wide.
+    if (division.is_tie && open && old.end <= window.end && l - piece > old.end - old.begin) {
+      division.new_first = true;
+    }
     reached = r;
     if (division.cuts == 0 && !division.new_first && old.end <= window.end) {
       // The usual case of a window that stays as it is.

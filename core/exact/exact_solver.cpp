@@ -61,10 +61,9 @@ void ExactSolver::State::reset() {
   envelope.clear();
   face_sources.clear();
   points_passed.clear();
-  queue.reset(bucket_width * positive_or_one(mesh.typical_edge_length()));
+  queue.reset(bucket_width * mesh.typical_edge_length());
   closing.clear();
   passes_through = false;
-  closing_width = bucket_width * positive_or_one(mesh.typical_edge_length());
   closed_before = 0;
   territories = nullptr;
   open_elsewhere = nullptr;

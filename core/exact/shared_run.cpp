@@ -15,7 +15,7 @@ namespace {
 
 /// Length of a step in typical edge lengths, if there is enough to do: longer ones make more windows come
 /// late, shorter ones make threads wait for one another more often.
-constexpr double least_step = 0.5;
+constexpr double least_step = 2.0;
 
 /// Items of a solver in one step below which steps become longer.
 constexpr std::size_t few_items = 64;
@@ -56,7 +56,7 @@ void SharedRun::prepare(ExactSolver::State& first) {
     for (Outbox& outbox : from) outbox.clear();
   }
   std::fill(taken_.begin(), taken_.end(), 0);
-  least_step_length_ = least_step * positive_or_one(first.mesh.typical_edge_length());
+  least_step_length_ = least_step * first.queue.width();
   step_length_ = least_step_length_;
   end_of_step_ = 0.0;
   step_ = 0;

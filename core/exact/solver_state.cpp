@@ -629,11 +629,6 @@ double ExactSolver::State::length_through(const Window& window) const {
 
 // ---- Edges that the front has passed drop their windows, where only distances of vertices are wanted
 
-std::int64_t ExactSolver::State::closing_bucket(double distance) const {
-  constexpr auto greatest = static_cast<double>(TimingWheel<ClosingEdge>::greatest_bucket / 2);
-  return static_cast<std::int64_t>(std::min(distance / closing_width, greatest));
-}
-
 void ExactSolver::State::close_edges_at(Index vertex) {
   // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
   // and the edge's length.
@@ -642,7 +637,7 @@ void ExactSolver::State::close_edges_at(Index vertex) {
     const auto [a, b] = mesh.edge_vertices(edge);
     const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
     if (bound < unreachable)
-      closing.add({std::max(closing.current(), closing_bucket(bound * (1.0 + 1e-12))), edge});
+      closing.add({std::max(closing.current(), queue.bucket_at(bound * (1.0 + 1e-12))), edge});
   };
   for (Index corner : mesh.corners(vertex)) {
     close_later(mesh.edge_of(corner));
@@ -655,7 +650,7 @@ void ExactSolver::State::close_edges_at(Index vertex) {
 
 void ExactSolver::State::close_edges_behind(double front) {
   // A bound whose bucket lies before that of the front is below the front.
-  const std::int64_t bucket = closing_bucket(front);
+  const std::int64_t bucket = queue.bucket_at(front);
   if (bucket <= closed_before) return;
   closed_before = bucket;
   while (closing.least_bucket() < bucket) {

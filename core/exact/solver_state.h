@@ -155,9 +155,6 @@ struct Outbox {
   }
 };
 
-/// The scale of steps on a mesh; of any size where all edges have length 0.
-inline double positive_or_one(double length) { return length > 0.0 ? length : 1.0; }
-
 struct ExactSolver::State {
   explicit State(std::shared_ptr<const ExactGeometry> shared_geometry);
 
@@ -174,7 +171,6 @@ struct ExactSolver::State {
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
   void close_edges_behind(double front);
-  std::int64_t closing_bucket(double distance) const;
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, Index crossed_edge, double apex_along);
   /// Whether the pseudo-source lies on the edge up to a negligible distance.
@@ -300,14 +296,13 @@ struct ExactSolver::State {
   BucketQueue queue;
   /// Only vertex distances are wanted: edges drop their windows when the front has passed.
   bool distances_only = false;
-  /// An edge, and the bucket of the distance behind which no path to it can be shorter than those that it
-  /// has.
+  /// An edge, and the queue's bucket of the distance behind which no path to it can be shorter than those
+  /// that it has.
   struct ClosingEdge {
     std::int64_t bucket;
     Index edge;
   };
   TimingWheel<ClosingEdge> closing;
-  double closing_width = 1.0;      ///< of its buckets
   std::int64_t closed_before = 0;  ///< edges of lower buckets are closed
 
   /// In a run that several solvers share: who owns what, this one's number there, and what it has for each.

@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-// ---- Nearly Dijkstra's order over points of edges, with sources placed in the plane of each face that is
+// ---- Nearly Dijkstra's order over points of edges
 // crossed
 
 namespace {

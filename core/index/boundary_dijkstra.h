@@ -12,7 +12,7 @@
 
 namespace vorogeo {
 
-// ---- Distances of the border nodes of a layer, by Dijkstra's algorithm over the patch tables, with
+// ---- Distances of the border nodes of a layer, by Dijkstra's algorithm over the patch tables
 // unfolding at border edges
 
 /// Nodes are settled in buckets of distance about as wide as half a border edge. Nearly all arcs are longer
@@ -174,7 +174,7 @@ class FollowerSweep {
   std::vector<std::uint32_t> final_;  ///< by rank: lanes in which the distance is that of add()
 };
 
-// ---- Searches from a few sources close to each other: one full search limits where the shortest paths from
+// ---- Searches from a few sources close to each other
 // its neighbours can lead
 
 /// Distances from a *leader* to all nodes, by a full search; and from the others, its *followers*, in one

@@ -24,7 +24,7 @@
 
 namespace vorogeo {
 
-// ---- Parts are marked after their contents are written, so that a process killed in between leaves none
+// ---- Parts of a table are marked as written after their contents are
 // that is half-made; checksums find what a failing system has lost
 
 namespace {

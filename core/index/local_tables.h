@@ -17,7 +17,7 @@
 
 namespace vorogeo {
 
-// ---- Room for a large table of an index while it is built, in memory or in a file, and which of its parts
+// ---- Room for a large table while an index is built, in memory or in a file
 // are filled
 
 /// What is kept of a part of a table once it is filled. In a file it outlives the process, so the next build

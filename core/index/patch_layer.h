@@ -183,7 +183,7 @@ class PatchNeighbours {
   std::vector<Index> neighbour_;
 };
 
-// ---- One layer of patches: their members, their border nodes, and the tables of distances from border to
+// ---- One layer of patches: their members, border nodes and tables
 // members
 
 /// A border node as seen from one of its patches: `row` counts the border nodes of the patch.

@@ -540,7 +540,7 @@ void short_sums_within(const std::int16_t* between, const std::int16_t* column_b
   }
 }
 
-// ---- The formulas of unfolding.h without branches, rearranged so that all terms are of the order of the
+// ---- The formulas of unfolding.h without branches
 // target's distance
 
 namespace {

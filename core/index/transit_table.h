@@ -88,7 +88,7 @@ std::size_t transit_batch_count(const PatchLayer& first);
 TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
                                 const Progress& progress);
 
-// ---- Least distances between pieces of patch borders, from the second layer to the first and within the
+// ---- Least distances between pieces of patch borders
 // first: with them, two points need to read only a small part of the first-layer tables and of the transit
 // table
 

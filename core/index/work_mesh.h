@@ -36,7 +36,7 @@ struct WorkMesh {
 /// patch by patch.
 WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition);
 
-// ---- The surface on which tables are solved: the user's mesh sorted by patch, with the points on border
+// ---- The surface on which tables are solved
 // edges as points
 
 /// Splitting an edge in the work mesh turns the adjacent faces into fans of needles, which every run would
@@ -56,7 +56,7 @@ struct TableSurface {
 TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
                                 const std::shared_ptr<const LocalGeometry>& work_geometry);
 
-// ---- The user's mesh as the surface of exact runs between two points: without the vertices that the work
+// ---- The surface of exact runs between two points
 // mesh adds
 
 /// Splitting an edge in the work mesh turns the faces at it into needles, and where a mesh consists of

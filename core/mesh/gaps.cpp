@@ -159,7 +159,7 @@ bool BorderSides::continues(Index first, Index second, const Point& across, bool
          -dot(b.out, across) >= -max_overlap * b.depth;
 }
 
-// ---- Rows of triangles between borders, narrowest gaps first, each step to the vertex that makes the
+// ---- Rows of triangles between borders, narrowest gaps first
 // shorter edge
 
 namespace {
@@ -342,7 +342,7 @@ void GapZipper::fill_holes() {
   }
 }
 
-// ---- Equal positions first, then rows of triangles from the closest sides on, then single triangles where
+// ---- Equal positions, then rows of triangles from the closest sides on, then single triangles
 // components would stay apart
 
 namespace {

@@ -95,7 +95,7 @@ class BorderSides {
   BoxTree tree_;
 };
 
-// ---- Bridges over the gaps of a mesh: faces between borders that lie near each other and continue each
+// ---- Bridges over the gaps of a mesh: faces between borders that lie near each other
 // other
 
 /// Which gaps are bridged.

@@ -20,7 +20,7 @@
 
 namespace vorogeo {
 
-// ---- Construction of the flat half-edge mesh: what is refused, the order of the steps, lengths and
+// ---- Construction of the flat half-edge mesh, and what is refused
 // components
 
 namespace {
@@ -167,7 +167,7 @@ double factor_to_unit(double mean, double longest) {
   return std::pow(10.0, -std::clamp(std::round(exponent), -300.0, 300.0));
 }
 
-// ---- What faces share: the corners at each vertex, faces that occur twice, and edges, all vertex by vertex
+// ---- What faces share: corners at each vertex, faces that occur twice, and edges
 
 /// Lists the half-edges that leave each vertex, ascending.
 void Mesh::list_corners() {
@@ -441,7 +441,7 @@ void require_lengths(const Mesh& mesh, const std::string& what, double least_mea
   require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
 }
 
-// ---- A mesh whose edges have other lengths than in space: checks of the lengths, and what replaces
+// ---- A mesh whose edges have other lengths than in space
 // positions
 
 namespace {
@@ -646,7 +646,7 @@ const std::array<Index, 3>& Mesh::given_corners(Index face) const {
   return is_part ? found->corners : face_vertices_[face];
 }
 
-// ---- A mesh whose gaps are closed by bridges: its faces name the vertices that stand for others, and the
+// ---- A mesh whose gaps are closed by bridges
 // bridges follow them
 
 namespace {

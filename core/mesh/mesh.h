@@ -285,7 +285,7 @@ void require_agreeing_faces(const Mesh& mesh, const std::string& what);
 /// InvalidInput.
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
 
-// ---- Which edge lengths the core can compute with, and the factor for the coordinates of meshes outside
+// ---- Which edge lengths the core can compute with, and the scale that is advised for others
 // this range
 
 /// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.

@@ -15,7 +15,7 @@
 
 namespace vorogeo {
 
-// ---- Loops by joining border edges at their vertices; near borders by a tree of boxes over the border
+// ---- Loops of border edges, and borders near each other
 // vertices and short walks along edges
 
 namespace {
@@ -288,7 +288,7 @@ TJunctions find_t_junctions(const Mesh& mesh) {
   return result;
 }
 
-// ---- The report on a triangle soup: findings on the raw arrays first, then on the connectivity of the
+// ---- The report on a triangle soup: the raw arrays first, then how the faces are connected
 // usable faces
 
 namespace {

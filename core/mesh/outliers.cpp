@@ -28,7 +28,7 @@ LargestComponent largest_component(const Mesh& mesh) {
   return {};
 }
 
-// ---- Pieces of a component that are connected by short edges; the small ones next to a large one are
+// ---- Pieces of a component that are connected by short edges
 // outliers
 
 namespace {

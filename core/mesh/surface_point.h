@@ -11,7 +11,7 @@
 
 namespace vorogeo {
 
-// ---- A point on the surface: in a face, given by barycentric coordinates (vertices and edge points
+// ---- A point on the surface: a vertex, or a place in a face by barycentric coordinates
 // included)
 
 /// Where a point lies: exactly one of `vertex`, or `face` with `barycentric`, is set.

@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-// ---- Columns are processed 32 at a time: least sums in integers, then the distances at the crossings in
+// ---- Columns are processed 32 at a time: least sums in integers, then distances at the crossings
 // single precision
 
 namespace {

@@ -146,7 +146,7 @@ class FieldSweep {
   Crossings crossings_;
 };
 
-// ---- Distances of all second-layer border nodes from some seeds: from table to table if there is a transit
+// ---- Distances of all second-layer border nodes from some seeds
 // table, otherwise by search
 
 /// One object belongs to one caller; fill() may run on several threads, for different patches.

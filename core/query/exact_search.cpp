@@ -9,7 +9,7 @@
 
 namespace vorogeo {
 
-// ---- One run of the exact solver, and the path that it finds
+// ---- The path of one run of the exact solver
 
 void FoundPath::join(FoundPath other) {
   if (other.path.length < path.length) {
@@ -49,7 +49,7 @@ FoundPath CorridorSearch::run(const SurfacePoint& from, const SurfacePoint& to, 
                                     : std::span<const Index>(solver_.mesh().face_vertices(to.face));
   }
   solver_.run(std::span(&source, 1), limits);
-  FoundPath found{solver_.path_to_source(to), solver_.distance(to), false};
+  FoundPath found{solver_.path_to_source(to), solver_.distance(to)};
   if (found.path.points.empty()) found.path.length = unreachable;
   std::ranges::reverse(found.path.points);
   return found;
@@ -152,7 +152,7 @@ std::span<const double> RemainingBounds::fill(const RouteEnd& source, const Rout
   return bound_;
 }
 
-// ---- Runs of the exact solver, and the path that each of them finds
+// ---- Searches from nearby to everywhere, each within what is known by then
 
 ExactSearch::ExactSearch(const IndexData& data)
     : data_(data),

@@ -119,7 +119,7 @@ ExactPath MeshPathQuery::exact_path(PathsFromPoint& from_source, const SurfacePo
   const SurfacePoint& from = from_source.source();
   const SurfacePoint to = validated(mesh_, target);
   if (auto known = known_path(from, to)) return *std::move(known);
-  FoundPath found{from_source.path_to(to), unreachable, false};
+  FoundPath found{from_source.path_to(to), unreachable};
   found.distance = from_source.distance(to);
   ExactPath result = checked(std::move(found), from, to);
   if (mesh_.metric_jumps() || !needs_another_run(result, from, to)) return result;

@@ -72,7 +72,7 @@ struct PathChain {
 PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target,
                          Index source_patch = no_index, Index target_patch = no_index);
 
-// ---- A strip of faces along a chain of border vertices, by the distances that the tables of the patches
+// ---- A strip of faces along a chain of border vertices
 // hold
 
 /// Follows every step of the chain through its patch: from one end towards the other, which is a border

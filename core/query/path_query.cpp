@@ -62,7 +62,7 @@ struct PathQuery::State {
   SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   void look_nearby(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
-  FoundPath path(const PathEnd& from, const PathEnd& to, double* expected = nullptr);
+  FoundPath path(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
   /// A path over the user's mesh, and its length along its points.
   struct AskedPath {
     SurfacePath path;
@@ -96,6 +96,7 @@ void PathQuery::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
 }
 
 GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
+  if (from.vertex == to.vertex) return {0.0, {}, {}};
   const RouteEnd a = route_end_of(data, from);
   const RouteEnd b = route_end_of(data, to);
   GraphRoute best;
@@ -148,11 +149,8 @@ void PathQuery::State::look_nearby(const PathEnd& from, const PathEnd& to, doubl
   found.join(exact.within(from, to, found.path.length, nearby).unproven());
 }
 
-/// `expected`: if not null, receives the index's distance where the path is refined from the index's, and
-/// shorter paths close to it are looked for.
-FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, double* expected) {
+FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found) {
   FoundPath found;
-  const GraphRoute route_found = from.vertex == to.vertex ? GraphRoute{0.0, {}, {}} : route(from, to);
   const double slack = refiner ? estimate_slack : estimate_slack_of_jumps;
   const double estimate = (from.to_vertex + route_found.length + to.to_vertex) * slack;
   if (are_near(data, from, to)) {
@@ -164,9 +162,8 @@ FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, double*
     if (found.path.points.empty()) {
       // The tables did not lead to the other end: exact propagation, within the length of the route.
       found = exact.between_landmarks(from, to, estimate);
-    } else if (expected != nullptr) {
-      *expected = expected_length(from, to, route_found);
-      look_nearby(from, to, *expected, found);
+    } else {
+      found.is_refined = true;
     }
   }
   // On faces without area, lengths may be off by more than the slack.
@@ -197,8 +194,14 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
   if (swapped) std::swap(s, t);
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
+  const GraphRoute route_found = state.route(from, to);
+  FoundPath first = state.path(from, to, route_found);
   double expected = unreachable;
-  State::AskedPath found = state.as_asked(state.path(from, to, &expected), s, t);
+  if (first.is_refined) {
+    expected = state.expected_length(from, to, route_found);
+    state.look_nearby(from, to, expected, first);
+  }
+  State::AskedPath found = state.as_asked(first, s, t);
   // By its length over the user's mesh: across needles beside split edges, unfolding may have lost it.
   if (found.path.length > expected * (1.0 + suspicious)) {
     auto exact = state.as_asked(state.exact.between_landmarks(from, to, found.path.length), s, t);
@@ -223,7 +226,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (!state.connected(s, t)) return result;
   const PathEnd from = path_end(state.data, s);
   const PathEnd to = path_end(state.data, t);
-  FoundPath found = state.path(from, to);
+  FoundPath found = state.path(from, to, state.route(from, to));
   if (!state.refiner) {
     // Nothing is proven of distances by points on edges.
     return {state.as_asked(found, s, t).path, false};

@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-// ---- Access distances: those of one point from the border of its first-layer patch, computed when they are
+// ---- Access distances: those of one point from the border of its first-layer patch
 // asked for
 
 /// One end of a route and one of its first-layer patches: lower bounds for the groups of border nodes at
@@ -83,7 +83,7 @@ class AccessDistances {
   std::vector<Index> lanes_;
 };
 
-// ---- Routes between far points, read from the tables: through the patch border and the first-layer border
+// ---- Routes between far points, read from the tables
 // at either end
 
 /// Reads routes of an index that has a transit table. One object belongs to one thread.

@@ -28,11 +28,18 @@ class BucketQueue {
  public:
   void resize(std::size_t count) { bucket_of_.assign(count, none); }
 
-  /// Empties the queue and sets the width of a bucket.
+  /// Empties the queue and sets the width of a bucket; any if it is 0.
   void reset(double width) {
     clear();
     per_width_ = width > 0.0 ? 1.0 / width : 1.0;
     width_ = width > 0.0 ? width : 1.0;
+  }
+
+  double width() const { return width_; }
+  /// The bucket of a key: no lower for a greater key.
+  std::int64_t bucket_at(double key) const {
+    return static_cast<std::int64_t>(
+        std::min(key * per_width_, static_cast<double>(TimingWheel<Entry>::greatest_bucket / 2)));
   }
 
   void push(Index item, double key) {
@@ -128,10 +135,6 @@ class BucketQueue {
   bool is_sorted() const { return returned_ > max_returned; }
   bool is_late(const Sorted& entry) const { return bucket_at(entry.key) < wheel_.current(); }
 
-  std::int64_t bucket_at(double key) const {
-    return static_cast<std::int64_t>(
-        std::min(key * per_width_, static_cast<double>(TimingWheel<Entry>::greatest_bucket / 2)));
-  }
   double begin_of(std::int64_t bucket) const { return static_cast<double>(bucket) * width_; }
   /// A lower bound of the keys in a bucket: rounding may have taken one into the bucket that begins just
   /// above it.

@@ -144,7 +144,7 @@ class OutputFile {
   std::uint64_t written_ = 0;
 };
 
-// ---- A file that is made in one or more runs: what a run that was stopped has written is there for the next
+// ---- A file that is made in one or more runs: a later run goes on from what was written
 
 /// Writes to a file next to its target, NAME.unfinished, which stays until finish() renames it or discard()
 /// removes it, whatever stops the process. A lock (flock) keeps a second process from going on with it at the

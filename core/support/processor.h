@@ -1,7 +1,7 @@
 // Hints to the processor and the compiler; empty where they are unknown.
 #pragma once
 
-// ---- Marks a function to be compiled for several instruction sets; the loader picks the best one of the
+// ---- Marks a function to be compiled for several instruction sets
 // machine
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

@@ -186,7 +186,7 @@ FilterRow distance_from_border_row() {
           distances_from_border};
 }
 
-// ---- Filters: distance from the points or lines of another layer, from selected edges, from the border as a
+// ---- Filters: distance from the points or lines of another layer, or from selected edges
 // curve
 
 namespace {

@@ -54,7 +54,7 @@ class LayerMesh {
   GapLimit gap_;
 };
 
-// ---- The metric of a filter: the one group of parameters that chooses it, and the lengths that it gives to
+// ---- The metric of a filter: the group of parameters that chooses it
 // a layer
 
 /// What a path costs; the values of the parameter metric.

@@ -124,7 +124,7 @@ void bind_tasks(nb::module_& module) {
              progress);
 }
 
-// ---- The class _core.OutputFile: a file that Python maps into memory and that replaces its target once it
+// ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete
 // is complete
 
 namespace {

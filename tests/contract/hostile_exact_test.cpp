@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -102,7 +103,8 @@ TEST_P(ExactContract, ATracedPathIsAsLongAsTheField) {
 }
 
 // What each of them needs: parts of very different sizes, where items of the queue come late; windows that
-// tie with others at both ends of their overlap; vertices in the gap between two windows, beside edges shrunk
+// tie with others at both ends of their overlap, or that equal ones would cut in two on each edge of a row of
+// needles; vertices in the gap between two windows, beside edges shrunk
 // to next to nothing; pseudo-sources that rounding takes behind an edge of a few units in the last place; and
 // hundreds of faces without width in a row.
 INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
@@ -111,25 +113,33 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
                                          Seed{600023, 4000, {304, 1995}}, Seed{600089, 4000, {1288}},
                                          Seed{702539, 2500, {1708}}, Seed{500213, 4000, {4921}},
                                          Seed{1003017, 2500, {1422}}, Seed{1001791, 600, {535}},
-                                         Seed{1008881, 600, {192}}, Seed{600099, 4000, {3240}}),
+                                         Seed{1008881, 600, {192}}, Seed{600099, 4000, {3240}},
+                                         Seed{70000160, 600, {16}}, Seed{90001776, 2500, {4856}}),
                          [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
   VOROGEO_READ_OR_SKIP(bunny, "bunny");
   VOROGEO_READ_OR_SKIP(dragon, "dragon_raw");
-  test::Soup both = bunny;
-  for (const Point& p : dragon.positions) both.positions.push_back({1e-4 * p[0], 1e-4 * p[1], 1e-4 * p[2]});
-  const auto first = static_cast<Index>(bunny.positions.size());
-  for (const auto& [a, b, c] : dragon.faces) both.faces.push_back({a + first, b + first, c + first});
-  const auto mesh = test::make_mesh(both);
+  test::Soup small = dragon;
+  for (Point& p : small.positions) {
+    for (double& coordinate : p) coordinate *= 1e-4;
+  }
+  const auto mesh = test::make_mesh(test::two_components(bunny, small));
+  const auto of_bunny = static_cast<Index>(bunny.positions.size());
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
   ExactSolver alone(mesh);
   ExactSolver several(mesh);
-  for (const Index source : {Index{5000}, first + 70000}) {
-    const std::vector<double> field = field_of(alone, source, {.distances_only = true});
-    const std::vector<double> shared = field_of(several, source, {.distances_only = true, .threads = 8});
+  for (const int threads : {2, 3, 8}) {
+    const std::array sources{static_cast<Index>(random() % of_bunny),
+                             static_cast<Index>(of_bunny + random() % (mesh->vertex_count() - of_bunny))};
+    alone.run_from_vertices(sources, {.distances_only = true});
+    several.run_from_vertices(sources, {.distances_only = true, .threads = threads});
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      if (shared[v] == field[v]) continue;
-      ASSERT_NEAR(shared[v], field[v], 1e-9 * field[v]) << "source " << source << ", vertex " << v;
+      const double distance = alone.distance(v);
+      if (several.distance(v) == distance) continue;
+      ASSERT_NEAR(several.distance(v), distance, 1e-9 * distance) << threads << " threads, vertex " << v;
     }
   }
 }

@@ -118,32 +118,6 @@ TEST(SharedRun, EndsWhereAllEdgesHaveNoLength) {
   for (Index v = 0; v < 4; ++v) EXPECT_EQ(several.distance(v), 0.0);
 }
 
-TEST(SharedRun, EqualsOneSolverBesideDebris) {
-  // A scan and a fine one of a ten-thousandth its size, from vertices of either.
-  VOROGEO_READ_OR_SKIP(bunny, "bunny");
-  VOROGEO_READ_OR_SKIP(dragon, "dragon_raw");
-  test::Soup small = dragon;
-  for (Point& p : small.positions) {
-    for (double& coordinate : p) coordinate *= 1e-4;
-  }
-  const auto mesh = test::make_mesh(test::two_components(bunny, small));
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  ExactSolver alone(mesh);
-  ExactSolver several(mesh);
-  for (int threads : {2, 3, 8}) {
-    const std::array sources{static_cast<Index>(random() % mesh->vertex_count()),
-                             static_cast<Index>(random() % bunny.positions.size())};
-    alone.run_from_vertices(sources, {.distances_only = true});
-    several.run_from_vertices(sources, {.distances_only = true, .threads = threads});
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      if (several.distance(v) == alone.distance(v)) continue;
-      ASSERT_NEAR(several.distance(v), alone.distance(v), 1e-9 * alone.distance(v)) << threads << " threads";
-    }
-  }
-}
-
 TEST(SharedRun, IsTheSameEachTime) {
   const auto mesh = test::make_mesh(test::random_sphere(900, 4));
   ExactSolver first(mesh);

@@ -53,7 +53,7 @@ TEST(CorridorSearch, JoinsTheShorterPathAndWhatIsProven) {
 
 TEST(CorridorSearch, AnUnprovenPathKeepsItsMesh) {
   FoundPath found{{{SurfacePoint::at_vertex(1)}, 3.0}, unreachable};
-  FoundPath shorter{{{SurfacePoint::at_vertex(2)}, 2.0}, 2.0, true};
+  FoundPath shorter{.path = {{SurfacePoint::at_vertex(2)}, 2.0}, .distance = 2.0, .on_user_mesh = true};
   found.join(std::move(shorter).unproven());
   EXPECT_EQ(found.path.length, 2.0);
   EXPECT_EQ(found.distance, unreachable);
