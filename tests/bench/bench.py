@@ -40,7 +40,7 @@ def main() -> None:
     parser.add_argument("--one-build", action="store_true", help="no build on one thread")
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
     parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")
-    parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and docs/figures.md")
+    parser.add_argument("--write", action="store_true", help="also refresh docs/figures.md")
     arguments = parser.parse_args()
     limits = measure.Limits(arguments.budget, arguments.limit)
     chosen = measure.names(arguments.methods, not arguments.no_peers)
@@ -169,11 +169,11 @@ def show(result: dict[str, Any], write: bool) -> None:
     print(f"Packages: {tables.versions(result['methods'])}\n{result['machine']}", flush=True)
     RESULTS.mkdir(parents=True, exist_ok=True)
     (RESULTS / f"{name}.json").write_text(json.dumps(result, indent=1))
-    if write and pages.has_marks(pages.BENCHMARKS, name):
+    if write and pages.has_marks(pages.FIGURES, name):
         import plots
 
         plots.error_against_time(result, pages.PICTURES / f"error_time_{name}.png")
-        pages.replace(pages.BENCHMARKS, name, pages.mesh_section(result))
+        pages.replace(pages.FIGURES, name, pages.mesh_section(result))
 
 
 if __name__ == "__main__":

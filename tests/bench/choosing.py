@@ -107,7 +107,7 @@ def main() -> None:
     parser.add_argument(
         "meshes", nargs="*", default=["bunny", "igea"], metavar="MESH[:SIZE]", help="default: bunny igea"
     )
-    parser.add_argument("--write", action="store_true", help="also draw the picture of docs/choosing.md")
+    parser.add_argument("--write", action="store_true", help="also draw the picture of docs/figures.md")
     arguments = parser.parse_args()
     RESULTS.mkdir(parents=True, exist_ok=True)
     for name in arguments.meshes:

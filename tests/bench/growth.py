@@ -20,10 +20,11 @@ import tables
 RESULTS = meshes.WORK / "growth"
 SIZES = ("1/16", "1/4", "1", "loop1", "loop2")
 PEERS = ("pygeodesic", "pp3d_heat", "pp3d_marching", "igl_heat", "cgal_heat", "meshlab_point")
-BUILDS = "vertices | build (s) | µs per vertex | peak of the build (MiB) | bytes per vertex | file | exact field (s)"
-QUERIES = (
-    "vertices | field (ms) | ns per vertex | two far points (µs) | p99 (µs) | near (µs) | mean error (%) | p99 (%)"
+HEADING = (
+    "vertices | build (s) | µs each | peak (MiB) | bytes | file | exact (s) | field (ms) | ns each | far (µs) | p99 "
+    "| near | mean (%) | p99"
 )
+LEAST = 0.5  # µs a vertex, of a phase that the table shows
 
 
 def main() -> None:
@@ -36,7 +37,7 @@ def main() -> None:
         "--limit", type=float, default=120, help="seconds of processor time after which a peer is ended (default 120)"
     )
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone; peers measured before are kept")
-    parser.add_argument("--write", action="store_true", help="also refresh docs/benchmarks.md and its picture")
+    parser.add_argument("--write", action="store_true", help="also refresh docs/figures.md and its picture")
     arguments = parser.parse_args()
     file = meshes.find(arguments.mesh)
     if not file:
@@ -53,9 +54,8 @@ def main() -> None:
         kept.write_text(json.dumps(result, indent=1))
     results = [json.loads(kept.read_text()) for kept in RESULTS.glob(f"{file.stem}_*.json")]
     results.sort(key=lambda result: result["vertices"])
-    builds = tables.table(BUILDS, [build_row(result) for result in results])
-    queries = tables.table(QUERIES, [query_row(result) for result in results])
-    text = f"{builds}\n{phase_table(results)}\n{queries}"
+    whole = tables.table(HEADING, [build_row(result) + query_row(result) for result in results])
+    text = f"{whole}\n{phase_table(results)}"
     print(text)
     if arguments.write:
         import plots
@@ -63,7 +63,7 @@ def main() -> None:
         picture = pages.PICTURES / "growth.png"
         plots.growth(results, picture)
         about = f"\nMeasured on {pages.machine()}.\n\n![Time and memory against size](figures/growth.png)\n\n"
-        pages.replace(pages.BENCHMARKS, "growth", text + about)
+        pages.replace(pages.FIGURES, "growth", text + about)
 
 
 def build_row(result: dict[str, Any]) -> list[str]:
@@ -84,7 +84,12 @@ def build_row(result: dict[str, Any]) -> list[str]:
 def phase_table(results: list[dict[str, Any]]) -> str:
     """Processor time of each phase per vertex, and the most bytes per vertex that the process held in it."""
     known = [result for result in results if "phases" in result["core"]]
-    phases = dict.fromkeys(phase for result in known for phase in result["core"]["phases"])
+    phases = dict.fromkeys(
+        phase
+        for result in known
+        for phase, spent in result["core"]["phases"].items()
+        if 1e6 * spent["cpu"] / result["vertices"] > LEAST
+    )
     rows = []
     for phase in phases:
         row = [phase]
@@ -103,7 +108,6 @@ def query_row(result: dict[str, Any]) -> list[str]:
     far, near = ((core[name] or {}).get("cpu") for name in ("far_pair", "near_pair"))
     error = result["methods"]["vorogeo_index"].get("field_error")
     return [
-        f"{n:,}",
         tables.number(1e3 * field),
         tables.number(1e9 * field / n),
         *(tables.number(1e6 * far[key]) if far else tables.DASH for key in ("median", "p99")),

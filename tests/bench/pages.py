@@ -1,4 +1,4 @@
-"""Puts measured tables into the pages of docs/, between their marks."""
+"""Puts measured tables into the page of figures, between their marks."""
 
 from __future__ import annotations
 
@@ -11,14 +11,12 @@ from typing import Any
 import meshes
 import tables
 
-BENCHMARKS = meshes.ROOT / "docs" / "benchmarks.md"
-FIGURES = meshes.ROOT / "docs" / "figures.md"
+BENCHMARKS = FIGURES = meshes.ROOT / "docs" / "figures.md"
 PICTURES = meshes.ROOT / "docs" / "figures"
 COSTS_HEADING = (
     "mesh | vertices | build (s) | bytes per vertex | file | field (ms) | far pair (µs) | p99 (µs) | near pair (µs) "
     "| exact field (s)"
 )
-ERRORS_HEADING = "mesh | mean error (%) | p99 (%) | too long (%) | too short (%) | far points, mean error (%)"
 
 
 def replace(file: Path, mark: str, text: str) -> None:
@@ -36,18 +34,18 @@ def has_marks(file: Path, mark: str) -> bool:
 
 
 def mesh_section(result: dict[str, Any]) -> str:
-    """Everything docs/benchmarks.md says about one mesh."""
+    """What docs/figures.md says about one mesh beside other packages."""
     name = result["mesh"]
     return (
         f"\n{result['vertices']:,} vertices, {result['faces']:,} faces; {result['machine']}.\n"
         f"Packages: {tables.versions(result['methods'])}.\n\n"
-        f"{tables.figures(result)}\n{tables.fields(result)}\n{tables.pairs(result)}\n"
+        f"{tables.details(result)}\n{tables.fields(result)}\n{tables.pairs(result)}\n"
         f"![Error against time on {name}](figures/error_time_{name}.png)\n\n"
     )
 
 
 def costs_row(result: dict[str, Any]) -> list[str]:
-    """The row of a mesh in the first table of docs/figures.md."""
+    """The row of a mesh in the table of docs/figures.md."""
     core, n = result["core"], result["vertices"]
     build, far, near = core["build"], core["far_pair"], core["near_pair"]
     return [
@@ -63,22 +61,11 @@ def costs_row(result: dict[str, Any]) -> list[str]:
     ]
 
 
-def errors_row(result: dict[str, Any]) -> list[str]:
-    """The row of a mesh in the second table of docs/figures.md."""
-    own = result["methods"]["vorogeo_index"]
-    return [
-        result["mesh"],
-        *(tables.percent(own.get("field_error"), key) for key in ("mean", "p99", "over", "under")),
-        tables.percent(own.get("far_error"), "mean"),
-    ]
-
-
 def refresh_figures(results: dict[str, dict[str, Any]]) -> None:
-    """The tables of docs/figures.md with one row for each result that is kept."""
+    """The table of docs/figures.md with one row for each result that is kept."""
     kept = sorted(results.values(), key=lambda r: r["vertices"])
     costs = tables.table(COSTS_HEADING, list(map(costs_row, kept)))
-    errors = tables.table(ERRORS_HEADING, list(map(errors_row, kept)))
-    replace(FIGURES, "table", f"{costs}\n{errors}\nMeasured on {machine()}.\n")
+    replace(FIGURES, "table", f"{costs}\nMeasured on {machine()}.\n")
 
 
 def machine() -> str:

@@ -2,7 +2,7 @@
 # Says which functions of the core take the time of the exact solver, the build, a field and two points. Does its own set-up.
 #
 # Usage: tests/bench/profile.sh [--write] [MESH]   (default igea; a mesh that tests/bench/run.sh has measured)
-#   --write: also refresh the tables of docs/benchmarks.md.
+#   --write: also refresh the table of docs/figures.md.
 # Needs perf (Debian: linux-perf) and, in containers, the right to sample a clock. Samples lie in build/bench-work/profile.
 set -euo pipefail
 bench="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"

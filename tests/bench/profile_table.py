@@ -1,6 +1,6 @@
 """Tables of the source files and functions that take the time, from the samples that profile.sh recorded.
 
-Usage: python profile_table.py FOLDER [--write]; --write puts them into docs/benchmarks.md
+Usage: python profile_table.py FOLDER [--write]; --write puts that of the functions into docs/figures.md
 """
 
 from __future__ import annotations
@@ -14,13 +14,7 @@ from pathlib import Path
 import pages
 import tables
 
-TITLES = {
-    "exact": "exact solver, whole mesh",
-    "build": "build, two threads",
-    "field": "field, one thread",
-    "far": "two far points, one thread",
-    "near": "two near points, one thread",
-}
+TITLES = {"exact": "exact field", "build": "build", "field": "index field", "far": "far pair", "near": "near pair"}
 SHOWN = 8
 LEAST = 1.0  # percent
 CORE = "/core/"
@@ -28,21 +22,19 @@ TESTS = "/tests/bench/"
 
 
 def main() -> None:
-    """One table for each recording in the folder."""
-    folder = Path(sys.argv[1])
-    text = ""
-    for name, title in TITLES.items():
-        data = folder / f"{name}.data"
-        if not data.is_file():
-            continue
-        rows = [
-            [f"{place} {share:.0f} %" if place else "" for place, share in pair]
-            for pair in zip(longest(files_of(data)), longest(functions_of(data)), strict=True)
+    """A table of files and one of functions, with a column for each recording in the folder."""
+    recordings = {title: Path(sys.argv[1]) / f"{name}.data" for name, title in TITLES.items()}
+    recordings = {title: data for title, data in recordings.items() if data.is_file()}
+    texts = []
+    for shares in (files_of, functions_of):
+        columns = [
+            [f"{place} {share:.0f} %" if place else "" for place, share in longest(shares(data))]
+            for data in recordings.values()
         ]
-        text += f"\n**{title[0].upper()}{title[1:]}**\n\n" + tables.table("by file | by function", rows)
-    print(text)
+        texts.append(tables.table(" | ".join(recordings), list(map(list, zip(*columns, strict=True)))))
+    print(*texts, sep="\n")
     if "--write" in sys.argv[2:]:
-        pages.replace(pages.BENCHMARKS, "profile", text + "\n")
+        pages.replace(pages.FIGURES, "profile", f"\n{texts[1]}\n")
 
 
 def longest(shares: dict[str, float]) -> list[tuple[str, float]]:
@@ -100,12 +92,12 @@ def perf(task: str, data: Path, *options: str) -> list[str]:
 
 
 def short(symbol: str) -> str:
-    """A C++ function without parameters, template arguments and the parts of its name that all share."""
+    """The name of a C++ function alone, without namespaces, classes, parameters and template arguments."""
     symbol = symbol.replace("(anonymous namespace)::", "")
     lambdas = "::{lambda" in symbol
     while re.search(r"<[^<>]*>", symbol):
         symbol = re.sub(r"<[^<>]*>", "", symbol)
-    symbol = re.sub(r"\(.*", "", symbol).replace("vorogeo::", "").strip().split(" ")[-1]
+    symbol = re.sub(r"\(.*", "", symbol).strip().split(" ")[-1].rpartition("::")[2]
     return f"{symbol} (lambda)" if lambdas else symbol
 
 

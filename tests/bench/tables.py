@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable
 from typing import Any
 
@@ -106,22 +107,49 @@ def figures(result: Summary) -> str:
     return table("figure | wall clock | processor time", [[*row, *[""] * (3 - len(row))] for row in rows])
 
 
+def details(result: Summary) -> str:
+    """In a paragraph what the table of all meshes does not have: by the clock, by numpy, on pieces, memory."""
+    core, own = result["core"], result["methods"].get("vorogeo_index", {})
+
+    def clock(times: dict[str, Any]) -> str:
+        each = (f"{duration(t['median'])} on {n} thread{'s' * (n != '1')}" for n, t in times.items())
+        return ", ".join(each)
+
+    sentences = [
+        f"By the clock, a build takes {clock(core['build'])}, with at most {number(core['build_peak'] / 2**20)} MiB in "
+        f"the process, and a field {clock(core['field'])}"
+    ]
+    pieces = core["exact_patch"]
+    if pieces:
+        sizes = ", ".join(f"{float(size):.0f}" for size in pieces)
+        times = ", ".join(duration(times["median"]) for times in pieces.values())
+        sentences.append(f"Exact runs on pieces of {sizes} vertices take {times} per vertex and source")
+    by_numpy = [(name, own[key]) for name, key in (("a field", "field"), ("a far pair", "far")) if own.get(key)]
+    if by_numpy:
+        each = ", ".join(f"{name} {duration(times['median'])}" for name, times in by_numpy)
+        many = f", {number(own['many']['median'])} far pairs in one call a second" if own.get("many") else ""
+        sentences.append(f"From numpy: {each}{many}")
+    near = core["near_pair"]
+    if near:
+        sentences.append(f"Of near pairs 99 % take less than {duration(near['p99'])}")
+    return "\n".join(textwrap.wrap(". ".join(sentences) + ".", 138)) + "\n"
+
+
 def fields(result: Summary) -> str:
-    """All methods for fields: a table of times, and one of errors."""
+    """All methods for fields: times and errors."""
     all_methods = result["methods"]
     index = all_methods.get("vorogeo_index", {}).get("field")
     exact = all_methods.get("vorogeo_exact", {}).get("field")
     heading = (
-        "one source to all vertices | set-up | a field: processor time | wall clock | sources | times our index "
-        "| times our exact | peak (MiB)"
+        "one source to all vertices | set-up | processor time | clock | sources | of index | of exact | MiB | mean (%) "
+        "| p99 | too long | short"
     )
-    times, errors = [], []
+    rows = []
     for name, method in all_methods.items():
         if name == "pp3d_flips":
             continue
         error = method.get("field_error")
-        errors.append([method["title"], *(percent(error, key) for key in ("mean", "p99", "over", "under"))])
-        times.append(
+        rows.append(
             [
                 method["title"],
                 duration(method["prepared"]),
@@ -131,10 +159,10 @@ def fields(result: Summary) -> str:
                 ratio(method["field"], index),
                 ratio(method["field"], exact),
                 number(method["peak_bytes"] / 2**20) if method["peak_bytes"] else DASH,
+                *(percent(error, key) for key in ("mean", "p99", "over", "under")),
             ]
         )
-    of_errors = table("errors of these fields | mean (%) | p99 (%) | too long (%) | too short (%)", errors)
-    return f"{table(heading, times)}\n{of_errors}{remarks(all_methods)}"
+    return f"{table(heading, rows)}{remarks(all_methods)}"
 
 
 def pairs(result: Summary) -> str:

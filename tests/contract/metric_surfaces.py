@@ -9,7 +9,7 @@ import surfaces
 import vorogeo
 from surfaces import Floats, Rng, Shape, shape
 
-#: Twice the largest errors in docs/metrics.md: costs that vary (25 cells), costs of faces, tensors of faces.
+#: Twice the largest errors in docs/figures.md: costs that vary (25 cells), costs of faces, tensors of faces.
 OF_VARYING_COST = 3e-3
 OF_FACES = 7.2e-3
 OF_FACE_TENSORS = 2.6e-2

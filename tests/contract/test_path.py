@@ -12,7 +12,7 @@ import table
 import vorogeo
 from surfaces import Rng, Shape
 
-#: A refined path of an index is never too short, and rarely too long: twice the largest error in docs/paths.md.
+#: A refined path of an index is never too short, and rarely too long: twice the largest error in docs/figures.md.
 REFINED = 3e-3
 
 

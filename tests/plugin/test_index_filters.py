@@ -26,7 +26,7 @@ from support import (
 )
 
 
-# Twice the errors in percent of docs/accuracy.md: mean, 99th percentile, largest.
+# Twice the errors in percent of docs/figures.md: mean, 99th percentile, largest.
 @pytest.mark.parametrize(
     ("name", "documented"),
     [
@@ -171,7 +171,7 @@ def test_index_in_a_file_goes_on_where_it_was_stopped(tmp_path):
     assert ms.apply_filter(FROM_POINT, vertex_index=0, method="index")["index_reused"] == 1
 
 
-# Twice the errors in percent of docs/accuracy.md: mean and largest.
+# Twice the errors in percent of docs/figures.md: mean and largest.
 @pytest.mark.parametrize(
     ("name", "source", "mean", "largest"),
     [("cow.obj", 100, 0.0079, 0.52), ("greek_helmet", 2500, 0.0058, 0.21), ("office_chair", 100, 0.0001, 0.001)],

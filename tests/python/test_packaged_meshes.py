@@ -1,4 +1,4 @@
-"""Fields on meshes that Python packages carry, so that every clone has them: exact distances and docs/accuracy.md."""
+"""Fields on meshes that Python packages carry, so that every clone has them: exact distances and docs/figures.md."""
 
 from pathlib import Path
 

@@ -17,7 +17,7 @@ PROJECT = Path(__file__).parents[2]
 DOCUMENTS = [
     "README.md",
     "pyfilter/README.md",
-    *(f"docs/{name}.md" for name in ("filters", "tasks", "paths", "python")),
+    *(f"docs/{name}.md" for name in ("filters", "cheatsheet", "guide")),
 ]
 
 

@@ -1,4 +1,4 @@
-"""The cookbook runs as it is printed, and its results are those of the unrolled tube."""
+"""The guide runs as it is printed, and its results are those of the unrolled tube."""
 
 import re
 from pathlib import Path
@@ -8,7 +8,7 @@ import pytest
 
 from sample_meshes import prism_distances
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "cookbook.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "guide.md"
 SIDES, RINGS, HEIGHT = 24, 21, 4.0
 
 
@@ -21,7 +21,7 @@ def page(tmp_path_factory):
     """All names that the snippets define, run one after the other."""
     names = {}
     with pytest.MonkeyPatch.context() as patch:
-        patch.chdir(tmp_path_factory.mktemp("cookbook"))
+        patch.chdir(tmp_path_factory.mktemp("guide"))
         for number, snippet in enumerate(re.findall(r"```python\n(.*?)```", PAGE.read_text(), flags=re.DOTALL)):
             exec(compile(snippet, f"snippet {number} of {PAGE.name}", "exec"), names)
         names["all.npy"] = np.load("all.npy")
