@@ -116,7 +116,7 @@ core_preset=core
 core_library="$PWD/build/$core_preset/core/libvorogeo_core.a"
 build_core() {
   cmake --preset "$core_preset" &&
-    cmake --build "build/$core_preset" --target vorogeo_core --parallel "$jobs"
+    cmake --build "build/$core_preset" --target vorogeo_core vorogeo_methods --parallel "$jobs"
 }
 core() { once "core" "build/$core_preset/.stamp-core" "$(sources core)" build_core; }
 

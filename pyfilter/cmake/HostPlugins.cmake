@@ -1,5 +1,5 @@
 # Brings one plugin binary per MeshLab version into the package: vorogeo/plugins/<version>/libfilter_vorogeo.so.
-# In: VOROGEO_HOSTS, VOROGEO_PLUGIN_DIR, VOROGEO_ROOT, target vorogeo_core.
+# In: VOROGEO_HOSTS, VOROGEO_PLUGIN_DIR, VOROGEO_ROOT, targets vorogeo_core and vorogeo_methods.
 include(ExternalProject)
 
 set(plugin_file libfilter_vorogeo.so)
@@ -57,6 +57,6 @@ foreach(host IN LISTS VOROGEO_HOSTS)
     USES_TERMINAL_BUILD ON # one after the other, with output
     BUILD_BYPRODUCTS "${binary_dir}/${plugin_file}"
     INSTALL_COMMAND ""
-    DEPENDS vorogeo_core)
+    DEPENDS vorogeo_core vorogeo_methods)
   install(PROGRAMS "${binary_dir}/${plugin_file}" DESTINATION vorogeo/plugins/${host})
 endforeach()

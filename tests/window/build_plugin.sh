@@ -15,7 +15,7 @@ mkdir -p "$build"
 core=""
 for made in build/release build/core; do
   library="$made/core/libvorogeo_core.a"
-  if [ -f "$library" ] && [ -z "$(find core -name '*.md' -prune -o -type f -newer "$library" -print -quit)" ]; then
+  if [ -f "$library" ] && [ -f "${library/core.a/methods.a}" ] && [ -z "$(find core -name '*.md' -prune -o -type f -newer "$library" -print -quit)" ]; then
     core="/project/$library"
     break
   fi
