@@ -148,6 +148,11 @@ check "types of Python (mypy)" env -C pyfilter ../.venv/bin/mypy vorogeo
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
   suite cpp-release run_ctest release
+  if [ "$quick" = no ]; then
+    check "installed library" tests/library/run.sh build/release "$vcg"
+  else
+    echo "skip installed library: --quick" >>"$checks"
+  fi
   check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
   check "hostile meshes of today" tests/fuzz/run.sh --count 200 --of-today --no-costs
   check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only

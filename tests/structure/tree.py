@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-TOP = ("core", "plugin", "pyfilter", "samples", "tests")
+TOP = ("core", "include", "plugin", "pyfilter", "samples", "tests")
 SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".sh", ".cmake")
 PACKAGE = Path("pyfilter", "vorogeo")
 
@@ -76,7 +76,7 @@ def quoted_includes(file: Path) -> list[str]:
 def included(file: Path) -> list[Path]:
     """Files of the project that a C++ file includes."""
     part = Path(file.parts[0])
-    bases = [file.parent, part, Path("core"), Path("tests")]
+    bases = [file.parent, part, Path("core"), Path("include"), Path("samples"), Path("tests")]
     if file.parts[:2] == ("tests", "plugin"):
         bases.insert(1, Path("plugin"))
     places = [[base / name for base in bases if base / name in known()] for name in quoted_includes(file)]

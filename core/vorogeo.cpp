@@ -1,0 +1,503 @@
+// The public interface over the core: numbers, points, options and errors are translated here, in both
+// directions.
+#include <algorithm>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "mesh/gaps.h"
+#include "mesh/given_points.h"
+#include "mesh/mesh_check.h"
+#include "mesh/metric.h"
+#include "mesh/outliers.h"
+#include "mesh/surface_locator.h"
+#include "query/surface.h"
+#include "support/memory.h"
+#include "support/parallel.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/extent.h"
+#include "tasks/field_team.h"
+#include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
+#include "tasks/surface_lines.h"
+#include "tasks/voronoi_regions.h"
+
+// The core's own names, before the header below declares public ones beside them.
+namespace inner {
+using vorogeo::Answered;
+using vorogeo::AnswerMethod;
+using vorogeo::Cancelled;
+using vorogeo::check_mesh;
+using vorogeo::Error;
+using vorogeo::ExactSource;
+using vorogeo::FieldTeam;
+using vorogeo::GapLimit;
+using vorogeo::GeodesicIndex;
+using vorogeo::IndexFileError;
+using vorogeo::IndexOptions;
+using vorogeo::InvalidInput;
+using vorogeo::isolines;
+using vorogeo::Mesh;
+using vorogeo::NotEnoughMemory;
+using vorogeo::PointList;
+using vorogeo::SideLengths;
+using vorogeo::Surface;
+using vorogeo::SurfaceLocator;
+using vorogeo::SurfacePoint;
+using vorogeo::to_string;
+}  // namespace inner
+
+#include "vorogeo.h"
+
+namespace vorogeo {
+inline namespace v0 {
+
+struct Surface::State {
+  std::shared_ptr<const inner::Mesh> mesh;
+  std::size_t face_count = 0;  ///< of the faces given
+  inner::IndexOptions options;
+
+  std::mutex mutex;  ///< of the two below, held for moments
+  std::shared_ptr<inner::Surface> surface;
+  std::unique_ptr<const inner::SurfaceLocator> locator;
+  std::mutex build_mutex;  ///< one build at a time
+
+  std::shared_ptr<inner::Surface> current() {
+    const std::lock_guard lock(mutex);
+    return surface;
+  }
+  void adopt(std::shared_ptr<const inner::GeodesicIndex> index) {
+    const std::lock_guard lock(mutex);
+    surface = std::make_shared<inner::Surface>(mesh, std::move(index), surface->spent(), options);
+  }
+};
+
+namespace {
+
+/// Runs a piece of the core, whose errors leave as those of the public header.
+template <class Body>
+auto translated(Body&& body) {
+  try {
+    return body();
+  } catch (const inner::Cancelled& error) {
+    throw Cancelled(error.what());
+  } catch (const inner::InvalidInput& error) {
+    throw InvalidInput(error.what());
+  } catch (const inner::IndexFileError& error) {
+    throw IndexFileError(error.what());
+  } catch (const inner::NotEnoughMemory& error) {
+    throw NotEnoughMemory(error.what());
+  } catch (const inner::Error& error) {
+    throw Error(error.what());
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(out_of_memory_sentence);
+  }
+}
+
+// ---- Points in and out
+
+inner::SurfacePoint point_in(const inner::Mesh& mesh, const SurfacePoint& point) {
+  if (point.face < 0 || point.vertex >= 0) {
+    if (point.vertex < 0 || point.vertex >= mesh.given_vertex_count()) {
+      throw InvalidInput("Vertex " + std::to_string(point.vertex) +
+                         " does not exist: the mesh has vertices 0 to " +
+                         std::to_string(mesh.given_vertex_count() - 1) + ".");
+    }
+    return inner::SurfacePoint::at_vertex(point.vertex);
+  }
+  const int first = first_part(mesh, point.face);
+  if (first < 0) {
+    throw InvalidInput("Face " + std::to_string(point.face) +
+                       " does not exist or is left out of the surface (it is masked, names a vertex twice "
+                       "or repeats a face), so no point lies in it.");
+  }
+  return point_in_given(mesh, first, point.weights);
+}
+
+inner::PointList points_in(const inner::Mesh& mesh, const PointList& points) {
+  std::vector<inner::SurfacePoint> list;
+  list.reserve(points.size());
+  for (const SurfacePoint& point : points) list.push_back(point_in(mesh, point));
+  return list;
+}
+
+/// A point over a gap lies in no face that was given.
+SurfacePoint point_out(const inner::Mesh& mesh, const inner::SurfacePoint& point) {
+  if (point.is_vertex() && point.vertex < mesh.given_vertex_count()) return point.vertex;
+  SurfacePoint out;
+  for_each_face_at(mesh, point, [&](int face, const std::array<double, 3>& weights) {
+    if (out.face >= 0 || mesh.is_bridge(face)) return;
+    out = {mesh.input_face(face), weights_in_given(mesh, face, weights)};
+  });
+  return out;
+}
+
+std::vector<SurfacePoint> points_out(const inner::Mesh& mesh,
+                                     const std::vector<inner::SurfacePoint>& points) {
+  std::vector<SurfacePoint> out;
+  out.reserve(points.size());
+  for (const auto& point : points) out.push_back(point_out(mesh, point));
+  return out;
+}
+
+/// Values of all vertices without those of vertices that a metric has added.
+template <class Value>
+std::vector<Value> of_given_vertices(const inner::Mesh& mesh, std::vector<Value> values) {
+  values.resize(static_cast<std::size_t>(mesh.given_vertex_count()));
+  return values;
+}
+
+// ---- The mesh that is measured on
+
+void require_count(std::size_t count, std::size_t wanted, const std::string& what, const char* element) {
+  if (count == wanted) return;
+  throw InvalidInput(what + " has " + std::to_string(count) + " values, but the mesh has " +
+                     std::to_string(wanted) + " " + element + "; give one value for each.");
+}
+
+/// Faces that the mask leaves out name one vertex three times: a Mesh leaves these out and goes on counting.
+void leave_out_masked(const std::vector<bool>& mask, std::size_t vertices,
+                      std::vector<std::array<int, 3>>& faces) {
+  if (mask.empty()) return;
+  const bool of_faces = mask.size() == faces.size();
+  if (!of_faces && mask.size() != vertices) {
+    throw InvalidInput("The mask has " + std::to_string(mask.size()) + " values; give one for each of the " +
+                       std::to_string(faces.size()) + " faces or " + std::to_string(vertices) + " vertices.");
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const bool stays = of_faces ? mask[f] : std::ranges::all_of(faces[f], [&](int v) {
+      return v < 0 || static_cast<std::size_t>(v) >= vertices || mask[static_cast<std::size_t>(v)];
+    });
+    if (!stays) faces[f] = {0, 0, 0};
+  }
+}
+
+std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
+                                           std::vector<std::array<int, 3>> faces,
+                                           const SurfaceOptions& options) {
+  leave_out_masked(options.mask, positions.size(), faces);
+  const int metrics =
+      !options.vertex_cost.empty() + !options.face_cost.empty() + !options.side_lengths.empty();
+  if (metrics > 1) {
+    throw InvalidInput("More than one of vertex_cost, face_cost and side_lengths is given; give one.");
+  }
+  inner::SideLengths sides = options.side_lengths;
+  FaceSplits splits;
+  int points_per_edge = 0;
+  if (!options.vertex_cost.empty()) {
+    require_count(options.vertex_cost.size(), positions.size(), "vertex_cost", "vertices");
+    MetricLengths lengths = lengths_by_cost(positions, faces, options.vertex_cost);
+    sides = std::move(lengths.sides);
+    splits = std::move(lengths.splits);
+  } else if (!options.face_cost.empty()) {
+    require_count(options.face_cost.size(), faces.size(), "face_cost", "faces");
+    sides = sides_by_face_cost(positions, faces, options.face_cost);
+    points_per_edge = FaceSides{}.points_per_edge;
+  } else if (!sides.empty()) {
+    require_count(sides.size(), faces.size(), "side_lengths", "faces");
+  }
+  const inner::GapLimit gap{options.gap, options.bridge_folds};
+  return measured_mesh(positions, faces, sides, gap, points_per_edge, splits);
+}
+
+}  // namespace
+
+const char* to_string(Answer answer) { return inner::to_string(static_cast<inner::AnswerMethod>(answer)); }
+
+MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<int, 3>>& faces,
+                      double gap) {
+  return translated([&] {
+    const auto report = inner::check_mesh(positions, faces, {gap, false});
+    return MeshReport{report.usable(), report.summary(), report.sentences()};
+  });
+}
+
+// ---- The surface
+
+Surface::Surface(std::vector<Point> positions, std::vector<std::array<int, 3>> faces,
+                 const SurfaceOptions& options)
+    : state_(std::make_shared<State>()) {
+  translated([&] {
+    state_->face_count = faces.size();
+    state_->mesh = mesh_of(std::move(positions), std::move(faces), options);
+    state_->options.threads = options.threads;
+    state_->surface = std::make_shared<inner::Surface>(state_->mesh, state_->options);
+  });
+}
+
+int Surface::vertex_count() const { return state_->mesh->given_vertex_count(); }
+int Surface::face_count() const { return static_cast<int>(state_->face_count); }
+
+std::vector<double> Surface::distances_from(const PointList& sources) const {
+  return field(sources).distance;
+}
+
+Field Surface::field(const PointList& sources, const FieldOptions& options) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    if (!options.offsets.empty() && options.offsets.size() != sources.size()) {
+      throw InvalidInput("There are " + std::to_string(sources.size()) + " sources and " +
+                         std::to_string(options.offsets.size()) + " offsets; give one for each source.");
+    }
+    const inner::PointList points = points_on(mesh, points_in(mesh, sources), "Source");
+    std::vector<inner::ExactSource> from;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      from.push_back({points[i], options.offsets.empty() ? 0.0 : options.offsets[i]});
+    }
+    inner::Answered answered;
+    auto found = state_->current()->field(from, options.limit, static_cast<inner::AnswerMethod>(options.by),
+                                          answered, Progress(options.progress));
+    Field field;
+    field.distance = of_given_vertices(mesh, std::move(found.distance));
+    if (options.labels) field.label = of_given_vertices(mesh, std::move(found.source));
+    field.answered_by = static_cast<Answer>(answered.by);
+    field.remark = std::move(answered.remark);
+    return field;
+  });
+}
+
+double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answer by) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    inner::Answered answered;
+    return state_->current()->distance(point_in(mesh, from), point_in(mesh, to),
+                                       static_cast<inner::AnswerMethod>(by), answered);
+  });
+}
+
+std::vector<double> Surface::distances(const PointList& from, const PointList& to) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    if (from.size() != to.size()) {
+      throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
+                         std::to_string(to.size()) + " to go to; give as many of both.");
+    }
+    const inner::PointList sources = points_on(mesh, points_in(mesh, from), "Source");
+    const inner::PointList targets = points_on(mesh, points_in(mesh, to), "Target");
+    std::vector<double> found(sources.size());
+    const auto surface = state_->current();
+    if (const auto index = surface->index()) {
+      inner::FieldTeam team(index, state_->options.threads);
+      pair_distances(team, sources, targets, found);
+      return found;
+    }
+    parallel_for(found.size(), state_->options.threads, {}, "Distances", [&](std::size_t i, int) {
+      inner::Answered answered;
+      found[i] = surface->distance(sources[i], targets[i], inner::AnswerMethod::automatic, answered);
+    });
+    return found;
+  });
+}
+
+Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    inner::Answered answered;
+    auto found = state_->current()->path(point_in(mesh, from), point_in(mesh, to),
+                                         static_cast<inner::AnswerMethod>(options.by), options.exact,
+                                         answered, Progress(options.progress), options.certify);
+    Path path;
+    for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
+    path.surface_points = points_out(mesh, found.path.points);
+    path.length = found.path.length;
+    path.certified = found.certified;
+    path.answered_by = static_cast<Answer>(answered.by);
+    path.remark = std::move(answered.remark);
+    return path;
+  });
+}
+
+SnappedPoint Surface::nearest(const Point& position) const {
+  return translated([&] {
+    const inner::SurfaceLocator* locator = nullptr;
+    {
+      const std::lock_guard lock(state_->mutex);
+      if (!state_->locator) state_->locator = std::make_unique<inner::SurfaceLocator>(state_->mesh);
+      locator = state_->locator.get();
+    }
+    const auto found = locator->nearest(position);
+    return SnappedPoint{point_out(*state_->mesh, found.point), found.distance};
+  });
+}
+
+Point Surface::position(const SurfacePoint& point) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    return position_of(mesh, validated(mesh, point_in(mesh, point)));
+  });
+}
+
+// ---- Its index
+
+void Surface::build_index(const IndexOptions& options) {
+  translated([&] {
+    const std::lock_guard one_build(state_->build_mutex);
+    if (const auto index = state_->current()->index()) {
+      if (!options.file.empty()) index->save(options.file);
+      return;
+    }
+    inner::IndexOptions wanted = state_->options;
+    wanted.first_layer_patches = options.first_layer_patches;
+    wanted.second_layer_patches = options.second_layer_patches;
+    wanted.delta = options.delta;
+    wanted.seed = options.seed;
+    wanted.memory_budget = options.memory_budget;
+    const Progress progress(options.progress);
+    state_->adopt(options.file.empty()
+                      ? inner::GeodesicIndex::build(state_->mesh, wanted, progress)
+                      : inner::GeodesicIndex::build_in_file(options.file, state_->mesh, wanted, progress));
+  });
+}
+
+bool Surface::has_index() const { return state_->current()->index() != nullptr; }
+
+namespace {
+
+std::shared_ptr<const inner::GeodesicIndex> index_of(Surface::State& state) {
+  if (auto index = state.current()->index()) return index;
+  throw InvalidInput("The surface has no index; call build_index() or load_index() first.");
+}
+
+}  // namespace
+
+IndexStatistics Surface::index_statistics() const {
+  const auto index = index_of(*state_);
+  const auto& statistics = index->statistics();
+  return {statistics.first_layer_patches, statistics.second_layer_patches, statistics.bytes,
+          statistics.seconds};
+}
+
+void Surface::save_index(const std::filesystem::path& file) const {
+  translated([&] { index_of(*state_)->save(file); });
+}
+
+void Surface::load_index(const std::filesystem::path& file) {
+  translated([&] { state_->adopt(inner::GeodesicIndex::load(file, state_->mesh)); });
+}
+
+// ---- Tasks
+
+namespace {
+
+/// Runs a task: body(team, mesh).
+template <class Body>
+auto run_task(const Surface& surface, Body&& body) {
+  return translated([&] {
+    Surface::State& state = surface.state();
+    const auto index = state.current()->index();
+    const int threads = state.options.threads;
+    inner::FieldTeam team = index ? inner::FieldTeam(index, threads) : inner::FieldTeam(state.mesh, threads);
+    return body(team, *state.mesh);
+  });
+}
+
+SparseDistances sparse_out(inner::FieldTeam& team, const inner::PointList& points, double radius,
+                           const Progress& progress) {
+  auto found = pairs_within(team, points, radius, 0, progress);
+  return {std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
+}
+
+}  // namespace
+
+std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
+                                    const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    std::vector<double> matrix(points.size() * points.size());
+    distance_matrix(team, points_in(mesh, points), MatrixMethod::automatic, std::span(matrix),
+                    Progress(progress));
+    return matrix;
+  });
+}
+
+std::vector<double> distance_matrix(const Surface& surface, const PointList& rows, const PointList& columns,
+                                    const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    std::vector<double> matrix(rows.size() * columns.size());
+    distance_matrix(team, points_in(mesh, rows), points_in(mesh, columns), MatrixMethod::automatic,
+                    std::span(matrix), Progress(progress));
+    return matrix;
+  });
+}
+
+SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
+                             const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    return sparse_out(team, points_in(mesh, points), radius, Progress(progress));
+  });
+}
+
+NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
+                     std::size_t count, const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    auto found =
+        nearest_of_set(team, points_in(mesh, set), points_in(mesh, queries), count, Progress(progress));
+    return NearestOfSet{std::move(found.position), std::move(found.distance)};
+  });
+}
+
+VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    auto found = voronoi_regions(team, points_in(mesh, sites), Progress(progress));
+    VoronoiRegions regions;
+    regions.face_region.assign(static_cast<std::size_t>(surface.face_count()), -1);
+    for (const int face : central_parts(mesh)) {
+      regions.face_region[static_cast<std::size_t>(mesh.input_face(face))] = found.face_region[face];
+    }
+    regions.vertex_region = of_given_vertices(mesh, std::move(found.vertex_region));
+    regions.distance = of_given_vertices(mesh, std::move(found.distance));
+    regions.area = std::move(found.area);
+    regions.borders = {std::move(found.borders.points), std::move(found.borders.segments)};
+    regions.border_regions = std::move(found.border_regions);
+    return regions;
+  });
+}
+
+Isolines isolines(const Surface& surface, const std::vector<double>& field,
+                  const std::vector<double>& levels) {
+  return translated([&] {
+    auto found = inner::isolines(*surface.state().mesh, field, levels, Interpolation::distance);
+    return Isolines{{std::move(found.lines.points), std::move(found.lines.segments)},
+                    std::move(found.level_of_segment)};
+  });
+}
+
+FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& options) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    FarthestStop stop;
+    stop.count = options.count;
+    stop.radius = options.radius;
+    auto found =
+        sample_farthest(team, stop, points_in(mesh, options.start), options.seed, Progress(options.progress));
+    return FarthestSamples{points_out(mesh, found.points), std::move(found.radius), std::move(found.distance),
+                           found.covering_radius};
+  });
+}
+
+std::vector<int> sample_poisson_disk(const Surface& surface, double radius, std::uint64_t seed,
+                                     const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh&) {
+    return sample_poisson_disk(team, radius, seed, Progress(progress));
+  });
+}
+
+Disk disk(const Surface& surface, const PointList& sources, double radius) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    auto found = geodesic_disk(team, points_in(mesh, sources), radius);
+    for (int& face : found.faces) face = mesh.input_face(face);
+    return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
+  });
+}
+
+Extent extent(const Surface& surface, int max_fields, const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    const auto found =
+        extent_of_component(team, largest_component(mesh).first_vertex, max_fields, Progress(progress));
+    return Extent{{found.diameter.lower, found.diameter.upper},
+                  {found.ends[0], found.ends[1]},
+                  {found.radius.lower, found.radius.upper},
+                  found.centre};
+  });
+}
+
+}  // namespace v0
+}  // namespace vorogeo

@@ -1,0 +1,351 @@
+// VoroGeo: geodesic distances and shortest paths on triangle meshes. The public interface of the C++ library.
+//
+//     #include <vorogeo.h>
+//     vorogeo::Surface surface(positions, faces);
+//     std::vector<double> distance = surface.distances_from(0);
+//     vorogeo::Path path = surface.path(0, surface.snap({1, 2, 3}), {.exact = true});
+//
+// Vertices and faces are numbered from 0 as they were given, in arguments and in results; -1 stands for none.
+// Every function throws the errors declared here and nothing else of its own; each message names the element
+// that is wrong and says what to do.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#if defined(__GNUC__)
+#define VOROGEO_API __attribute__((visibility("default")))
+#else
+#define VOROGEO_API
+#endif
+
+namespace vorogeo {
+// Part of the name of every symbol: a program that was compiled with another interface does not link with it.
+inline namespace v0 {
+
+/// Coordinates in space.
+using Point = std::array<double, 3>;
+/// The distance where no path leads.
+inline constexpr double unreachable = std::numeric_limits<double>::infinity();
+/// Receives the fraction done in [0, 1] and what is being done; returns false to cancel. Called from the
+/// thread that asked.
+using ProgressFunction = std::function<bool(double fraction, const std::string& activity)>;
+
+// ---- Errors
+
+/// Base of all errors of the library.
+class VOROGEO_API Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+/// An argument or a mesh that cannot be used.
+class VOROGEO_API InvalidInput : public Error {
+ public:
+  using Error::Error;
+};
+/// An index file that is missing, damaged, of another version or of another mesh.
+class VOROGEO_API IndexFileError : public Error {
+ public:
+  using Error::Error;
+};
+/// A result that needs more memory than there is.
+class VOROGEO_API NotEnoughMemory : public Error {
+ public:
+  using Error::Error;
+};
+/// A progress function returned false; nothing was changed.
+class VOROGEO_API Cancelled : public Error {
+ public:
+  using Error::Error;
+};
+
+// ---- Points of a surface
+
+/// A point of a surface: a vertex, or a place in a face. A vertex number is one.
+struct SurfacePoint {
+  int vertex = -1;
+  int face = -1;
+  /// Of the corners of `face`: not negative, sum 1.
+  std::array<double, 3> weights{};
+
+  SurfacePoint() = default;
+  SurfacePoint(int vertex_number) : vertex(vertex_number) {}  // NOLINT(google-explicit-constructor)
+  SurfacePoint(int face_number, const std::array<double, 3>& corner_weights)
+      : face(face_number), weights(corner_weights) {}
+
+  friend bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
+};
+
+/// One or several points: a point, a list in braces, or any range of points or of vertex numbers.
+class PointList {
+ public:
+  PointList() = default;
+  PointList(std::initializer_list<SurfacePoint> points) : points_(points) {}
+  template <std::convertible_to<SurfacePoint> One>
+  PointList(const One& point) : points_{SurfacePoint(point)} {}  // NOLINT(google-explicit-constructor)
+  template <std::ranges::input_range Range>
+  requires(std::convertible_to<std::ranges::range_value_t<Range>, SurfacePoint> &&
+           !std::same_as<std::remove_cvref_t<Range>, PointList>) PointList(const Range& points)
+      : points_(std::ranges::begin(points), std::ranges::end(points)) {}  // NOLINT
+
+  std::size_t size() const { return points_.size(); }
+  bool empty() const { return points_.empty(); }
+  const SurfacePoint& operator[](std::size_t i) const { return points_[i]; }
+  auto begin() const { return points_.begin(); }
+  auto end() const { return points_.end(); }
+
+ private:
+  std::vector<SurfacePoint> points_;
+};
+
+/// A point of the surface and its distance in space from the position that it is the nearest to.
+struct SnappedPoint {
+  SurfacePoint point;
+  double distance = 0.0;
+};
+
+// ---- Options and answers
+
+/// What distances are measured in, and on which part of the mesh. At most one of the first three is given.
+struct SurfaceOptions {
+  /// By vertex, above 0, linear over each face: what a unit of length costs.
+  std::vector<double> vertex_cost = {};
+  /// By face, above 0: paths refract at edges.
+  std::vector<double> face_cost = {};
+  /// By face, each side opposite the corner of the same number: lengths instead of those in space.
+  std::vector<std::array<double, 3>> side_lengths = {};
+  /// By face or by vertex: false leaves the face, or all faces at the vertex, out of the surface.
+  std::vector<bool> mask = {};
+  /// Borders at most this far apart that face each other are joined; not together with a metric.
+  double gap = 0.0;
+  /// Join them also where the surface turns back.
+  bool bridge_folds = false;
+  /// Threads used by an index build, a field or a task; 0: one per core. No result depends on it.
+  int threads = 0;
+};
+
+/// How a question is answered.
+enum class Answer : std::uint8_t {
+  automatic,  ///< by the index if there is one; otherwise exactly, until an index has become worth its build
+  index,      ///< by the index, which is built if there is none
+  exact,      ///< by exact propagation over the faces
+  quick       ///< fields only: some tenths of a percent off, in a small part of the time
+};
+/// "automatic", "index", "exact" or "quick".
+VOROGEO_API const char* to_string(Answer answer);
+
+struct FieldOptions {
+  double limit = unreachable;        ///< distances above it are `unreachable`
+  bool labels = false;               ///< also say which source is the nearest
+  std::vector<double> offsets = {};  ///< added to the distances from each source; empty: 0
+  Answer by = Answer::automatic;
+  ProgressFunction progress = {};
+};
+
+struct Field {
+  std::vector<double> distance = {};  ///< of every vertex
+  std::vector<int> label = {};  ///< with labels, position of the nearest source in the list; -1 for none
+  Answer answered_by = Answer::exact;
+  std::string remark;  ///< what a user should know about the choice; mostly empty
+};
+
+struct PathOptions {
+  bool exact = false;   ///< the shortest path; otherwise an index may answer with one that is nearly so
+  bool certify = true;  ///< with exact: proven to be the shortest; false is faster on large curved surfaces
+  Answer by = Answer::automatic;
+  ProgressFunction progress = {};
+};
+
+/// A polyline over the surface; without points where no path leads.
+struct Path {
+  std::vector<Point> points = {};  ///< positions in space
+  std::vector<SurfacePoint> surface_points =
+      {};  ///< the same; neither vertex nor face on a bridge over a gap
+  double length = unreachable;
+  bool certified = false;  ///< proven: none is shorter
+  Answer answered_by = Answer::exact;
+  std::string remark;
+};
+
+struct IndexOptions {
+  /// Where the index is kept: written while it is built, read if it is there, resumed if it is unfinished.
+  std::filesystem::path file = {};
+  int first_layer_patches = 0;   ///< 0: chosen
+  int second_layer_patches = 0;  ///< in each of these; 0: chosen
+  double delta = 0.0;            ///< mean relative error for which arcs may be pruned; above 0: a small index
+  std::uint64_t seed = 0;        ///< of the random places of patches
+  std::int64_t memory_budget = 0;  ///< in MiB; 0: 4096
+  ProgressFunction progress = {};
+};
+
+struct IndexStatistics {
+  int first_layer_patches = 0;
+  int second_layer_patches = 0;
+  std::int64_t bytes = 0;  ///< in addition to the mesh
+  double seconds = 0.0;    ///< of the build; 0 if it was loaded
+};
+
+// ---- What is unusual about a mesh
+
+struct MeshReport {
+  bool usable = false;                 ///< a Surface can be made of it
+  std::string summary;                 ///< sizes, components and borders
+  std::vector<std::string> sentences;  ///< one for each kind of finding, naming its first element
+};
+/// Looks at a mesh before a Surface is made of it. Takes any arrays. 	hrow InvalidInput for a bad gap.
+VOROGEO_API MeshReport check_mesh(const std::vector<Point>& positions,
+                                  const std::vector<std::array<int, 3>>& faces, double gap = 0.0);
+
+// ---- The surface
+
+/// A mesh that answers questions about distances. Made once; copies are cheap and share everything. All const
+/// functions may be called from several threads at a time.
+class VOROGEO_API Surface {
+ public:
+  /// \param positions One for each vertex. All may be NaN if side lengths are given.
+  /// \param faces Three vertices each; need be neither manifold nor oriented nor connected. Those that name a
+  ///        vertex twice or repeat a face are left out.
+  /// \throw InvalidInput for a face that names no vertex, a coordinate, cost or length that cannot be used.
+  Surface(std::vector<Point> positions, std::vector<std::array<int, 3>> faces,
+          const SurfaceOptions& options = {});
+
+  int vertex_count() const;
+  int face_count() const;
+
+  /// The distance of every vertex from the nearest of the sources, `unreachable` where there is none.
+  std::vector<double> distances_from(const PointList& sources) const;
+  /// The same with options and labels. \throw InvalidInput for no source, or one that is not on the surface.
+  Field field(const PointList& sources, const FieldOptions& options = {}) const;
+  /// The distance of two points. \pre `by` is not quick.
+  double distance(const SurfacePoint& from, const SurfacePoint& to, Answer by = Answer::automatic) const;
+  /// The same for pairs of points: entry i of both lists. On all threads, from the index if there is one.
+  std::vector<double> distances(const PointList& from, const PointList& to) const;
+  Path path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options = {}) const;
+
+  /// The nearest point of the surface. \throw InvalidInput for a coordinate that is not finite.
+  SurfacePoint snap(const Point& position) const { return nearest(position).point; }
+  SnappedPoint nearest(const Point& position) const;
+  Point position(const SurfacePoint& point) const;
+
+  /// Builds an index: later answers take milliseconds or less. Does nothing if there is one, except that a
+  /// file is written. \throw InvalidInput for options that cannot be met, IndexFileError, Cancelled.
+  void build_index(const IndexOptions& options = {});
+  bool has_index() const;
+  /// \pre There is an index. \throw InvalidInput otherwise.
+  IndexStatistics index_statistics() const;
+  void save_index(const std::filesystem::path& file) const;
+  /// \throw IndexFileError if it is not the index of this surface.
+  void load_index(const std::filesystem::path& file);
+
+  /// What the library keeps for a surface; not for users.
+  struct State;
+  State& state() const { return *state_; }
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+// ---- Tasks: what is built on many distances. From the index of the surface if there is one, otherwise
+// exact.
+
+/// Row by row the distance of each row's point from each column's. The first form: of points from each other.
+VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
+                                                const ProgressFunction& progress = {});
+VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& rows,
+                                                const PointList& columns,
+                                                const ProgressFunction& progress = {});
+
+/// Row i holds the entries row_begin[i] to row_begin[i + 1].
+struct SparseDistances {
+  std::vector<std::int64_t> row_begin;
+  std::vector<int> column;  ///< ascending within a row
+  std::vector<double> distance;
+};
+/// All pairs of points at most `radius` apart. \throw NotEnoughMemory.
+VOROGEO_API SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
+                                         const ProgressFunction& progress = {});
+
+/// For each query `count` positions in the set and distances, nearest first; -1 where fewer can be reached.
+struct NearestOfSet {
+  std::vector<int> position;
+  std::vector<double> distance;
+};
+VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
+                                 std::size_t count, const ProgressFunction& progress = {});
+
+/// Polylines on a surface: each segment joins two of the points.
+struct SurfaceLines {
+  std::vector<Point> points;
+  std::vector<std::array<int, 2>> segments;
+};
+/// Geodesic Voronoi regions: positions in the list of sites, -1 where none can be reached.
+struct VoronoiRegions {
+  std::vector<int> vertex_region;
+  std::vector<double> distance;  ///< of each vertex from its site
+  std::vector<int> face_region;  ///< at the centre of each face
+  std::vector<double> area;      ///< of each region
+  SurfaceLines borders;
+  std::vector<std::array<int, 2>> border_regions;  ///< beside each segment
+};
+VOROGEO_API VoronoiRegions voronoi(const Surface& surface, const PointList& sites,
+                                   const ProgressFunction& progress = {});
+
+/// Lines of equal value of a field at the vertices. `level` is the position of each segment's level.
+struct Isolines {
+  SurfaceLines lines;
+  std::vector<int> level;
+};
+VOROGEO_API Isolines isolines(const Surface& surface, const std::vector<double>& field,
+                              const std::vector<double>& levels);
+
+struct FarthestOptions {
+  int count = 0;         ///< so many samples; 0: no such limit
+  double radius = 0.0;   ///< until every vertex is at most so far from a sample; 0: no such limit
+  PointList start = {};  ///< the first samples; empty: a random vertex
+  std::uint64_t seed = 0;
+  ProgressFunction progress = {};
+};
+struct FarthestSamples {
+  std::vector<SurfacePoint> points;
+  std::vector<double> radius;    ///< distance of each from those before it
+  std::vector<double> distance;  ///< of every vertex from the nearest sample
+  double covering_radius = 0.0;
+};
+/// Farthest-point sampling: each sample is the vertex farthest from those before it.
+VOROGEO_API FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& options);
+/// Vertices at least `radius` apart, to which no vertex could be added.
+VOROGEO_API std::vector<int> sample_poisson_disk(const Surface& surface, double radius,
+                                                 std::uint64_t seed = 0,
+                                                 const ProgressFunction& progress = {});
+
+/// What lies within a radius of the nearest of some sources.
+struct Disk {
+  std::vector<int> vertices;
+  std::vector<double> distance;  ///< of each
+  std::vector<int> faces;        ///< with all corners inside
+};
+VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius);
+
+/// Bounds of the greatest and the least distance of a vertex from the vertex farthest from it.
+struct Extent {
+  std::array<double, 2> diameter{};
+  std::array<int, 2> ends{};  ///< vertices as far apart as the lower bound of the diameter
+  std::array<double, 2> radius{};
+  int centre = -1;  ///< from which all vertices are within the upper bound of the radius
+};
+/// Of the largest component, from at most `max_fields` fields.
+VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const ProgressFunction& progress = {});
+
+}  // namespace v0
+}  // namespace vorogeo

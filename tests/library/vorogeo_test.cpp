@@ -1,0 +1,381 @@
+// The public header as its users see it: answers on a folded sheet, which are those of flat paper, and
+// refusals.
+#include "vorogeo.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <numeric>
+#include <thread>
+
+#include "cpp/sheet.h"
+
+namespace {
+
+using vorogeo::Answer;
+using vorogeo::Path;
+using vorogeo::Surface;
+using vorogeo::SurfacePoint;
+using vorogeo::unreachable;
+
+constexpr int squares = 24;
+
+Surface surface_of(const Sheet& sheet, const vorogeo::SurfaceOptions& options = {}) {
+  return {sheet.positions, sheet.faces, options};
+}
+
+double length_along(const Path& path) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const auto &a = path.points[i - 1], &b = path.points[i];
+    length += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  return length;
+}
+
+template <class Kind, class Body>
+std::string sentence_of(Body&& body) {
+  try {
+    body();
+  } catch (const Kind& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(Library, FieldsAreThoseOfFlatPaper) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  EXPECT_EQ(surface.vertex_count(), (squares + 1) * (squares + 1));
+  EXPECT_EQ(surface.face_count(), 2 * squares * squares);
+  const std::vector<int> ids{0, 30};
+  const auto field = surface.field(ids, {.labels = true, .by = Answer::exact});
+  const auto quick = surface.field(ids, {.by = Answer::quick});
+  EXPECT_EQ(field.answered_by, Answer::exact);
+  EXPECT_EQ(quick.answered_by, Answer::quick);
+  EXPECT_TRUE(quick.label.empty());
+  ASSERT_EQ(field.distance.size(), sheet.positions.size());
+  double off_quickly = 0.0;
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    const double from_first = sheet.flat_distance(0, v), from_second = sheet.flat_distance(30, v);
+    const double flat = std::min(from_first, from_second);
+    EXPECT_NEAR(field.distance[v], flat, 1e-12) << v;
+    EXPECT_NEAR(quick.distance[v], flat, 0.1 * flat + 1e-12) << v;
+    off_quickly += std::abs(quick.distance[v] - flat);
+    if (std::abs(from_first - from_second) > 1e-9) {
+      EXPECT_EQ(field.label[v], from_first < from_second ? 0 : 1);
+    }
+  }
+  EXPECT_LT(off_quickly / surface.vertex_count(), 0.01 * 0.5);
+}
+
+TEST(Library, LimitsAndOffsetsHold) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  const auto field = surface.field({0, squares}, {.limit = 0.6, .labels = true, .offsets = {0.0, 0.25}});
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    const double flat = std::min(sheet.flat_distance(0, v), sheet.flat_distance(squares, v) + 0.25);
+    if (flat < 0.6 - 1e-9) {
+      EXPECT_NEAR(field.distance[v], flat, 1e-12);
+    }
+    if (flat > 0.6 + 1e-9) {
+      EXPECT_EQ(field.distance[v], unreachable);
+      EXPECT_EQ(field.label[v], -1);
+    }
+  }
+}
+
+TEST(Library, PathsAreStraightLinesOnThePaper) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  const Path path = surface.path(0, {2 * squares * squares - 1, {0.25, 0.25, 0.5}}, {.exact = true});
+  // The last face has its corners at (1, 1 - 1/n), (1, 1), (1 - 1/n, 1) on the paper.
+  const double x = 1.0 - 0.5 / squares, y = 1.0 - 0.25 / squares;
+  EXPECT_TRUE(path.certified);
+  EXPECT_NEAR(path.length, std::hypot(x, y), 1e-12);
+  EXPECT_NEAR(length_along(path), path.length, 1e-12);
+  EXPECT_NEAR(surface.distance(0, {2 * squares * squares - 1, {0.25, 0.25, 0.5}}), path.length, 1e-12);
+  ASSERT_EQ(path.points.size(), path.surface_points.size());
+  EXPECT_EQ(path.surface_points.front(), SurfacePoint(0));
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const auto again = surface.position(path.surface_points[i]);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(again[k], path.points[i][k], 1e-12);
+  }
+  const std::vector<double> pairs = surface.distances({0, 0}, {squares, sheet.vertex(squares, squares)});
+  EXPECT_NEAR(pairs[0], 1.0, 1e-12);
+  EXPECT_NEAR(pairs[1], std::numbers::sqrt2, 1e-12);
+}
+
+TEST(Library, PlacesInSpaceAreSnapped) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  EXPECT_EQ(surface.snap(sheet.positions[77]), SurfacePoint(77));
+  const auto below = surface.nearest({0.1 / squares, 0.3 / squares, -1.0});
+  EXPECT_GT(below.distance, 0.9);
+  EXPECT_LT(below.distance, 1.1);
+  const auto at = surface.position(surface.snap({0.0, -0.5, 0.0}));
+  EXPECT_NEAR(at[1], 0.0, 1e-12);
+}
+
+TEST(Library, AnIndexAnswersFromThenOn) {
+  const Sheet sheet(60);
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "vorogeo_library_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  Surface surface = surface_of(sheet, {.threads = 2});
+  EXPECT_FALSE(surface.has_index());
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.index_statistics(); }).find("build_index"),
+            std::string::npos);
+  double last = 0.0;
+  surface.build_index({.file = folder / "sheet.vgi", .progress = [&](double fraction, const std::string&) {
+                         EXPECT_GE(fraction, last);
+                         last = fraction;
+                         return true;
+                       }});
+  EXPECT_TRUE(surface.has_index());
+  EXPECT_GT(surface.index_statistics().bytes, 0);
+  const auto field = surface.field(0);
+  EXPECT_EQ(field.answered_by, Answer::index);
+  for (int v = 1; v < surface.vertex_count(); ++v) {
+    EXPECT_NEAR(field.distance[v] / sheet.flat_distance(0, v), 1.0, 5e-3) << v;
+  }
+  surface.save_index(folder / "saved.vgi");
+  Surface other = surface_of(sheet);
+  other.load_index(folder / "saved.vgi");
+  EXPECT_EQ(other.field(0).distance, field.distance);
+  const std::vector<int> from{0, 5, 9}, to{3000, 77, 2222};
+  EXPECT_EQ(other.distances(from, to), surface.distances(from, to));
+  EXPECT_EQ(surface.distance(0, 3000), surface.distance(3000, 0));
+  Surface smaller = surface_of(Sheet(squares));
+  EXPECT_NE(sentence_of<vorogeo::IndexFileError>([&] { smaller.load_index(folder / "saved.vgi"); }),
+            "not refused");
+  EXPECT_NE(sentence_of<vorogeo::IndexFileError>([&] { smaller.load_index(folder / "none.vgi"); }),
+            "not refused");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Library, MetricsScaleLengths) {
+  const Sheet sheet(squares);
+  const auto plain = surface_of(sheet).distances_from(0);
+  const std::vector<double> by_vertex(sheet.positions.size(), 2.0), by_face(sheet.faces.size(), 3.0);
+  std::vector<std::array<double, 3>> sides;
+  for (const auto& face : sheet.faces) {
+    sides.emplace_back();
+    for (int i = 0; i < 3; ++i)
+      sides.back()[i] = 4.0 * sheet.flat_distance(face[(i + 1) % 3], face[(i + 2) % 3]);
+  }
+  const auto doubled = surface_of(sheet, {.vertex_cost = by_vertex}).distances_from(0);
+  const auto tripled = surface_of(sheet, {.face_cost = by_face}).distances_from(0);
+  const auto quadrupled = surface_of(sheet, {.side_lengths = sides}).distances_from(0);
+  for (std::size_t v = 0; v < plain.size(); ++v) {
+    EXPECT_NEAR(doubled[v], 2.0 * plain[v], 1e-11);
+    EXPECT_NEAR(tripled[v], 3.0 * plain[v], 3e-2);  // points on edges, not windows
+    EXPECT_NEAR(quadrupled[v], 4.0 * plain[v], 1e-11);
+  }
+}
+
+TEST(Library, MaskedFacesAreACut) {
+  const Sheet sheet(squares);
+  std::vector<bool> faces(sheet.faces.size(), true), vertices(sheet.positions.size(), true);
+  for (int j = 0; j < squares; ++j) {  // one column of squares, or of vertices
+    faces[2 * (j * squares + 8)] = faces[2 * (j * squares + 8) + 1] = false;
+  }
+  for (int j = 0; j <= squares; ++j) vertices[sheet.vertex(8, j)] = false;
+  for (const auto& mask : {faces, vertices}) {
+    const Surface surface = surface_of(sheet, {.mask = mask});
+    const auto distance = surface.distances_from(0);
+    EXPECT_NEAR(distance[sheet.vertex(7, squares)], sheet.flat_distance(0, sheet.vertex(7, squares)), 1e-12);
+    EXPECT_EQ(distance[sheet.vertex(9, 0)], unreachable);
+    EXPECT_TRUE(surface.path(0, sheet.vertex(9, 0)).points.empty());
+    const SurfacePoint masked(2 * 8, {0.2, 0.3, 0.5});
+    EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.position(masked); }).find("Face 16"),
+              std::string::npos);
+  }
+}
+
+TEST(Library, GapsAreBridged) {
+  const double gap = 0.01;
+  std::vector<vorogeo::Point> positions;
+  for (const double x : {0.0, 1.0, 1.0 + gap, 2.0 + gap}) {
+    for (const double y : {0.0, 1.0}) positions.push_back({x, y, 0.0});
+  }
+  const std::vector<std::array<int, 3>> faces{{0, 2, 1}, {1, 2, 3}, {4, 6, 5}, {5, 6, 7}};
+  EXPECT_EQ(Surface(positions, faces).distance(0, 6), unreachable);
+  const Surface bridged(positions, faces, {.gap = 2.0 * gap});
+  EXPECT_NEAR(bridged.distance(0, 7), std::hypot(2.0 + gap, 1.0), 1e-12);
+  const auto path = bridged.path(0, 7);
+  EXPECT_TRUE(std::ranges::all_of(path.surface_points, [](const SurfacePoint& p) { return p.face < 4; }));
+  EXPECT_EQ(vorogeo::check_mesh(positions, faces).usable, true);
+  EXPECT_FALSE(vorogeo::check_mesh(positions, faces).summary.empty());
+}
+
+/// The tasks agree with the paper, exactly and from an index.
+class LibraryTasks : public testing::TestWithParam<bool> {
+ protected:
+  LibraryTasks() {
+    if (GetParam()) surface.build_index();
+  }
+  const Sheet sheet{48};
+  Surface surface = surface_of(sheet);
+  const double slack = GetParam() ? 5e-3 : 1e-9;
+};
+
+TEST_P(LibraryTasks, MatricesAndNeighbours) {
+  const std::vector<int> points{0, 48, 1000, 2400, 1234};
+  const auto matrix = vorogeo::distance_matrix(surface, points);
+  const auto rows = vorogeo::distance_matrix(surface, {0, 48}, points);
+  const auto near = vorogeo::pairs_within(surface, points, 0.8);
+  const auto nearest = vorogeo::nearest(surface, points, {100}, 2);
+  std::int64_t pairs = 0;
+  std::vector<std::pair<double, int>> by_distance;
+  for (int i = 0; i < 5; ++i) {
+    by_distance.emplace_back(sheet.flat_distance(points[i], 100), i);
+    for (int j = 0; j < 5; ++j) {
+      const double flat = sheet.flat_distance(points[i], points[j]);
+      EXPECT_NEAR(matrix[5 * i + j], flat, slack);
+      EXPECT_EQ(matrix[5 * i + j], matrix[5 * j + i]);
+      if (i < 2) {
+        EXPECT_NEAR(rows[5 * i + j], flat, slack);
+      }
+      pairs += i != j && flat <= 0.8;
+    }
+  }
+  EXPECT_EQ(near.row_begin.back(), pairs);
+  std::ranges::sort(by_distance);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(nearest.position[i], by_distance[i].second);
+    EXPECT_NEAR(nearest.distance[i], by_distance[i].first, slack);
+  }
+}
+
+TEST_P(LibraryTasks, RegionsOfTwoSitesAreHalves) {
+  const auto regions = vorogeo::voronoi(surface, {sheet.vertex(12, 24), sheet.vertex(36, 24)});
+  EXPECT_NEAR(regions.area[0], 0.5, slack);
+  EXPECT_NEAR(regions.area[1], 0.5, slack);
+  ASSERT_EQ(regions.face_region.size(), sheet.faces.size());
+  EXPECT_EQ(regions.face_region.front(), 0);
+  EXPECT_EQ(regions.face_region.back(), 1);
+  EXPECT_EQ(regions.vertex_region[sheet.vertex(5, 5)], 0);
+  EXPECT_NEAR(regions.distance[sheet.vertex(36, 0)], 0.5, slack);
+  double length = 0.0;
+  for (const auto& [a, b] : regions.borders.segments) {
+    length += std::abs(regions.borders.points[a][1] - regions.borders.points[b][1]);
+  }
+  EXPECT_NEAR(length, 1.0, 0.05);
+}
+
+TEST_P(LibraryTasks, SamplesAreSpread) {
+  const auto farthest = vorogeo::sample_farthest(surface, {.count = 4, .start = 0});
+  EXPECT_EQ(farthest.points[1], SurfacePoint(sheet.vertex(48, 48)));
+  EXPECT_NEAR(farthest.radius[1], std::numbers::sqrt2, slack);
+  EXPECT_NEAR(farthest.radius[3], 1.0, slack);
+  EXPECT_NEAR(farthest.covering_radius, std::sqrt(0.5), slack);
+  const double radius = 0.2;
+  const std::vector<int> samples = vorogeo::sample_poisson_disk(surface, radius, 7);
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    double nearest = unreachable;
+    for (const int sample : samples) {
+      if (sample != v) nearest = std::min(nearest, sheet.flat_distance(sample, v));
+    }
+    if (std::ranges::find(samples, v) != samples.end()) {
+      EXPECT_GE(nearest, radius * (1.0 - slack));
+    } else {
+      EXPECT_LE(nearest, radius * (1.0 + slack));
+    }
+  }
+}
+
+TEST_P(LibraryTasks, LinesDisksAndExtent) {
+  const auto lines = vorogeo::isolines(surface, surface.distances_from(0), {0.5, 0.75});
+  std::array<double, 2> length{};
+  for (std::size_t i = 0; i < lines.level.size(); ++i) {
+    const auto& [p, q] = lines.lines.segments[i];
+    const auto &a = lines.lines.points[p], &b = lines.lines.points[q];
+    length[lines.level[i]] += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  EXPECT_NEAR(length[0], 0.25 * std::numbers::pi, 0.01);  // a quarter of a circle
+  EXPECT_NEAR(length[1], 0.375 * std::numbers::pi, 0.01);
+
+  const auto disk = vorogeo::disk(surface, 0, 0.301);
+  const auto inside = [&](int v) { return sheet.flat_distance(0, v) <= 0.301; };
+  EXPECT_TRUE(std::ranges::all_of(disk.vertices, inside));
+  int vertices = 0, faces = 0;
+  for (int v = 0; v < surface.vertex_count(); ++v) vertices += inside(v);
+  for (const auto& face : sheet.faces) faces += std::ranges::all_of(face, inside);
+  EXPECT_EQ(disk.vertices.size(), static_cast<std::size_t>(vertices));
+  EXPECT_EQ(disk.faces.size(), static_cast<std::size_t>(faces));
+
+  const auto extent = vorogeo::extent(surface);
+  EXPECT_LE(extent.diameter[0], std::numbers::sqrt2 + slack);
+  EXPECT_GE(extent.diameter[1], std::numbers::sqrt2 - slack);
+  EXPECT_NEAR(extent.diameter[0], std::numbers::sqrt2, slack);
+  EXPECT_NEAR(extent.radius[1], std::sqrt(0.5), 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(ExactAndIndex, LibraryTasks, testing::Bool(),
+                         [](const auto& which) { return which.param ? "index" : "exact"; });
+
+TEST(Library, ThreadsMayAskAtATime) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet, {.threads = 1});
+  std::vector<std::thread> threads;
+  std::vector<double> worst(4, 0.0);
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&, t] {
+      for (int i = t; i < 40; i += 4) {
+        const int from = 13 * i, to = 600 - 7 * i;
+        const auto field = surface.field(from, {.by = Answer::exact});
+        for (int v = 0; v < surface.vertex_count(); ++v) {
+          worst[t] = std::max(worst[t], std::abs(field.distance[v] - sheet.flat_distance(from, v)));
+        }
+        const Path path = surface.path(from, to, {.exact = true, .by = Answer::exact});
+        worst[t] = std::max(worst[t], std::abs(path.length - sheet.flat_distance(from, to)));
+        surface.snap({0.01 * i, 0.5, 0.0});
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_LT(*std::ranges::max_element(worst), 1e-12);
+}
+
+TEST(Library, RefusalsNameTheElement) {
+  using vorogeo::InvalidInput;
+  const Sheet sheet(squares);
+  Surface surface = surface_of(sheet);
+  const auto refusal = [](auto&& body) { return sentence_of<InvalidInput>(body); };
+  EXPECT_EQ(refusal([&] {
+              surface.distances_from({0, 625});
+            }),
+            "Vertex 625 does not exist: the mesh has vertices 0 to 624.");
+  EXPECT_EQ(refusal([&] { surface.distance(-1, 0); }),
+            "Vertex -1 does not exist: the mesh has vertices 0 to 624.");
+  EXPECT_EQ(refusal([&] { surface.field({}); }), "There is no source: give at least one.");
+  EXPECT_NE(refusal([&] {
+              surface.field({0, 1}, {.offsets = {1.0}});
+            }).find("2 sources and 1 offsets"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { surface.field(0, {.limit = -1.0}); }), "not refused");
+  EXPECT_NE(refusal([&] { surface.distance(0, 1, Answer::quick); }).find("quick"), std::string::npos);
+  EXPECT_NE(refusal([&] { surface.snap({std::nan(""), 0.0, 0.0}); }), "not refused");
+  EXPECT_NE(refusal([&] { surface.build_index({.delta = 2.0}); }), "not refused");
+  auto positions = sheet.positions;
+  positions[9][1] = std::nan("");
+  EXPECT_NE(refusal([&] { Surface(positions, sheet.faces); }).find("9"), std::string::npos);
+  EXPECT_FALSE(vorogeo::check_mesh(positions, sheet.faces).usable);
+  EXPECT_NE(refusal([&] { Surface(sheet.positions, {{0, 1, 625}}); }).find("Face 0"), std::string::npos);
+  EXPECT_NE(refusal([&] {
+              surface_of(sheet, {.vertex_cost = {1.0, 2.0}});
+            }).find("625 vertices"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { surface_of(sheet, {.mask = {true}}); }).find("mask"), std::string::npos);
+  const auto cancel = [](double, const std::string&) { return false; };
+  EXPECT_NE(sentence_of<vorogeo::Cancelled>([&] { surface.build_index({.progress = cancel}); }),
+            "not refused");
+  EXPECT_FALSE(surface.has_index());
+  EXPECT_NE(sentence_of<vorogeo::Error>([&] { vorogeo::voronoi(surface, {}); }), "not refused");
+}
+
+}  // namespace
