@@ -419,6 +419,15 @@ std::vector<double> distance_matrix(const Surface& surface, const PointList& row
   });
 }
 
+std::vector<double> distance_fields(const Surface& surface, const PointList& sources, double limit,
+                                    const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    std::vector<double> rows(sources.size() * static_cast<std::size_t>(surface.vertex_count()));
+    distance_fields(team, points_in(mesh, sources), limit, std::span(rows), Progress(progress));
+    return rows;
+  });
+}
+
 SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                              const ProgressFunction& progress) {
   return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
@@ -480,11 +489,30 @@ std::vector<int> sample_poisson_disk(const Surface& surface, double radius, std:
   });
 }
 
+RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds,
+                    const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    auto found = relax_points(team, points_in(mesh, points), rounds, Progress(progress));
+    return RelaxedPoints{points_out(mesh, found.points), std::move(found.energy)};
+  });
+}
+
 Disk disk(const Surface& surface, const PointList& sources, double radius) {
   return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
     auto found = geodesic_disk(team, points_in(mesh, sources), radius);
     for (int& face : found.faces) face = mesh.input_face(face);
     return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
+  });
+}
+
+std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
+                                         const ProgressFunction& progress) {
+  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+    std::vector<Eccentricity> out;
+    for (const auto& one : eccentricities(team, points_in(mesh, points), Progress(progress))) {
+      out.push_back({one.distance, one.farthest});
+    }
+    return out;
   });
 }
 

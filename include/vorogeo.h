@@ -266,6 +266,11 @@ VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const Po
                                                 const PointList& columns,
                                                 const ProgressFunction& progress = {});
 
+/// Row by row the distances of all vertices from each source; those above the limit are `unreachable`.
+VOROGEO_API std::vector<double> distance_fields(const Surface& surface, const PointList& sources,
+                                                double limit = unreachable,
+                                                const ProgressFunction& progress = {});
+
 /// Row i holds the entries row_begin[i] to row_begin[i + 1].
 struct SparseDistances {
   std::vector<std::int64_t> row_begin;
@@ -329,6 +334,16 @@ VOROGEO_API std::vector<int> sample_poisson_disk(const Surface& surface, double 
                                                  std::uint64_t seed = 0,
                                                  const ProgressFunction& progress = {});
 
+/// Points moved to the middles of their Voronoi regions, and the energy before the first and after each
+/// round.
+struct RelaxedPoints {
+  std::vector<SurfacePoint> points;
+  std::vector<double> energy;
+};
+/// Lloyd relaxation: ends after so many rounds, or when no point finds a better vertex.
+VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds = 10,
+                                const ProgressFunction& progress = {});
+
 /// What lies within a radius of the nearest of some sources.
 struct Disk {
   std::vector<int> vertices;
@@ -336,6 +351,14 @@ struct Disk {
   std::vector<int> faces;        ///< with all corners inside
 };
 VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius);
+
+/// The vertex farthest from a point, within its component, and its distance.
+struct Eccentricity {
+  double distance = 0.0;
+  int farthest = -1;
+};
+VOROGEO_API std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
+                                                     const ProgressFunction& progress = {});
 
 /// Bounds of the greatest and the least distance of a vertex from the vertex farthest from it.
 struct Extent {

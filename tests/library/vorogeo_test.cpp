@@ -227,6 +227,15 @@ TEST_P(LibraryTasks, MatricesAndNeighbours) {
   const std::vector<int> points{0, 48, 1000, 2400, 1234};
   const auto matrix = vorogeo::distance_matrix(surface, points);
   const auto rows = vorogeo::distance_matrix(surface, {0, 48}, points);
+  const auto fields = vorogeo::distance_fields(surface, {0, 48}, 0.9);
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    const double flat = sheet.flat_distance(48, v), found = fields[surface.vertex_count() + v];
+    if (flat < 0.9 * (1.0 - slack)) {
+      EXPECT_NEAR(found, flat, slack);
+    } else if (flat > 0.9 * (1.0 + slack)) {
+      EXPECT_EQ(found, unreachable);
+    }
+  }
   const auto near = vorogeo::pairs_within(surface, points, 0.8);
   const auto nearest = vorogeo::nearest(surface, points, {100}, 2);
   std::int64_t pairs = 0;
@@ -273,6 +282,12 @@ TEST_P(LibraryTasks, SamplesAreSpread) {
   EXPECT_NEAR(farthest.radius[1], std::numbers::sqrt2, slack);
   EXPECT_NEAR(farthest.radius[3], 1.0, slack);
   EXPECT_NEAR(farthest.covering_radius, std::sqrt(0.5), slack);
+  // Two points that begin beside each other come to rest in the middles of halves: their energy is that of
+  // two rectangles about their centres, 2 (1/2) (1/4 + 1) / 12.
+  const auto relaxed = vorogeo::relax(surface, {sheet.vertex(23, 24), sheet.vertex(25, 24)}, 40);
+  EXPECT_NEAR(relaxed.energy.back(), 1.25 / 12.0, 0.005);
+  EXPECT_LT(relaxed.energy.back(), relaxed.energy.front());
+
   const double radius = 0.2;
   const std::vector<int> samples = vorogeo::sample_poisson_disk(surface, radius, 7);
   for (int v = 0; v < surface.vertex_count(); ++v) {
@@ -308,6 +323,10 @@ TEST_P(LibraryTasks, LinesDisksAndExtent) {
   EXPECT_EQ(disk.vertices.size(), static_cast<std::size_t>(vertices));
   EXPECT_EQ(disk.faces.size(), static_cast<std::size_t>(faces));
 
+  const auto farthest = vorogeo::eccentricities(surface, {0, sheet.vertex(24, 24)});
+  EXPECT_NEAR(farthest[0].distance, std::numbers::sqrt2, slack);
+  EXPECT_EQ(farthest[0].farthest, sheet.vertex(48, 48));
+  EXPECT_NEAR(farthest[1].distance, std::sqrt(0.5), slack);
   const auto extent = vorogeo::extent(surface);
   EXPECT_LE(extent.diameter[0], std::numbers::sqrt2 + slack);
   EXPECT_GE(extent.diameter[1], std::numbers::sqrt2 - slack);
