@@ -49,12 +49,12 @@ struct Corners {
   std::array<double, 3> distance{unreachable, unreachable, unreachable};
 };
 
-struct PlanePoint {
+struct UnfoldedPoint {
   double x, y;
 };
 
 /// Where a point lies above the line from (0, 0) to (length, 0), by its distances from both ends.
-PlanePoint above(double length, double to_first, double to_second) {
+UnfoldedPoint above(double length, double to_first, double to_second) {
   const double x = (to_first * to_first - to_second * to_second + length * length) / (2.0 * length);
   return {x, std::sqrt(std::max(0.0, to_first * to_first - x * x))};
 }
@@ -185,15 +185,15 @@ class GeodesicTriangles final : public GeodesicMethod {
   }
 
   /// The third corner of a triangle whose first one is at (0, 0) and whose second one lies on the x axis.
-  PlanePoint apex_of(const Triple& sample) const {
+  UnfoldedPoint apex_of(const Triple& sample) const {
     return above(between(sample[0], sample[1]), between(sample[0], sample[2]), between(sample[1], sample[2]));
   }
 
   /// Its vertex in that plane: by the differences of the squares of its three distances, which a flat
   /// triangle makes exact.
-  PlanePoint laid(const Corners& corners) const {
+  UnfoldedPoint laid(const Corners& corners) const {
     const double length = between(corners.sample[0], corners.sample[1]);
-    const PlanePoint apex = apex_of(corners.sample);
+    const UnfoldedPoint apex = apex_of(corners.sample);
     const auto square = [&](int k) { return corners.distance[k] * corners.distance[k]; };
     const double x = (square(0) - square(1) + length * length) / (2.0 * length);
     const double right = square(0) - square(2) + apex.x * apex.x + apex.y * apex.y - 2.0 * apex.x * x;
@@ -204,9 +204,9 @@ class GeodesicTriangles final : public GeodesicMethod {
   double least_weight(const Corners& corners) const {
     if (std::ranges::max(corners.distance) == unreachable) return -unreachable;
     const double length = between(corners.sample[0], corners.sample[1]);
-    const PlanePoint apex = apex_of(corners.sample);
+    const UnfoldedPoint apex = apex_of(corners.sample);
     if (!(length > 0.0 && apex.y > 0.0)) return -unreachable;
-    const PlanePoint p = laid(corners);
+    const UnfoldedPoint p = laid(corners);
     const double third = p.y / apex.y;
     const double second = (p.x - apex.x * third) / length;
     return std::min({third, second, 1.0 - third - second});
@@ -223,8 +223,8 @@ class GeodesicTriangles final : public GeodesicMethod {
       const double length = between(from.sample[i], from.sample[j]);
       const double farthest = std::max({from.distance[i], from.distance[j], apart[i], apart[j]});
       if (!(length > 0.0 && length < unreachable && farthest < unreachable)) continue;
-      const PlanePoint p = above(length, from.distance[i], from.distance[j]);
-      const PlanePoint q = above(length, apart[i], apart[j]);
+      const UnfoldedPoint p = above(length, from.distance[i], from.distance[j]);
+      const UnfoldedPoint q = above(length, apart[i], apart[j]);
       const double height = p.y + q.y;
       const double crossing = height > 0.0 ? p.x + (q.x - p.x) * (p.y / height) : 0.5 * (p.x + q.x);
       if (crossing < 0.0 || crossing > length) continue;

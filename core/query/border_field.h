@@ -159,6 +159,7 @@ class BorderField {
  public:
   /// `threads`: share a reset(); they do not change its result.
   explicit BorderField(const IndexData& data, int threads = 1);
+  void use_threads(int threads) { threads_ = threads; }
 
   struct Seed {
     Index node;

@@ -22,7 +22,7 @@ struct FoundPath {
   SurfacePath path{{}, unreachable};
   /// The distance by exact propagation, if only proven bounds limited it; otherwise unreachable.
   double distance = unreachable;
-  bool is_refined = false;  ///< refined from the index's route: a shorter one may lie close to it
+  bool is_refined = false;    ///< refined from the index's route: a shorter one may lie close to it
   bool on_user_mesh = false;  ///< with an index: whether the path runs over that, rather than the work mesh
 
   /// Keeps the shorter of both paths, and the distance that either of them knows.

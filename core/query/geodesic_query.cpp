@@ -1,6 +1,7 @@
 // Checks queries and passes them on to what answers them.
 #include "query/geodesic_query.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -9,12 +10,17 @@
 #include "query/pair_distance.h"
 #include "query/source_field.h"
 #include "support/error.h"
+#include "support/parallel.h"
 
 namespace vorogeo {
 
 struct GeodesicQuery::State {
   State(std::shared_ptr<const GeodesicIndex> shared_index, int requested_threads)
-      : index(std::move(shared_index)), data(index->data()), threads(requested_threads), near(data) {}
+      : index(std::move(shared_index)),
+        data(index->data()),
+        most_threads(resolve_thread_count(requested_threads)),
+        threads(most_threads),
+        near(data) {}
 
   void check(Index vertex, const char* role) const {
     if (vertex >= 0 && vertex < data.mesh->vertex_count()) return;
@@ -27,12 +33,14 @@ struct GeodesicQuery::State {
     return *pair_distance;
   }
   SourceField& fields() {
-    if (!source_field) source_field.emplace(data, near, threads);
+    if (!source_field) source_field.emplace(data, near, most_threads);
+    source_field->use_threads(threads);
     return *source_field;
   }
 
   std::shared_ptr<const GeodesicIndex> index;
   const IndexData& data;
+  int most_threads;
   int threads;
   NearField near;
   std::optional<PairDistance> pair_distance;
@@ -46,6 +54,10 @@ GeodesicQuery::GeodesicQuery(GeodesicQuery&&) noexcept = default;
 GeodesicQuery& GeodesicQuery::operator=(GeodesicQuery&&) noexcept = default;
 
 const GeodesicIndex& GeodesicQuery::index() const { return *state_->index; }
+
+void GeodesicQuery::use_threads(int threads) {
+  state_->threads = std::clamp(threads, 1, state_->most_threads);
+}
 
 double GeodesicQuery::distance(Index source, Index target) {
   State& state = *state_;

@@ -48,6 +48,9 @@ class GeodesicQuery {
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance = unreachable);
 
+  /// Fields from this call on use so many threads, at most those of the constructor.
+  void use_threads(int threads);
+
   const GeodesicIndex& index() const;
 
  private:

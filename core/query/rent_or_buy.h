@@ -1,6 +1,8 @@
 // When an index pays, without knowing how many questions are still to come.
 #pragma once
 
+#include <algorithm>
+
 #include "support/types.h"
 
 namespace vorogeo {
@@ -25,8 +27,11 @@ class RentOrBuy {
   void set_price(double seconds);
   /// The index cannot be had: rent for ever.
   void give_up();
-  /// Whether an index should be built instead of the next exact answer.
-  bool should_buy() const { return has_price_ && rent_with_next() > price_; }
+  /// Whether an index should be built instead of the next exact answers, which take so many seconds; 0: of
+  /// one more.
+  bool should_buy(double next_seconds = 0.0) const {
+    return has_price_ && std::max(rent_with_next(), rent_ + next_seconds) > price_;
+  }
   /// Seconds of exact answers so far.
   double rent() const { return rent_; }
 

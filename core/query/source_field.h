@@ -51,6 +51,11 @@ class SourceField {
  public:
   /// `near` lends its solver; it must outlive the object. `threads`: 0 is one per core.
   SourceField(const IndexData& data, NearField& near, int threads);
+  /// At most those of the constructor.
+  void use_threads(int threads) {
+    threads_ = threads;
+    borders_.use_threads(threads);
+  }
 
   /// Distances at the vertices of the user's mesh; see GeodesicQuery::labelled_field. `labels`: if set,
   /// receives the position of the nearest source in the list, by vertex; no_index where there is none.

@@ -1,10 +1,16 @@
-// The choice for each question, and the solvers that answer it.
+// The choice for each question, and the queries that answer it.
 #include "query/surface.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "index/build_estimate.h"
+#include "index/index_data.h"
+#include "query/landmarks.h"
 #include "support/error.h"
 #include "support/memory.h"
 #include "support/parallel.h"
@@ -19,53 +25,94 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Solvers kept for the next call; each holds memory for the whole mesh.
-constexpr std::size_t max_idle = 2;
+/// Queries kept for the next call, for each thread of a task; each holds memory for the whole mesh.
+constexpr int max_idle_per_thread = 2;
 
 /// A field that two threads share takes up to so many times the processor time of the calling one, as they
 /// wait for one another at each step; in a build they do not. Anything beyond that is other programs' work.
 constexpr double waiting_in_shared_field = 1.25;
 
-/// Lends an object of a list, or a new one, to `body`. After an exception it is not used again.
-template <class Object, class Make, class Body>
-auto lend(std::mutex& mutex, std::vector<std::unique_ptr<Object>>& idle, Make&& make, Body&& body) {
-  std::unique_ptr<Object> object;
-  {
-    const std::lock_guard lock(mutex);
-    if (!idle.empty()) {
-      object = std::move(idle.back());
-      idle.pop_back();
-    }
+/// A field from the index takes as long as an exact one over about this part of the surface (measured on
+/// scans of 10,000 to 130,000 vertices: a twentieth to a thirtieth): what reaches no farther is exact.
+constexpr double short_reach = 0.04;
+
+/// Tasks of so many whole fields ask for the price of an index before they begin.
+constexpr double many_fields = 16.0;
+
+/// Number of pairs in one call from which landmarks usually save more time than they cost (docs/paths.md).
+constexpr std::size_t pairs_worth_landmarks = 1000;
+
+/// The number of targets of one source from which one propagation over the mesh, which serves them all, is
+/// usually faster than a corridor for each.
+constexpr std::size_t targets_worth_propagation = 100;
+
+/// Pairs handed to a thread at a time: paths, and distances read from tables.
+constexpr std::size_t paths_at_once = 16;
+constexpr std::size_t distances_at_once = 64;
+
+/// Seconds of exact answers, of the calling thread's work where other programs run.
+class Stopwatch {
+ public:
+  double seconds() const { return seconds_since(start_); }
+  double rent(int threads) const {
+    const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
+    return std::min(seconds(), waiting * (thread_seconds() - worked_));
   }
-  if (!object) object = make();
-  auto answer = body(*object);
-  const std::lock_guard lock(mutex);
-  if (idle.size() < max_idle) idle.push_back(std::move(object));
-  return answer;
+
+ private:
+  Clock::time_point start_ = Clock::now();
+  double worked_ = thread_seconds();
+};
+
+void refuse_quick(AnswerMethod method) {
+  if (method != AnswerMethod::quick) return;
+  throw InvalidInput("The quick method computes fields only; choose another one for two points.");
+}
+
+/// Orders pairs so that those that share work follow one another: from one source, or, from the index,
+/// between the same patches (they read the same tables) and with a common end (they share its access
+/// distances).
+void order_pairs(std::span<std::size_t> order, const PointList& sources, const PointList& targets,
+                 const GeodesicIndex* index) {
+  if (index == nullptr) {
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return sources[i]; });
+    return;
+  }
+  if (!sources.only_vertices() || !targets.only_vertices()) return;
+  // The patches of a first-layer patch and the vertices of a patch have consecutive numbers.
+  const IndexData& data = index->data();
+  std::vector<std::array<Index, 6>> places(sources.size());
+  for (const std::size_t i : order) {
+    const std::pair<Index, Index> ends =
+        std::minmax(data.work.work_vertex[sources[i].vertex], data.work.work_vertex[targets[i].vertex]);
+    auto patch = [&](Index v) { return v == no_index ? no_index : data.home_patch[v]; };
+    auto parent = [&](Index v) { return v == no_index ? no_index : data.partition.parent[patch(v)]; };
+    places[i] = {parent(ends.first), parent(ends.second), patch(ends.first),
+                 ends.first,         patch(ends.second),  ends.second};
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return places[i]; });
 }
 
 }  // namespace
 
-const char* to_string(AnswerMethod method) {
-  switch (method) {
-    case AnswerMethod::automatic:
-      return "automatic";
-    case AnswerMethod::index:
-      return "index";
-    case AnswerMethod::exact:
-      return "exact";
-    case AnswerMethod::quick:
-      return "quick";
-  }
-  return "unknown";
-}
-
 Surface::Surface(std::shared_ptr<const Mesh> mesh, const IndexOptions& options)
-    : mesh_(std::move(mesh)), options_(options), spent_(mesh_->vertex_count()) {}
+    : mesh_(std::move(mesh)),
+      options_(options),
+      threads_(resolve_thread_count(options.threads)),
+      spent_(mesh_->vertex_count()) {}
 
 Surface::Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,
                  const RentOrBuy& spent, const IndexOptions& options)
-    : mesh_(std::move(mesh)), options_(options), index_(std::move(index)), spent_(spent) {}
+    : mesh_(std::move(mesh)),
+      options_(options),
+      threads_(resolve_thread_count(options.threads)),
+      index_(std::move(index)),
+      spent_(spent) {}
+
+Surface::Surface(std::shared_ptr<const GeodesicIndex> index, int threads)
+    : Surface(index->mesh(), index, RentOrBuy(index->mesh()->vertex_count()), {.threads = threads}) {}
+
+// ---- What is shared
 
 std::shared_ptr<const GeodesicIndex> Surface::index() const {
   const std::lock_guard lock(mutex_);
@@ -82,6 +129,11 @@ void Surface::pay(double seconds) {
   spent_.pay(seconds);
 }
 
+void Surface::pay_for_fields(double seconds, double reach) {
+  // What an index would not answer faster does not make one pay.
+  if (reach > short_reach) pay(seconds);
+}
+
 std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progress) {
   const std::lock_guard one_build(build_mutex_);
   if (auto built = index()) return built;
@@ -91,159 +143,306 @@ std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progre
   return built;
 }
 
-AnswerMethod Surface::at_once(bool is_field) const {
-  if (index()) return AnswerMethod::index;
-  const bool is_quick = is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_at_once;
-  return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
-}
-
 std::shared_ptr<const LocalGeometry> Surface::geometry() {
   const std::lock_guard lock(geometry_mutex_);
   if (!geometry_) geometry_ = std::make_shared<const LocalGeometry>(mesh_);
   return geometry_;
 }
 
-/// What will answer; an index that is needed has been built when it returns.
-AnswerMethod Surface::choose(AnswerMethod method, bool is_field, Answered& answered,
-                             const Progress& progress) {
-  const auto start = Clock::now();
-  if (method == AnswerMethod::automatic) {
-    if (index()) return AnswerMethod::index;
-    if (is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_exact) {
-      answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
-                        " vertices: the field is a quick one, with an error of some tenths of a percent; ask "
-                        "for the method "
-                        "exact or index for a better one.";
-      return AnswerMethod::quick;
-    }
-    try {
-      if (spent().wants_price()) {
-        const BuildEstimate estimate = estimate_build(mesh_, options_, false, progress.part(0.0, 0.0));
-        const std::lock_guard lock(mutex_);
-        spent_.set_price(estimate.build_seconds);
-      }
-      if (!spent().should_buy()) return AnswerMethod::exact;
-      build_index(progress.part(0.0, 0.9));
-    } catch (const InvalidInput& error) {
-      answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
-    } catch (const NotEnoughMemory& error) {
-      answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
-    }
-    if (!index()) {
-      const std::lock_guard lock(mutex_);
-      spent_.give_up();
-      return AnswerMethod::exact;
-    }
-    answered.remark =
-        "Exact answers have taken as long as building an index: it was built and gives all further answers.";
-  } else if (method == AnswerMethod::index && !index()) {
-    build_index(progress.part(0.0, 0.9));
-  } else {
-    return method;
-  }
-  answered.index_seconds = seconds_since(start);
-  return AnswerMethod::index;
+void Surface::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
+  const std::lock_guard lock(mutex_);
+  landmarks_ = std::move(landmarks);
 }
+
+std::shared_ptr<const ExactLandmarks> Surface::landmarks() const {
+  const std::lock_guard lock(mutex_);
+  return landmarks_;
+}
+
+std::unique_ptr<Query> Surface::borrow() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      auto query = std::move(idle_.back());
+      idle_.pop_back();
+      return query;
+    }
+  }
+  return std::make_unique<Query>(*this);
+}
+
+void Surface::give_back(std::unique_ptr<Query> query) {
+  const std::lock_guard lock(mutex_);
+  if (idle_.size() < static_cast<std::size_t>(max_idle_per_thread * threads_)) {
+    idle_.push_back(std::move(query));
+  }
+}
+
+double Surface::reach_of(double distance) {
+  if (!(distance < unreachable)) return 1.0;
+  double area = 0.0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!area_) {
+      area_ = 0.0;
+      for (Index f = 0; f < mesh_->first_bridge(); ++f) *area_ += mesh_->face_area(f);
+    }
+    area = *area_;
+  }
+  // At least a part that its inverse can count.
+  return area > 0.0 ? std::clamp(std::numbers::pi * distance * distance / area, 1e-12, 1.0) : 1.0;
+}
+
+// ---- What answers
+
+AnswerMethod Surface::at_once(bool is_field) const {
+  if (index()) return AnswerMethod::index;
+  const bool is_quick = is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_at_once;
+  return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
+}
+
+/// The index, built if the price has been paid in exact answers, or would be with those that `whole_fields`
+/// fields take; 0: with one more. Otherwise exact.
+AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, const Progress& progress) {
+  const auto start = Clock::now();
+  const bool is_long = whole_fields >= many_fields;
+  try {
+    double next = 0.0;
+    if (is_long || spent().wants_price()) {
+      const BuildEstimate estimate = estimate_build(mesh_, options_, is_long, progress.part(0.0, 0.0));
+      next = whole_fields * estimate.exact_field_seconds / threads_;
+      const std::lock_guard lock(mutex_);
+      spent_.set_price(estimate.build_seconds);
+    }
+    if (!spent().should_buy(next)) return AnswerMethod::exact;
+    build_index(progress.part(0.0, 0.9));
+    answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
+                                "for: it was built and gives all further answers."
+                              : "Exact answers have taken as long as building an index: it was built and "
+                                "gives all further answers.";
+    answered.index_seconds = seconds_since(start);
+    return AnswerMethod::index;
+  } catch (const InvalidInput& error) {
+    answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
+  } catch (const NotEnoughMemory& error) {
+    answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  spent_.give_up();
+  return AnswerMethod::exact;
+}
+
+AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, Answered& answered,
+                             const Progress& progress) {
+  if (method == AnswerMethod::index && !index()) {
+    const auto start = Clock::now();
+    build_index(progress.part(0.0, 0.9));
+    answered.index_seconds = seconds_since(start);
+  }
+  if (method != AnswerMethod::automatic) return method;
+  if (reach <= short_reach) return AnswerMethod::exact;
+  if (index()) return AnswerMethod::index;
+  return rent_or_build(fields * reach, answered, progress);
+}
+
+// ---- Fields
 
 LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                              Answered& answered, const Progress& progress) {
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   require_limit(max_distance);
   answered = {};
-  answered.by = choose(method, true, answered, progress);
-  const auto start = Clock::now();
-  const double worked = thread_seconds();
+  const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
+  const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
+  if (method == AnswerMethod::automatic && is_large && reach > short_reach && !index()) {
+    answered.by = AnswerMethod::quick;
+    answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
+                      " vertices: the field is a quick one, with an error of some tenths of a percent; ask "
+                      "for the method exact or index for a better one.";
+  } else {
+    answered.by = choose(method, 1.0, reach, answered, progress);
+  }
+  const Stopwatch watch;
   const Progress rest = answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress;
-  const int threads = threads_for_field(*mesh_, options_.threads);
-  LabelledField found;
-  if (answered.by == AnswerMethod::index) {
-    const Watch watch(rest, "Geodesic distances");
-    found = lend(
-        mutex_, queries_, [&] { return std::make_unique<GeodesicQuery>(index(), options_.threads); },
-        [&](GeodesicQuery& query) { return query.labelled_field(sources, max_distance); });
-  } else if (answered.by == AnswerMethod::quick) {
-    const Watch watch(rest, "Quick geodesic distances");
-    found = lend(
-        mutex_, quick_, [&] { return std::make_unique<VirtualSources>(mesh_); },
-        [&](VirtualSources& solver) {
-          solver.run(sources, max_distance);
-          return labelled_field_of(solver, max_distance);
-        });
-  } else {
-    found = lend(
-        mutex_, solvers_, [&] { return std::make_unique<LocalSolver>(geometry()); },
-        [&](LocalSolver& solver) {
-          ExactLimits limits;
-          limits.max_distance = max_distance;
-          limits.progress = &rest;
-          limits.distances_only = true;
-          limits.threads = threads;
-          solver.run(sources, limits);
-          return labelled_field_of(solver, max_distance);
-        });
-  }
-  answered.seconds = seconds_since(start);
+  LabelledField found = lend(
+      [&](Query& query) { return query.labelled_field(sources, max_distance, answered.by, threads_, rest); });
+  answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) {
-    const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
-    pay(std::min(answered.seconds, waiting * (thread_seconds() - worked)));
+    pay_for_fields(watch.rent(threads_for_field(*mesh_, threads_)), reach);
   }
   return found;
 }
 
-namespace {
+// ---- Two points, and many pairs of points
 
-void refuse_quick(AnswerMethod method) {
-  if (method != AnswerMethod::quick) return;
-  throw InvalidInput("The quick method computes fields only; choose another one for two points.");
-}
-
-}  // namespace
-
-ExactPath Surface::path_by(const SurfacePoint& source, const SurfacePoint& target, bool exact, bool certify,
-                           Answered& answered, const Progress& progress) {
-  const auto start = Clock::now();
-  const double worked = thread_seconds();
-  const Watch watch(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Shortest path");
-  ExactPath found;
-  if (answered.by == AnswerMethod::index) {
-    found = lend(
-        mutex_, paths_, [&] { return std::make_unique<PathQuery>(index()); },
-        [&](PathQuery& query) {
-          return exact ? query.exact_path(source, target, certify)
-                       : ExactPath{query.path(source, target), false};
-        });
-  } else {
-    found = lend(
-        mutex_, path_solvers_, [&] { return std::make_unique<MeshPathQuery>(geometry()); },
-        [&](MeshPathQuery& query) { return query.exact_path(source, target); });
-  }
-  answered.seconds = seconds_since(start);
-  if (answered.by == AnswerMethod::exact) pay(thread_seconds() - worked);
-  return found;
+AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, const Progress& progress) {
+  refuse_quick(method);
+  return choose(method, 1.0, 1.0, answered, progress);
 }
 
 ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
-                        bool exact, Answered& answered, const Progress& progress, bool certify) {
-  refuse_quick(method);
+                        const PathOptions& options, Answered& answered, const Progress& progress) {
   answered = {};
-  answered.by = choose(method, false, answered, progress);
-  return path_by(source, target, exact, certify, answered, progress);
+  answered.by = choose_for_pairs(method, answered, progress);
+  const Stopwatch watch;
+  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Shortest path");
+  ExactPath found = lend(
+      [&](Query& query) { return query.path(source, target, answered.by, options.exact, options.certify); });
+  answered.seconds = watch.seconds();
+  if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
+  return found;
 }
 
 double Surface::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                          Answered& answered, const Progress& progress) {
-  refuse_quick(method);
   answered = {};
-  answered.by = choose(method, false, answered, progress);
-  if (answered.by != AnswerMethod::index || !source.is_vertex() || !target.is_vertex()) {
-    return path_by(source, target, false, true, answered, progress).path.length;
+  answered.by = choose_for_pairs(method, answered, progress);
+  const Stopwatch watch;
+  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Distance");
+  const double found = lend([&](Query& query) { return query.distance(source, target, answered.by); });
+  answered.seconds = watch.seconds();
+  if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
+  return found;
+}
+
+/// Calls answer(query, method, pairs) for blocks of pairs, on all threads. `at_once`: pairs of a block; where
+/// `shares`, all targets of one source are a block if one propagation serves them.
+template <class Answer>
+void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, bool shares,
+                           Answered& answered, const Progress& progress, Answer&& answer) {
+  const auto& [sources, targets] = pairs;
+  const std::size_t count = sources.size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  answered = {};
+  std::optional<AnswerMethod> ordered_for;
+  // Exact answers come in rounds, as after each of them an index may pay.
+  for (std::size_t done = 0; done < count || done == 0;) {
+    auto fraction = [&](std::size_t pair) {
+      return count == 0 ? 1.0 : static_cast<double>(pair) / static_cast<double>(count);
+    };
+    Answered now;
+    now.by = choose_for_pairs(method, now, progress.part(fraction(done), 1.0));
+    answered.by = now.by;
+    answered.index_seconds += now.index_seconds;
+    if (!now.remark.empty()) answered.remark = now.remark;
+    const bool by_index = now.by == AnswerMethod::index;
+    const std::span rest = std::span(order).subspan(done);
+    if (ordered_for != now.by && rest.size() > 1) {
+      order_pairs(rest, sources, targets, by_index ? index().get() : nullptr);
+    }
+    ordered_for = now.by;
+    struct Block {
+      std::span<std::size_t> pairs;
+      bool is_shared;
+    };
+    std::vector<Block> blocks;
+    const bool is_last = by_index || method != AnswerMethod::automatic;
+    const auto most_blocks = static_cast<std::size_t>(4 * threads_);
+    std::size_t end = 0;
+    while (end < rest.size() && (is_last || blocks.size() < most_blocks)) {
+      std::size_t same = end + 1;
+      while (same < rest.size() && sources[rest[same]] == sources[rest[end]]) ++same;
+      // Where the metric jumps, there are no bounds that make a corridor.
+      const bool together =
+          shares && !by_index && (mesh_->metric_jumps() || same - end >= targets_worth_propagation);
+      const std::size_t next = together ? same : std::min(rest.size(), end + at_once);
+      blocks.push_back({rest.subspan(end, next - end), together});
+      end = next;
+    }
+    const Stopwatch watch;
+    const double from = now.index_seconds > 0.0 ? std::lerp(fraction(done), 1.0, 0.9) : fraction(done);
+    const Progress of_round = progress.part(from, fraction(done + end));
+    parallel_for(blocks.size(), threads_, of_round, "Pairs", [&](std::size_t block, int) {
+      lend([&](Query& query) {
+        answer(query, now.by, blocks[block].pairs, blocks[block].is_shared);
+        return true;
+      });
+    });
+    answered.seconds += watch.seconds();
+    if (now.by == AnswerMethod::exact) pay(watch.rent(threads_));
+    done += end;
+    if (count == 0) break;
   }
-  const auto start = Clock::now();
-  const double distance = lend(
-      mutex_, queries_, [&] { return std::make_unique<GeodesicQuery>(index(), options_.threads); },
-      [&](GeodesicQuery& query) { return query.distance(source.vertex, target.vertex); });
-  answered.seconds = seconds_since(start);
-  return distance;
+}
+
+namespace {
+
+/// In canonical form. \throw InvalidInput.
+struct CheckedPairs {
+  CheckedPairs(const Mesh& mesh, const PointPairs& pairs)
+      : sources(points_on(mesh, pairs.sources, "Source")), targets(points_on(mesh, pairs.targets, "Target")) {
+    if (sources.size() == targets.size()) return;
+    throw InvalidInput("There are " + std::to_string(sources.size()) + " sources and " +
+                       std::to_string(targets.size()) + " targets; pairs need as many of both.");
+  }
+  PointPairs pairs() const { return {sources, targets}; }
+  PointList sources;
+  PointList targets;
+};
+
+}  // namespace
+
+std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod method,
+                                      const PathOptions& options, Answered& answered,
+                                      const Progress& progress) {
+  refuse_quick(method);
+  const CheckedPairs pairs(*mesh_, given);
+  std::vector<ExactPath> found(pairs.sources.size());
+  Progress rest = progress;
+  const bool is_proof = options.exact && options.certify && method != AnswerMethod::exact;
+  double index_seconds = 0.0;
+  double landmark_seconds = 0.0;
+  if (is_proof && found.size() >= pairs_worth_landmarks && !landmarks()) {
+    Answered first;
+    if (choose_for_pairs(method, first, progress.part(0.0, 0.5)) == AnswerMethod::index) {
+      const Stopwatch watch;
+      const double from = first.index_seconds > 0.0 ? 0.45 : 0.0;
+      use_landmarks(landmarks_of(index(), ExactLandmarks::max_count, threads_, progress.part(from, 0.5)));
+      landmark_seconds = watch.seconds();
+      index_seconds = first.index_seconds;
+    }
+    rest = progress.part(0.5, 1.0);
+  }
+  answer_pairs(pairs.pairs(), method, paths_at_once, true, answered, rest,
+               [&](Query& query, AnswerMethod by, std::span<const std::size_t> block, bool is_shared) {
+                 if (!is_shared) {
+                   for (const std::size_t i : block) {
+                     found[i] =
+                         query.path(pairs.sources[i], pairs.targets[i], by, options.exact, options.certify);
+                   }
+                   return;
+                 }
+                 std::vector<SurfacePoint> targets;
+                 for (const std::size_t i : block) targets.push_back(pairs.targets[i]);
+                 query.exact_paths(pairs.sources[block.front()], targets,
+                                   [&](std::size_t i, ExactPath path) { found[block[i]] = std::move(path); });
+               });
+  answered.seconds += landmark_seconds;
+  answered.index_seconds += index_seconds;
+  return found;
+}
+
+std::vector<double> Surface::distances(const PointPairs& given, AnswerMethod method, Answered& answered,
+                                       const Progress& progress) {
+  refuse_quick(method);
+  const CheckedPairs pairs(*mesh_, given);
+  std::vector<double> found(pairs.sources.size());
+  answer_pairs(pairs.pairs(), method, distances_at_once, true, answered, progress,
+               [&](Query& query, AnswerMethod by, std::span<const std::size_t> block, bool is_shared) {
+                 if (!is_shared) {
+                   for (const std::size_t i : block) {
+                     found[i] = query.distance(pairs.sources[i], pairs.targets[i], by);
+                   }
+                   return;
+                 }
+                 std::vector<SurfacePoint> targets;
+                 for (const std::size_t i : block) targets.push_back(pairs.targets[i]);
+                 query.exact_paths(
+                     pairs.sources[block.front()], targets,
+                     [&](std::size_t i, const ExactPath& path) { found[block[i]] = path.path.length; });
+               });
+  return found;
 }
 
 }  // namespace vorogeo

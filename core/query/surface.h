@@ -4,28 +4,17 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
-#include "query/geodesic_query.h"
-#include "query/mesh_path.h"
+#include "query/query.h"
 #include "query/rent_or_buy.h"
 
 namespace vorogeo {
-
-/// How an answer is found.
-enum class AnswerMethod : std::uint8_t {
-  automatic,  ///< a request only: the index if there is one, else what RentOrBuy says
-  index,      ///< the index, built if there is none
-  exact,      ///< exact propagation
-  quick       ///< virtual sources; fields only
-};
-
-/// "automatic", "index", "exact" or "quick".
-const char* to_string(AnswerMethod method);
 
 /// Above this number of vertices, an automatic field is a quick one where there is no index: an exact one
 /// takes more than some ten seconds.
@@ -42,7 +31,20 @@ struct Answered {
   std::string remark;                     ///< what a user should know about the choice; empty if nothing
 };
 
-/// A mesh, read once, and what answers questions on it. May be used by several threads at once.
+/// Points whose distances or paths are asked for: those at one position of both lists.
+struct PointPairs {
+  const PointList& sources;
+  const PointList& targets;
+};
+
+/// How paths are found.
+struct PathOptions {
+  bool exact = false;   ///< from an index the exact path, not the refined one
+  bool certify = true;  ///< see PathQuery::exact_path
+};
+
+/// A mesh, read once, and what answers questions on it: its geometry, an index if there is one, and the
+/// queries that threads borrow. May be used by several threads at once.
 class Surface {
  public:
   /// `options`: of the index, if one is built. Its threads are also those of a field, from it or exact.
@@ -50,8 +52,12 @@ class Surface {
   /// With an index that exists already, or null, and what exact answers on this mesh have taken before.
   Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,
           const RentOrBuy& spent, const IndexOptions& options = {});
+  /// Of the mesh of an index.
+  explicit Surface(std::shared_ptr<const GeodesicIndex> index, int threads = 0);
 
   const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
+  /// Of a field or a task, at least 1.
+  int threads() const { return threads_; }
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const;
   /// The index, built now if there is none. \throw as GeodesicIndex::build.
@@ -67,37 +73,69 @@ class Surface {
   /// see GeodesicQuery::labelled_field. \throw InvalidInput also for no source; Cancelled.
   LabelledField field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                       Answered& answered, const Progress& progress = {});
-  /// The shortest path between two points. From the index the refined one, or with `exact` the exact one;
-  /// without an index always the exact one. \throw InvalidInput for a point that is not on the mesh, and for
-  /// the quick method, which has no paths; Cancelled.
-  /// `certify`: as for PathQuery::exact_path.
-  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method, bool exact,
-                 Answered& answered, const Progress& progress = {}, bool certify = true);
+  /// The shortest path between two points. From the index the refined one, or the exact one if that is
+  /// wanted; without an index always the exact one. \throw InvalidInput for a point that is not on the mesh,
+  /// and for the quick method, which has no paths; Cancelled.
+  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+                 const PathOptions& options, Answered& answered, const Progress& progress = {});
+  /// The paths of many pairs, on all threads. Many exact ones are bounded by landmarks, and those from one
+  /// source share a propagation, where that pays. \throw as path(), also for lists of different lengths.
+  std::vector<ExactPath> paths(const PointPairs& pairs, AnswerMethod method, const PathOptions& options,
+                               Answered& answered, const Progress& progress = {});
   /// Distance of two points: from the index that of GeodesicQuery::distance for two vertices, otherwise the
   /// length of that path.
   double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                   Answered& answered, const Progress& progress = {});
+  /// The distances of many pairs, on all threads; pairs that read the same tables follow one another. \throw
+  /// as paths().
+  std::vector<double> distances(const PointPairs& pairs, AnswerMethod method, Answered& answered,
+                                const Progress& progress = {});
+
+  /// Lower bounds by which exact paths are found from now on, where there is an index; null: only their own.
+  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
+  std::shared_ptr<const ExactLandmarks> landmarks() const;
+
+  /// What answers a task of so many fields, each of which reaches the part `reach` of the surface (0 to 1).
+  /// An index that is needed has been built when it returns.
+  AnswerMethod choose(AnswerMethod method, double fields, double reach, Answered& answered,
+                      const Progress& progress = {});
+  /// The part of the surface within a distance from a point, as in the plane.
+  double reach_of(double distance);
+  /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
+  void pay_for_fields(double seconds, double reach);
+
+  /// A query that no other thread has, until give_back(). After an exception, let it go instead.
+  std::unique_ptr<Query> borrow();
+  void give_back(std::unique_ptr<Query> query);
+  /// Lends a query to `body`, which it is called with.
+  template <class Body>
+  auto lend(Body&& body) {
+    std::unique_ptr<Query> query = borrow();
+    auto answer = body(*query);
+    give_back(std::move(query));
+    return answer;
+  }
 
  private:
-  AnswerMethod choose(AnswerMethod method, bool is_field, Answered& answered, const Progress& progress);
-  ExactPath path_by(const SurfacePoint& source, const SurfacePoint& target, bool exact, bool certify,
-                    Answered& answered, const Progress& progress);
+  AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, const Progress& progress);
+  AnswerMethod rent_or_build(double whole_fields, Answered& answered, const Progress& progress);
   void pay(double seconds);
+  template <class Answer>
+  void answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, bool shares,
+                    Answered& answered, const Progress& progress, Answer&& answer);
 
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
+  const int threads_;
   mutable std::mutex mutex_;   ///< of everything below, held for moments
   std::mutex build_mutex_;     ///< one build at a time
   std::mutex geometry_mutex_;  ///< likewise
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
   std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
-  // Solvers that no thread uses now.
-  std::vector<std::unique_ptr<LocalSolver>> solvers_;
-  std::vector<std::unique_ptr<MeshPathQuery>> path_solvers_;
-  std::vector<std::unique_ptr<VirtualSources>> quick_;
-  std::vector<std::unique_ptr<GeodesicQuery>> queries_;
-  std::vector<std::unique_ptr<PathQuery>> paths_;
+  std::shared_ptr<const ExactLandmarks> landmarks_;
+  std::optional<double> area_;
+  std::vector<std::unique_ptr<Query>> idle_;  ///< that no thread uses now
 };
 
 }  // namespace vorogeo

@@ -45,6 +45,9 @@ FieldDifference difference_of(const std::vector<double>& values, const std::vect
 
 namespace {
 
+/// Fields from which the bounds of an extent mostly meet.
+constexpr double usual_fields = 20.0;
+
 /// Of the vertices given: the ends and the centre of a surface are among them.
 Eccentricity eccentricity_in(const Mesh& mesh, const std::vector<double>& field) {
   Eccentricity result{-1.0, no_index};
@@ -56,19 +59,23 @@ Eccentricity eccentricity_in(const Mesh& mesh, const std::vector<double>& field)
 
 }  // namespace
 
-std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& given, const Progress& progress) {
-  const PointList points = points_on(team.mesh(), given, "Point");
+std::vector<Eccentricity> eccentricities(Surface& surface, const PointList& given,
+                                         const TaskOptions& options) {
+  const PointList points = points_on(*surface.mesh(), given, "Point");
+  Workers workers(surface, options, static_cast<double>(points.size()));
   std::vector<Eccentricity> result(points.size());
-  parallel_for(points.size(), team.threads(), progress, "Eccentricities", [&](std::size_t i, int worker) {
-    result[i] = eccentricity_in(team.mesh(), team.field(points[i], unreachable, worker));
-  });
+  parallel_for(points.size(), workers.threads(), workers.progress(), "Eccentricities",
+               [&](std::size_t i, int worker) {
+                 result[i] = eccentricity_in(workers.mesh(), workers.field(points[i], unreachable, worker));
+               });
   return result;
 }
 
-Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress) {
-  const Mesh& mesh = team.mesh();
+Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
   points_on(mesh, std::span(&start, 1), "Start");
   if (max_fields < 2) throw InvalidInput("At least 2 fields are needed to bound a diameter; allow more.");
+  Workers workers(surface, options, std::min<double>(max_fields, usual_fields));
   std::vector<Index> members;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (mesh.component(v) == mesh.component(start)) members.push_back(v);
@@ -79,7 +86,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
   result.diameter.lower = -1.0;
   Index next = start;
   while (result.fields < max_fields) {
-    const auto field = team.field_on_all_threads(std::span(&next, 1));
+    const auto field = workers.field_on_all_threads(std::span(&next, 1));
     const Eccentricity found = eccentricity_in(mesh, field);
     ++result.fields;
     if (found.distance > result.diameter.lower) {
@@ -106,7 +113,7 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
     }
     result.diameter.upper = std::max(result.diameter.lower, bounds[widest].upper);
     result.radius.lower = std::min(result.radius.upper, bounds[closest].lower);
-    progress.report(static_cast<double>(result.fields) / max_fields, "Diameter and centre");
+    workers.progress().report(static_cast<double>(result.fields) / max_fields, "Diameter and centre");
     const bool diameter_known = result.diameter.upper <= result.diameter.lower;
     const bool radius_known = result.radius.lower >= result.radius.upper;
     if (diameter_known && radius_known) break;
@@ -121,15 +128,18 @@ Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const
   return result;
 }
 
-GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& given, double radius) {
-  const Mesh& mesh = team.mesh();
+GeodesicDisk geodesic_disk(Surface& surface, const PointList& given, double radius,
+                           const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
   const PointList sources = points_on(mesh, given, "Point");
   if (!(radius >= 0.0)) {
     throw InvalidInput("The radius is " + std::to_string(radius) +
                        "; it must be a length of at least 0 in the unit of the mesh.");
   }
-  const auto field = team.field_on_all_threads(sources, radius);
+  const double reach = static_cast<double>(sources.size()) * surface.reach_of(radius);
+  Workers workers(surface, options, 1.0, std::min(1.0, reach));
+  const auto field = workers.field_on_all_threads(sources, radius);
   GeodesicDisk disk;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (field[v] == unreachable) continue;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/progress.h"
-#include "tasks/field_team.h"
+#include "tasks/workers.h"
 
 namespace vorogeo {
 
@@ -37,8 +37,8 @@ struct Eccentricity {
 /// For each of the points, within its component. \throw InvalidInput for a point that is not on the mesh,
 /// Cancelled.
 /// Complexity: a field for each.
-std::vector<Eccentricity> eccentricities(FieldTeam& team, const PointList& points,
-                                         const Progress& progress = {});
+std::vector<Eccentricity> eccentricities(Surface& surface, const PointList& points,
+                                         const TaskOptions& options = {});
 
 /// A number known to lie between two bounds.
 struct Bounds {
@@ -60,7 +60,7 @@ struct Extent {
 /// least; the triangle inequality bounds the eccentricities of all others (Takes, Kosters 2011). The bounds
 /// hold for the distances as computed and meet if enough fields are allowed. \throw InvalidInput for a start
 /// out of range or fewer than 2 fields, Cancelled.
-Extent extent_of_component(FieldTeam& team, Index start, Index max_fields, const Progress& progress = {});
+Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options = {});
 
 /// What lies within a radius of the nearest of some sources.
 struct GeodesicDisk {
@@ -70,6 +70,7 @@ struct GeodesicDisk {
 };
 
 /// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or NaN.
-GeodesicDisk geodesic_disk(FieldTeam& team, const PointList& sources, double radius);
+GeodesicDisk geodesic_disk(Surface& surface, const PointList& sources, double radius,
+                           const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -78,15 +78,16 @@ void keep_nearest(std::vector<Ranked>& best, std::size_t count, Ranked entry) {
 
 double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(Index) + sizeof(double)); }
 
-SparseDistances pairs_within(FieldTeam& team, const PointList& given, double radius, std::int64_t max_bytes,
-                             const Progress& progress) {
-  const PointList points = points_on(team.mesh(), given, "Point");
+SparseDistances pairs_within(Surface& surface, const PointList& given, double radius, std::int64_t max_bytes,
+                             const TaskOptions& options) {
+  const PointList points = points_on(*surface.mesh(), given, "Point");
   require_radius(radius);
+  Workers workers(surface, options, static_cast<double>(points.size()), surface.reach_of(radius));
   std::vector<std::vector<Entry>> upper(points.size());  // the pairs whose field is that of the row
   EntryCounter counter(max_bytes);
-  parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
+  parallel_for(points.size(), workers.threads(), workers.progress(), "Pairs within the radius",
                [&](std::size_t i, int worker) {
-                 const auto found = team.distances(points[i], points, radius, worker);
+                 const auto found = workers.distances(points[i], points, radius, worker);
                  for (std::size_t j = 0; j < points.size(); ++j) {
                    if (points[j] < points[i] || (points[j] == points[i] && j <= i)) continue;
                    if (is_within(found[j], radius)) upper[i].push_back({static_cast<Index>(j), found[j]});
@@ -108,16 +109,17 @@ SparseDistances pairs_within(FieldTeam& team, const PointList& given, double rad
   return compressed(rows);
 }
 
-SparseDistances pairs_within(FieldTeam& team, const PointList& row_points, const PointList& column_points,
-                             double radius, std::int64_t max_bytes, const Progress& progress) {
-  const PointList points = points_on(team.mesh(), row_points, "Point");
-  const PointList others = points_on(team.mesh(), column_points, "Other");
+SparseDistances pairs_within(Surface& surface, const PointList& row_points, const PointList& column_points,
+                             double radius, std::int64_t max_bytes, const TaskOptions& options) {
+  const PointList points = points_on(*surface.mesh(), row_points, "Point");
+  const PointList others = points_on(*surface.mesh(), column_points, "Other");
   require_radius(radius);
+  Workers workers(surface, options, static_cast<double>(points.size()), surface.reach_of(radius));
   std::vector<std::vector<Entry>> rows(points.size());
   EntryCounter counter(max_bytes);
-  parallel_for(points.size(), team.threads(), progress, "Pairs within the radius",
+  parallel_for(points.size(), workers.threads(), workers.progress(), "Pairs within the radius",
                [&](std::size_t i, int worker) {
-                 const auto found = team.distances(points[i], others, radius, worker);
+                 const auto found = workers.distances(points[i], others, radius, worker);
                  for (std::size_t j = 0; j < others.size(); ++j) {
                    if (is_within(found[j], radius)) rows[i].push_back({static_cast<Index>(j), found[j]});
                  }
@@ -127,28 +129,30 @@ SparseDistances pairs_within(FieldTeam& team, const PointList& row_points, const
   return compressed(rows);
 }
 
-NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set_points, const PointList& query_points,
-                            std::size_t count, const Progress& progress) {
-  const PointList set = points_on(team.mesh(), set_points, "Point");
-  const PointList queries = points_on(team.mesh(), query_points, "Query");
+NearestOfSet nearest_of_set(Surface& surface, const PointList& set_points, const PointList& query_points,
+                            std::size_t count, const TaskOptions& options) {
+  const PointList set = points_on(*surface.mesh(), set_points, "Point");
+  const PointList queries = points_on(*surface.mesh(), query_points, "Query");
+  Workers workers(surface, options, static_cast<double>(std::min(set.size(), queries.size())));
   std::vector<std::vector<Ranked>> best(queries.size());
   const std::string activity = "Nearest points";
   if (count == 0 || set.empty()) {
     // Nothing to find: all entries stay empty.
   } else if (queries.size() <= set.size()) {
-    parallel_for(queries.size(), team.threads(), progress, activity, [&](std::size_t q, int worker) {
-      const auto found = team.distances(queries[q], set, unreachable, worker);
-      for (std::size_t i = 0; i < set.size(); ++i) {
-        keep_nearest(best[q], count, {found[i], static_cast<Index>(i)});
-      }
-    });
+    parallel_for(queries.size(), workers.threads(), workers.progress(), activity,
+                 [&](std::size_t q, int worker) {
+                   const auto found = workers.distances(queries[q], set, unreachable, worker);
+                   for (std::size_t i = 0; i < set.size(); ++i) {
+                     keep_nearest(best[q], count, {found[i], static_cast<Index>(i)});
+                   }
+                 });
   } else {
     // Each worker ranks its share of the set; the merged ranking is the same for all shares.
-    std::vector<std::vector<std::vector<Ranked>>> of_worker(team.threads());
-    parallel_for(set.size(), team.threads(), progress, activity, [&](std::size_t i, int worker) {
+    std::vector<std::vector<std::vector<Ranked>>> of_worker(workers.threads());
+    parallel_for(set.size(), workers.threads(), workers.progress(), activity, [&](std::size_t i, int worker) {
       auto& mine = of_worker[worker];
       mine.resize(queries.size());
-      const auto found = team.distances(set[i], queries, unreachable, worker);
+      const auto found = workers.distances(set[i], queries, unreachable, worker);
       for (std::size_t q = 0; q < queries.size(); ++q) {
         keep_nearest(mine[q], count, {found[q], static_cast<Index>(i)});
       }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/progress.h"
-#include "tasks/field_team.h"
+#include "tasks/workers.h"
 
 namespace vorogeo {
 
@@ -25,12 +25,12 @@ double sparse_bytes(double entries);
 /// `max_bytes`: see require_memory; checked while the pairs are found.
 /// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or NaN,
 /// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
-SparseDistances pairs_within(FieldTeam& team, const PointList& points, double radius,
-                             std::int64_t max_bytes = 0, const Progress& progress = {});
+SparseDistances pairs_within(Surface& surface, const PointList& points, double radius,
+                             std::int64_t max_bytes = 0, const TaskOptions& options = {});
 
 /// For each of `points` (rows) all of `others` (columns) at most `radius` away.
-SparseDistances pairs_within(FieldTeam& team, const PointList& points, const PointList& others, double radius,
-                             std::int64_t max_bytes = 0, const Progress& progress = {});
+SparseDistances pairs_within(Surface& surface, const PointList& points, const PointList& others,
+                             double radius, std::int64_t max_bytes = 0, const TaskOptions& options = {});
 
 /// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
 /// query. Where fewer can be reached, the rest is no_index and `unreachable`. Of equal distances, the smaller
@@ -42,7 +42,7 @@ struct NearestOfSet {
 
 /// \throw InvalidInput for a point that is not on the mesh, Cancelled. Complexity: a field for each query or
 /// for each entry of the set, whichever is fewer.
-NearestOfSet nearest_of_set(FieldTeam& team, const PointList& set, const PointList& queries,
-                            std::size_t count, const Progress& progress = {});
+NearestOfSet nearest_of_set(Surface& surface, const PointList& set, const PointList& queries,
+                            std::size_t count, const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -37,13 +37,18 @@ std::size_t below(std::mt19937_64& random, std::size_t count) {
 
 }  // namespace
 
-FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& given,
-                                std::uint64_t seed, const Progress& progress) {
-  const Mesh& mesh = team.mesh();
+FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, const PointList& given,
+                                std::uint64_t seed, const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
   const PointList start = points_on(mesh, given, "Start");
   if (stop.count < 0 || !(stop.radius >= 0.0) || (stop.count == 0 && stop.radius == 0.0)) {
     throw InvalidInput("Give a number of samples above 0, or a covering radius above 0 at which to stop.");
   }
+  double expected = stop.count > 0 ? stop.count : unreachable;
+  if (stop.radius > 0.0) expected = std::min(expected, 1.0 / surface.reach_of(0.5 * stop.radius));
+  // The k-th sample reaches as far as the regions of k samples; this is the mean of all.
+  const double reach = reach_of_regions(expected);
+  Workers workers(surface, options, expected, std::min(1.0, reach * (1.0 - std::log(reach))));
   const auto allowed = vertices_with_face(mesh, stop.component);
   FarthestSamples result;
   result.distance.assign(mesh.vertex_count(), unreachable);
@@ -66,7 +71,7 @@ FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const
       sample = start[taken];
       double nearest = sample.is_vertex() ? result.distance[sample.vertex] : unreachable;
       if (!sample.is_vertex() && taken > 0) {
-        nearest = std::ranges::min(team.distances(sample, result.points, unreachable, 0));
+        nearest = std::ranges::min(workers.distances(sample, result.points, unreachable, 0));
       }
       result.radius.push_back(nearest);
     } else {
@@ -77,7 +82,8 @@ FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const
     }
     result.points.push_back(sample);
     result.vertices.push_back(sample.vertex);
-    take_minimum(result.distance, team.field_on_all_threads(std::span(&sample, 1), result.covering_radius));
+    take_minimum(result.distance,
+                 workers.field_on_all_threads(std::span(&sample, 1), result.covering_radius));
     if (sample.is_vertex()) result.distance[sample.vertex] = 0.0;
     measure();
     double done = static_cast<double>(taken + 1) / static_cast<double>(limit);
@@ -86,19 +92,21 @@ FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const
       const double ratio = stop.radius / std::max(stop.radius, result.covering_radius);
       done = std::max(done, ratio * ratio);
     }
-    progress.report(std::min(1.0, done), "Farthest point sampling");
+    workers.progress().report(std::min(1.0, done), "Farthest point sampling");
   }
   result.distance.resize(mesh.given_vertex_count());
   return result;
 }
 
-std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint64_t seed,
-                                       const Progress& progress) {
+std::vector<Index> sample_poisson_disk(Surface& surface, double radius, std::uint64_t seed,
+                                       const TaskOptions& options) {
   if (!(radius > 0.0) || radius == unreachable) {
     throw InvalidInput("The radius is " + std::to_string(radius) +
                        "; it must be a length above 0 in the unit of the mesh.");
   }
-  const Mesh& mesh = team.mesh();
+  const double reach = surface.reach_of(radius);
+  Workers workers(surface, options, 1.0 / reach, reach);
+  const Mesh& mesh = workers.mesh();
   auto order = vertices_with_face(mesh);
   std::mt19937_64 random(seed);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[below(random, i)]);
@@ -113,7 +121,7 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
     // are thrown together. Those that do not are left out below, so that the samples do not depend on the
     // threads.
     batch.clear();
-    while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * team.threads())) {
+    while (next < order.size() && batch.size() < static_cast<std::size_t>(4 * workers.threads())) {
       const Index dart = order[next];
       if (distance[dart] >= radius) {
         const bool may_hit = std::any_of(batch.begin(), batch.end(), [&](Index other) {
@@ -125,14 +133,15 @@ std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint
       ++next;
     }
     fields.resize(batch.size());
-    parallel_for(batch.size(), team.threads(), {}, "",
-                 [&](std::size_t i, int worker) { fields[i] = team.field(batch[i], radius, worker); });
+    parallel_for(batch.size(), workers.threads(), {}, "",
+                 [&](std::size_t i, int worker) { fields[i] = workers.field(batch[i], radius, worker); });
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (distance[batch[i]] < radius) continue;
       take_minimum(distance, fields[i]);
       samples.push_back(batch[i]);
     }
-    progress.report(static_cast<double>(next) / static_cast<double>(order.size()), "Poisson-disk sampling");
+    workers.progress().report(static_cast<double>(next) / static_cast<double>(order.size()),
+                              "Poisson-disk sampling");
   }
   return samples;
 }
@@ -161,19 +170,19 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 }
 
 /// Nearest site of each vertex, from fields bounded by the greatest distance of a vertex from its site.
-std::vector<Label> label_vertices(FieldTeam& team, const std::vector<SurfacePoint>& sites, double& radius,
+std::vector<Label> label_vertices(Workers& workers, const std::vector<SurfacePoint>& sites, double& radius,
                                   const Progress& progress) {
-  const auto nearest = team.field_on_all_threads(sites);
+  const auto nearest = workers.field_on_all_threads(sites);
   radius = 0.0;
   for (double distance : nearest) {
     if (distance < unreachable) radius = std::max(radius, distance);
   }
   const std::size_t count = nearest.size();
-  std::vector<std::vector<Label>> of_worker(team.threads());
-  parallel_for(sites.size(), team.threads(), progress, "Lloyd relaxation", [&](std::size_t i, int worker) {
+  std::vector<std::vector<Label>> of_worker(workers.threads());
+  parallel_for(sites.size(), workers.threads(), progress, "Lloyd relaxation", [&](std::size_t i, int worker) {
     auto& labels = of_worker[worker];
     labels.resize(count);
-    const auto field = team.field(sites[i], bounded_field_slack * radius, worker);
+    const auto field = workers.field(sites[i], bounded_field_slack * radius, worker);
     for (std::size_t v = 0; v < count; ++v) {
       labels[v] = std::min(labels[v], Label{field[v], field[v] < unreachable ? static_cast<Index>(i) : -1});
     }
@@ -219,8 +228,9 @@ SurfacePoint candidate_of(const Mesh& mesh, const std::vector<double>& area, con
 
 }  // namespace
 
-RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds, const Progress& progress) {
-  const Mesh& mesh = team.mesh();
+RelaxedPoints relax_points(Surface& surface, const PointList& given, Index rounds,
+                           const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point to relax; name at least one.");
   const PointList points = points_on(mesh, given, "Point");
   if (!mesh.has_positions()) {
@@ -229,6 +239,10 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
+  const auto count = static_cast<double>(points.size());
+  // Two fields for each point and round, the second one as far again.
+  Workers workers(surface, options, 2.0 * count * std::max<Index>(1, rounds), reach_of_regions(0.5 * count));
+  const Progress& progress = workers.progress();
   const auto area = vertex_areas(mesh);
   RelaxedPoints result;
   result.points.assign(points.begin(), points.end());
@@ -237,7 +251,7 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
     const Progress of_round =
         progress.part(static_cast<double>(round) / (rounds + 1.0), (round + 1.0) / (rounds + 1.0));
     double radius = 0.0;
-    const auto labels = label_vertices(team, result.points, radius, of_round.part(0.0, 0.5));
+    const auto labels = label_vertices(workers, result.points, radius, of_round.part(0.0, 0.5));
     std::vector<std::vector<Index>> region(points.size());
     std::vector<double> energy(points.size(), 0.0);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -250,7 +264,7 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
     if (round == rounds) break;
 
     std::vector<SurfacePoint> moved_to(points.size());
-    parallel_for(points.size(), team.threads(), of_round.part(0.5, 1.0), "Lloyd relaxation",
+    parallel_for(points.size(), workers.threads(), of_round.part(0.5, 1.0), "Lloyd relaxation",
                  [&](std::size_t i, int worker) {
                    if (step[i] < least_step) return;
                    const SurfacePoint candidate =
@@ -259,7 +273,7 @@ RelaxedPoints relax_points(FieldTeam& team, const PointList& given, Index rounds
                      step[i] = 0.0;
                      return;
                    }
-                   const auto field = team.field(candidate, 2.0 * bounded_field_slack * radius, worker);
+                   const auto field = workers.field(candidate, 2.0 * bounded_field_slack * radius, worker);
                    double there = 0.0;
                    for (Index v : region[i]) there += area[v] * field[v] * field[v];
                    if (there < energy[i]) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "support/progress.h"
-#include "tasks/field_team.h"
+#include "tasks/workers.h"
 
 namespace vorogeo {
 
@@ -34,16 +34,16 @@ struct FarthestSamples {
 /// anywhere, or with one random vertex. There are fewer than `count` samples if all vertices left have
 /// distance zero. \throw InvalidInput for a start that is not on the mesh, or if neither a count nor a radius
 /// above 0 is given; Cancelled. Complexity: a field for each sample, bounded by the covering radius so far.
-FarthestSamples sample_farthest(FieldTeam& team, const FarthestStop& stop, const PointList& start = {},
-                                std::uint64_t seed = 0, const Progress& progress = {});
+FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, const PointList& start = {},
+                                std::uint64_t seed = 0, const TaskOptions& options = {});
 
 /// Poisson-disk sampling by dart throwing (Cook 1986) over all vertices with a face in random order: samples
 /// are at least `radius` apart and no vertex could be added. The result does not depend on the number of
 /// threads.
 /// \throw InvalidInput for a radius that is not above 0 and finite, Cancelled.
 /// Complexity: a field for each sample, bounded by the radius.
-std::vector<Index> sample_poisson_disk(FieldTeam& team, double radius, std::uint64_t seed = 0,
-                                       const Progress& progress = {});
+std::vector<Index> sample_poisson_disk(Surface& surface, double radius, std::uint64_t seed = 0,
+                                       const TaskOptions& options = {});
 
 // ---- Lloyd relaxation: points moved repeatedly to the middle of their geodesic Voronoi regions
 
@@ -63,7 +63,7 @@ struct RelaxedPoints {
 /// finds a better vertex. A point that repeats an earlier one owns no region and waits until that one
 /// has moved. \throw InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled.
 /// Complexity: two fields for each point and round, bounded by the regions' size.
-RelaxedPoints relax_points(FieldTeam& team, const PointList& points, Index rounds,
-                           const Progress& progress = {});
+RelaxedPoints relax_points(Surface& surface, const PointList& points, Index rounds,
+                           const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -191,10 +191,10 @@ class CornerNumbers {
 
 }  // namespace
 
-DividedFaces::DividedFaces(FieldTeam& team, const PointList& sites, std::vector<ContestedFace> contested,
+DividedFaces::DividedFaces(Workers& workers, const PointList& sites, std::vector<ContestedFace> contested,
                            double radius, const Progress& progress)
     : contested_(std::move(contested)) {
-  const Mesh& mesh = team.mesh();
+  const Mesh& mesh = workers.mesh();
   CornerNumbers corners(mesh);
   std::vector<std::array<Index, 3>> faces;
   std::map<Index, std::vector<Index>> corners_of_site;
@@ -226,13 +226,13 @@ DividedFaces::DividedFaces(FieldTeam& team, const PointList& sites, std::vector<
   std::vector<std::pair<Index, std::vector<Index>>> asked(corners_of_site.begin(), corners_of_site.end());
   std::vector<std::vector<double>> found(asked.size());
   const PointList all = points_on(mesh, corners.points, "Point");
-  parallel_for(asked.size(), team.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
+  parallel_for(asked.size(), workers.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
     auto& numbers = asked[i].second;
     std::ranges::sort(numbers);
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     std::vector<SurfacePoint> points;
     for (Index number : numbers) points.push_back(all[number]);
-    found[i] = team.distances(sites[asked[i].first], points, radius, worker);
+    found[i] = workers.distances(sites[asked[i].first], points, radius, worker);
   });
   for (std::size_t i = 0; i < asked.size(); ++i) {
     for (std::size_t k = 0; k < found[i].size(); ++k) {
@@ -291,10 +291,10 @@ std::vector<double> reach_of_vertices(const Mesh& mesh) {
   return reach;
 }
 
-Candidates find_candidates(FieldTeam& team, const PointList& sites, const std::vector<Index>& owners,
+Candidates find_candidates(Workers& workers, const PointList& sites, const std::vector<Index>& owners,
                            double& radius, const Progress& progress) {
-  const Mesh& mesh = team.mesh();
-  const auto nearest = team.field_on_all_threads(sites);
+  const Mesh& mesh = workers.mesh();
+  const auto nearest = workers.field_on_all_threads(sites);
   const auto reach = reach_of_vertices(mesh);
   std::vector<double> bound(mesh.vertex_count(), -1.0);
   radius = 0.0;
@@ -304,9 +304,9 @@ Candidates find_candidates(FieldTeam& team, const PointList& sites, const std::v
     radius = std::max(radius, bound[v]);
   }
   std::vector<std::vector<SiteDistance>> of_site(owners.size());
-  parallel_for(owners.size(), team.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
+  parallel_for(owners.size(), workers.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
     const Index site = owners[i];
-    const auto field = team.field(sites[site], radius, worker);
+    const auto field = workers.field(sites[site], radius, worker);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       if (field[v] <= bound[v]) of_site[i].push_back({v, site, field[v]});
     }
@@ -390,8 +390,8 @@ void divide_faces(const DividedFaces& divided, const Mesh& mesh, VoronoiRegions&
 
 }  // namespace
 
-VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Progress& progress) {
-  const Mesh& mesh = team.mesh();
+VoronoiRegions voronoi_regions(Surface& surface, const PointList& given, const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point whose region could be found; name at least one.");
   const PointList sites = points_on(mesh, given, "Point");
   std::vector<Index> owners;
@@ -399,10 +399,12 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
   for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
     if (seen.try_emplace(sites[i], i).second) owners.push_back(i);
   }
+  Workers workers(surface, options, static_cast<double>(owners.size()), reach_of_regions(owners.size()));
+  const Progress& progress = workers.progress();
   double radius = 0.0;
   const bool jumps = mesh.metric_jumps();
   const Candidates candidates =
-      find_candidates(team, sites, owners, radius, jumps ? progress.part(0.0, 0.5) : progress);
+      find_candidates(workers, sites, owners, radius, jumps ? progress.part(0.0, 0.5) : progress);
 
   VoronoiRegions regions;
   regions.vertex_region.assign(mesh.vertex_count(), no_index);
@@ -441,8 +443,8 @@ VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& given, const Pr
     tracer.trace(f, in_face);
   }
   if (jumps) {
-    divide_faces(DividedFaces(team, sites, std::move(contested), 2.0 * radius, progress.part(0.5, 1.0)), mesh,
-                 regions);
+    divide_faces(DividedFaces(workers, sites, std::move(contested), 2.0 * radius, progress.part(0.5, 1.0)),
+                 mesh, regions);
   } else {
     regions.borders = tracer.take();
   }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "support/progress.h"
-#include "tasks/field_team.h"
 #include "tasks/surface_lines.h"
+#include "tasks/workers.h"
 
 namespace vorogeo {
 
@@ -71,7 +71,7 @@ class DividedFaces {
   static constexpr Index central_part = 9;
 
   /// `radius`: no distance above it is asked for. \throw Cancelled.
-  DividedFaces(FieldTeam& team, const PointList& sites, std::vector<ContestedFace> contested, double radius,
+  DividedFaces(Workers& workers, const PointList& sites, std::vector<ContestedFace> contested, double radius,
                const Progress& progress);
 
   /// The parts of all contested faces, in space; those of contested face i are faces i * parts_per_face on.
@@ -100,7 +100,7 @@ struct VoronoiRegions {
   std::vector<std::array<Index, 2>> border_regions;
 };
 
-/// Regions of the sites by the fields of `team`. A site that repeats an earlier one owns nothing.
+/// Regions of the sites. A site that repeats an earlier one owns nothing.
 ///
 /// In a face, the difference of the squares of two distances is interpolated linearly between the corners,
 /// which is exact on flat parts of the surface. A site owns the points at which its square is the least, so
@@ -108,6 +108,6 @@ struct VoronoiRegions {
 /// same holds for parts of faces (DividedFaces). A region is found in every face that it reaches into, even
 /// if it owns none of the corners. \throw InvalidInput for no site or one that is not on the mesh, Cancelled.
 /// Complexity: a field for each site, bounded by the greatest distance of a vertex from its site.
-VoronoiRegions voronoi_regions(FieldTeam& team, const PointList& sites, const Progress& progress = {});
+VoronoiRegions voronoi_regions(Surface& surface, const PointList& sites, const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -3,7 +3,6 @@
 
 #include "arrays.h"
 #include "errors.h"
-#include "index_binding.h"
 #include "mesh_binding.h"
 #include "methods_binding.h"
 #include "surface_binding.h"
@@ -17,11 +16,7 @@ NB_MODULE(_core, module) {
   vorogeo::python::bind_methods(module);
   vorogeo::python::bind_metrics(module);
   vorogeo::python::bind_output(module);
-  vorogeo::python::bind_index(module);
   vorogeo::python::bind_points(module);
-  vorogeo::python::bind_paths(module);
   vorogeo::python::bind_surface(module);
   vorogeo::python::bind_tasks(module);
-  vorogeo::python::bind_surface_tasks(module);
-  vorogeo::python::bind_weighted(module);
 }

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "arrays.h"
-#include "exact/exact_solver.h"
-#include "exact/local_solver.h"
 #include "index/build_estimate.h"
+#include "mesh/edge_points.h"
+#include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"
 #include "progress_bridge.h"
@@ -65,32 +65,9 @@ const SurfaceLocator& MeshPoints::locator() {
   return *locator_;
 }
 
-// ---- The functions of _core that need no index: exact distances and the mesh check
+// ---- The functions of _core about a mesh: its check, and what an index would cost
 
 namespace {
-
-DoubleArray exact_distance_field(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                                 const IdArray& sources, double max_distance, int threads, double gap,
-                                 bool folds) {
-  ProgressBridge bridge{nb::none()};
-  auto values = bridge.run([&](const Progress& progress) {
-    const auto mesh = mesh_of(vertices, faces, sides, {gap, folds});
-    LocalSolver solver(mesh);
-    ExactLimits limits;
-    limits.max_distance = max_distance;
-    limits.progress = &progress;
-    limits.distances_only = true;
-    limits.threads = threads_for_field(*mesh, threads);
-    solver.run_from_vertices(ids_of(sources), limits);
-    std::vector<double> distances(mesh->given_vertex_count());
-    for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
-      const double distance = solver.distance(v);
-      distances[v] = distance <= max_distance ? distance : unreachable;
-    }
-    return distances;
-  });
-  return to_numpy(std::move(values));
-}
 
 nb::tuple finding(const MeshFinding& found) { return nb::make_tuple(found.count, found.first); }
 
@@ -168,9 +145,6 @@ nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const Sid
 }  // namespace
 
 void bind_mesh_functions(nb::module_& module) {
-  module.def("exact_distance_field", &exact_distance_field, nb::arg("vertices"), nb::arg("faces"),
-             nb::arg("sides").none(), nb::arg("sources"), nb::arg("max_distance"), nb::arg("threads"),
-             nb::arg("gap"), nb::arg("folds"));
   module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
   module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"), nb::arg("gap"), nb::arg("folds"));
@@ -220,15 +194,43 @@ DoubleArray curvature(const VertexArray& vertices, const FaceArray& faces, doubl
   return flattened(curvature_tensors(points_of(vertices), triangles_of(faces), weight));
 }
 
+DoubleArray sides_by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
+  return flattened(
+      sides_by_face_cost(points_of(vertices), triangles_of(faces), std::span(cost.data(), cost.shape(0))));
+}
+
+DoubleArray sides_by_tensor(const VertexArray& vertices, const FaceArray& faces, const ValueArray& values) {
+  return flattened(sides_by_face_tensor(points_of(vertices), triangles_of(faces), tensors_of(values)));
+}
+
+Index points_for(const VertexArray& vertices, const FaceArray& faces, const VertexArray& sides) {
+  return edge_points_for(points_of(vertices), triangles_of(faces), points_of(sides));
+}
+
 }  // namespace
 
 void bind_metrics(nb::module_& module) {
   const nb::arg vertices("vertices"), faces("faces");
   module.def("lengths_by_cost", &by_cost, vertices, faces, nb::arg("cost"));
   module.def("lengths_by_tensor", &by_tensor, vertices, faces, nb::arg("tensors"));
+  module.def("sides_by_face_cost", &sides_by_cost, vertices, faces, nb::arg("cost"));
+  module.def("sides_by_face_tensor", &sides_by_tensor, vertices, faces, nb::arg("tensors"));
+  module.def("edge_points_for", &points_for, vertices, faces, nb::arg("sides"));
   module.def("slope_cost", &slope, vertices, faces, nb::arg("x"), nb::arg("y"), nb::arg("z"),
              nb::arg("penalty"));
   module.def("curvature_tensors", &curvature, vertices, faces, nb::arg("weight"));
+}
+
+// ---- The class _core.Points
+
+void bind_points(nb::module_& module) {
+  nb::class_<PointArrays>(module, "Points")
+      .def(
+          "__init__",
+          [](PointArrays* self, IdArray vertex, IdArray face, VertexArray weights) {
+            new (self) PointArrays{std::move(vertex), std::move(face), std::move(weights)};
+          },
+          nb::arg("vertex"), nb::arg("face"), nb::arg("weights"));
 }
 
 }  // namespace vorogeo::python

@@ -41,7 +41,7 @@ class MeshPoints {
   std::unique_ptr<SurfaceLocator> locator_;
 };
 
-// ---- The functions of _core that need no index: exact distances and the mesh check
+// ---- The functions of _core about a mesh: its check, and what an index would cost
 
 void bind_mesh_functions(nanobind::module_& module);
 

@@ -34,7 +34,6 @@ from .metrics import (
     curvature_tensor,
     slope_cost,
 )
-from .paths import GeodesicPath
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin
 from .points import EdgeCurve, SurfacePoints
@@ -43,6 +42,7 @@ from .results import (
     Disk,
     Extent,
     FarthestSamples,
+    GeodesicPath,
     IndexStatistics,
     Isolines,
     Polylines,

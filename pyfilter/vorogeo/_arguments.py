@@ -109,10 +109,14 @@ def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int
     """Vertex ids as contiguous int32 of shape () or (k,), each in [0, vertex_count)."""
     wanted = "a vertex id or a one-dimensional array of vertex ids (integers)"
     array = numbers(name, value, wanted)
+    if array.ndim == 2 and array.shape[1] == 1:
+        array = array[:, 0]  # a column, as matrices in files have it
     if array.ndim > 1:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
+    if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
+        array = np.clip(array, _INT32.min, _INT32.max).astype(np.int64)
     _integers(name, array, wanted)
     bad = (array < 0) | (array >= vertex_count)
     if bad.any():

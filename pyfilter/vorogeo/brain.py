@@ -229,7 +229,7 @@ def border_distance(
     points = label_borders(index, labels, label)
     if not len(points):
         return np.full(len(index.vertices), np.inf)
-    return index.distance_field(points, max_distance, exact=exact)
+    return index.distance_field(points, max_distance, method="exact" if exact else None)
 
 
 def nearest_label(
@@ -266,7 +266,9 @@ def nearest_label(
     labelled = np.flatnonzero(~np.isin(values, list(background)))
     if not len(labelled):
         raise InvalidInput("labels: no vertex has a label that is not background.")
-    distance, nearest = index.distance_field(labelled, max_distance, return_labels=True, exact=exact)
+    distance, nearest = index.distance_field(
+        labelled, max_distance, return_labels=True, method="exact" if exact else None
+    )
     found = np.where(nearest < 0, -1, values[labelled][nearest]).astype(np.int32)
     found[labelled] = values[labelled]
     return found, distance

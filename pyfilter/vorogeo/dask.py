@@ -80,7 +80,7 @@ def write_files(
     for name, array in (("vertices", index.vertices), ("faces", index.faces), ("mask", index.mask)):
         if array is not None:
             np.save(os.path.join(folder, f"{name}.npy"), array)
-    np.save(os.path.join(folder, "gap.npy"), index._gap)
+    np.save(os.path.join(folder, "gap.npy"), index._input.gap)
     Path(folder, "metric.pickle").write_bytes(pickle.dumps(index.metric))
     return IndexFiles(file, folder)
 
@@ -89,8 +89,8 @@ def matrix_rows(files: IndexFiles, rows: NDArray[Any], columns: NDArray[Any] | N
     """What one task computes: rows of the matrix."""
     index = files.open()
     if columns is None:
-        return index.fields(rows, dtype=dtype, exact=exact)
-    return index.fields(rows, dtype=dtype, exact=exact)[:, columns]
+        return index.fields(rows, dtype=dtype, method="exact" if exact else None)
+    return index.fields(rows, dtype=dtype, method="exact" if exact else None)[:, columns]
 
 
 def blocks_of(count: int, columns: int, itemsize: int, rows: int | None) -> list[tuple[int, int]]:

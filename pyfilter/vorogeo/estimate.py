@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from . import _arguments as check
-from . import _core, metrics
-from .masks import face_mask, without_masked
+from . import _core
+from .mesh_input import MeshInput
 from .metrics import Metric
 from .progress import ProgressFunction, reporter
 
@@ -73,10 +73,7 @@ def estimate(
     Cancelled
         If `progress` returned False.
     """
-    points = metrics.positions(vertices, faces, metric)
-    triangles = check.faces(faces, len(points))
-    surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
-    sides = metrics.sides(metric, points, surface)
-    budget = check.memory_budget(memory_budget)
+    given = MeshInput.read(vertices, faces, mask, metric)
+    workers, budget = check.threads(threads), check.memory_budget(memory_budget)
     with reporter(progress) as report:
-        return IndexEstimate(**_core.estimate(points, surface, sides, check.threads(threads), budget, report))
+        return IndexEstimate(**_core.estimate(*given.core_mesh, workers, budget, report))

@@ -8,14 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
-from . import _core, metrics
-from . import points as point_lists
-from .gaps import gap_limit
-from .masks import face_mask, without_masked
 from .metrics import Metric
-from .paths import GeodesicPath, from_core
 from .points import Points
-from .progress import ProgressFunction, reporter
+from .progress import ProgressFunction
+from .results import GeodesicPath
+from .surface import Surface
 
 
 def exact_distance_field(
@@ -69,15 +66,10 @@ def exact_distance_field(
     -----
     Exact propagation of windows (Mitchell, Mount, Papadimitriou 1987). Releases the GIL; Ctrl-C stops it.
     """
-    points = metrics.positions(vertices, faces, metric)
-    triangles = check.faces(faces, len(points))
-    surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
-    ids = check.source_ids(sources, len(points))
-    entry, limit = check.real_type(dtype), check.max_distance(max_distance)
-    bridged = gap_limit(gap, bridge_folds)
-    sides = metrics.sides(metric, points, surface)
-    found = _core.exact_distance_field(points, surface, sides, ids, limit, check.threads(threads), *bridged)
-    return found.astype(entry, copy=False)
+    surface = Surface(vertices, faces, threads, None, mask, metric, gap, bridge_folds)
+    # Also what an error calls them: the caller gave ids.
+    ids = check.source_ids(sources, len(surface.vertices))
+    return surface.distance_field(ids, max_distance, method="exact", dtype=dtype)
 
 
 def exact_path(
@@ -118,13 +110,5 @@ def exact_path(
     InvalidInput
         (a ValueError) If an argument has a wrong shape, type or range, naming the element.
     """
-    points = metrics.positions(vertices, faces, metric)
-    triangles = check.faces(faces, len(points))
-    surface = without_masked(triangles, face_mask(mask, triangles, len(points)))
-    ends = point_lists.pairs(source, target, len(points))
-    bridged = gap_limit(gap, bridge_folds)
-    sides = metrics.sides(metric, points, surface)
-    with reporter(progress) as report:
-        found = _core.paths_without_index(points, surface, sides, *ends, *bridged, report)
-    paths = from_core(found)
-    return paths[0] if point_lists.is_pair(source, target) else paths
+    surface = Surface(vertices, faces, None, None, mask, metric, gap, bridge_folds)
+    return surface.path(source, target, progress, method="exact")

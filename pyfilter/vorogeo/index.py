@@ -1,27 +1,26 @@
-"""The geodesic index on numpy arrays: built once per mesh, then queried for distances."""
+"""A surface whose index is built at once: for options of the build, and to save and load it."""
 
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import _core, metrics
-from ._serial import loaded, saved
-from .gaps import GapLimit, gap_limit
-from .masks import face_mask, without_masked
-from .metrics import Metric, MetricLengths
+from . import _core
+from .mesh_input import MeshInput
+from .metrics import Metric
 from .progress import ProgressFunction, reporter
-from .queries import Queries
 from .results import IndexStatistics
+from .surface import Surface
 
 
-class GeodesicIndex(Queries):
+class GeodesicIndex(Surface):
     """Index of a triangle mesh for geodesic distances.
 
+    A `Surface` that has its index from the beginning, and answers from it unless `method` says otherwise.
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
     exists. The index is immutable and may be used by several threads at once; long computations release the GIL. It
     can be pickled, and works in processes that were forked, spawned or served.
@@ -87,16 +86,9 @@ class GeodesicIndex(Queries):
     >>> index.distance_field([0, 17])
     """
 
-    __slots__ = (
-        "__weakref__", "_faces", "_gap", "_handle", "_mask", "_metric", "_paths", "_statistics", "_threads", "_vertices"
-    )  # fmt: skip
+    __slots__ = ()
 
-    _handle: _core.Index
-    _statistics: IndexStatistics
-    _mask: NDArray[np.bool_] | None
-    _metric: Metric | None
-    _gap: GapLimit
-    _threads: int
+    _default_method: ClassVar[str] = "index"
 
     def __init__(
         self,
@@ -114,23 +106,17 @@ class GeodesicIndex(Queries):
         bridge_folds: bool = False,
         file: str | os.PathLike[str] | None = None,
     ) -> None:
-        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
-        triangles = check.kept(check.faces(faces, len(points)), faces)
-        kept = face_mask(mask, triangles, len(points))
+        given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
         n1, n2 = check.patches(patches)
-        delta = check.delta(delta)
-        workers = check.threads(threads)
+        delta, workers = check.delta(delta), check.threads(threads)
         seed = check.integer("seed", seed, 0, 2**64 - 1)
         budget = check.memory_budget(memory_budget)
-        surface = without_masked(triangles, kept)
-        lengths = metrics.lengths(metric, points, surface)
-        sides = metrics.core_sides(lengths)
-        bridged = gap_limit(gap, bridge_folds)
         path = None if file is None else check.file_path(file)
-        options = n1, n2, delta, workers, seed, budget
         with reporter(progress) as report:
-            handle = _core.Index.build(points, surface, sides, *options, *bridged, path, report)
-        self._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
+            handle = _core.Surface.build(
+                *given.core_mesh, n1, n2, delta, workers, seed, budget, *given.gap, path, report
+            )
+        self._adopt(given, workers, budget, handle)
 
     @classmethod
     def load(
@@ -171,63 +157,18 @@ class GeodesicIndex(Queries):
         InvalidInput
             (a ValueError) If an argument has a wrong shape, type or range.
         """
-        path = check.file_path(file)
-        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
-        triangles = check.kept(check.faces(faces, len(points)), faces)
-        workers = check.threads(threads)
-        kept = face_mask(mask, triangles, len(points))
-        surface = without_masked(triangles, kept)
-        lengths = metrics.lengths(metric, points, surface)
-        sides = metrics.core_sides(lengths)
-        bridged = gap_limit(gap, bridge_folds)
-        handle = _core.Index.load(path, points, surface, sides, workers, *bridged, bool(mapped))
-        return cls.__new__(cls)._adopt(handle, points, triangles, kept, metric, lengths, bridged, workers)
-
-    def _adopt(
-        self,
-        handle: _core.Index,
-        vertices: NDArray[np.float64],
-        faces: NDArray[np.int32],
-        mask: NDArray[np.bool_] | None,
-        metric: Metric | None,
-        lengths: MetricLengths | None,
-        gap: GapLimit,
-        threads: int,
-    ) -> GeodesicIndex:
-        self._handle = handle
-        self._paths = _core.Paths(handle)
-        of_metric = (0, 0) if lengths is None else (lengths.shortened_edges, lengths.split_faces)
-        self._statistics = IndexStatistics(
-            **handle.statistics(), shortened_edges=of_metric[0], split_faces=of_metric[1]
-        )
-        self._vertices, self._faces, self._mask = vertices, faces, mask
-        self._metric, self._gap, self._threads = metric, gap, threads
-        return self
+        path, workers = check.file_path(file), check.threads(threads)
+        given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
+        handle = _core.Surface.load(path, *given.core_mesh, workers, *given.gap, bool(mapped))
+        index = cls.__new__(cls)
+        index._adopt(given, workers, 0, handle)
+        return index
 
     def __copy__(self) -> GeodesicIndex:
         return self  # immutable
 
     def __deepcopy__(self, memo: dict[int, Any]) -> GeodesicIndex:
         return self
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        mesh = self._vertices, self._faces, self._mask, self._metric, self._gap
-        return _restored, (type(self), saved(self._handle), *mesh, self._threads)
-
-    @property
-    def mask(self) -> NDArray[np.bool_] | None:
-        """Which faces belong to the surface, of shape (m,), read-only; None if all do."""
-        return self._mask
-
-    @property
-    def metric(self) -> Metric | None:
-        """What paths cost; None is their length in space."""
-        return self._metric
-
-    @property
-    def gap(self) -> float:
-        """The width up to which gaps are bridged."""
-        return self._gap[0]
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
@@ -264,28 +205,13 @@ class GeodesicIndex(Queries):
     @property
     def statistics(self) -> IndexStatistics:
         """What the index holds and what it cost."""
-        return self._statistics
+        lengths = self._input.lengths
+        of_metric = (0, 0) if lengths is None else (lengths.shortened_edges, lengths.split_faces)
+        return IndexStatistics(**self._handle.statistics(), shortened_edges=of_metric[0], split_faces=of_metric[1])
 
     def __repr__(self) -> str:
-        s = self._statistics
+        s = self.statistics
         return (
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
-
-
-def _restored(
-    cls: type[GeodesicIndex],
-    contents: NDArray[np.uint8],
-    vertices: NDArray[np.float64],
-    faces: NDArray[np.int32],
-    mask: NDArray[np.bool_] | None,
-    metric: Metric | None,
-    gap: GapLimit,
-    threads: int,
-) -> GeodesicIndex:
-    """The index that pickle took apart."""
-    surface = without_masked(faces, mask)
-    lengths = metrics.lengths(metric, vertices, surface)
-    handle = loaded(contents, vertices, surface, metrics.core_sides(lengths), threads, gap)
-    return cls.__new__(cls)._adopt(handle, vertices, faces, mask, metric, lengths, gap, threads)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from . import _arguments as check
 from . import _core
-from .gaps import gap_limit
+from .mesh_input import gap_limit
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
-"""The mesh of a class that answers questions on one: its arrays, and points and curves on it."""
+"""The mesh of a surface: its arrays, points and curves on it, and which method answers."""
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,37 +11,64 @@ from . import _arguments as check
 from . import _core
 from . import points as point_lists
 from .errors import InvalidInput
+from .mesh_input import MeshInput
+from .metrics import Metric
 from .points import EdgeCurve, Rows, Sources, SurfacePoints
+from .results import Answered
 
 #: Beyond it, a distance from the surface may be more than a float can hold.
 _GREATEST_COORDINATE = 1e307
 
+#: By the numbers that the core has for them.
+METHODS = ("automatic", "index", "exact", "quick")
+
 
 class OnMesh:
-    """The mesh, its points and its curves, for every class that answers questions on one."""
+    """What `Surface` knows of its mesh, without distances."""
 
-    __slots__ = ()
+    __slots__ = ("_handle", "_input", "last")
 
-    _vertices: NDArray[np.float64]
-    _faces: NDArray[np.int32]
+    #: What a question is answered by if it does not say.
+    _default_method: ClassVar[str] = "automatic"
 
-    @property
-    def _points_on_mesh(self) -> _core.Paths | _core.Surface:
-        raise NotImplementedError
+    _input: MeshInput
+    _handle: _core.Surface
+    last: Answered | None
+
+    def _method(self, method: str | None, choices: tuple[str, ...] = METHODS[:3]) -> int:
+        return check.choice("method", self._default_method if method is None else method, choices)
+
+    def _note(self, answered: Any) -> None:
+        self.last = Answered(*answered)
 
     @property
     def _vertex_count(self) -> int:
-        return len(self._vertices)
+        return len(self._input.vertices)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
         """Positions of the mesh, of shape (n, 3), read-only; NaN if it was given none."""
-        return self._vertices
+        return self._input.vertices
 
     @property
     def faces(self) -> NDArray[np.int32]:
         """Triangles of the mesh as they were given, of shape (m, 3); read-only."""
-        return self._faces
+        return self._input.faces
+
+    @property
+    def mask(self) -> NDArray[np.bool_] | None:
+        """Which faces belong to the surface, of shape (m,), read-only; None if all do."""
+        return self._input.mask
+
+    @property
+    def metric(self) -> Metric | None:
+        """What paths cost; None is their length in space."""
+        return self._input.metric
+
+    @property
+    def gap(self) -> float:
+        """The width up to which gaps are bridged."""
+        return self._input.gap[0]
 
     def snap(self, points: ArrayLike, max_distance: float | None = None) -> SurfacePoints:
         """Move points in space to the nearest points of the surface.
@@ -72,7 +99,7 @@ class OnMesh:
                 f"coordinates of at most {_GREATEST_COORDINATE:g}."
             )
         limit = check.max_distance(max_distance)
-        faces, weights, distance = self._points_on_mesh.snap(positions)
+        faces, weights, distance = self._handle.snap(positions)
         if (distance > limit).any():
             row = int(np.flatnonzero(distance > limit)[0])
             raise InvalidInput(
@@ -93,7 +120,7 @@ class OnMesh:
                 name = f"sources[{i}]"
                 if isinstance(part, EdgeCurve):
                     spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
-                    parts.append(self._points_on_mesh.along_edges(part.edges(count, name), spacing))
+                    parts.append(self._handle.along_edges(part.edges(count, name), spacing))
                     numbers.append(np.full(len(parts[-1][0]), places))
                     places += 1
                 else:

@@ -170,14 +170,27 @@ def is_pair(source: Any, target: Any) -> bool:
     return is_single(source) and is_single(target)
 
 
-def pairs(source: Any, target: Any, vertex_count: int) -> tuple[_core.Points, _core.Points]:
-    """Both ends of k pairs as the core takes them."""
-    sources, targets = rows("source", source, vertex_count), rows("target", target, vertex_count)
+def pairs(
+    source: Any, target: Any, vertex_count: int, names: tuple[str, str] = ("source", "target")
+) -> tuple[_core.Points, _core.Points]:
+    """Both ends of k pairs as the core takes them; a single point goes with each of the others."""
+    sources, targets = rows(names[0], source, vertex_count), rows(names[1], target, vertex_count)
+    if is_single(source) and not is_single(target):
+        sources = _repeated(sources, len(targets[0]))
+    elif is_single(target) and not is_single(source):
+        targets = _repeated(targets, len(sources[0]))
     if len(sources[0]) != len(targets[0]):
         raise InvalidInput(
-            f"source has {len(sources[0])} points, target {len(targets[0])}; give as many of one as of the other."
+            f"{names[0]} has {len(sources[0])} points, {names[1]} {len(targets[0])}; give as many of one as of the "
+            "other, or a single one."
         )
     return handed_over(sources), handed_over(targets)
+
+
+def _repeated(found: Rows, count: int) -> Rows:
+    """One point, so many times."""
+    vertex, face, weights = found
+    return np.repeat(vertex, count), np.repeat(face, count), np.repeat(weights, count, axis=0)
 
 
 def handed_over(found: Rows) -> _core.Points:

@@ -274,3 +274,49 @@ class SparseDistances(NamedTuple):
     indices: NDArray[np.int32]
     indptr: NDArray[np.int64]
     shape: tuple[int, int]
+
+
+@dataclass(frozen=True, repr=False)
+class GeodesicPath:
+    """A shortest path over the surface.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (p, 3)
+        From source to target; consecutive points lie on a common face. Shape (0, 3) if there is no path.
+    length : float
+        Sum of the distances of consecutive points; infinity if there is no path.
+    vertices : ndarray of int32, shape (p,)
+        The vertex of each point; -1 for a point on an edge or in a face.
+    surface_points : SurfacePoints
+        The same points on faces.
+    certified : bool
+        For exact paths: whether it is proven that none is shorter. False for refined paths.
+    over_gap : ndarray of bool, shape (p,)
+        Whether the step from a point to the next one runs over a gap (`gap` of `GeodesicIndex`), so over no face. A
+        point between the borders of a gap has face -1 in `surface_points`.
+    """
+
+    points: NDArray[np.float64]
+    length: float
+    vertices: NDArray[np.int32]
+    surface_points: SurfacePoints
+    certified: bool
+    over_gap: NDArray[np.bool_]
+
+    def __repr__(self) -> str:
+        return f"GeodesicPath(length {self.length:g}, {len(self.points)} points, certified: {self.certified})"
+
+    def to_pyvista(self) -> Any:
+        """The path as a ``pyvista.PolyData`` with one line.
+
+        Raises
+        ------
+        ImportError
+            If PyVista is not installed.
+        """
+        import pyvista
+
+        if not len(self.points):
+            return pyvista.PolyData()
+        return pyvista.PolyData(self.points, lines=np.r_[len(self.points), np.arange(len(self.points))])

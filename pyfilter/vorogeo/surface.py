@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, overload
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
-from . import _core, metrics
+from . import _core
 from . import points as point_lists
-from .gaps import GapLimit, gap_limit
-from .index import GeodesicIndex
-from .masks import face_mask, without_masked
-from .metrics import Metric, MetricLengths
-from .on_mesh import OnMesh
-from .paths import GeodesicPath, from_core
-from .points import Points, Sources
+from .mesh_input import MeshInput
+from .metrics import Metric
+from .on_mesh import METHODS
+from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-from .results import Answered
+from .results import GeodesicPath
+from .tasks import Tasks
 
-_METHODS = ("automatic", "index", "exact", "quick")
+if TYPE_CHECKING:
+    from .index import GeodesicIndex
 
 
-class Surface(OnMesh):
+class Surface(Tasks):
     """A triangle mesh for any number of questions: it reads the mesh once and chooses what answers.
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,
@@ -52,9 +53,10 @@ class Surface(OnMesh):
 
     Notes
     -----
-    `method` of each question is "automatic" (the above; on more than two million vertices, fields are quick where there
-    is no index), "index" (built at once if there is none), "exact", or, for fields, "quick": an error of some tenths of
-    a percent in a small part of the time.
+    `method` of each question is "automatic", "index" (built at once if there is none), "exact", or, for fields,
+    "quick": an error of some tenths of a percent in a small part of the time. "automatic" and None: whichever
+    is expected to be fastest, exact where both are near: where each distance reaches only a small part of the surface,
+    exact also with an index; on more than two million vertices, fields are quick where there is no index.
 
     Examples
     --------
@@ -64,7 +66,7 @@ class Surface(OnMesh):
     'exact'
     """
 
-    __slots__ = ("__weakref__", "_budget", "_faces", "_handle", "_of_index", "_threads", "_vertices", "last")
+    __slots__ = ("__weakref__", "_budget", "_threads")
 
     def __init__(
         self,
@@ -77,50 +79,29 @@ class Surface(OnMesh):
         gap: float = 0.0,
         bridge_folds: bool = False,
     ) -> None:
-        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
-        triangles = check.kept(check.faces(faces, len(points)), faces)
-        kept = face_mask(mask, triangles, len(points))
+        given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
         workers, budget = check.threads(threads), check.memory_budget(memory_budget)
-        lengths = metrics.lengths(metric, points, without_masked(triangles, kept))
-        of_index = kept, metric, lengths, gap_limit(gap, bridge_folds)
-        self._adopt(points, triangles, workers, budget, of_index, None)
+        handle = _core.Surface.without_index(*given.core_mesh, workers, budget, *given.gap)
+        self._adopt(given, workers, budget, handle)
 
-    def _adopt(
-        self,
-        vertices: NDArray[np.float64],
-        faces: NDArray[np.int32],
-        threads: int,
-        budget: int,
-        of_index: tuple[NDArray[np.bool_] | None, Metric | None, MetricLengths | None, GapLimit],
-        index: GeodesicIndex | None,
-    ) -> Surface:
-        self._vertices, self._faces, self._threads, self._budget = vertices, faces, threads, budget
-        self._of_index = of_index
-        mask, _, lengths, bridged = of_index
-        sides = metrics.core_sides(lengths)
-        held = None if index is None else index._handle
-        surface = without_masked(faces, mask)
-        self._handle = _core.Surface(vertices, surface, sides, threads, budget, *bridged, held)
-        self.last: Answered | None = None
-        return self
+    def _adopt(self, given: MeshInput, threads: int, budget: int, handle: _core.Surface) -> None:
+        self._input, self._threads, self._budget, self._handle = given, threads, budget, handle
+        self.last = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        mesh = self._vertices, self._faces
-        return _restored, (type(self), *mesh, self._threads, self._budget, self._of_index, self.index)
-
-    @property
-    def _points_on_mesh(self) -> _core.Surface:
-        return self._handle
+        index = _saved(self._handle) if self._handle.has_index() else None
+        return _restored, (type(self), self._input, self._threads, self._budget, index)
 
     @property
     def index(self) -> GeodesicIndex | None:
-        """The index, once there is one: for all its other methods, and to save it."""
-        handle = self._handle.index()
-        return None if handle is None else self._index_of(handle)
+        """The index, once there is one: the same surface, as a `GeodesicIndex`, which can be saved."""
+        if not self._handle.has_index():
+            return None
+        from .index import GeodesicIndex
 
-    def _index_of(self, handle: _core.Index) -> GeodesicIndex:
         index = GeodesicIndex.__new__(GeodesicIndex)
-        return index._adopt(handle, self._vertices, self._faces, *self._of_index, self._threads)
+        index._adopt(self._input, self._threads, self._budget, self._handle)
+        return index
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
         """Build the index now, if there is none.
@@ -131,8 +112,10 @@ class Surface(OnMesh):
             As for `GeodesicIndex`.
         """
         with reporter(progress) as report:
-            handle = self._handle.build_index(report)
-        return self._index_of(handle)
+            self._handle.build_index(report)
+        index = self.index
+        assert index is not None
+        return index
 
     @overload
     def distance_field(
@@ -142,7 +125,7 @@ class Surface(OnMesh):
         *,
         offsets: ArrayLike | None = None,
         return_labels: Literal[False] = False,
-        method: str = "automatic",
+        method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
     ) -> NDArray[Any]: ...
@@ -154,7 +137,7 @@ class Surface(OnMesh):
         *,
         offsets: ArrayLike | None = None,
         return_labels: Literal[True],
-        method: str = "automatic",
+        method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
     ) -> tuple[NDArray[Any], NDArray[np.int32]]: ...
@@ -165,7 +148,7 @@ class Surface(OnMesh):
         *,
         offsets: ArrayLike | None = None,
         return_labels: bool = False,
-        method: str = "automatic",
+        method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
     ) -> NDArray[Any] | tuple[NDArray[Any], NDArray[np.int32]]:
@@ -173,40 +156,69 @@ class Surface(OnMesh):
 
         Parameters
         ----------
-        sources, max_distance, offsets, return_labels, dtype
-            As for `GeodesicIndex.distance_field`.
-        method : {"automatic", "index", "exact", "quick"}
-            As for the class.
+        sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
+            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones make no difference. A
+            curve is one source.
+        max_distance : float, optional
+            Distances above it become infinity; None for no limit.
+        offsets : array_like, shape (k,), optional
+            Lengths added to the distances from each source, 0 or more; the least sum is taken.
+        return_labels : bool, default False
+            Whether to return also the nearest source.
+        method : {"automatic", "index", "exact", "quick"}, optional
+            As for the class. A curve is points along it also in an exact field.
+        dtype : {float64, float32}
+            Of the distances.
         progress : callable or bool, optional
             As for `GeodesicIndex`.
 
         Returns
         -------
-        distance, label
-            As for `GeodesicIndex.distance_field`.
+        distance : ndarray, shape (n,)
+            In the unit of the vertices; infinity where no source can be reached.
+        label : ndarray of int32, shape (n,)
+            Only if `return_labels`: the position of the nearest source in `sources`, -1 where there is none. Of sources
+            at nearly the same distance, any.
 
         Raises
         ------
         InvalidInput
-            (a ValueError) As there, and for another method.
+            (a ValueError) If there is no source, an id is not an integer or out of range, an offset is negative or not
+            finite, or the limit is negative.
         Cancelled
             If `progress` returned False.
         """
-        how, limit = check.choice("method", method, _METHODS), check.max_distance(max_distance)
+        how, limit = self._method(method, METHODS), check.max_distance(max_distance)
         entry = check.real_type(dtype)
         rows, number = self._source_rows(sources)
         start = check.offsets(offsets, int(number[-1]) + 1)[number]
         with reporter(progress) as report:
             found, label, answered = self._handle.field(_core.Points(*rows), start, limit, how, report)
-        self.last = Answered(*answered)
+        self._note(answered)
         distance = found.astype(entry, copy=False)
         return (distance, np.where(label < 0, np.int32(-1), number[label])) if return_labels else distance
 
+    @overload
+    def distance(
+        self,
+        source: int | np.integer,
+        target: int | np.integer,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> float: ...
+    @overload
     def distance(
         self,
         source: Points,
         target: Points,
-        method: str = "automatic",
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Any: ...
+    def distance(
+        self,
+        source: Points,
+        target: Points,
+        method: str | None = None,
         progress: ProgressFunction | bool | None = None,
     ) -> Any:
         """Distance between two points, or between the points of each of k pairs.
@@ -214,83 +226,231 @@ class Surface(OnMesh):
         Parameters
         ----------
         source, target : a point, or k points
-            Vertex ids, `SurfacePoints` or lists of both; both of the same length.
-        method : {"automatic", "index", "exact"}
-            As for the class.
+            Vertex ids, 0 to n - 1, `SurfacePoints` or lists of both; one point goes with each of k.
+        method : {"automatic", "index", "exact"}, optional
+            As for the class. From an index, distances of vertices err slightly (``docs/accuracy.md``); those of other
+            points are lengths of refined paths (`path`).
         progress : callable or bool, optional
             As for `GeodesicIndex`.
 
         Returns
         -------
         float, or ndarray of float64, shape (k,)
-            Infinity between components. Exact without an index, else as `GeodesicIndex.distance`.
+            In the unit of the vertices; infinity between components. Symmetric.
 
         Raises
         ------
         InvalidInput
-            (a ValueError) If an id or a face is out of range, or lengths differ.
+            (a ValueError) If an id is not an integer or out of range, a face is, or lengths differ.
         Cancelled
             If `progress` returned False.
         """
-        how = check.choice("method", method, _METHODS[:3])
-        ends = point_lists.pairs(source, target, self._vertex_count)
+        how, count = self._method(method), self._vertex_count
+        # One distance takes less than the arrays that carry it.
+        if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:  # noqa: SIM102
+            if how != METHODS.index("exact") and self._handle.has_index():
+                return self._handle.vertex_distance(source, target)
+        ends = point_lists.pairs(source, target, count)
         with reporter(progress) as report:
             found, answered = self._handle.distances(*ends, how, report)
-        self.last = Answered(*answered)
+        self._note(answered)
         return float(found[0]) if point_lists.is_pair(source, target) else found
+
+    def distances(
+        self,
+        sources: Points,
+        targets: Points,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+        dtype: DTypeLike = np.float64,
+    ) -> NDArray[Any]:
+        """Distances of k pairs of points, on all threads; the same values as by `distance`.
+
+        Parameters
+        ----------
+        sources, targets : k points each
+            May be empty; one point goes with each of k.
+        progress, method
+            As for `distance`.
+        dtype : {float64, float32}
+            Of the distances.
+
+        Returns
+        -------
+        ndarray, shape (k,)
+            Infinity between components.
+
+        Raises
+        ------
+        InvalidInput, Cancelled
+            As for `distance`.
+        """
+        how, entry = self._method(method), check.real_type(dtype)
+        ends = point_lists.pairs(sources, targets, self._vertex_count, ("sources", "targets"))
+        with reporter(progress) as report:
+            found, answered = self._handle.distances(*ends, how, report)
+        self._note(answered)
+        return found.astype(entry, copy=False)
 
     def path(
         self,
         source: Points,
         target: Points,
-        method: str = "automatic",
         progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
     ) -> GeodesicPath | list[GeodesicPath]:
         """Shortest path between two points, or of each of k pairs: exact without an index, else the refined one.
 
-        Parameters and errors are those of `distance`.
+        A refined path is the route of the index, shortened to a geodesic: never shorter than the shortest path, and in
+        most cases that path (``docs/paths.md`` has the errors).
+
+        Parameters
+        ----------
+        source, target : a point, or k points
+            Vertex ids, `SurfacePoints` or lists of both; one point goes with each of k.
+        progress : callable or bool, optional
+            As for `GeodesicIndex`.
+        method : {"automatic", "index", "exact"}, optional
+            As for the class.
 
         Returns
         -------
         GeodesicPath, or list of k GeodesicPath
-            As for `GeodesicIndex.path`; those without an index are certified.
+            One path if both are single ids or hold one surface point each. Where no path joins them, the result
+            has no points and infinite length.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If an id or a face is out of range, weights are not barycentric, or lengths differ.
+        Cancelled
+            If `progress` returned False.
         """
-        return self._find_paths(source, target, method, False, progress)
+        return self._find_paths(source, target, method, False, False, progress)
 
     def exact_path(
         self,
         source: Points,
         target: Points,
-        method: str = "automatic",
+        certify: bool = True,
         progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
     ) -> GeodesicPath | list[GeodesicPath]:
-        """Exact shortest path between two points, or of each of k pairs.
+        """Exact shortest path between two points, or of each of k pairs, without a field over the whole mesh.
 
-        Parameters and errors are those of `distance`; the index, where there is one, makes it faster.
+        The index, where there is one, makes it faster. With it, a call that certifies 1,000 pairs or more first calls
+        `prepare_exact_paths`, unless that was called before.
+
+        Parameters
+        ----------
+        source, target, progress, method
+            As for `path`.
+        certify : bool, default True
+            Whether to prove that no path is shorter, by lower bounds from straight lines in space and from what
+            `prepare_exact_paths` computed. False: the distances of the index less an error margin serve as bounds,
+            which is about twice as fast on large curved surfaces and hardly faster on others; on meshes of needles a
+            few answers are then too long.
 
         Returns
         -------
         GeodesicPath, or list of k GeodesicPath
-            As for `GeodesicIndex.exact_path`.
+            `certified` says whether it is proven to be a shortest path.
+
+        Raises
+        ------
+        InvalidInput, Cancelled
+            As `path`.
         """
-        return self._find_paths(source, target, method, True, progress)
+        return self._find_paths(source, target, method, True, bool(certify), progress)
+
+    def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
+        """Make all later certified paths faster, by exact distance fields from a few vertices.
+
+        The differences of these distances are lower bounds of those of all pairs, on a curved surface much closer ones
+        than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields.
+
+        Parameters
+        ----------
+        landmarks : int, default 32
+            Number of vertices, 1 to 32, spread over the component with the most vertices.
+        progress : callable or bool, optional
+            As for `path`.
+
+        Returns
+        -------
+        int
+            The memory taken, in bytes: four for each vertex and landmark.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If the number is out of range.
+        Cancelled
+            If `progress` returned False; nothing is prepared then.
+        """
+        count = check.integer("landmarks", landmarks, 1, 32)
+        with reporter(progress) as report:
+            return self._handle.use_landmarks(count, report)
 
     def _find_paths(
-        self, source: Any, target: Any, method: str, exact: bool, progress: ProgressFunction | bool | None
+        self,
+        source: Any,
+        target: Any,
+        method: str | None,
+        exact: bool,
+        certify: bool,
+        progress: ProgressFunction | bool | None,
     ) -> GeodesicPath | list[GeodesicPath]:
-        how = check.choice("method", method, _METHODS[:3])
+        how = self._method(method)
         ends = point_lists.pairs(source, target, self._vertex_count)
         with reporter(progress) as report:
-            found, answered = self._handle.paths(*ends, how, exact, report)
-        self.last = Answered(*answered)
-        paths = from_core(found)
+            found, answered = self._handle.paths(*ends, how, exact, certify, report)
+        self._note(answered)
+        paths = _paths_of(found)
         return paths[0] if point_lists.is_pair(source, target) else paths
 
     def __repr__(self) -> str:
-        held = "with an index" if self._handle.index() is not None else "no index yet"
-        return f"Surface({len(self._vertices)} vertices, {len(self._faces)} faces, {held})"
+        held = "with an index" if self._handle.has_index() else "no index yet"
+        return f"Surface({len(self.vertices)} vertices, {len(self.faces)} faces, {held})"
 
 
-def _restored(cls: type[Surface], *parts: Any) -> Surface:
+def _paths_of(found: Any) -> list[GeodesicPath]:
+    """The paths that the core returns as arrays."""
+    lengths, certified, begin, positions, vertices, faces, weights, over_gap = found
+    positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
+    return [
+        GeodesicPath(
+            positions[a:b],
+            float(length),
+            vertices[a:b],
+            SurfacePoints(faces[a:b], weights[a:b]),
+            bool(proven),
+            over_gap[a:b] > 0,
+        )
+        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
+    ]
+
+
+def _saved(handle: _core.Surface) -> NDArray[np.uint8]:
+    """The contents of an index file; an array, which pickle can hand over without a copy."""
+    with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
+        file = Path(folder) / "index.vgi"
+        handle.save(str(file))
+        return np.fromfile(file, np.uint8)
+
+
+def _restored(
+    cls: type[Surface], given: MeshInput, threads: int, budget: int, index: NDArray[np.uint8] | None
+) -> Surface:
     """The surface that pickle took apart."""
-    return cls.__new__(cls)._adopt(*parts)
+    if index is None:
+        handle = _core.Surface.without_index(*given.core_mesh, threads, budget, *given.gap)
+    else:
+        with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
+            file = Path(folder) / "index.vgi"
+            index.tofile(file)
+            # Copied, as the file goes.
+            handle = _core.Surface.load(str(file), *given.core_mesh, threads, *given.gap, mapped=False)
+    surface = cls.__new__(cls)
+    surface._adopt(given, threads, budget, handle)
+    return surface

@@ -128,7 +128,7 @@ def fill(index: Any, order: Any, seconds: float, whole: bool, folder: Path) -> t
     """Rows of our matrix in a file of float32, and how many were filled: all, or as many as the seconds allow."""
     count = len(order)
     if whole:
-        matrix = index.distance_matrix(np.arange(count), method="fields", dtype="float32", out=folder / "matrix.npy")
+        matrix = index.distance_matrix(np.arange(count), entries="fields", dtype="float32", out=folder / "matrix.npy")
         return {int(v): np.array(matrix[v]) for v in order[:CHECKED]}, count
     began = time.process_time()
     index.fields(order[:64], dtype="float32")

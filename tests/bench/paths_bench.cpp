@@ -17,9 +17,9 @@
 
 #include "exact/exact_solver.h"
 #include "mesh_file.h"
+#include "query/landmarks.h"
 #include "query/path_query.h"
 #include "support/parallel.h"
-#include "tasks/distance_matrix.h"
 
 namespace {
 

@@ -124,64 +124,53 @@ class Ask {
   std::vector<double> matrix(const std::vector<SurfacePoint>& rows, const std::vector<SurfacePoint>& columns,
                              By by) const {
     std::vector<double> result(rows.size() * columns.size());
-    FieldTeam answering = team(by);
-    distance_matrix(answering, into(rows), into(columns), MatrixMethod::automatic, std::span(result));
+    distance_matrix(*surface_, into(rows), into(columns), MatrixMethod::automatic, std::span(result),
+                    task(by));
     return result;
   }
   /// Of one list with itself.
   std::vector<double> matrix(const std::vector<SurfacePoint>& points, By by) const {
     std::vector<double> result(points.size() * points.size());
-    FieldTeam answering = team(by);
-    distance_matrix(answering, into(points), MatrixMethod::automatic, std::span(result));
+    distance_matrix(*surface_, into(points), MatrixMethod::automatic, std::span(result), task(by));
     return result;
   }
   Sparse pairs_within(const std::vector<SurfacePoint>& points, double radius, By by) const {
-    FieldTeam answering = team(by);
-    return vorogeo::pairs_within(answering, into(points), radius);
+    return vorogeo::pairs_within(*surface_, into(points), radius, 0, task(by));
   }
   Sparse pairs_within(const std::vector<SurfacePoint>& points, const std::vector<SurfacePoint>& others,
                       double radius, By by) const {
-    FieldTeam answering = team(by);
-    return vorogeo::pairs_within(answering, into(points), into(others), radius);
+    return vorogeo::pairs_within(*surface_, into(points), into(others), radius, 0, task(by));
   }
   Nearest nearest(const std::vector<SurfacePoint>& set, const std::vector<SurfacePoint>& queries,
                   std::size_t count, By by) const {
-    FieldTeam answering = team(by);
-    return nearest_of_set(answering, into(set), into(queries), count);
+    return nearest_of_set(*surface_, into(set), into(queries), count, task(by));
   }
   Regions regions(const std::vector<SurfacePoint>& sites, By by) const {
-    FieldTeam answering = team(by);
-    Regions found = voronoi_regions(answering, into(sites));
+    Regions found = voronoi_regions(*surface_, into(sites), task(by));
     found.vertex_region.resize(input_.soup.positions.size());
     found.distance.resize(input_.soup.positions.size());
     return found;
   }
   Samples farthest_points(Index count, double radius, const std::vector<SurfacePoint>& start, By by,
                           std::uint64_t seed = 0) const {
-    FieldTeam answering = team(by);
-    Samples found = sample_farthest(answering, {count, radius}, into(start), seed);
+    Samples found = sample_farthest(*surface_, {count, radius}, into(start), seed, task(by));
     found.distance.resize(input_.soup.positions.size());
     return found;
   }
   std::vector<Index> poisson_disk(double radius, By by, std::uint64_t seed = 0) const {
-    FieldTeam answering = team(by);
-    return sample_poisson_disk(answering, radius, seed);
+    return sample_poisson_disk(*surface_, radius, seed, task(by));
   }
   RelaxedPoints relaxed(const std::vector<SurfacePoint>& points, Index rounds, By by) const {
-    FieldTeam answering = team(by);
-    return relax_points(answering, into(points), rounds);
+    return relax_points(*surface_, into(points), rounds, task(by));
   }
   std::vector<Eccentricity> eccentricities(const std::vector<SurfacePoint>& points, By by) const {
-    FieldTeam answering = team(by);
-    return vorogeo::eccentricities(answering, into(points));
+    return vorogeo::eccentricities(*surface_, into(points), task(by));
   }
   Extent extent(Index start, Index fields, By by) const {
-    FieldTeam answering = team(by);
-    return extent_of_component(answering, start, fields);
+    return extent_of_component(*surface_, start, fields, task(by));
   }
   GeodesicDisk disk(const std::vector<SurfacePoint>& sources, double radius, By by) const {
-    FieldTeam answering = team(by);
-    return geodesic_disk(answering, into(sources), radius);
+    return geodesic_disk(*surface_, into(sources), radius, task(by));
   }
   /// Of a field of distances. \pre No face is split.
   Isolines isolines(const std::vector<double>& values, const std::vector<double>& levels) const {
@@ -230,12 +219,10 @@ class Ask {
                              : AnswerMethod::quick;
   }
   std::shared_ptr<const GeodesicIndex> index() const { return surface_->build_index(); }
-  FieldTeam team(By by) const {
-    return by == By::index ? FieldTeam(index(), options_.threads) : FieldTeam(mesh_, options_.threads);
-  }
+  static TaskOptions task(By by) { return {.by = method(by)}; }
   Path path(const SurfacePoint& a, const SurfacePoint& b, By by, bool exact) const {
     Answered answered;
-    ExactPath found = surface_->path(into(a), into(b), method(by), exact, answered);
+    ExactPath found = surface_->path(into(a), into(b), method(by), {.exact = exact}, answered);
     for (SurfacePoint& point : found.path.points) point = out_of(point);
     return {std::move(found.path), found.certified};
   }

@@ -18,8 +18,8 @@ from surfaces import Floats, Ids, Shape
 FIELDS = ("exact", "automatic", "index", "by index, exact", "quick", "function")
 DISTANCES = ("exact", "automatic", "index", "by index, exact", "function")
 PATHS = ("exact", "automatic", "index", "by index, exact", "function")
-MATRICES = ("pairs", "fields", "by index, exact")
-TASKS = ("index", "by index, exact")
+MATRICES = ("pairs", "fields", "by index, exact", "exact", "automatic")
+TASKS = ("index", "by index, exact", "exact", "automatic")
 
 Points = Any
 
@@ -117,7 +117,9 @@ def object_of(by: str, shape: Shape) -> Any:
 
 def choice(by: str) -> dict[str, Any]:
     """The option by which an object is told how to answer."""
-    return {"exact": {"method": "exact"}, "quick": {"method": "quick"}, "by index, exact": {"exact": True}}.get(by, {})
+    return {"exact": {"method": "exact"}, "quick": {"method": "quick"}, "by index, exact": {"method": "exact"}}.get(
+        by, {}
+    )
 
 
 def field(by: str, shape: Shape, sources: Any, limit: float | None = None, on: Any = None, **options: Any) -> Any:
@@ -142,10 +144,6 @@ def distance(by: str, shape: Shape, source: Points, target: Points) -> Any:
     if by == "function":
         paths = path(by, shape, source, target)
         return np.array([each.length for each in paths]) if isinstance(paths, list) else paths.length
-    if by == "by index, exact":
-        single = np.isscalar(source)
-        lengths = index(shape).distances([source] if single else source, [target] if single else target, exact=True)
-        return float(lengths[0]) if single else lengths
     return object_of(by, shape).distance(source, target, **choice(by))
 
 
@@ -160,25 +158,25 @@ def path(by: str, shape: Shape, source: Points, target: Points, **options: Any) 
 
 def matrix(by: str, shape: Shape, points: Points, others: Points | None = None, on: Any = None, **options: Any) -> Any:
     """The distances of all points, or of all points from all others."""
-    how = {"exact": True} if by == "by index, exact" else {"method": by}
-    return (on or index(shape)).distance_matrix(points, others, **how, **options)
+    how = {"entries": by} if by in ("pairs", "fields") else choice(by)
+    return (on or object_of(by, shape)).distance_matrix(points, others, **how, **options)
 
 
 def fields(by: str, shape: Shape, sources: Points, **options: Any) -> Any:
     """The field of each source."""
-    return index(shape).fields(sources, **choice(by), **options)
+    return object_of(by, shape).fields(sources, **choice(by), **options)
 
 
 def nearest(by: str, shape: Shape, points: Points, queries: Points, k: int, **options: Any) -> tuple[Floats, Ids]:
     """Distances and positions of the k nearest points of each query."""
-    return index(shape).nearest(points, queries, k, **choice(by), **options)
+    return object_of(by, shape).nearest(points, queries, k, **choice(by), **options)
 
 
 def pairs_within(
     by: str, shape: Shape, points: Points, radius: float, others: Points | None = None, **options: Any
 ) -> Floats:
     """All pairs at most a radius apart as a full matrix; NaN where there is none."""
-    sparse = index(shape).pairs_within(points, radius, others, as_arrays=True, **choice(by), **options)
+    sparse = object_of(by, shape).pairs_within(points, radius, others, as_arrays=True, **choice(by), **options)
     full = np.full(sparse.shape, np.nan)
     full[np.repeat(np.arange(sparse.shape[0]), np.diff(sparse.indptr)), sparse.indices] = sparse.data
     return full
@@ -186,7 +184,7 @@ def pairs_within(
 
 def task(name: str, by: str, shape: Shape, *arguments: Any, on: Any = None, **options: Any) -> Any:
     """A task by its name: voronoi, disk, relax, sample_farthest, sample_poisson_disk, eccentricity, extent."""
-    return getattr(on or index(shape), name)(*arguments, **choice(by), **options)
+    return getattr(on or object_of(by, shape), name)(*arguments, **choice(by), **options)
 
 
 def isolines(shape: Shape, values: Floats, levels: Sequence[float] | int, interpolation: str = "distance") -> Any:

@@ -92,12 +92,12 @@ def test_steps_over_a_gap_are_marked_in_paths(by: str) -> None:
 @pytest.mark.parametrize("by", ask.TASKS)
 def test_bridges_have_no_area_and_faces_keep_their_numbers(by: str) -> None:
     vertices, faces = plates()
-    index = ask.bridged(by, (vertices, faces), 2 * WIDTH)
-    regions = index.voronoi([0, len(vertices) - 1], **ask.choice(by))
+    surface = ask.bridged(by, (vertices, faces), 2 * WIDTH)
+    regions = surface.voronoi([0, len(vertices) - 1], **ask.choice(by))
     assert regions.area.sum() == pytest.approx(2.0, rel=1e-9)
-    assert len(regions.face_region) == len(faces) == index.statistics.faces
-    np.testing.assert_array_equal(index.disk(0, 10.0, **ask.choice(by)).faces, np.arange(len(faces)))
-    assert index.snap([1 + WIDTH / 2, 0.5, 0]).snap_distance[0] == pytest.approx(WIDTH / 2, rel=1e-9)
+    assert len(regions.face_region) == len(faces)
+    np.testing.assert_array_equal(surface.disk(0, 10.0, **ask.choice(by)).faces, np.arange(len(faces)))
+    assert surface.snap([1 + WIDTH / 2, 0.5, 0]).snap_distance[0] == pytest.approx(WIDTH / 2, rel=1e-9)
 
 
 def test_the_report_says_which_gap_joins_all() -> None:

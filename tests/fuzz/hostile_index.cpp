@@ -127,8 +127,8 @@ void IndexCheck::check_voronoi() {
   bool answered = false;
   hostile_.costs[static_cast<int>(Step::voronoi)] = cost_of([&] {
     answered = hostile_.attempt([&] {
-      FieldTeam team(index_, 1);
-      regions = voronoi_regions(team, PointList(sites));
+      Surface surface(index_, 1);
+      regions = voronoi_regions(surface, PointList(sites), {.by = AnswerMethod::index});
     });
   });
   if (!answered) return;

@@ -123,7 +123,7 @@ def test_nearest_labels_are_the_voronoi_regions_of_sets(index):
 
 def test_neighbours_within_a_radius_are_sparse(index):
     masked = vorogeo.GeodesicIndex(VERTICES, FACES, mask=~WALL)
-    near = masked.pairs_within(np.arange(len(X)), 0.25, exact=True).toarray()
+    near = masked.pairs_within(np.arange(len(X)), 0.25, method="exact").toarray()
     apart = np.linalg.norm(VERTICES[:, None] - VERTICES[None], axis=2)
     expected = (apart <= 0.25) & (apart > 0) & ~WALL[:, None] & ~WALL[None]
     np.testing.assert_array_equal(near > 0, expected)

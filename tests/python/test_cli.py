@@ -202,7 +202,7 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["field", "plane.off", "--from", "here"], 1, "--from here: is neither a vertex id, nor a position"),
         (["field", "plane.off", "--from", "0", "--out", "f.xyz"], 1, "f.xyz: has no known ending; give one of .npy"),
         (["field", "plane.off", "--from", "0", "--out", "no/f.npy"], 1, "no/f.npy: cannot be written"),
-        (["distance", "plane.off", "--from", "0", "1", "--to", "1", "2", "3"], 1, "as many of both"),
+        (["distance", "plane.off", "--from", "0", "1", "--to", "1", "2", "3"], 1, "as many of one as of the other"),
         (["matrix", "plane.off", "--out", "m.gii"], 1, "has no value for each vertex"),
         (["neighbours", "plane.off", "--radius", "1", "--out", "n.npy"], 1, "sparse matrix goes into .npz"),
         (["sample", "plane.off", "--method", "poisson"], 1, "--radius: is missing"),

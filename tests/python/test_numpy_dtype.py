@@ -25,7 +25,7 @@ def flat():
 CALLS = {
     "distances": lambda i, **how: i.distances(POINTS, POINTS[::-1], **how),
     "distance_matrix": lambda i, **how: i.distance_matrix(POINTS, **how),
-    "distance_matrix of two lists": lambda i, **how: i.distance_matrix(POINTS, POINTS[:3], method="fields", **how),
+    "distance_matrix of two lists": lambda i, **how: i.distance_matrix(POINTS, POINTS[:3], entries="fields", **how),
     "fields": lambda i, **how: i.fields(POINTS[:3], max_distance=0.7, **how),
     "nearest": lambda i, **how: i.nearest(POINTS, POINTS[:5], k=3, **how)[0],
     "pairs_within": lambda i, **how: i.pairs_within(POINTS, 0.9, as_arrays=True, **how).data,
@@ -61,23 +61,25 @@ def test_float32_goes_to_files_and_arrays_of_the_caller(index, tmp_path):
 def test_pages_of_a_large_file_leave_the_process(index, tmp_path, monkeypatch):
     monkeypatch.setattr("vorogeo._output._MAPPED_BYTES", 20_000)
     everyone, seen = np.arange(0, 1200, 6), []
-    index.distance_matrix(everyone, method="fields", out=tmp_path / "m.npy", progress=lambda f, _: seen.append(f))
-    np.testing.assert_array_equal(np.load(tmp_path / "m.npy"), index.distance_matrix(everyone, method="fields"))
+    index.distance_matrix(everyone, entries="fields", out=tmp_path / "m.npy", progress=lambda f, _: seen.append(f))
+    np.testing.assert_array_equal(np.load(tmp_path / "m.npy"), index.distance_matrix(everyone, entries="fields"))
     assert seen[-1] == 1
 
 
 def test_exact_results_are_those_of_the_plane(flat):
     sources, targets = np.array([0, 17, 100, 7]), np.array([179, 18, 3])
     close = {"rtol": 1e-12, "atol": 1e-14}
-    np.testing.assert_allclose(flat.distance_matrix(sources, exact=True), APART[np.ix_(sources, sources)], **close)
-    wide = flat.distance_matrix(sources, targets, exact=True, method="pairs")
+    np.testing.assert_allclose(flat.distance_matrix(sources, method="exact"), APART[np.ix_(sources, sources)], **close)
+    wide = flat.distance_matrix(sources, targets, method="exact", entries="pairs")
     np.testing.assert_allclose(wide, APART[np.ix_(sources, targets)], **close)
-    np.testing.assert_allclose(flat.fields(sources, exact=True), APART[sources], **close)
-    np.testing.assert_allclose(flat.distances(sources[:3], targets, exact=True), APART[sources[:3], targets], **close)
-    distances, positions = flat.nearest(targets, sources, k=2, exact=True)
+    np.testing.assert_allclose(flat.fields(sources, method="exact"), APART[sources], **close)
+    np.testing.assert_allclose(
+        flat.distances(sources[:3], targets, method="exact"), APART[sources[:3], targets], **close
+    )
+    distances, positions = flat.nearest(targets, sources, k=2, method="exact")
     np.testing.assert_allclose(distances, np.sort(APART[np.ix_(sources, targets)], axis=1)[:, :2], **close)
     assert positions[0].tolist() == [2, 1]
-    sparse = flat.pairs_within(np.arange(180), 0.31, as_arrays=True, exact=True)
+    sparse = flat.pairs_within(np.arange(180), 0.31, as_arrays=True, method="exact")
     assert len(sparse.data) == ((APART <= 0.31) & (APART > 0)).sum()
 
 
@@ -85,7 +87,7 @@ def test_exact_fields_take_every_kind_of_source(flat):
     middle = flat.snap([0.53, 0.41, 0.0])
     curve = vorogeo.EdgeCurve([0, 1, 2, 3], spacing=0.01)
     sources = [middle, 179, curve]
-    field, label = flat.distance_field(sources, offsets=[0.1, 0.0, 0.05], return_labels=True, exact=True)
+    field, label = flat.distance_field(sources, offsets=[0.1, 0.0, 0.05], return_labels=True, method="exact")
     x, y = FLAT[0][:, 0], FLAT[0][:, 1]
     expected = np.stack(
         [
@@ -97,16 +99,16 @@ def test_exact_fields_take_every_kind_of_source(flat):
     np.testing.assert_allclose(field, expected.min(axis=0), atol=1e-3)  # a curve is points 0.01 apart
     sure = np.sort(expected, axis=0)[1] - expected.min(axis=0) > 2e-3
     np.testing.assert_array_equal(label[sure], expected.argmin(axis=0)[sure])
-    near, owner = flat.distance_field(179, max_distance=0.2, exact=True, return_labels=True)
+    near, owner = flat.distance_field(179, max_distance=0.2, method="exact", return_labels=True)
     np.testing.assert_array_equal(np.isfinite(near), APART[179] <= 0.2)
     np.testing.assert_array_equal(owner, np.where(APART[179] <= 0.2, 0, -1))
 
 
 def test_exact_values_are_those_of_the_exact_field(index):
     expected = vorogeo.exact_distance_field(*MESH, POINTS[0])
-    np.testing.assert_allclose(index.fields(POINTS[:1], exact=True)[0], expected, rtol=1e-12)
-    np.testing.assert_allclose(index.distance_field(POINTS[0], exact=True), expected, rtol=1e-12)
-    pairs = index.distances(np.full(12, POINTS[0]), POINTS, exact=True)
+    np.testing.assert_allclose(index.fields(POINTS[:1], method="exact")[0], expected, rtol=1e-12)
+    np.testing.assert_allclose(index.distance_field(POINTS[0], method="exact"), expected, rtol=1e-12)
+    pairs = index.distances(np.full(12, POINTS[0]), POINTS, method="exact")
     np.testing.assert_allclose(pairs, expected[POINTS], rtol=1e-9)
 
 

@@ -78,11 +78,11 @@ def test_fields_pairs_and_matrices(asked):
         assert error.mean() < mean
         assert np.quantile(error, 0.99) < most
         assert error.max() < largest
-    np.testing.assert_allclose([index.distance_field(i, exact=True) for i in IDS], fields, rtol=slack, atol=1e-12)
+    np.testing.assert_allclose([index.distance_field(i, method="exact") for i in IDS], fields, rtol=slack, atol=1e-12)
     pairs = index.distance(np.repeat(IDS, len(IDS)), np.tile(IDS, len(IDS))).reshape(len(IDS), -1)
     np.testing.assert_allclose(pairs, fields[:, IDS], rtol=most, atol=1e-12)
     np.testing.assert_allclose(index.distance_matrix(IDS), fields[:, IDS], rtol=most, atol=1e-12)
-    np.testing.assert_allclose(index.distance_matrix(IDS, exact=True), fields[:, IDS], rtol=2 * slack, atol=1e-12)
+    np.testing.assert_allclose(index.distance_matrix(IDS, method="exact"), fields[:, IDS], rtol=2 * slack, atol=1e-12)
     queries = np.arange(0, len(VERTICES), 7)
     distances, _ = index.nearest(IDS, queries, 2)
     np.testing.assert_allclose(distances, np.sort(fields[:, queries], axis=0)[:2].T, rtol=largest, atol=1e-12)
@@ -100,18 +100,18 @@ def test_paths_are_as_long_as_distances(asked):
 
 def test_regions_samples_disks_and_lines(asked):
     _, index, fields, slack = asked
-    regions = index.voronoi(IDS, exact=True)
+    regions = index.voronoi(IDS, method="exact")
     wrong = np.take_along_axis(fields, regions.vertex_region[None], axis=0)[0] > fields.min(axis=0) * (1 + 2 * slack)
     assert not wrong.any()
-    spread = index.sample_farthest(2, start=[IDS[0]], exact=True)
+    spread = index.sample_farthest(2, start=[IDS[0]], method="exact")
     assert fields[0, spread.vertices[1]] >= fields[0].max() * (1 - 2 * slack)
     reach = 0.3 * fields[0].max()
-    disk = index.disk(IDS[0], reach, exact=True)
+    disk = index.disk(IDS[0], reach, method="exact")
     inside = np.isin(np.arange(len(VERTICES)), disk.vertices)
     assert (fields[0][inside] <= reach * (1 + slack)).all()
     assert (fields[0][~inside] >= reach * (1 - slack)).all()
-    samples = index.sample_poisson_disk(reach, exact=True)
-    apart = index.distance_matrix(samples, exact=True) + 2 * reach * np.eye(len(samples))
+    samples = index.sample_poisson_disk(reach, method="exact")
+    apart = index.distance_matrix(samples, method="exact") + 2 * reach * np.eye(len(samples))
     assert len(samples) > 2
     assert apart.min() >= reach * (1 - 2 * slack)
     lines = index.isolines(fields[0], [reach])
@@ -120,6 +120,6 @@ def test_regions_samples_disks_and_lines(asked):
         tuple(sorted(side)) for face in FACES for side in itertools.combinations(face, 2) if ends[list(side)].sum() == 1
     }
     assert len(lines.points) >= len(crossed)
-    far, _ = index.eccentricity([IDS[0]], exact=True)
+    far, _ = index.eccentricity([IDS[0]], method="exact")
     assert far[0] == pytest.approx(fields[0].max(), rel=2 * slack)
-    assert index.extent(exact=True).diameter[1] >= fields.max() * (1 - 2 * slack)
+    assert index.extent(method="exact").diameter[1] >= fields.max() * (1 - 2 * slack)

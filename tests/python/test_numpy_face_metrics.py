@@ -125,7 +125,7 @@ def test_tasks_answer_in_the_metric(mosaic):
     fields = np.array([vorogeo.exact_distance_field(vertices, faces, p, metric=metric) for p in points])
     matrix = index.distance_matrix(points)
     np.testing.assert_allclose(matrix, fields[:, points], rtol=1e-2, atol=1e-12)
-    np.testing.assert_allclose(index.distance_matrix(points, exact=True), fields[:, points], rtol=5e-3, atol=1e-12)
+    np.testing.assert_allclose(index.distance_matrix(points, method="exact"), fields[:, points], rtol=5e-3, atol=1e-12)
     regions = index.voronoi(points)
     wrong = regions.vertex_region != fields.argmin(axis=0)
     assert wrong.mean() < 0.02

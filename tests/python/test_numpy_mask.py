@@ -32,8 +32,8 @@ def test_exact_distances_go_around_the_mask(index):
     behind = (X > 0.7) & (Y < 0.75)
     fields = (
         vorogeo.exact_distance_field(VERTICES, FACES, source, mask=KEPT),
-        index.distance_field(source, exact=True),
-        index.fields([source], exact=True)[0],
+        index.distance_field(source, method="exact"),
+        index.fields([source], method="exact")[0],
     )
     for field in fields:
         np.testing.assert_allclose(field[behind], around(source)[behind], rtol=1e-12)

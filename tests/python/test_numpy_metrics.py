@@ -46,21 +46,21 @@ def test_positions_forgotten_change_no_answer(wavy):
     tables = {"rtol": 3e-5, "atol": 0}  # rounding of the tables may fall on another entry
     np.testing.assert_allclose(index.distance_field(7), plain.distance_field(7), **tables)
     np.testing.assert_allclose(index.distance(*ends), plain.distance(*ends), **tables)
-    np.testing.assert_allclose(index.distance_field(7, exact=True), plain.distance_field(7, exact=True), **near)
+    np.testing.assert_allclose(index.distance_field(7, method="exact"), plain.distance_field(7, method="exact"), **near)
     for mine, other in zip(index.exact_path(*ends), plain.exact_path(*ends), strict=True):
         assert mine.certified
         assert np.isnan(mine.points).all()
         assert mine.length == pytest.approx(other.length, abs=1e-12)
         np.testing.assert_array_equal(mine.surface_points.faces, other.surface_points.faces)
         np.testing.assert_allclose(mine.surface_points.barycentric, other.surface_points.barycentric, atol=1e-9)
-    regions = [q.voronoi([0, 600, 1199], exact=True) for q in (index, plain)]
+    regions = [q.voronoi([0, 600, 1199], method="exact") for q in (index, plain)]
     np.testing.assert_allclose(regions[0].area, regions[1].area, rtol=1e-12)
     np.testing.assert_array_equal(regions[0].face_region, regions[1].face_region)
-    samples = [q.sample_farthest(12, start=[0], exact=True).vertices for q in (index, plain)]
+    samples = [q.sample_farthest(12, start=[0], method="exact").vertices for q in (index, plain)]
     np.testing.assert_array_equal(*samples)
-    np.testing.assert_array_equal(*[q.sample_poisson_disk(0.3, exact=True) for q in (index, plain)])
-    np.testing.assert_array_equal(*[q.disk(600, 0.4, exact=True).faces for q in (index, plain)])
-    np.testing.assert_allclose(*[q.distance_matrix([0, 9, 800], exact=True) for q in (index, plain)], **near)
+    np.testing.assert_array_equal(*[q.sample_poisson_disk(0.3, method="exact") for q in (index, plain)])
+    np.testing.assert_array_equal(*[q.disk(600, 0.4, method="exact").faces for q in (index, plain)])
+    np.testing.assert_allclose(*[q.distance_matrix([0, 9, 800], method="exact") for q in (index, plain)], **near)
     with pytest.raises(vorogeo.InvalidInput, match="no positions"):
         index.snap([0, 0, 0])
     with pytest.raises(vorogeo.InvalidInput, match="no positions"):
@@ -119,7 +119,7 @@ def test_all_floors_hold_in_a_metric(wavy):
     cost = vorogeo.VertexCost(1 + 9 * (np.sin(5 * vertices[:, 0]) ** 2))
     index = vorogeo.GeodesicIndex(vertices, faces, patches=(6, 3), metric=cost)
     ids = np.random.default_rng(4).choice(len(vertices), 40, replace=False)
-    exact = index.distance_matrix(ids, exact=True)
+    exact = index.distance_matrix(ids, method="exact")
     np.testing.assert_allclose(exact, exact.T, rtol=1e-12)
     assert (exact[:, :, None] + exact[None] >= exact[:, None] * (1 - 1e-12)).all()
     off = ~np.eye(len(ids), dtype=bool)
@@ -132,7 +132,9 @@ def test_all_floors_hold_in_a_metric(wavy):
     assert (refined >= lengths * (1 - 1e-9)).all()
     assert (refined / lengths).max() < 1.01
     twice = vorogeo.GeodesicIndex(vertices, faces, patches=(6, 3), metric=vorogeo.VertexCost(2 * cost.cost))
-    np.testing.assert_allclose(twice.distance_field(5, exact=True), 2 * index.distance_field(5, exact=True), rtol=1e-12)
+    np.testing.assert_allclose(
+        twice.distance_field(5, method="exact"), 2 * index.distance_field(5, method="exact"), rtol=1e-12
+    )
 
 
 def test_index_file_and_pickle_know_the_metric(wavy, tmp_path):

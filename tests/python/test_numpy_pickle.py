@@ -20,7 +20,7 @@ def index():
 
 
 def matrix_of(index):
-    return index.distance_matrix(POINTS, method="fields")
+    return index.distance_matrix(POINTS, entries="fields")
 
 
 def test_a_pickled_index_answers_the_same_to_the_last_bit(index):
@@ -60,11 +60,11 @@ def test_the_mesh_can_be_asked_for_and_not_changed(index):
 
 
 def test_a_damaged_pickle_is_refused(index):
-    restore, (kind, contents, *mesh) = index.__reduce__()
+    restore, (*mesh, contents) = index.__reduce__()
     damaged = contents.copy()
     damaged[len(damaged) // 2] ^= 1
     with pytest.raises(vorogeo.IndexFileError, match="damaged"):
-        restore(kind, damaged, *mesh)
+        restore(*mesh, damaged)
 
 
 @pytest.mark.parametrize("built", [False, True])

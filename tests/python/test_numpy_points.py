@@ -27,7 +27,7 @@ def straight(a, b):
 
 @pytest.mark.parametrize("method", ["automatic", "pairs", "fields"])
 def test_matrix_between_points_in_faces(plane, points, method):
-    matrix = plane.distance_matrix(points, method=method)
+    matrix = plane.distance_matrix(points, entries=method)
     np.testing.assert_array_equal(matrix, matrix.T)
     np.testing.assert_array_equal(np.diag(matrix), 0)
     np.testing.assert_allclose(matrix, straight(PLACES, PLACES), rtol=2e-3 if method != "pairs" else 1e-9, atol=1e-12)
@@ -57,7 +57,7 @@ def test_corners_are_vertices_and_edges_have_two_faces(plane):
     assert len(shared) == 2
     sides = [[0.5 if v in shared else 0.0 for v in face] for face in (lower, upper)]
     middle = vorogeo.SurfacePoints(np.array([0, 600]), np.array(sides))
-    np.testing.assert_array_equal(plane.distance_matrix(middle, method="fields"), np.zeros((2, 2)))
+    np.testing.assert_array_equal(plane.distance_matrix(middle, entries="fields"), np.zeros((2, 2)))
     assert plane.nearest(middle, 5)[1].tolist() == [[0]]
 
 
@@ -77,7 +77,7 @@ def test_pairs_within_and_nearest(plane, points):
 
 @pytest.mark.parametrize("exact", [True, False])
 def test_voronoi_regions_of_points_in_faces(plane, points, exact):
-    regions = plane.voronoi(points, exact=exact)
+    regions = plane.voronoi(points, method="exact" if exact else None)
     full = straight(PLANE[0], PLACES)
     np.testing.assert_allclose(regions.distance, full.min(axis=1), rtol=1e-9 if exact else 2e-2)
     clear = np.ptp(np.sort(full)[:, :2], axis=1) > 0.01
@@ -112,7 +112,7 @@ def test_relaxation_begins_anywhere(plane, points):
 
 
 def test_disk_around_points_and_curves(plane, points):
-    disk = plane.disk([points[2], 7], 0.4, exact=True)
+    disk = plane.disk([points[2], 7], 0.4, method="exact")
     full = np.minimum(straight(PLANE[0], PLACES[2:3]), straight(PLANE[0], PLANE[0][7:8])).ravel()
     np.testing.assert_array_equal(disk.vertices, np.flatnonzero(full <= 0.4))
     around = plane.disk(vorogeo.EdgeCurve(np.arange(31)), 0.25)  # along the lower side
@@ -236,7 +236,7 @@ def test_far_points_in_faces_against_exact_distances():
     inner = vorogeo.SurfacePoints(faces, np.tile([0.2, 0.5, 0.3], (6, 1)))
     exact = np.array([[path.length for path in index.exact_path(inner[[i] * 6], inner)] for i in range(6)])
     for method in ("pairs", "fields"):
-        found = index.distance_matrix(inner, method=method)
+        found = index.distance_matrix(inner, entries=method)
         np.testing.assert_array_equal(np.isinf(found), np.isinf(exact))
         near = np.isfinite(exact)
         np.testing.assert_allclose(found[near], exact[near], rtol=1e-2)

@@ -57,7 +57,7 @@ def test_all_questions_refer_to_what_was_given(hill, index):
     n, m = len(vertices), len(faces)
     assert index.statistics.split_faces == metric.edge_lengths(vertices, faces).split_faces
     assert (index.statistics.vertices, index.statistics.faces) == (n, m)
-    exact = index.distance_field(5, exact=True)
+    exact = index.distance_field(5, method="exact")
     for field in (exact, index.distance_field(5), vorogeo.Surface(vertices, faces, metric=metric).distance_field(5)):
         np.testing.assert_allclose(field, exact, rtol=0.02)
     assert index.fields([5, 7]).shape == (2, n)
@@ -90,9 +90,9 @@ def test_all_questions_refer_to_what_was_given(hill, index):
 def test_faces_have_the_region_of_their_centre(hill, index):
     vertices, faces, metric, _ = hill
     sites = np.random.default_rng(0).choice(len(vertices), 12, replace=False)
-    found = index.voronoi(sites, exact=True).face_region
+    found = index.voronoi(sites, method="exact").face_region
     centres = vorogeo.SurfacePoints(np.arange(len(faces)), np.full((len(faces), 3), 1 / 3))
-    distance = index.distance_matrix(centres, sites, exact=True)
+    distance = index.distance_matrix(centres, sites, method="exact")
     parts = np.bincount(metric.edge_lengths(vertices, faces).splits.given_face)
     farther = distance[np.arange(len(faces)), found] > 1.05 * distance.min(axis=1)
     assert farther[parts > 1].mean() <= 0.02  # a field is not linear within a face: in whole faces it is 0.01

@@ -27,7 +27,7 @@ def straight(points, others):
 @pytest.mark.parametrize(("exact", "tolerance"), [(True, 1e-12), (False, 0.01)])
 def test_voronoi_borders_lie_on_the_bisectors(index, exact, tolerance):
     sites = np.array([100, 500, 730, 333])
-    found = index.voronoi(sites, exact=exact)
+    found = index.voronoi(sites, method="exact" if exact else None)
     distance = np.linalg.norm(found.borders.points[:, None] - POSITIONS[sites][None], axis=2)
     sides = np.take_along_axis(distance[found.borders.edges[:, 0]], found.border_regions, axis=1)
     np.testing.assert_allclose(sides[:, 0], sides[:, 1], atol=tolerance)
@@ -92,14 +92,14 @@ def test_more_samples_than_vertices_are_all_vertices(two_components):
 
 
 def test_poisson_disk_samples_are_spaced_and_maximal(index):
-    samples = index.sample_poisson_disk(0.4, seed=3, exact=True)
+    samples = index.sample_poisson_disk(0.4, seed=3, method="exact")
     assert straight(samples, samples)[np.triu_indices(len(samples), 1)].min() >= 0.4 - 1e-12
     assert straight(np.arange(len(POSITIONS)), samples).min(axis=1).max() < 0.4 + 1e-12
-    np.testing.assert_array_equal(samples, index.sample_poisson_disk(0.4, seed=3, exact=True))
+    np.testing.assert_array_equal(samples, index.sample_poisson_disk(0.4, seed=3, method="exact"))
 
 
 def test_disk_is_what_is_within_the_radius(index):
-    found = index.disk(400, 0.7, exact=True)
+    found = index.disk(400, 0.7, method="exact")
     expected = np.linalg.norm(POSITIONS - POSITIONS[400], axis=1)
     np.testing.assert_array_equal(found.vertices, np.flatnonzero(expected <= 0.7))
     np.testing.assert_allclose(found.distances, expected[found.vertices], atol=1e-12)
@@ -108,10 +108,10 @@ def test_disk_is_what_is_within_the_radius(index):
 
 
 def test_extent_and_eccentricity_of_a_rectangle(index):
-    distances, farthest = index.eccentricity([0, 16], exact=True)
+    distances, farthest = index.eccentricity([0, 16], method="exact")
     np.testing.assert_allclose(distances, [5, np.hypot(2, 3)])
     assert farthest[0] == 33 * 25 - 1
-    found = index.extent(fields=200, exact=True)
+    found = index.extent(fields=200, method="exact")
     np.testing.assert_allclose(found.diameter, [5, 5])
     assert found.radius[0] <= 2.5 <= found.radius[1] + 1e-12
     assert straight([found.ends[0]], [found.ends[1]])[0, 0] == 5
@@ -120,7 +120,7 @@ def test_extent_and_eccentricity_of_a_rectangle(index):
 
 def test_relaxed_points_spread(index):
     start = np.arange(8)
-    found = index.relax(start, rounds=15, exact=True)
+    found = index.relax(start, rounds=15, method="exact")
     assert (np.diff(found.energy) <= 1e-12).all()
     assert found.energy[-1] < 0.1 * found.energy[0]
     assert len(found.energy) <= 16

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..errors import InvalidInput
 from ..exact import exact_distance_field
 from ..mesh_check import check_mesh
-from ..paths import GeodesicPath
+from ..results import GeodesicPath
 from .comparison import compare
 from .job import Command, MeshTask, surface_area
 from .outputs import Result, format_of
@@ -33,7 +33,7 @@ def field(task: MeshTask) -> Result:
             threads=task.options.get("threads"),
         )
     else:
-        values = task.index.distance_field(sources, limit, exact=task.exact, dtype=task.dtype)
+        values = task.index.distance_field(sources, limit, method=task.method, dtype=task.dtype)
     reached = values[np.isfinite(values)]
     text = f"{reached.size} of {values.size} vertices reached, the farthest at {reached.max(initial=0):.6g}"
     return Result("distance", {"distance": values}, task.shown_mesh, per_vertex="distance", text=text)
@@ -42,7 +42,7 @@ def field(task: MeshTask) -> Result:
 def distance(task: MeshTask) -> Result:
     """Distances of pairs; one source may have many targets, or one target many sources."""
     sources, targets = _pairs(task)
-    values = task.index.distances(sources, targets, progress=task.progress, exact=task.exact, dtype=task.dtype)
+    values = task.index.distances(sources, targets, progress=task.progress, method=task.method, dtype=task.dtype)
     text = "\n".join(f"{value:.12g}" for value in values.tolist())
     return Result("distance", {"distance": values}, task.shown_mesh, text=text)
 
@@ -103,10 +103,10 @@ def matrix(task: MeshTask) -> Result:
     values = task.index.distance_matrix(
         points,
         others,
-        method=task.options.get("method") or "automatic",
+        entries=task.options.get("method") or "automatic",
         out=task.job.out if direct else None,
         progress=task.progress,
-        exact=task.exact,
+        method=task.method,
         dtype=task.dtype,
     )
     text = f"{values.shape[0]} x {values.shape[1]} distances, {values.dtype}, {values.nbytes / 1e6:.4g} MB"
@@ -117,7 +117,7 @@ def neighbours(task: MeshTask) -> Result:
     """All pairs within a radius, as a sparse matrix."""
     points = task.points("points") if task.options.get("points") else np.arange(len(task.vertices))
     found = task.index.pairs_within(
-        points, task.options["radius"], progress=task.progress, exact=task.exact, dtype=task.dtype
+        points, task.options["radius"], progress=task.progress, method=task.method, dtype=task.dtype
     )
     if not hasattr(found, "tocoo"):
         raise InvalidInput("Sparse matrices are written by scipy; run 'pip install scipy'.")
@@ -127,7 +127,7 @@ def neighbours(task: MeshTask) -> Result:
 
 def voronoi(task: MeshTask) -> Result:
     """The nearest point of every vertex and face, and areas of the regions."""
-    found = task.index.voronoi(task.points("from"), exact=task.exact, progress=task.progress)
+    found = task.index.voronoi(task.points("from"), method=task.method, progress=task.progress)
     arrays: dict[str, NDArray[Any]] = {
         "vertex_region": found.vertex_region,
         "face_region": found.face_region,
@@ -147,11 +147,11 @@ def sample(task: MeshTask) -> Result:
     if task.options.get("method") == "poisson":
         if radius is None:
             raise InvalidInput("--radius: is missing; Poisson-disk sampling needs the least distance of two samples.")
-        ids = task.index.sample_poisson_disk(radius, seed, exact=task.exact, progress=task.progress)
+        ids = task.index.sample_poisson_disk(radius, seed, method=task.method, progress=task.progress)
         covered = ""
     else:
         found = task.index.sample_farthest(
-            task.options.get("count"), radius or 0.0, seed=seed, exact=task.exact, progress=task.progress
+            task.options.get("count"), radius or 0.0, seed=seed, method=task.method, progress=task.progress
         )
         ids, covered = found.vertices, f", every vertex within {found.covering_radius:.6g} of one"
     points = task.file_vertices[ids]

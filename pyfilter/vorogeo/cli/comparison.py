@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..errors import InvalidInput
 from ..exact import exact_distance_field
 from ..geodesic_methods import GeodesicMethod, MethodWarning, methods
-from ..masks import face_mask, without_masked
+from ..mesh_input import face_mask, without_masked
 from .job import MeshTask
 from .outputs import Result
 
@@ -38,7 +38,7 @@ def compare(task: MeshTask) -> Result:
             task.vertices, task.faces, sources, mask=task.mask, metric=task.metric, gap=task.gap
         )
     else:
-        exact = task.index.distance_field(sources, exact=True)
+        exact = task.index.distance_field(sources, method="exact")
     exact_took = time.perf_counter() - began
     left_out: list[str] = []
     if task.options.get("with"):

@@ -66,6 +66,11 @@ class MeshTask:
         self.vertices = self.file_vertices * self.scale
 
     @property
+    def method(self) -> str | None:
+        """What answers, if it is asked for."""
+        return "exact" if self.exact else None
+
+    @property
     def exact(self) -> bool:
         """Whether distances are exact."""
         return bool(self.options.get("exact"))

@@ -16,6 +16,7 @@ from .. import _arguments as check
 from .. import _core
 from ..errors import InvalidInput
 from ..exact import exact_distance_field
+from ..on_mesh import METHODS
 
 
 def compute_gdist(
@@ -128,9 +129,9 @@ def _pairs(points: NDArray[np.float64], faces: NDArray[np.int32], ids: NDArray[n
         from scipy.sparse import csc_matrix
     except ImportError:
         raise ImportError("The result is a matrix of scipy, which is not installed; run 'pip install scipy'.") from None
-    surface = _core.Surface(points, faces, None, 0, 0, 0.0, False, None)
+    surface = _core.Surface.without_index(points, faces, None, 0, 0, 0.0, False)
     asked = _core.Points(ids, np.empty(0, np.int32), np.empty((0, 3)))
-    begin, columns, distances = _core.pairs_within(surface, asked, _limit(reach), True, 0, None)
+    begin, columns, distances, _ = _core.pairs_within(surface, asked, _limit(reach), METHODS.index("exact"), 0, None)
     rows = np.repeat(ids, np.diff(begin))
     real = np.isfinite(distances) & (distances > 0)
     return csc_matrix((distances[real], (rows[real], ids[columns[real]])), shape=(len(points), len(points)))

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "exact/exact_solver.h"
+#include "query/landmarks.h"
 #include "query/path_query.h"
 #include "support/error.h"
 #include "support/shapes.h"
-#include "tasks/distance_matrix.h"
 
 namespace vorogeo {
 namespace {

@@ -68,11 +68,11 @@ std::vector<SurfacePoint> in_some_faces(Index faces) {
 TEST(PointList, MatrixOfPointsInFacesBesideExactDistances) {
   const auto index = test::make_index(test::hills(24, 0.5), 3, 4);
   const auto points = in_some_faces(index->mesh()->face_count());
-  FieldTeam by_index(index, 2);
-  FieldTeam exact_team(index->mesh(), 2);
+  Surface by_index(index, 2);
+  Surface exact_surface(index->mesh(), {.threads = 2});
   const std::size_t count = points.size();
   std::vector<double> exact(count * count);
-  distance_matrix(exact_team, points, MatrixMethod::fields, exact);
+  distance_matrix(exact_surface, points, MatrixMethod::fields, exact, {.by = AnswerMethod::exact});
   for (std::size_t i = 0; i < count; ++i) {
     ExactSolver solver(index->mesh());
     const ExactSource source{points[i]};
@@ -83,8 +83,8 @@ TEST(PointList, MatrixOfPointsInFacesBesideExactDistances) {
   for (const MatrixMethod method : {MatrixMethod::pairs, MatrixMethod::fields}) {
     std::vector<double> matrix(count * count);
     std::vector<double> both(count * count);
-    distance_matrix(by_index, points, method, matrix);
-    distance_matrix(by_index, points, points, method, both);
+    distance_matrix(by_index, points, method, matrix, {.by = AnswerMethod::index});
+    distance_matrix(by_index, points, points, method, both, {.by = AnswerMethod::index});
     test::ErrorCollector errors;
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(matrix[i * count + i], 0.0);
@@ -123,11 +123,11 @@ TEST(PointList, TargetsOfAFieldOnOtherComponentsAndWithoutAFace) {
 
 TEST(PointList, DiskAroundAPointInAFace) {
   const test::Shape plane = test::plane_grid(14, 10, 4.0, 3.0, 0.2);
-  FieldTeam team(test::make_mesh(plane.soup), 2);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
   const std::vector centre{SurfacePoint::in_face(91, {0.3, 0.3, 0.4})};
-  const GeodesicDisk disk = geodesic_disk(team, centre, 0.8);
+  const GeodesicDisk disk = geodesic_disk(surface, centre, 0.8, {.by = AnswerMethod::exact});
   std::size_t inside = 0;
-  for (Index v = 0; v < team.mesh().vertex_count(); ++v) {
+  for (Index v = 0; v < surface.mesh()->vertex_count(); ++v) {
     if (plane.distance(centre[0], SurfacePoint::at_vertex(v)) > 0.8) continue;
     ASSERT_LT(inside, disk.vertices.size());
     EXPECT_EQ(disk.vertices[inside++], v);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <thread>
 
 #include "query/geodesic_query.h"
@@ -52,6 +53,28 @@ TEST(Surface, AnswersByTheMethodAskedFor) {
   EXPECT_EQ(automatic.distance, GeodesicQuery(surface.index()).labelled_field(sources, 0.3).distance);
 }
 
+TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
+  const test::Shape plane = test::plane_grid(24, 24, 3.0, 3.0, 0.2);
+  Surface surface(test::make_index(plane.soup, 3, 3), 1);
+  Answered answered;
+  // Of an area of 9 a disk of radius 0.3 covers a thirtieth, and one of 1.0 a third.
+  const LabelledField small = surface.field(from_vertices({300}), 0.3, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  for (Index v = 0; v < static_cast<Index>(plane.soup.positions.size()); ++v) {
+    const double straight = plane.vertex_distance(300, v);
+    if (straight <= 0.3) {
+      EXPECT_NEAR(small.distance[v], straight, 1e-12);
+    } else {
+      EXPECT_EQ(small.distance[v], unreachable);
+    }
+  }
+  EXPECT_NEAR(surface.reach_of(0.3), 0.01 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(surface.reach_of(unreachable), 1.0);
+  EXPECT_EQ(surface.spent().rent(), 0.0) << "an index would not have been faster";
+  surface.field(from_vertices({300}), 1.0, AnswerMethod::automatic, answered);
+  EXPECT_EQ(answered.by, AnswerMethod::index);
+}
+
 TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
   const auto mesh = test::make_mesh(test::icosphere(3));
   RentOrBuy spent(mesh->vertex_count());
@@ -81,12 +104,12 @@ TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
   Surface surface(mesh, nullptr, spent, options);
   const auto sources = from_vertices({5});
   Answered answered;
-  surface.field(sources, 0.1, AnswerMethod::automatic, answered);
+  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
   EXPECT_EQ(answered.by, AnswerMethod::exact);
   EXPECT_NE(answered.remark.find("memory budget"), std::string::npos);
-  surface.field(sources, 0.1, AnswerMethod::automatic, answered);
+  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
   EXPECT_EQ(answered.remark, "");
-  EXPECT_THROW(surface.field(sources, 0.1, AnswerMethod::index, answered), InvalidInput);
+  EXPECT_THROW(surface.field(sources, unreachable, AnswerMethod::index, answered), InvalidInput);
 }
 
 TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
@@ -115,16 +138,16 @@ TEST(Surface, FindsPathsAndDistancesWithAndWithoutAnIndex) {
   const double length = shape.distance(a, b);
   Answered answered;
   for (const AnswerMethod method : {AnswerMethod::automatic, AnswerMethod::index, AnswerMethod::exact}) {
-    const ExactPath exact = surface.path(a, b, method, true, answered);
+    const ExactPath exact = surface.path(a, b, method, {.exact = true}, answered);
     EXPECT_NEAR(exact.path.length, length, 1e-9);
     EXPECT_TRUE(exact.certified);
-    EXPECT_NEAR(surface.path(a, b, method, false, answered).path.length, length, 0.01 * length);
+    EXPECT_NEAR(surface.path(a, b, method, {}, answered).path.length, length, 0.01 * length);
     EXPECT_NEAR(surface.distance(a, b, method, answered), length, 0.01 * length);
     EXPECT_EQ(answered.by, method == AnswerMethod::automatic ? AnswerMethod::exact : method);
     const auto c = SurfacePoint::at_vertex(17);
     EXPECT_NEAR(surface.distance(a, c, method, answered), shape.distance(a, c), 0.02 * shape.distance(a, c));
   }
-  EXPECT_THROW(surface.path(a, b, AnswerMethod::quick, true, answered), InvalidInput);
+  EXPECT_THROW(surface.path(a, b, AnswerMethod::quick, {.exact = true}, answered), InvalidInput);
   EXPECT_THROW(surface.distance(a, b, AnswerMethod::quick, answered), InvalidInput);
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 using test::Soup;
 
+const TaskOptions by_index{.by = AnswerMethod::index};
+
 struct Case {
   std::shared_ptr<const GeodesicIndex> index;
   std::vector<Index> points;
@@ -32,14 +34,14 @@ Case two_sheets() {
 
 TEST(DistanceMatrix, ByPairsHoldsTheDistancesOfTheQuery) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   GeodesicQuery query(c.index, 1);
   const std::size_t k = c.points.size();
   std::vector<double> square(k * k, -1.0);
-  distance_matrix(team, c.points, MatrixMethod::pairs, square);
+  distance_matrix(surface, c.points, MatrixMethod::pairs, square, by_index);
   const std::span<const Index> rows(c.points.data(), 7);
   std::vector<double> wide(7 * k, -1.0);
-  distance_matrix(team, rows, c.points, MatrixMethod::pairs, wide);
+  distance_matrix(surface, rows, c.points, MatrixMethod::pairs, wide, by_index);
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < k; ++j) {
       EXPECT_EQ(square[i * k + j], query.distance(c.points[i], c.points[j]));
@@ -52,11 +54,11 @@ TEST(DistanceMatrix, ByPairsHoldsTheDistancesOfTheQuery) {
 
 TEST(DistanceMatrix, ByFieldsHoldsTheFieldOfTheSmallerVertex) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   GeodesicQuery query(c.index, 1);
   const std::size_t k = c.points.size();
   std::vector<double> matrix(k * k, -1.0);
-  distance_matrix(team, c.points, MatrixMethod::fields, matrix);
+  distance_matrix(surface, c.points, MatrixMethod::fields, matrix, by_index);
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = 0; j < k; ++j) {
       const Index low = std::min(c.points[i], c.points[j]);
@@ -68,15 +70,15 @@ TEST(DistanceMatrix, ByFieldsHoldsTheFieldOfTheSmallerVertex) {
 
 TEST(DistanceMatrix, TallAndWideMatricesAreFieldsOfTheShorterList) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   const std::span<const Index> few(c.points.data(), 3);
   const std::size_t k = c.points.size();
   std::vector<double> wide(3 * k, -1.0);
   std::vector<double> tall(3 * k, -1.0);
-  distance_matrix(team, few, c.points, MatrixMethod::fields, wide);
-  distance_matrix(team, c.points, few, MatrixMethod::fields, tall);
+  distance_matrix(surface, few, c.points, MatrixMethod::fields, wide, by_index);
+  distance_matrix(surface, c.points, few, MatrixMethod::fields, tall, by_index);
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto field = team.field(few[i], unreachable, 0);
+    const auto field = GeodesicQuery(c.index, 1).distance_field(few.subspan(i, 1));
     for (std::size_t j = 0; j < k; ++j) {
       EXPECT_EQ(wide[i * k + j], field[c.points[j]]);
       EXPECT_EQ(tall[j * 3 + i], wide[i * k + j]);
@@ -86,11 +88,11 @@ TEST(DistanceMatrix, TallAndWideMatricesAreFieldsOfTheShorterList) {
 
 TEST(DistanceMatrix, ExactOnThePlane) {
   const test::Shape plane = test::plane_grid(12, 9, 4.0, 3.0, 0.2);
-  FieldTeam team(test::make_mesh(plane.soup), 2);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
   const auto points = test::random_vertices(130, 20, 2);
   std::vector<double> matrix(400);
   for (MatrixMethod method : {MatrixMethod::automatic, MatrixMethod::pairs, MatrixMethod::fields}) {
-    distance_matrix(team, points, method, matrix);
+    distance_matrix(surface, points, method, matrix, {.by = AnswerMethod::exact});
     for (int i = 0; i < 20; ++i) {
       for (int j = 0; j < 20; ++j) {
         EXPECT_NEAR(matrix[20 * i + j], plane.vertex_distance(points[i], points[j]), 1e-12);
@@ -101,26 +103,26 @@ TEST(DistanceMatrix, ExactOnThePlane) {
 
 TEST(DistanceMatrix, UnreachableIsInfinityAndEmptyListsAreEmptyMatrices) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 1);
+  Surface surface(c.index, 1);
   const Index ends[] = {0, c.index->mesh()->vertex_count() - 1};
   std::vector<double> matrix(4);
-  distance_matrix(team, ends, MatrixMethod::automatic, matrix);
+  distance_matrix(surface, ends, MatrixMethod::automatic, matrix, by_index);
   EXPECT_EQ(matrix, (std::vector<double>{0.0, unreachable, unreachable, 0.0}));
   EXPECT_NO_THROW(
-      distance_matrix(team, std::span<const Index>(), MatrixMethod::automatic, std::span<double>()));
+      distance_matrix(surface, std::span<const Index>(), MatrixMethod::automatic, std::span<double>()));
   EXPECT_NO_THROW(
-      distance_matrix(team, ends, std::span<const Index>(), MatrixMethod::fields, std::span<double>()));
-  EXPECT_NO_THROW(distance_fields(team, {}, unreachable, std::span<double>()));
+      distance_matrix(surface, ends, std::span<const Index>(), MatrixMethod::fields, std::span<double>()));
+  EXPECT_NO_THROW(distance_fields(surface, {}, unreachable, std::span<double>()));
 }
 
 TEST(DistanceMatrix, FieldsAreThoseOfTheQueryAndRespectTheLimit) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   GeodesicQuery query(c.index, 1);
   const auto n = static_cast<std::size_t>(c.index->mesh()->vertex_count());
   const std::span<const Index> sources(c.points.data(), 5);
   std::vector<double> rows(5 * n);
-  distance_fields(team, sources, 0.4, rows);
+  distance_fields(surface, sources, 0.4, rows, by_index);
   for (std::size_t i = 0; i < 5; ++i) {
     const auto field = query.distance_field(sources.subspan(i, 1), 0.4);
     EXPECT_TRUE(std::equal(field.begin(), field.end(), rows.begin() + static_cast<std::ptrdiff_t>(i * n)));
@@ -129,7 +131,7 @@ TEST(DistanceMatrix, FieldsAreThoseOfTheQueryAndRespectTheLimit) {
 
 TEST(DistanceMatrix, SinglePrecisionIsTheRoundedDouble) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   const std::size_t k = c.points.size();
   const auto n = static_cast<std::size_t>(c.index->mesh()->vertex_count());
   const std::span<const Index> few(c.points.data(), 3);
@@ -139,69 +141,43 @@ TEST(DistanceMatrix, SinglePrecisionIsTheRoundedDouble) {
   for (MatrixMethod method : {MatrixMethod::pairs, MatrixMethod::fields}) {
     std::vector<double> wide(k * k, -1.0);
     std::vector<float> narrow(k * k, -1.0F);
-    distance_matrix(team, c.points, method, wide);
-    distance_matrix(team, c.points, method, narrow);
+    distance_matrix(surface, c.points, method, wide, by_index);
+    distance_matrix(surface, c.points, method, narrow, by_index);
     expect_rounded(wide, narrow);
     wide.resize(3 * k);
     narrow.resize(3 * k);
-    distance_matrix(team, few, c.points, method, wide);
-    distance_matrix(team, few, c.points, method, narrow);
+    distance_matrix(surface, few, c.points, method, wide, by_index);
+    distance_matrix(surface, few, c.points, method, narrow, by_index);
     expect_rounded(wide, narrow);
   }
   std::vector<double> wide(3 * n);
   std::vector<float> narrow(3 * n);
-  distance_fields(team, few, unreachable, wide);
-  distance_fields(team, few, unreachable, narrow);
+  distance_fields(surface, few, unreachable, wide, by_index);
+  distance_fields(surface, few, unreachable, narrow, by_index);
   expect_rounded(wide, narrow);
 }
 
 TEST(DistanceMatrix, RefusesWhatDoesNotFit) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 1);
+  Surface surface(c.index, 1);
   std::vector<double> four(4);
   const Index good[] = {0, 1};
   const Index bad[] = {0, 99999};
-  EXPECT_THROW(distance_matrix(team, bad, MatrixMethod::automatic, four), InvalidInput);
-  EXPECT_THROW(distance_matrix(team, good, MatrixMethod::automatic, std::span(four).first(3)), InvalidInput);
-  EXPECT_THROW(pair_distances(team, good, std::span(good, 1), four), InvalidInput);
-  EXPECT_THROW(distance_fields(team, good, std::nan(""), four), InvalidInput);
+  EXPECT_THROW(distance_matrix(surface, bad, MatrixMethod::automatic, four), InvalidInput);
+  EXPECT_THROW(distance_matrix(surface, good, MatrixMethod::automatic, std::span(four).first(3)),
+               InvalidInput);
+  EXPECT_THROW(distance_fields(surface, good, std::nan(""), four), InvalidInput);
 }
 
 TEST(DistanceMatrix, CanBeCancelled) {
   const Case c = two_sheets();
-  FieldTeam team(c.index, 2);
+  Surface surface(c.index, 2);
   const std::size_t k = c.points.size();
   std::vector<double> matrix(k * k);
   const Progress stop([](double, const std::string&) { return false; });
-  EXPECT_THROW(distance_matrix(team, c.points, MatrixMethod::fields, matrix, stop), Cancelled);
-}
-
-TEST(PairDistances, InAnyOrderAsOneByOne) {
-  const test::Soup two = test::two_components(test::hills(24, 0.2), test::icosphere(2));
-  const auto index = test::make_index(test::with_isolated_vertex(two, {7, 7, 7}), 5, 3);
-  const Index n = index->mesh()->vertex_count();
-  FieldTeam team(index, 2);
-  std::vector<Index> sources;
-  std::vector<Index> targets;
-  for (unsigned seed = 1; seed <= 4; ++seed) {
-    // Repeated ends, equal ends, and the vertex without a face.
-    for (Index v : test::random_vertices(n, 60, seed)) {
-      sources.push_back(seed % 2 == 0 ? sources[seed] : v);
-      targets.push_back(v % 7 == 0 ? n - 1 : (v * 31) % n);
-    }
-  }
-  const PointList from(sources);
-  const PointList to(targets);
-  const auto order = team.order_of_pairs(from, to);
-  ASSERT_EQ(order.size(), sources.size());
-  std::vector<std::size_t> sorted = order;
-  std::ranges::sort(sorted);
-  for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
-  std::vector<double> found(sources.size());
-  pair_distances(team, from, to, found);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(found[i], GeodesicQuery(index, 1).distance(sources[i], targets[i])) << i;
-  }
+  EXPECT_THROW(distance_matrix(surface, c.points, MatrixMethod::fields, matrix,
+                               {.by = AnswerMethod::index, .progress = stop}),
+               Cancelled);
 }
 
 }  // namespace

@@ -32,14 +32,15 @@ TEST(DividedFaces, ASiteInsideADearFaceOwnsWhatIsNearIt) {
   const SurfaceLocator locator(cell.mesh);
   const std::vector<SurfacePoint> sites{locator.nearest({2.6, 2.4, 0}).point,
                                         locator.nearest({0.2, 0.3, 0}).point};
-  FieldTeam team(cell.mesh, 1);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(cell.mesh, {.threads = 1});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   EXPECT_GT(found.area[0], 25.0);  // a cell of cost 5 has area 25 in the metric
   ASSERT_GT(found.borders.points.size(), 5U);
+  Query query(surface);
   for (const Point& place : found.borders.points) {
     const std::vector<SurfacePoint> at{locator.nearest(place).point};
-    const double first = team.distances(sites[0], at, unreachable, 0)[0];
-    const double second = team.distances(sites[1], at, unreachable, 0)[0];
+    const double first = query.distances(sites[0], at, unreachable, AnswerMethod::exact)[0];
+    const double second = query.distances(sites[1], at, unreachable, AnswerMethod::exact)[0];
     // A part of a dear face has sides of 1.25 and 1.8, over which differences are interpolated.
     EXPECT_NEAR(first, second, 0.5) << place[0] << ' ' << place[1];
   }
@@ -49,8 +50,8 @@ TEST(DividedFaces, BordersInADearFaceAreWherePathsFromBothSidesMeet) {
   const DearCell cell;
   // On both sides of the dear cell at equal distances: by symmetry the border is the line x + y = 5.
   const std::vector<Index> sites{0, static_cast<Index>(cell.soup.positions.size()) - 1};
-  FieldTeam team(cell.mesh, 1);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(cell.mesh, {.threads = 1});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   const Point& a = cell.soup.positions[sites[0]];
   const Point& b = cell.soup.positions[sites[1]];
   ASSERT_NEAR(a[0] + b[0], 5.0, 1e-12);

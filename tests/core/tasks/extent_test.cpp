@@ -30,9 +30,9 @@ TEST(Extent, BoundsHoldTheClosedFormAndClose) {
     const auto exact = brute_force(shape);
     const double diameter = *std::max_element(exact.begin(), exact.end());
     const double radius = *std::min_element(exact.begin(), exact.end());
-    FieldTeam team(test::make_mesh(shape.soup), 2);
+    Surface surface(test::make_mesh(shape.soup), {.threads = 2});
     for (Index fields : {2, 5, 1000}) {
-      const Extent found = extent_of_component(team, 3, fields);
+      const Extent found = extent_of_component(surface, 3, fields, {.by = AnswerMethod::exact});
       EXPECT_LE(found.fields, fields);
       EXPECT_LE(found.diameter.lower, diameter + 1e-9);
       EXPECT_GE(found.diameter.upper, diameter - 1e-9);
@@ -50,24 +50,24 @@ TEST(Extent, BoundsHoldTheClosedFormAndClose) {
 
 TEST(Extent, EccentricitiesAreThoseOfTheComponent) {
   const Shape plane = test::plane_grid(6, 5, 3.0, 2.0, 0.2);
-  FieldTeam team(test::make_index(test::two_components(plane.soup, test::icosphere(2)), 3, 2), 2);
+  Surface surface(test::make_index(test::two_components(plane.soup, test::icosphere(2)), 3, 2), 2);
   const Index points[] = {0, 20, 41};
-  const auto found = eccentricities(team, points);
+  const auto found = eccentricities(surface, points, {.by = AnswerMethod::index});
   const auto exact = brute_force(plane);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(found[i].distance, exact[points[i]], 0.01 * exact[points[i]]);
     EXPECT_NEAR(plane.vertex_distance(points[i], found[i].farthest), exact[points[i]], 0.02);
   }
-  EXPECT_EQ(largest_component(team.mesh()).first_vertex, 42);
-  EXPECT_THROW(extent_of_component(team, 0, 1), InvalidInput);
-  EXPECT_THROW(extent_of_component(team, -1, 5), InvalidInput);
+  EXPECT_EQ(largest_component(*surface.mesh()).first_vertex, 42);
+  EXPECT_THROW(extent_of_component(surface, 0, 1), InvalidInput);
+  EXPECT_THROW(extent_of_component(surface, -1, 5), InvalidInput);
 }
 
 TEST(Disk, HoldsWhatIsWithinTheRadius) {
   const Shape plane = test::plane_grid(20, 15, 4.0, 3.0, 0.2);
-  FieldTeam team(test::make_mesh(plane.soup), 1);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
   const Index sources[] = {50, 200};
-  const GeodesicDisk disk = geodesic_disk(team, sources, 0.8);
+  const GeodesicDisk disk = geodesic_disk(surface, sources, 0.8, {.by = AnswerMethod::exact});
   std::vector<char> inside(plane.soup.positions.size(), 0);
   std::size_t at = 0;
   for (Index v = 0; v < static_cast<Index>(inside.size()); ++v) {
@@ -80,15 +80,15 @@ TEST(Disk, HoldsWhatIsWithinTheRadius) {
   }
   EXPECT_EQ(at, disk.vertices.size());
   std::vector<Index> faces;
-  for (Index f = 0; f < team.mesh().face_count(); ++f) {
-    const auto& corners = team.mesh().face_vertices(f);
+  for (Index f = 0; f < surface.mesh()->face_count(); ++f) {
+    const auto& corners = surface.mesh()->face_vertices(f);
     if (inside[corners[0]] && inside[corners[1]] && inside[corners[2]]) faces.push_back(f);
   }
   EXPECT_EQ(disk.faces, faces);
-  EXPECT_EQ(geodesic_disk(team, std::span(sources, 1), 0.0).vertices, (std::vector<Index>{50}));
-  EXPECT_THROW(geodesic_disk(team, sources, -0.1), InvalidInput);
-  EXPECT_THROW(geodesic_disk(team, sources, std::nan("")), InvalidInput);
-  EXPECT_THROW(geodesic_disk(team, {}, 1.0), InvalidInput);
+  EXPECT_EQ(geodesic_disk(surface, std::span(sources, 1), 0.0).vertices, (std::vector<Index>{50}));
+  EXPECT_THROW(geodesic_disk(surface, sources, -0.1), InvalidInput);
+  EXPECT_THROW(geodesic_disk(surface, sources, std::nan("")), InvalidInput);
+  EXPECT_THROW(geodesic_disk(surface, {}, 1.0), InvalidInput);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "index/index_data.h"
+#include "query/landmarks.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
-#include "tasks/distance_matrix.h"
 
 namespace vorogeo {
 namespace {

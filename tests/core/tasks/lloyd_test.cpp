@@ -17,8 +17,8 @@ const test::Shape square = test::plane_grid(10, 10, 1.0, 1.0);
 const test::Shape rectangle = test::plane_grid(20, 10, 2.0, 1.0);
 
 TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
-  FieldTeam team(test::make_mesh(square.soup), 2);
-  const RelaxedPoints found = relax_points(team, std::array<Index, 1>{0}, 20);
+  Surface surface(test::make_mesh(square.soup), {.threads = 2});
+  const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = AnswerMethod::exact});
   EXPECT_EQ(found.vertices, std::vector<Index>{5 * 11 + 5});
   // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
   // faces, which makes an error of the order of a squared cell.
@@ -28,8 +28,9 @@ TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
 }
 
 TEST(RelaxPoints, TwoPointsShareARectangle) {
-  FieldTeam team(test::make_mesh(rectangle.soup), 2);
-  const RelaxedPoints found = relax_points(team, std::array<Index, 2>{0, 3}, 50);
+  Surface surface(test::make_mesh(rectangle.soup), {.threads = 2});
+  const RelaxedPoints found =
+      relax_points(surface, std::array<Index, 2>{0, 3}, 50, {.by = AnswerMethod::exact});
   EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
   // Two unit squares with their points in the middle.
   EXPECT_NEAR(found.energy.back(), 1.0 / 3.0, 0.04);
@@ -45,9 +46,9 @@ TEST(RelaxPoints, TwoPointsShareARectangle) {
 
 TEST(RelaxPoints, LowersTheEnergyRoundByRound) {
   const test::Soup soup = test::hills(20, 0.2);
-  FieldTeam team(test::make_mesh(soup), 2);
+  Surface surface(test::make_mesh(soup), {.threads = 2});
   const Index together[] = {0, 1, 2, 21, 22, 23, 42, 43};
-  const RelaxedPoints found = relax_points(team, together, 12);
+  const RelaxedPoints found = relax_points(surface, together, 12, {.by = AnswerMethod::exact});
   ASSERT_GE(found.energy.size(), 3U);
   for (std::size_t i = 1; i < found.energy.size(); ++i) {
     EXPECT_LE(found.energy[i], found.energy[i - 1] * (1.0 + 1e-12));
@@ -56,31 +57,33 @@ TEST(RelaxPoints, LowersTheEnergyRoundByRound) {
 }
 
 TEST(RelaxPoints, WithoutRoundsOnlyTheEnergyIsMeasured) {
-  FieldTeam team(test::make_mesh(square.soup), 1);
+  Surface surface(test::make_mesh(square.soup), {.threads = 1});
   const std::array points{SurfacePoint::in_face(99, {0.2, 0.3, 0.5})};
-  const RelaxedPoints found = relax_points(team, points, 0);
+  const RelaxedPoints found = relax_points(surface, points, 0, {.by = AnswerMethod::exact});
   EXPECT_EQ(found.energy.size(), 1U);
   EXPECT_EQ(found.vertices, std::vector<Index>{no_index});
   EXPECT_TRUE(found.points[0] == points[0]);
 }
 
 TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
-  FieldTeam team(test::make_mesh(rectangle.soup), 1);
-  const RelaxedPoints first = relax_points(team, std::array<Index, 3>{0, 3, 3}, 1);
+  Surface surface(test::make_mesh(rectangle.soup), {.threads = 1});
+  const RelaxedPoints first =
+      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 1, {.by = AnswerMethod::exact});
   EXPECT_EQ(first.vertices[2], 3);
   EXPECT_NE(first.vertices[1], 3);
-  const RelaxedPoints found = relax_points(team, std::array<Index, 3>{0, 3, 3}, 30);
+  const RelaxedPoints found =
+      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 30, {.by = AnswerMethod::exact});
   EXPECT_NE(found.vertices[2], 3);
   EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
 }
 
 TEST(RelaxPoints, BadArgumentsAreRefusedAndProgressMayCancel) {
-  FieldTeam team(test::make_mesh(square.soup), 1);
-  EXPECT_THROW(relax_points(team, std::vector<Index>{}, 1), InvalidInput);
-  EXPECT_THROW(relax_points(team, std::array<Index, 1>{0}, -1), InvalidInput);
-  EXPECT_THROW(relax_points(team, std::array<Index, 1>{121}, 1), InvalidInput);
+  Surface surface(test::make_mesh(square.soup), {.threads = 1});
+  EXPECT_THROW(relax_points(surface, std::vector<Index>{}, 1), InvalidInput);
+  EXPECT_THROW(relax_points(surface, std::array<Index, 1>{0}, -1), InvalidInput);
+  EXPECT_THROW(relax_points(surface, std::array<Index, 1>{121}, 1), InvalidInput);
   const Progress refusing([](double, const std::string&) { return false; });
-  EXPECT_THROW(relax_points(team, std::array<Index, 1>{0}, 1, refusing), Cancelled);
+  EXPECT_THROW(relax_points(surface, std::array<Index, 1>{0}, 1, {.progress = refusing}), Cancelled);
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ double from_nearest(std::span<const Index> samples, Index vertex) {
 }
 
 TEST(SampleFarthest, EachSampleIsTheFarthestFromThoseBefore) {
-  FieldTeam team(test::make_mesh(plane.soup), 2);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
   const Index start[] = {7, 100};
-  const FarthestSamples found = sample_farthest(team, {12, 0.0}, start);
+  const FarthestSamples found = sample_farthest(surface, {12, 0.0}, start, 0, {.by = AnswerMethod::exact});
   ASSERT_EQ(found.vertices.size(), 12U);
   EXPECT_EQ(found.vertices[0], 7);
   EXPECT_EQ(found.vertices[1], 100);
@@ -51,46 +51,46 @@ TEST(SampleFarthest, EachSampleIsTheFarthestFromThoseBefore) {
 }
 
 TEST(SampleFarthest, StopsAtTheCoveringRadiusAndKeepsThatSpacing) {
-  FieldTeam team(test::make_index(plane.soup, 3, 3), 2);
-  const FarthestSamples found = sample_farthest(team, {0, 0.5}, {}, 3);
+  Surface surface(test::make_index(plane.soup, 3, 3), 2);
+  const FarthestSamples found = sample_farthest(surface, {0, 0.5}, {}, 3, {.by = AnswerMethod::index});
   EXPECT_LE(found.covering_radius, 0.5);
   for (std::size_t i = 2; i < found.vertices.size(); ++i) {
     EXPECT_GT(found.radius[i], 0.5);
     EXPECT_LE(found.radius[i], found.radius[i - 1]);
   }
-  EXPECT_EQ(found.vertices, sample_farthest(team, {0, 0.5}, {}, 3).vertices);
+  EXPECT_EQ(found.vertices, sample_farthest(surface, {0, 0.5}, {}, 3, {.by = AnswerMethod::index}).vertices);
 }
 
 TEST(SampleFarthest, TakesEveryComponentFirstAndNoIsolatedVertex) {
   const Soup soup =
       test::with_isolated_vertex(test::two_components(test::icosphere(1), test::icosphere(1)), {9, 9, 9});
-  FieldTeam team(test::make_index(soup, 2, 2), 1);
-  const FarthestSamples two = sample_farthest(team, {2, 0.0});
-  EXPECT_NE(team.mesh().component(two.vertices[0]), team.mesh().component(two.vertices[1]));
+  Surface surface(test::make_index(soup, 2, 2), 1);
+  const FarthestSamples two = sample_farthest(surface, {2, 0.0}, {}, 0, {.by = AnswerMethod::index});
+  EXPECT_NE(surface.mesh()->component(two.vertices[0]), surface.mesh()->component(two.vertices[1]));
   EXPECT_EQ(two.radius[1], unreachable);
   EXPECT_LT(two.covering_radius, unreachable);
   // More than there are: all with a face, each once.
-  const FarthestSamples all = sample_farthest(team, {500, 0.0});
+  const FarthestSamples all = sample_farthest(surface, {500, 0.0}, {}, 0, {.by = AnswerMethod::index});
   EXPECT_EQ(all.vertices.size(), 84U);
   EXPECT_EQ(std::set<Index>(all.vertices.begin(), all.vertices.end()).size(), 84U);
   EXPECT_EQ(all.covering_radius, 0.0);
 }
 
 TEST(SampleFarthest, RefusesNoStopAndBadStarts) {
-  FieldTeam team(test::make_mesh(plane.soup), 1);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
   const Index bad[] = {-1};
-  EXPECT_THROW(sample_farthest(team, {0, 0.0}), InvalidInput);
-  EXPECT_THROW(sample_farthest(team, {-3, 1.0}), InvalidInput);
-  EXPECT_THROW(sample_farthest(team, {5, std::nan("")}), InvalidInput);
-  EXPECT_THROW(sample_farthest(team, {5, 0.0}, bad), InvalidInput);
+  EXPECT_THROW(sample_farthest(surface, {0, 0.0}), InvalidInput);
+  EXPECT_THROW(sample_farthest(surface, {-3, 1.0}), InvalidInput);
+  EXPECT_THROW(sample_farthest(surface, {5, std::nan("")}), InvalidInput);
+  EXPECT_THROW(sample_farthest(surface, {5, 0.0}, bad), InvalidInput);
   const Progress stop([](double, const std::string&) { return false; });
-  EXPECT_THROW(sample_farthest(team, {5, 0.0}, {}, 0, stop), Cancelled);
+  EXPECT_THROW(sample_farthest(surface, {5, 0.0}, {}, 0, {.progress = stop}), Cancelled);
 }
 
 TEST(SamplePoissonDisk, IsSpacedAndMaximal) {
-  FieldTeam team(test::make_mesh(plane.soup), 2);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
   const double radius = 0.45;
-  const auto samples = sample_poisson_disk(team, radius, 1);
+  const auto samples = sample_poisson_disk(surface, radius, 1, {.by = AnswerMethod::exact});
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_GE(plane.vertex_distance(samples[i], samples[j]), radius * (1.0 - 1e-12));
@@ -101,19 +101,20 @@ TEST(SamplePoissonDisk, IsSpacedAndMaximal) {
 
 TEST(SamplePoissonDisk, DoesNotDependOnThreadsButOnTheSeed) {
   const auto index = test::make_index(test::hills(20, 0.2), 3, 3);
-  FieldTeam one(index, 1);
-  FieldTeam four(index, 4);
-  EXPECT_EQ(sample_poisson_disk(one, 0.2, 5), sample_poisson_disk(four, 0.2, 5));
-  EXPECT_NE(sample_poisson_disk(one, 0.2, 5), sample_poisson_disk(one, 0.2, 6));
+  Surface one(index, 1);
+  Surface four(index, 4);
+  const TaskOptions by_index{.by = AnswerMethod::index};
+  EXPECT_EQ(sample_poisson_disk(one, 0.2, 5, by_index), sample_poisson_disk(four, 0.2, 5, by_index));
+  EXPECT_NE(sample_poisson_disk(one, 0.2, 5, by_index), sample_poisson_disk(one, 0.2, 6, by_index));
 }
 
 TEST(SamplePoissonDisk, OfAHugeRadiusIsOnePointForEachComponent) {
   const Soup soup =
       test::with_isolated_vertex(test::two_components(test::icosphere(1), test::icosphere(1)), {9, 9, 9});
-  FieldTeam team(test::make_index(soup, 2, 2), 1);
-  EXPECT_EQ(sample_poisson_disk(team, 1e6).size(), 2U);
+  Surface surface(test::make_index(soup, 2, 2), 1);
+  EXPECT_EQ(sample_poisson_disk(surface, 1e6, 0, {.by = AnswerMethod::index}).size(), 2U);
   for (double bad : {0.0, -1.0, std::nan(""), unreachable}) {
-    EXPECT_THROW(sample_poisson_disk(team, bad), InvalidInput);
+    EXPECT_THROW(sample_poisson_disk(surface, bad), InvalidInput);
   }
 }
 

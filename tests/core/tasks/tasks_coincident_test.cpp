@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/indexes.h"
@@ -42,33 +43,36 @@ struct SlitPlane {
   }
 };
 
-/// Exact fields, and an index of a few patches; with how much each may err, relative to the distance.
+/// How a task is answered, and how much that may err, relative to the distance.
 struct Answering {
-  FieldTeam team;
+  TaskOptions by;
   double error;
 };
-std::vector<Answering> both(const test::Soup& soup) {
-  std::vector<Answering> teams;
-  teams.push_back({FieldTeam(test::make_mesh(soup), 2), 1e-9});
-  teams.push_back({FieldTeam(test::make_index(soup, 2, 4), 2), 5e-3});
-  return teams;
-}
+const std::array<Answering, 2> both{Answering{{.by = AnswerMethod::exact}, 1e-9},
+                                    Answering{{.by = AnswerMethod::index}, 5e-3}};
+
+/// With an index of a few patches.
+class Indexed : public Surface {
+ public:
+  explicit Indexed(const test::Soup& soup) : Surface(test::make_index(soup, 2, 4), 2) {}
+};
 
 TEST(TasksOfCoincidentVertices, MatricesAndNeighboursGoRoundTheSlit) {
   const SlitPlane slit;
   const PointList points(slit.middle);
-  for (auto& [team, error] : both(slit.shape.soup)) {
+  Indexed surface(slit.shape.soup);
+  for (const auto& [by, error] : both) {
     std::vector<double> matrix(4);
-    distance_matrix(team, points, MatrixMethod::fields, matrix);
+    distance_matrix(surface, points, MatrixMethod::fields, matrix, by);
     EXPECT_NEAR(matrix[1], 2.0, 2.0 * error);
     EXPECT_EQ(matrix[1], matrix[2]);
-    if (!team.is_exact()) {
-      distance_matrix(team, points, MatrixMethod::pairs, matrix);
+    if (by.by == AnswerMethod::index) {
+      distance_matrix(surface, points, MatrixMethod::pairs, matrix, by);
       EXPECT_NEAR(matrix[1], 2.0, 2.0 * error);
     }
-    EXPECT_TRUE(pairs_within(team, points, 1.9).column.empty());
-    EXPECT_EQ(pairs_within(team, points, 2.1).column, (std::vector<Index>{1, 0}));
-    const NearestOfSet nearest = nearest_of_set(team, points, points, 2);
+    EXPECT_TRUE(pairs_within(surface, points, 1.9, 0, by).column.empty());
+    EXPECT_EQ(pairs_within(surface, points, 2.1, 0, by).column, (std::vector<Index>{1, 0}));
+    const NearestOfSet nearest = nearest_of_set(surface, points, points, 2, by);
     EXPECT_EQ(nearest.position, (std::vector<Index>{0, 1, 1, 0}));
     EXPECT_NEAR(nearest.distance[1], 2.0, 2.0 * error);
   }
@@ -76,9 +80,10 @@ TEST(TasksOfCoincidentVertices, MatricesAndNeighboursGoRoundTheSlit) {
 
 TEST(TasksOfCoincidentVertices, EachSideOfTheSlitBelongsToItsSite) {
   const SlitPlane slit;
-  for (auto& [team, error] : both(slit.shape.soup)) {
-    const VoronoiRegions regions = voronoi_regions(team, slit.middle);
-    for (Index v = 0; v < team.mesh().vertex_count(); ++v) {
+  Indexed surface(slit.shape.soup);
+  for (const auto& [by, error] : both) {
+    const VoronoiRegions regions = voronoi_regions(surface, slit.middle, by);
+    for (Index v = 0; v < surface.mesh()->vertex_count(); ++v) {
       const Index owner = regions.vertex_region[v];
       const double upper = slit.shape.vertex_distance(slit.middle[0], v);
       const double lower = slit.shape.vertex_distance(slit.middle[1], v);
@@ -88,7 +93,7 @@ TEST(TasksOfCoincidentVertices, EachSideOfTheSlitBelongsToItsSite) {
     }
     EXPECT_NEAR(regions.area[0], 4.0, 0.04);
     EXPECT_NEAR(regions.area[1], 4.0, 0.04);
-    const RelaxedPoints relaxed = relax_points(team, slit.middle, 3);
+    const RelaxedPoints relaxed = relax_points(surface, slit.middle, 3, by);
     for (std::size_t i = 0; i < 2; ++i) {
       const double height = slit.mesh->position(relaxed.vertices[i])[1];
       EXPECT_GT(i == 0 ? height : -height, 0.2) << "a site moves to the middle of its own side";
@@ -98,23 +103,25 @@ TEST(TasksOfCoincidentVertices, EachSideOfTheSlitBelongsToItsSite) {
 
 TEST(TasksOfCoincidentVertices, DisksStayOnTheirSide) {
   const SlitPlane slit;
-  for (auto& [team, error] : both(slit.shape.soup)) {
-    const GeodesicDisk disk = geodesic_disk(team, PointList(std::vector{slit.middle[0]}), 0.9);
+  Indexed surface(slit.shape.soup);
+  for (const auto& [by, error] : both) {
+    const GeodesicDisk disk = geodesic_disk(surface, PointList(std::vector{slit.middle[0]}), 0.9, by);
     std::vector<Index> expected;
-    for (Index v = 0; v < team.mesh().vertex_count(); ++v) {
+    for (Index v = 0; v < surface.mesh()->vertex_count(); ++v) {
       if (slit.shape.vertex_distance(slit.middle[0], v) <= 0.9) expected.push_back(v);
     }
     EXPECT_EQ(disk.vertices, expected);
     EXPECT_TRUE(std::ranges::all_of(disk.vertices, [&](Index v) { return slit.is_above(v); }));
-    const auto reach = eccentricities(team, PointList(slit.middle));
+    const auto reach = eccentricities(surface, PointList(slit.middle), by);
     for (const Eccentricity& one : reach) EXPECT_NEAR(one.distance, 1.0 + std::sqrt(2.0), 3.0 * error);
   }
 }
 
 TEST(TasksOfCoincidentVertices, SamplesCoverBothSides) {
   const SlitPlane slit;
-  for (auto& [team, error] : both(slit.shape.soup)) {
-    const std::vector<Index> scattered = sample_poisson_disk(team, 0.4);
+  Indexed surface(slit.shape.soup);
+  for (const auto& [by, error] : both) {
+    const std::vector<Index> scattered = sample_poisson_disk(surface, 0.4, 0, by);
     for (std::size_t i = 0; i < scattered.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(slit.shape.vertex_distance(scattered[i], scattered[j]), 0.4 * (1.0 - error));
@@ -127,7 +134,7 @@ TEST(TasksOfCoincidentVertices, SamplesCoverBothSides) {
       }
       EXPECT_LE(nearest, 0.4 * (1.0 + error));
     }
-    const FarthestSamples far = sample_farthest(team, {2, 0.0}, std::vector{slit.middle[0]});
+    const FarthestSamples far = sample_farthest(surface, {2, 0.0}, std::vector{slit.middle[0]}, 0, by);
     EXPECT_NEAR(far.radius[1], 1.0 + std::sqrt(2.0), 3.0 * error);
     EXPECT_TRUE(slit.is_below(far.vertices[1]));
   }
@@ -137,22 +144,23 @@ TEST(TasksOfCoincidentVertices, CopiesOfASurfaceAreApart) {
   const test::Soup sphere = test::icosphere(2);
   const auto copy = static_cast<Index>(sphere.positions.size());
   const PointList twins(std::vector<Index>{0, copy});
-  for (auto& [team, error] : both(test::two_components(sphere, sphere))) {
+  Indexed surface(test::two_components(sphere, sphere));
+  for (const auto& [by, error] : both) {
     std::vector<double> matrix(4);
-    distance_matrix(team, twins, MatrixMethod::fields, matrix);
+    distance_matrix(surface, twins, MatrixMethod::fields, matrix, by);
     EXPECT_EQ(matrix, (std::vector<double>{0.0, unreachable, unreachable, 0.0}));
-    EXPECT_TRUE(pairs_within(team, twins, 100.0).column.empty());
-    const NearestOfSet nearest = nearest_of_set(team, PointList(std::vector<Index>{0}), twins, 1);
+    EXPECT_TRUE(pairs_within(surface, twins, 100.0, 0, by).column.empty());
+    const NearestOfSet nearest = nearest_of_set(surface, PointList(std::vector<Index>{0}), twins, 1, by);
     EXPECT_EQ(nearest.position, (std::vector<Index>{0, no_index}));
-    const VoronoiRegions regions = voronoi_regions(team, std::vector<Index>{0});
+    const VoronoiRegions regions = voronoi_regions(surface, std::vector<Index>{0}, by);
     for (Index v = 0; v < copy; ++v) {
       EXPECT_EQ(regions.vertex_region[v], 0);
       EXPECT_EQ(regions.vertex_region[copy + v], no_index);
     }
-    const FarthestSamples far = sample_farthest(team, {2, 0.0}, std::vector<Index>{0});
+    const FarthestSamples far = sample_farthest(surface, {2, 0.0}, std::vector<Index>{0}, 0, by);
     EXPECT_GE(far.vertices[1], copy);
     EXPECT_EQ(far.radius[1], unreachable);
-    const GeodesicDisk disk = geodesic_disk(team, PointList(std::vector<Index>{0}), 100.0);
+    const GeodesicDisk disk = geodesic_disk(surface, PointList(std::vector<Index>{0}), 100.0, by);
     EXPECT_EQ(disk.vertices.size(), static_cast<std::size_t>(copy));
     EXPECT_LT(disk.vertices.back(), copy);
   }

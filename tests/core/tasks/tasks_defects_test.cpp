@@ -34,11 +34,12 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-void expect_complete(FieldTeam& team) {
-  const Mesh& mesh = team.mesh();
-  const FarthestSamples samples = sample_farthest(team, {3, 0.0});
+void expect_complete(Surface& surface, AnswerMethod method) {
+  const TaskOptions by{.by = method};
+  const Mesh& mesh = *surface.mesh();
+  const FarthestSamples samples = sample_farthest(surface, {3, 0.0}, {}, 0, by);
   ASSERT_EQ(samples.vertices.size(), 3U);
-  const VoronoiRegions regions = voronoi_regions(team, samples.vertices);
+  const VoronoiRegions regions = voronoi_regions(surface, samples.vertices, by);
   EXPECT_NEAR(std::accumulate(regions.area.begin(), regions.area.end(), 0.0), area_of(mesh), 1e-9);
   for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_NE(regions.vertex_region[v], no_index);
   for (Index f = 0; f < mesh.face_count(); ++f) EXPECT_NE(regions.face_region[f], no_index);
@@ -51,23 +52,24 @@ void expect_complete(FieldTeam& team) {
   for (const Point& point : lines.lines.points) {
     for (double coordinate : point) EXPECT_TRUE(std::isfinite(coordinate));
   }
-  EXPECT_FALSE(sample_poisson_disk(team, 0.3).empty());
-  EXPECT_LE(extent_of_component(team, 0, 4).radius.upper, extent_of_component(team, 0, 4).diameter.lower);
-  EXPECT_EQ(relax_points(team, samples.vertices, 2).vertices.size(), 3U);
+  EXPECT_FALSE(sample_poisson_disk(surface, 0.3, 0, by).empty());
+  const Extent extent = extent_of_component(surface, 0, 4, by);
+  EXPECT_LE(extent.radius.upper, extent.diameter.lower);
+  EXPECT_EQ(relax_points(surface, samples.vertices, 2, by).vertices.size(), 3U);
 }
 
 TEST(TasksOnDefects, AreCompleteFromAnIndex) {
   for (const Soup& soup : defects()) {
     const Index patches = soup.faces.size() > 1 ? 2 : 1;
-    FieldTeam team(test::make_index(soup, patches, patches), 2);
-    expect_complete(team);
+    Surface surface(test::make_index(soup, patches, patches), 2);
+    expect_complete(surface, AnswerMethod::index);
   }
 }
 
 TEST(TasksOnDefects, AreCompleteFromExactFields) {
   for (const Soup& soup : defects()) {
-    FieldTeam team(test::make_mesh(soup), 2);
-    expect_complete(team);
+    Surface surface(test::make_mesh(soup), {.threads = 2});
+    expect_complete(surface, AnswerMethod::exact);
   }
 }
 

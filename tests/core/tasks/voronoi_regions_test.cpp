@@ -35,8 +35,8 @@ TEST(VoronoiRegions, BorderOfTwoPointsOnAPlaneIsTheirBisector) {
   const Index sites[] = {3 * 17 + 4, 8 * 17 + 11};
   const Point& p = plane.soup.positions[sites[0]];
   const Point& q = plane.soup.positions[sites[1]];
-  FieldTeam team(test::make_mesh(plane.soup), 2);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   ASSERT_GT(found.borders.points.size(), 10U);
   for (const Point& x : found.borders.points) EXPECT_NEAR(straight(x, p), straight(x, q), 1e-12);
   // One line from side to side of the rectangle: its length, and the area on its left, by the formula of the
@@ -59,8 +59,8 @@ TEST(VoronoiRegions, ManyPointsOnAPlane) {
   // So many sites that regions have only some faces: in many faces three or more meet, or one only just
   // reaches into them.
   const auto sites = test::random_vertices(31 * 25, 120, 5);
-  FieldTeam team(test::make_mesh(plane.soup), 2);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   auto least = [&](const Point& x) {
     double distance = unreachable;
     for (Index site : sites) distance = std::min(distance, straight(x, plane.soup.positions[site]));
@@ -99,8 +99,8 @@ TEST(VoronoiRegions, ManyPointsOnAPlane) {
 TEST(VoronoiRegions, ThreePointsMeetAtTheirCircumcentre) {
   const Shape plane = test::plane_grid(10, 10, 1.0, 1.0, 0.2);
   const Index sites[] = {2 * 11 + 2, 3 * 11 + 8, 8 * 11 + 4};
-  FieldTeam team(test::make_mesh(plane.soup), 1);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   const auto degree = degrees(found.borders);
   ASSERT_EQ(std::count(degree.begin(), degree.end(), 3), 1);
   const Point& centre = found.borders.points[std::find(degree.begin(), degree.end(), 3) - degree.begin()];
@@ -112,8 +112,8 @@ TEST(VoronoiRegions, ThreePointsMeetAtTheirCircumcentre) {
 TEST(VoronoiRegions, TiesAlongEdgesGiveOneLine) {
   const Shape plane = test::plane_grid(6, 4, 6.0, 4.0);
   const Index sites[] = {2 * 7 + 1, 2 * 7 + 5};  // the bisector x = 3 is a line of edges
-  FieldTeam team(test::make_mesh(plane.soup), 1);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   EXPECT_NEAR(found.borders.length(), 4.0, 1e-12);
   EXPECT_NEAR(found.area[0], 12.0, 1e-12);
   EXPECT_NEAR(found.area[1], 12.0, 1e-12);
@@ -122,8 +122,8 @@ TEST(VoronoiRegions, TiesAlongEdgesGiveOneLine) {
 TEST(VoronoiRegions, RoundAPrism) {
   const Shape prism = test::prism(6, 4, 10, 1.0, 4.0, 0.2);
   const Index sites[] = {5 * 24 + 2, 5 * 24 + 14};  // opposite each other in the middle row
-  FieldTeam team(test::make_mesh(prism.soup), 2);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(prism.soup), {.threads = 2});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   // Vertices know their distances from both; two borders run up the prism.
   for (Index v = 0; v < static_cast<Index>(prism.soup.positions.size()); ++v) {
     const double a = prism.vertex_distance(sites[0], v);
@@ -148,8 +148,8 @@ TEST(VoronoiRegions, OppositeSidesOfABoxShareItEqually) {
   };
   const Index sites[] = {vertex_at({0.0, 0.5, 0.5}), vertex_at({2.0, 0.5, 0.5})};
   ASSERT_NE(sites[0], no_index);
-  FieldTeam team(test::make_mesh(box.soup), 2);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(test::make_mesh(box.soup), {.threads = 2});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
   EXPECT_NEAR(found.area[0], 5.0, 1e-9);
   EXPECT_NEAR(found.area[1], 5.0, 1e-9);
   EXPECT_NEAR(found.borders.length(), 4.0, 1e-9);
@@ -160,10 +160,9 @@ TEST(VoronoiRegions, FromAnIndexAreNearThoseOfExactFields) {
   const Soup soup = test::hills(24, 0.2);
   const auto index = test::make_index(soup, 3, 4);
   const auto sites = test::random_vertices(static_cast<Index>(soup.positions.size()), 8, 9);
-  FieldTeam exact_team(index->mesh(), 2);
-  FieldTeam team(index, 2);
-  const VoronoiRegions exact = voronoi_regions(exact_team, sites);
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  Surface surface(index, 2);
+  const VoronoiRegions exact = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::index});
   EXPECT_NEAR(sum(found.area), sum(exact.area), 1e-9);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     EXPECT_NEAR(found.area[i], exact.area[i], 0.01 * exact.area[i]);
@@ -175,25 +174,25 @@ TEST(VoronoiRegions, RepeatedPointsOtherComponentsAndIsolatedVertices) {
   const Soup soup =
       test::with_isolated_vertex(test::two_components(test::icosphere(2), test::icosphere(1)), {9, 9, 9});
   const auto n = static_cast<Index>(soup.positions.size());
-  FieldTeam team(test::make_index(soup, 3, 3), 2);
+  Surface surface(test::make_index(soup, 3, 3), 2);
   const Index sites[] = {5, 5, 80};
-  const VoronoiRegions found = voronoi_regions(team, sites);
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::index});
   for (Index v = 0; v < n; ++v) {
-    const bool reached = team.mesh().component(v) == team.mesh().component(5);
+    const bool reached = surface.mesh()->component(v) == surface.mesh()->component(5);
     EXPECT_EQ(found.vertex_region[v] != no_index, reached);
     EXPECT_EQ(found.distance[v] < unreachable, reached);
     EXPECT_NE(found.vertex_region[v], 1);
   }
   EXPECT_EQ(found.area[1], 0.0);
-  for (Index f = 0; f < team.mesh().face_count(); ++f) {
+  for (Index f = 0; f < surface.mesh()->face_count(); ++f) {
     EXPECT_EQ(found.face_region[f] == no_index,
-              team.mesh().component(team.mesh().face_vertices(f)[0]) != team.mesh().component(5));
+              surface.mesh()->component(surface.mesh()->face_vertices(f)[0]) != surface.mesh()->component(5));
   }
-  EXPECT_THROW(voronoi_regions(team, std::span<const Index>()), InvalidInput);
+  EXPECT_THROW(voronoi_regions(surface, std::span<const Index>()), InvalidInput);
   const Index bad[] = {n};
-  EXPECT_THROW(voronoi_regions(team, bad), InvalidInput);
+  EXPECT_THROW(voronoi_regions(surface, bad), InvalidInput);
   const Progress stop([](double, const std::string&) { return false; });
-  EXPECT_THROW(voronoi_regions(team, sites, stop), Cancelled);
+  EXPECT_THROW(voronoi_regions(surface, sites, {.progress = stop}), Cancelled);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Fields and distances by a team's workers, on a plane, and the orders in which it prefers its queries.
-#include "tasks/field_team.h"
+// Fields and distances by a task's workers, on a plane, the order of its points, and what answers it.
+#include "tasks/workers.h"
 
 #include <gtest/gtest.h>
 
@@ -23,14 +23,16 @@ const std::vector<SurfacePoint> points{
     SurfacePoint::at_vertex(40), SurfacePoint::in_face(500, {0.2, 0.3, 0.5}),
     SurfacePoint::in_face(1203, {0.6, 0.3, 0.1}), SurfacePoint::at_vertex(900)};
 
-class FieldTeamTest : public testing::Test {
+class WorkersTest : public testing::Test {
  protected:
   static std::shared_ptr<const GeodesicIndex> index() {
     static const auto made = test::make_index(plane.soup, 3, 3);
     return made;
   }
-  FieldTeam exact_{test::make_mesh(plane.soup), 2};
-  FieldTeam approximate_{index(), 2};
+  Surface surface_{test::make_mesh(plane.soup), {.threads = 2}};
+  Surface indexed_{index(), 2};
+  Workers exact_{surface_, {.by = AnswerMethod::exact}, 1.0};
+  Workers approximate_{indexed_, {.by = AnswerMethod::index}, 1.0};
 };
 
 bool is_permutation_of_all(std::vector<std::size_t> order, std::size_t count) {
@@ -40,7 +42,7 @@ bool is_permutation_of_all(std::vector<std::size_t> order, std::size_t count) {
   return order == all;
 }
 
-TEST_F(FieldTeamTest, AnExactTeamGivesStraightLinesOfThePlane) {
+TEST_F(WorkersTest, ExactOnesGiveStraightLinesOfThePlane) {
   EXPECT_TRUE(exact_.is_exact());
   EXPECT_EQ(exact_.threads(), 2);
   for (const SurfacePoint& source : points) {
@@ -55,19 +57,19 @@ TEST_F(FieldTeamTest, AnExactTeamGivesStraightLinesOfThePlane) {
   }
 }
 
-TEST_F(FieldTeamTest, DistancesAboveTheLimitAreUnreachable) {
-  for (FieldTeam* team : {&exact_, &approximate_}) {
-    const auto field = team->field(Index{40}, 1.0, 0);
-    const auto whole = team->field(Index{40}, unreachable, 0);
+TEST_F(WorkersTest, DistancesAboveTheLimitAreUnreachable) {
+  for (Workers* workers : {&exact_, &approximate_}) {
+    const auto field = workers->field(Index{40}, 1.0, 0);
+    const auto whole = workers->field(Index{40}, unreachable, 0);
     for (std::size_t v = 0; v < field.size(); ++v)
       EXPECT_EQ(field[v], whole[v] <= 1.0 ? whole[v] : unreachable);
-    for (const double distance : team->distances(points[0], points, 1.0, 0)) {
+    for (const double distance : workers->distances(points[0], points, 1.0, 0)) {
       EXPECT_TRUE(distance <= 1.0 || distance == unreachable);
     }
   }
 }
 
-TEST_F(FieldTeamTest, AFieldOfSeveralSourcesIsTheLeastOfTheirs) {
+TEST_F(WorkersTest, AFieldOfSeveralSourcesIsTheLeastOfTheirs) {
   const std::array<Index, 3> sources{0, 500, 930};
   const auto found = exact_.field_on_all_threads(sources);
   for (Index v = 0; v < exact_.mesh().vertex_count(); ++v) {
@@ -77,7 +79,7 @@ TEST_F(FieldTeamTest, AFieldOfSeveralSourcesIsTheLeastOfTheirs) {
   }
 }
 
-TEST_F(FieldTeamTest, ATeamOfAnIndexIsCloseAndItsWorkersAgree) {
+TEST_F(WorkersTest, ThoseOfAnIndexAreCloseAndAgree) {
   EXPECT_FALSE(approximate_.is_exact());
   for (const SurfacePoint& source : points) {
     const auto field = approximate_.field(source, unreachable, 0);
@@ -89,7 +91,7 @@ TEST_F(FieldTeamTest, ATeamOfAnIndexIsCloseAndItsWorkersAgree) {
   }
 }
 
-TEST_F(FieldTeamTest, PairsOfAnIndexAreSymmetricToTheLastBit) {
+TEST_F(WorkersTest, PairsOfAnIndexAreSymmetricToTheLastBit) {
   for (const SurfacePoint& a : points) {
     for (const SurfacePoint& b : points) {
       const double there = approximate_.distance(a, b, 0);
@@ -97,10 +99,10 @@ TEST_F(FieldTeamTest, PairsOfAnIndexAreSymmetricToTheLastBit) {
       EXPECT_NEAR(there, plane.distance(a, b), 0.02 * there + 1e-12);
     }
   }
-  EXPECT_THROW(exact_.distance(points[0], points[1], 0), InvalidInput);
+  EXPECT_NEAR(exact_.distance(points[0], points[1], 0), plane.distance(points[0], points[1]), 1e-12);
 }
 
-TEST_F(FieldTeamTest, PointsAreOrderedPatchByPatch) {
+TEST_F(WorkersTest, PointsAreOrderedPatchByPatch) {
   const auto vertices = test::random_vertices(approximate_.mesh().vertex_count(), 60, 4);
   const auto order = approximate_.order_of_points(vertices);
   ASSERT_TRUE(is_permutation_of_all(order, vertices.size()));
@@ -111,19 +113,18 @@ TEST_F(FieldTeamTest, PointsAreOrderedPatchByPatch) {
   EXPECT_TRUE(is_permutation_of_all(exact_.order_of_points(points), points.size()));
 }
 
-TEST_F(FieldTeamTest, PairsBetweenTheSamePatchesComeTogether) {
-  const auto from = test::random_vertices(approximate_.mesh().vertex_count(), 80, 5);
-  const auto to = test::random_vertices(approximate_.mesh().vertex_count(), 80, 6);
-  const auto order = approximate_.order_of_pairs(from, to);
-  ASSERT_TRUE(is_permutation_of_all(order, from.size()));
-  const IndexData& data = index()->data();
-  auto parent = [&](Index v) { return data.partition.parent[data.home_patch[data.work.work_vertex[v]]]; };
-  // Work vertices are numbered patch by patch, so the smaller end of a pair lies in the smaller patch.
-  std::vector<std::pair<Index, Index>> places;
-  for (const std::size_t i : order) places.push_back(std::minmax(parent(from[i]), parent(to[i])));
-  EXPECT_TRUE(std::ranges::is_sorted(places));
-  EXPECT_TRUE(approximate_.order_of_pairs(points, points).empty());
-  EXPECT_TRUE(exact_.order_of_pairs(from, to).empty());
+TEST(Workers, RefuseTheQuickMethodAndSayWhatAnswered) {
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
+  EXPECT_THROW(Workers(surface, {.by = AnswerMethod::quick}, 1.0), InvalidInput);
+  Answered answered;
+  { const Workers workers(surface, {.answered = &answered}, 1.0); }
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+}
+
+TEST(Workers, FewOfALargeReachAreFromTheIndexAndManyOfASmallOneExact) {
+  Surface surface(test::make_index(plane.soup, 3, 3), 1);
+  EXPECT_FALSE(Workers(surface, {}, 10.0, 1.0).is_exact());
+  EXPECT_TRUE(Workers(surface, {}, 1000.0, 0.01).is_exact());
 }
 
 }  // namespace

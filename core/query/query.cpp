@@ -1,0 +1,135 @@
+// Each question passed on to the solver of its method.
+#include "query/query.h"
+
+#include <array>
+
+#include "query/surface.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+const char* to_string(AnswerMethod method) {
+  switch (method) {
+    case AnswerMethod::automatic:
+      return "automatic";
+    case AnswerMethod::index:
+      return "index";
+    case AnswerMethod::exact:
+      return "exact";
+    case AnswerMethod::quick:
+      return "quick";
+  }
+  return "unknown";
+}
+
+GeodesicQuery& Query::of_index(int threads) {
+  if (!index_query_) index_query_.emplace(surface_.index(), surface_.threads());
+  index_query_->use_threads(threads);
+  return *index_query_;
+}
+
+LocalSolver& Query::solver() {
+  if (!solver_) solver_.emplace(surface_.geometry());
+  return *solver_;
+}
+
+MeshPathQuery& Query::mesh_paths() {
+  if (!mesh_paths_) mesh_paths_.emplace(surface_.geometry());
+  return *mesh_paths_;
+}
+
+const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, int threads,
+                                 bool distances_only, const Progress& progress) {
+  ExactLimits limits;
+  limits.max_distance = max_distance;
+  if (progress) limits.progress = &progress;
+  limits.distances_only = distances_only;
+  limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;
+  solver().run(sources, limits);
+  return solver();
+}
+
+LabelledField Query::labelled_field(std::span<const ExactSource> sources, double max_distance,
+                                    AnswerMethod by, int threads, const Progress& progress) {
+  if (by == AnswerMethod::index) {
+    const Watch watch(progress, "Geodesic distances");
+    return of_index(threads).labelled_field(sources, max_distance);
+  }
+  if (by == AnswerMethod::exact) {
+    return labelled_field_of(solved(sources, max_distance, threads, true, progress), max_distance);
+  }
+  const Watch watch(progress, "Quick geodesic distances");
+  if (!quick_) quick_.emplace(surface_.mesh());
+  quick_->run(sources, max_distance);
+  return labelled_field_of(*quick_, max_distance);
+}
+
+std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                                 int threads) {
+  if (by == AnswerMethod::index) return of_index(threads).distance_field(sources, max_distance);
+  if (by == AnswerMethod::quick) return labelled_field(sources, max_distance, by, threads).distance;
+  const LocalSolver& solver = solved(sources, max_distance, threads, true);
+  std::vector<double> distance(surface_.mesh()->vertex_count());
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    const double found = solver.distance(static_cast<Index>(v));
+    distance[v] = found <= max_distance ? found : unreachable;
+  }
+  return distance;
+}
+
+std::vector<double> Query::distances(const SurfacePoint& source, const PointList& targets,
+                                     double max_distance, AnswerMethod by) {
+  const ExactSource one{source};
+  std::vector<double> result;
+  result.reserve(targets.size());
+  if (by == AnswerMethod::quick || targets.only_vertices()) {
+    const auto all = field(std::span(&one, 1), max_distance, by, 1);
+    const Mesh& mesh = *surface_.mesh();
+    for (const SurfacePoint& target : targets) {
+      if (target.is_vertex()) {
+        result.push_back(all[target.vertex]);
+        continue;
+      }
+      std::array<double, 3> corners{};
+      for (int i = 0; i < 3; ++i) corners[i] = all[mesh.face_vertices(target.face)[i]];
+      result.push_back(distance_in_face(mesh, target.face, target.barycentric, corners));
+    }
+    return result;
+  }
+  if (by == AnswerMethod::index) {
+    return of_index(1).distances(std::span(&one, 1), targets, max_distance);
+  }
+  const LocalSolver& solver = solved(std::span(&one, 1), max_distance, 1, false);
+  for (const SurfacePoint& target : targets) {
+    const double distance = solver.distance(target);
+    result.push_back(distance <= max_distance ? distance : unreachable);
+  }
+  return result;
+}
+
+double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {
+  if (by == AnswerMethod::index && source.is_vertex() && target.is_vertex()) {
+    return of_index(1).distance(source.vertex, target.vertex);
+  }
+  return path(source, target, by, false, true).path.length;
+}
+
+ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
+                      bool certify) {
+  if (by != AnswerMethod::index) return mesh_paths().exact_path(source, target);
+  if (!index_paths_) index_paths_.emplace(surface_.index());
+  if (!exact) return {index_paths_->path(source, target), false};
+  index_paths_->use_landmarks(surface_.landmarks());
+  return index_paths_->exact_path(source, target, certify);
+}
+
+void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,
+                        const std::function<void(std::size_t, ExactPath)>& found) {
+  if (!propagation_) propagation_.emplace(surface_.geometry());
+  propagation_->reset(source);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    found(i, mesh_paths().exact_path(*propagation_, targets[i]));
+  }
+}
+
+}  // namespace vorogeo

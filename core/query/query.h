@@ -1,0 +1,77 @@
+// What one thread asks a surface with: fields, distances and paths, by whatever method.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/local_solver.h"
+#include "exact/virtual_sources.h"
+#include "index/geodesic_index.h"
+#include "query/geodesic_query.h"
+#include "query/mesh_path.h"
+#include "query/path_query.h"
+
+namespace vorogeo {
+
+/// How an answer is found.
+enum class AnswerMethod : std::uint8_t {
+  automatic,  ///< a request only: whichever is expected to be fastest; exact if both are near
+  index,      ///< the index, built if there is none
+  exact,      ///< exact propagation
+  quick       ///< virtual sources; fields only
+};
+
+/// "automatic", "index", "exact" or "quick".
+const char* to_string(AnswerMethod method);
+
+class Surface;
+
+/// Answers by a method that was chosen before. Lent by a Surface (Surface::lend) to one thread at a time;
+/// each part takes its memory, for the whole mesh, when it is first asked. In all calls `by` is not
+/// `automatic`, and points are on the mesh.
+class Query {
+ public:
+  /// `surface` must outlive the object.
+  explicit Query(Surface& surface) : surface_(surface) {}
+
+  /// See Surface::field. `threads`: as resolved by the caller; no answer depends on it beyond rounding.
+  LabelledField labelled_field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                               int threads, const Progress& progress = {});
+  /// The same without labels.
+  std::vector<double> field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                            int threads);
+  /// Distances from one point to others: the values of its field there. In a face they are interpolated from
+  /// the corners, but exact where the source is near (GeodesicQuery::distances) or the method is exact.
+  std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
+                                AnswerMethod by);
+  /// Distance of two points, symmetric: from the index that of GeodesicQuery::distance for two vertices,
+  /// otherwise the length of path().
+  double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by);
+  /// See Surface::path.
+  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
+                 bool certify);
+  /// Exact paths from one point to many: one propagation serves them all.
+  void exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,
+                   const std::function<void(std::size_t, ExactPath)>& found);
+
+ private:
+  GeodesicQuery& of_index(int threads);
+  LocalSolver& solver();
+  MeshPathQuery& mesh_paths();
+  const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
+                            bool distances_only, const Progress& progress = {});
+
+  Surface& surface_;
+  std::optional<GeodesicQuery> index_query_;
+  std::optional<PathQuery> index_paths_;
+  std::optional<LocalSolver> solver_;
+  std::optional<MeshPathQuery> mesh_paths_;
+  std::optional<PathsFromPoint> propagation_;
+  std::optional<VirtualSources> quick_;
+};
+
+}  // namespace vorogeo

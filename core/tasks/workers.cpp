@@ -1,0 +1,102 @@
+// Queries borrowed from the surface, one for each worker that asks.
+#include "tasks/workers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <numeric>
+#include <span>
+
+#include "index/index_data.h"
+#include "support/error.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// The part of the surface from which an exact field is shared by threads.
+constexpr double least_shared_reach = 0.25;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<ExactSource> as_sources(const PointList& points) {
+  std::vector<ExactSource> sources;
+  sources.reserve(points.size());
+  for (const SurfacePoint& point : points) sources.push_back({point});
+  return sources;
+}
+
+}  // namespace
+
+Workers::Workers(Surface& surface, const TaskOptions& options, double fields, double reach)
+    : surface_(surface), reported_(options.answered), reach_(reach), uncaught_(std::uncaught_exceptions()) {
+  if (options.by == AnswerMethod::quick) {
+    throw InvalidInput(
+        "The quick method answers single fields only; choose automatic, index or exact for a task.");
+  }
+  answered_.by = surface.choose(options.by, fields, reach, answered_, options.progress);
+  progress_ = answered_.index_seconds > 0.0 ? options.progress.part(0.9, 1.0) : options.progress;
+  queries_.resize(surface.threads());
+  started_ = now();
+}
+
+Workers::~Workers() {
+  answered_.seconds = now() - started_;
+  if (reported_ != nullptr) *reported_ = answered_;
+  // A query that was interrupted is not used again.
+  if (std::uncaught_exceptions() > uncaught_) return;
+  for (auto& query : queries_) {
+    if (query) surface_.give_back(std::move(query));
+  }
+  if (is_exact()) surface_.pay_for_fields(answered_.seconds, reach_);
+}
+
+Query& Workers::query(int worker) {
+  auto& own = queries_[worker];
+  if (!own) own = surface_.borrow();
+  return *own;
+}
+
+std::vector<double> Workers::field(Index source, double max_distance, int worker) {
+  return field(SurfacePoint::at_vertex(source), max_distance, worker);
+}
+
+std::vector<double> Workers::field(const SurfacePoint& source, double max_distance, int worker) {
+  const ExactSource one{source};
+  return query(worker).field(std::span(&one, 1), max_distance, answered_.by, 1);
+}
+
+std::vector<double> Workers::distances(const SurfacePoint& source, const PointList& targets,
+                                       double max_distance, int worker) {
+  return query(worker).distances(source, targets, max_distance, answered_.by);
+}
+
+std::vector<double> Workers::field_on_all_threads(const PointList& sources, double max_distance) {
+  // Threads that share an exact field wait for one another: over a small part of the surface that takes
+  // longer than the field.
+  const bool is_shared = !is_exact() || surface_.reach_of(max_distance) > least_shared_reach;
+  return query(0).field(as_sources(sources), max_distance, answered_.by, is_shared ? threads() : 1);
+}
+
+double Workers::distance(const SurfacePoint& source, const SurfacePoint& target, int worker) {
+  return query(worker).distance(source, target, answered_.by);
+}
+
+std::vector<std::size_t> Workers::order_of_points(const PointList& points) const {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (is_exact() || !points.only_vertices()) return order;
+  const auto index = surface_.index();
+  const IndexData& data = index->data();
+  std::vector<std::pair<Index, Index>> places;
+  for (const SurfacePoint& point : points) {
+    const Index vertex = data.work.work_vertex[point.vertex];
+    places.emplace_back(vertex == no_index ? no_index : data.home_patch[vertex], vertex);
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(places[i], i); });
+  return order;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,77 @@
+// The queries of a task's worker threads, and what answers them.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "mesh/surface_point.h"
+#include "query/surface.h"
+#include "support/parallel.h"
+#include "support/progress.h"
+#include "support/types.h"
+
+namespace vorogeo {
+
+/// Fields from one and from several sources may differ by this factor, as the index errs slightly: a field
+/// that is bounded by a distance from another field gets this much margin.
+inline constexpr double bounded_field_slack = 1.02;
+
+/// What every task takes.
+struct TaskOptions {
+  AnswerMethod by = AnswerMethod::automatic;  ///< not quick
+  Progress progress{};
+  Answered* answered = nullptr;  ///< if not null, receives what answered
+};
+
+/// The part of the surface that a field from one of so many sites reaches, until it has covered the site's
+/// Voronoi region: with a margin, as these differ in size.
+inline double reach_of_regions(double sites) { return std::min(1.0, 4.0 / std::max(1.0, sites)); }
+
+/// Lends each worker of a parallel_for a query of the surface, and answers by the method that is expected to
+/// be fastest for the task. Tasks made of many fields (matrices, Voronoi regions, samplings) are written
+/// against it.
+class Workers {
+ public:
+  /// For a task of about so many fields, each of which reaches the part `reach` of the surface (0 to 1). An
+  /// index that is needed is built here. \throw InvalidInput for the quick method; Cancelled.
+  Workers(Surface& surface, const TaskOptions& options, double fields, double reach = 1.0);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  const Mesh& mesh() const { return *surface_.mesh(); }
+  int threads() const { return surface_.threads(); }
+  bool is_exact() const { return answered_.by == AnswerMethod::exact; }
+  /// What is left of the task's progress after an index was built.
+  const Progress& progress() const { return progress_; }
+
+  /// Distances from one point to all vertices, `unreachable` above max_distance. Shape (n). On one thread;
+  /// `worker` is in [0, threads()) and runs one call at a time. Points are on the mesh.
+  std::vector<double> field(const SurfacePoint& source, double max_distance, int worker);
+  std::vector<double> field(Index source, double max_distance, int worker);
+  /// See Query::distances.
+  std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
+                                int worker);
+  /// A field from the nearest of several sources, on all threads; only one such call at a time.
+  std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable);
+  /// See Query::distance.
+  double distance(const SurfacePoint& source, const SurfacePoint& target, int worker);
+  /// An order of points in which a matrix of pairs is filled faster, row by row: neighbours in one patch are
+  /// consecutive and read the same tables.
+  std::vector<std::size_t> order_of_points(const PointList& points) const;
+
+ private:
+  Query& query(int worker);
+
+  Surface& surface_;
+  Answered answered_;
+  Answered* reported_;
+  Progress progress_;
+  double reach_;
+  std::vector<std::unique_ptr<Query>> queries_;  ///< by worker
+  int uncaught_ = 0;
+  double started_ = 0.0;
+};
+
+}  // namespace vorogeo
