@@ -16,7 +16,6 @@
 #include "support/parallel.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
-#include "tasks/field_team.h"
 #include "tasks/neighbors.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
@@ -30,7 +29,6 @@ using vorogeo::Cancelled;
 using vorogeo::check_mesh;
 using vorogeo::Error;
 using vorogeo::ExactSource;
-using vorogeo::FieldTeam;
 using vorogeo::GapLimit;
 using vorogeo::GeodesicIndex;
 using vorogeo::IndexFileError;
@@ -272,20 +270,9 @@ std::vector<double> Surface::distances(const PointList& from, const PointList& t
       throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
                          std::to_string(to.size()) + " to go to; give as many of both.");
     }
-    const inner::PointList sources = points_on(mesh, points_in(mesh, from), "Source");
-    const inner::PointList targets = points_on(mesh, points_in(mesh, to), "Target");
-    std::vector<double> found(sources.size());
-    const auto surface = state_->current();
-    if (const auto index = surface->index()) {
-      inner::FieldTeam team(index, state_->options.threads);
-      pair_distances(team, sources, targets, found);
-      return found;
-    }
-    parallel_for(found.size(), state_->options.threads, {}, "Distances", [&](std::size_t i, int) {
-      inner::Answered answered;
-      found[i] = surface->distance(sources[i], targets[i], inner::AnswerMethod::automatic, answered);
-    });
-    return found;
+    inner::Answered answered;
+    return state_->current()->distances({points_in(mesh, from), points_in(mesh, to)},
+                                        inner::AnswerMethod::automatic, answered);
   });
 }
 
@@ -293,9 +280,9 @@ Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathO
   return translated([&] {
     const inner::Mesh& mesh = *state_->mesh;
     inner::Answered answered;
-    auto found = state_->current()->path(point_in(mesh, from), point_in(mesh, to),
-                                         static_cast<inner::AnswerMethod>(options.by), options.exact,
-                                         answered, Progress(options.progress), options.certify);
+    auto found = state_->current()->path(
+        point_in(mesh, from), point_in(mesh, to), static_cast<inner::AnswerMethod>(options.by),
+        {.exact = options.exact, .certify = options.certify}, answered, Progress(options.progress));
     Path path;
     for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
     path.surface_points = points_out(mesh, found.path.points);
@@ -379,21 +366,18 @@ void Surface::load_index(const std::filesystem::path& file) {
 
 namespace {
 
-/// Runs a task: body(team, mesh).
+/// Runs a task: body(surface, mesh).
 template <class Body>
 auto run_task(const Surface& surface, Body&& body) {
   return translated([&] {
-    Surface::State& state = surface.state();
-    const auto index = state.current()->index();
-    const int threads = state.options.threads;
-    inner::FieldTeam team = index ? inner::FieldTeam(index, threads) : inner::FieldTeam(state.mesh, threads);
-    return body(team, *state.mesh);
+    const auto current = surface.state().current();
+    return body(*current, *current->mesh());
   });
 }
 
-SparseDistances sparse_out(inner::FieldTeam& team, const inner::PointList& points, double radius,
+SparseDistances sparse_out(inner::Surface& surface, const inner::PointList& points, double radius,
                            const Progress& progress) {
-  auto found = pairs_within(team, points, radius, 0, progress);
+  auto found = pairs_within(surface, points, radius, 0, {.progress = progress});
   return {std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
 }
 
@@ -401,52 +385,53 @@ SparseDistances sparse_out(inner::FieldTeam& team, const inner::PointList& point
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
                                     const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> matrix(points.size() * points.size());
-    distance_matrix(team, points_in(mesh, points), MatrixMethod::automatic, std::span(matrix),
-                    Progress(progress));
+    distance_matrix(asked, points_in(mesh, points), MatrixMethod::automatic, std::span(matrix),
+                    {.progress = Progress(progress)});
     return matrix;
   });
 }
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& rows, const PointList& columns,
                                     const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> matrix(rows.size() * columns.size());
-    distance_matrix(team, points_in(mesh, rows), points_in(mesh, columns), MatrixMethod::automatic,
-                    std::span(matrix), Progress(progress));
+    distance_matrix(asked, points_in(mesh, rows), points_in(mesh, columns), MatrixMethod::automatic,
+                    std::span(matrix), {.progress = Progress(progress)});
     return matrix;
   });
 }
 
 std::vector<double> distance_fields(const Surface& surface, const PointList& sources, double limit,
                                     const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> rows(sources.size() * static_cast<std::size_t>(surface.vertex_count()));
-    distance_fields(team, points_in(mesh, sources), limit, std::span(rows), Progress(progress));
+    distance_fields(asked, points_in(mesh, sources), limit, std::span(rows),
+                    {.progress = Progress(progress)});
     return rows;
   });
 }
 
 SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                              const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    return sparse_out(team, points_in(mesh, points), radius, Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    return sparse_out(asked, points_in(mesh, points), radius, Progress(progress));
   });
 }
 
 NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                      std::size_t count, const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    auto found =
-        nearest_of_set(team, points_in(mesh, set), points_in(mesh, queries), count, Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    auto found = nearest_of_set(asked, points_in(mesh, set), points_in(mesh, queries), count,
+                                {.progress = Progress(progress)});
     return NearestOfSet{std::move(found.position), std::move(found.distance)};
   });
 }
 
 VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    auto found = voronoi_regions(team, points_in(mesh, sites), Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    auto found = voronoi_regions(asked, points_in(mesh, sites), {.progress = Progress(progress)});
     VoronoiRegions regions;
     regions.face_region.assign(static_cast<std::size_t>(surface.face_count()), -1);
     for (const int face : central_parts(mesh)) {
@@ -471,12 +456,12 @@ Isolines isolines(const Surface& surface, const std::vector<double>& field,
 }
 
 FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& options) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     FarthestStop stop;
     stop.count = options.count;
     stop.radius = options.radius;
-    auto found =
-        sample_farthest(team, stop, points_in(mesh, options.start), options.seed, Progress(options.progress));
+    auto found = sample_farthest(asked, stop, points_in(mesh, options.start), options.seed,
+                                 {.progress = Progress(options.progress)});
     return FarthestSamples{points_out(mesh, found.points), std::move(found.radius), std::move(found.distance),
                            found.covering_radius};
   });
@@ -484,22 +469,22 @@ FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& o
 
 std::vector<int> sample_poisson_disk(const Surface& surface, double radius, std::uint64_t seed,
                                      const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh&) {
-    return sample_poisson_disk(team, radius, seed, Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh&) {
+    return sample_poisson_disk(asked, radius, seed, {.progress = Progress(progress)});
   });
 }
 
 RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds,
                     const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    auto found = relax_points(team, points_in(mesh, points), rounds, Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    auto found = relax_points(asked, points_in(mesh, points), rounds, {.progress = Progress(progress)});
     return RelaxedPoints{points_out(mesh, found.points), std::move(found.energy)};
   });
 }
 
 Disk disk(const Surface& surface, const PointList& sources, double radius) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    auto found = geodesic_disk(team, points_in(mesh, sources), radius);
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    auto found = geodesic_disk(asked, points_in(mesh, sources), radius);
     for (int& face : found.faces) face = mesh.input_face(face);
     return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
   });
@@ -507,9 +492,9 @@ Disk disk(const Surface& surface, const PointList& sources, double radius) {
 
 std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
                                          const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<Eccentricity> out;
-    for (const auto& one : eccentricities(team, points_in(mesh, points), Progress(progress))) {
+    for (const auto& one : eccentricities(asked, points_in(mesh, points), {.progress = Progress(progress)})) {
       out.push_back({one.distance, one.farthest});
     }
     return out;
@@ -517,9 +502,9 @@ std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList
 }
 
 Extent extent(const Surface& surface, int max_fields, const ProgressFunction& progress) {
-  return run_task(surface, [&](inner::FieldTeam& team, const inner::Mesh& mesh) {
-    const auto found =
-        extent_of_component(team, largest_component(mesh).first_vertex, max_fields, Progress(progress));
+  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+    const auto found = extent_of_component(asked, largest_component(mesh).first_vertex, max_fields,
+                                           {.progress = Progress(progress)});
     return Extent{{found.diameter.lower, found.diameter.upper},
                   {found.ends[0], found.ends[1]},
                   {found.radius.lower, found.radius.upper},

@@ -9,7 +9,7 @@
 
 #include "edit/ruler_tool.h"
 #include "filters/rows.h"
-#include "layers/layer_mesh.h"
+#include "layers/layer_metric.h"
 #include "support/error.h"
 
 using vorogeo::plugin::FilterCall;
@@ -107,8 +107,8 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
       log(GLLogStream::WARNING, sentence);
       return true;
     };
-    FilterCall call{document, *document.mm(), parameters, *indexes_, progress_to(callback, warning), to_log};
-    free_indexes_with(document);
+    FilterCall call{document, *document.mm(), parameters, *layers_, progress_to(callback, warning), to_log};
+    free_layers_with(document);
     const FilterRow& applied = row(action);
     const vorogeo::plugin::KeptCost kept(call, applied);
     auto results = applied.apply(call);
@@ -126,13 +126,13 @@ std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action
   }
 }
 
-void FilterVorogeo::free_indexes_with(MeshDocument& document) {
+void FilterVorogeo::free_layers_with(MeshDocument& document) {
   const void* gone = &document;
   if (!documents_.insert(gone).second) return;
   connect(
       &document, &QObject::destroyed, this,
       [this, gone] {
-        indexes_->forget(gone);
+        layers_->forget(gone);
         documents_.erase(gone);
       },
       Qt::DirectConnection);
@@ -141,8 +141,8 @@ void FilterVorogeo::free_indexes_with(MeshDocument& document) {
 EditTool* FilterVorogeo::make_ruler() {
   if (!rulers_) {
     rulers_ = std::make_shared<vorogeo::plugin::RulerShared>(
-        indexes_, [plugin = QPointer<FilterVorogeo>(this)](MeshDocument& document) {
-          if (plugin) plugin->free_indexes_with(document);
+        layers_, [plugin = QPointer<FilterVorogeo>(this)](MeshDocument& document) {
+          if (plugin) plugin->free_layers_with(document);
         });
   }
   return new vorogeo::plugin::RulerTool(rulers_);

@@ -9,7 +9,7 @@
 #include "edit/ruler_factory.h"
 #include "host/filter_row.h"
 #include "host/host_api.h"
-#include "layers/index_cache.h"
+#include "layers/layer_cache.h"
 
 namespace vorogeo::plugin {
 class RulerShared;
@@ -47,11 +47,11 @@ class FilterVorogeo : public QObject, public FilterPlugin, public vorogeo::plugi
   const vorogeo::plugin::FilterRow& row(ActionIDType filter) const;
   const vorogeo::plugin::FilterRow& row(const QAction* action) const;
 
-  /// Indexes are kept as long as the document in which they were used.
-  void free_indexes_with(MeshDocument& document);
+  /// Surfaces are kept as long as the document in which they were used.
+  void free_layers_with(MeshDocument& document);
 
   std::vector<vorogeo::plugin::FilterRow> rows_;
-  std::shared_ptr<vorogeo::plugin::IndexCache> indexes_ = std::make_shared<vorogeo::plugin::IndexCache>();
+  std::shared_ptr<vorogeo::plugin::LayerCache> layers_ = std::make_shared<vorogeo::plugin::LayerCache>();
   std::shared_ptr<vorogeo::plugin::RulerShared> rulers_;  ///< null as long as there is no ruler
-  std::set<const void*> documents_;                       ///< documents whose destruction frees indexes
+  std::set<const void*> documents_;                       ///< documents whose destruction frees surfaces
 };

@@ -149,6 +149,9 @@ class SurfaceLocator {
   /// only be named by vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or
   /// above 1e307; names the point. Complexity: O(log m) for points near the surface.
   SnappedPoint nearest(const Point& point) const;
+  std::size_t memory_bytes() const {
+    return order_.capacity() * sizeof(Index) + boxes_.capacity() * sizeof(Box);
+  }
 
  private:
   struct Box {

@@ -28,6 +28,17 @@ struct VcgMeshArrays {
   Index points_per_edge = 0;           ///< above 0 in a metric that jumps at edges (FaceSides)
 };
 
+/// The vertex of `mesh` that a corner of a face names, by its index in mesh.vert; no_index if it is none of
+/// them.
+template <class VcgMesh>
+Index index_of_corner(const VcgMesh& mesh, std::size_t face, int corner) {
+  const auto* first = mesh.vert.data();
+  const auto* last = first + mesh.vert.size();
+  const decltype(first) vertex = mesh.face[face].cV(corner);
+  const bool inside = vertex && !std::less<>()(vertex, first) && std::less<>()(vertex, last);
+  return inside ? static_cast<Index>(vertex - first) : no_index;
+}
+
 /// Copies positions (as doubles) and connectivity. The mesh may hold deleted elements; it is not changed.
 /// \throw InvalidInput if a coordinate is NaN or infinite, or a face names no vertex, a deleted one or one of
 /// another mesh; the message names the vertex or face by its index in mesh.vert or mesh.face.
@@ -35,6 +46,10 @@ template <class VcgMesh>
 VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
   VcgMeshArrays arrays;
   arrays.vertex_of_input.assign(mesh.vert.size(), no_index);
+  arrays.input_of_vertex.reserve(mesh.vert.size());
+  arrays.positions.reserve(mesh.vert.size());
+  arrays.input_of_face.reserve(mesh.face.size());
+  arrays.faces.reserve(mesh.face.size());
   for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
     if (mesh.vert[v].IsD()) continue;
     const auto& p = mesh.vert[v].cP();
@@ -49,19 +64,16 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
       }
     }
   }
-  const auto* first = mesh.vert.data();
-  const auto* last = first + mesh.vert.size();
   for (std::size_t f = 0; f < mesh.face.size(); ++f) {
     if (mesh.face[f].IsD()) continue;
     std::array<Index, 3> corners{};
     for (int i = 0; i < 3; ++i) {
-      const decltype(first) vertex = mesh.face[f].cV(i);
-      const bool inside = vertex && !std::less<>()(vertex, first) && std::less<>()(vertex, last);
-      corners[i] = inside ? arrays.vertex_of_input[vertex - first] : no_index;
+      const Index vertex = index_of_corner(mesh, f, i);
+      corners[i] = vertex == no_index ? no_index : arrays.vertex_of_input[vertex];
       if (corners[i] == no_index) {
         throw InvalidInput("Face " + std::to_string(f) + " names " +
-                           (inside ? "vertex " + std::to_string(vertex - first) + ", which is deleted"
-                                   : std::string("a vertex that is not in the mesh")) +
+                           (vertex == no_index ? std::string("a vertex that is not in the mesh")
+                                               : "vertex " + std::to_string(vertex) + ", which is deleted") +
                            "; remove the face.");
       }
     }
@@ -69,6 +81,35 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
     arrays.faces.push_back(corners);
   }
   return arrays;
+}
+
+/// Whether arrays_from_vcg() would make these arrays of the mesh as it is now; at the speed of reading it, as
+/// nothing is copied.
+template <class VcgMesh>
+bool are_arrays_of(const VcgMesh& mesh, const VcgMeshArrays& arrays) {
+  if (mesh.vert.size() != arrays.vertex_of_input.size()) return false;
+  std::size_t v = 0;
+  for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
+    const bool is_deleted = mesh.vert[i].IsD();
+    if (is_deleted != (arrays.vertex_of_input[i] == no_index)) return false;
+    if (is_deleted) continue;
+    const auto& p = mesh.vert[i].cP();
+    const Point& q = arrays.positions[v++];
+    const bool is_same = static_cast<double>(p[0]) == q[0] && static_cast<double>(p[1]) == q[1] &&
+                         static_cast<double>(p[2]) == q[2];
+    if (!is_same) return false;
+  }
+  std::size_t f = 0;
+  for (std::size_t i = 0; i < mesh.face.size(); ++i) {
+    if (mesh.face[i].IsD()) continue;
+    if (f == arrays.faces.size() || arrays.input_of_face[f] != static_cast<Index>(i)) return false;
+    for (int k = 0; k < 3; ++k) {
+      const Index input = index_of_corner(mesh, i, k);
+      if (input == no_index || arrays.vertex_of_input[input] != arrays.faces[f][k]) return false;
+    }
+    ++f;
+  }
+  return f == arrays.faces.size();
 }
 
 }  // namespace vorogeo

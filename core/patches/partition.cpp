@@ -47,9 +47,11 @@ void join_into_one_patch(std::span<const std::uint8_t> mask, Partition& partitio
 
 namespace {
 
+/// The colours of Okabe and Ito, which people who see fewer colours can tell apart, and a dark red. None is
+/// grey: grey is what no path reaches.
 std::vector<Rgb> first_colors() {
   return {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},   {240, 228, 66},
-          {0, 114, 178}, {213, 94, 0},   {204, 121, 167}, {90, 90, 90}};
+          {0, 114, 178}, {213, 94, 0},   {204, 121, 167}, {140, 0, 20}};
 }
 
 /// Further colours: hues a golden section of the circle apart, in two lightnesses.

@@ -101,7 +101,7 @@ void RulerTool::prepare() {
   if (!surface_ || surface_->index()) return show_status();
   const auto surface = surface_;
   preparation_.start(
-      [surface](const Progress& progress) { return surface->surface()->build_index(progress); },
+      [surface](const Progress& progress) { return surface->layer()->surface()->build_index(progress); },
       [this, surface](IndexPreparation::Result result) {
         QMetaObject::invokeMethod(
             this, [this, surface, result = std::move(result)] { prepared(surface, result); },
@@ -115,7 +115,7 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
                          const IndexPreparation::Result& result) {
   if (document_ == nullptr) return;
   if (result.index) {
-    shared_->indexes().put(surface->arrays(), surface->gap(), result.index, document_);
+    if (!surface->index()) surface->layer()->use(result.index);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");

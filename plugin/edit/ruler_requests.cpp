@@ -18,7 +18,7 @@ RulerAnswer answer(const RulerRequest& request, const Progress& progress) {
       result.field = request.surface->field(request.from, progress);
     } else {
       result.path = request.surface->path(request.from, request.to, progress);
-      result.lines = lines_of(*request.surface->mesh(), result.path.path);
+      result.lines = lines_of(*request.surface->layer()->mesh(), result.path.path);
     }
   } catch (const Cancelled&) {
     throw;

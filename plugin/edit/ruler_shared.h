@@ -1,4 +1,5 @@
-// What all rulers of the program share: the indexes, and for each document one list of measurements.
+// What all rulers of the program share: the surfaces of layers, and for each document one list of
+// measurements.
 #pragma once
 
 #include <QPointer>
@@ -9,7 +10,7 @@
 
 #include "edit/document_measurements.h"
 #include "host/edit_host.h"
-#include "layers/index_cache.h"
+#include "layers/layer_cache.h"
 
 namespace vorogeo::plugin {
 
@@ -17,19 +18,19 @@ namespace vorogeo::plugin {
 /// are called from the thread of the window.
 class RulerShared {
  public:
-  /// `keep_indexes_with`: indexes are freed with that document; does nothing once the plugin's object is
+  /// `keep_layers_with`: surfaces are freed with that document; does nothing once the plugin's object is
   /// gone.
-  RulerShared(std::shared_ptr<IndexCache> indexes, std::function<void(MeshDocument&)> keep_indexes_with)
-      : indexes_(std::move(indexes)), keep_indexes_with_(std::move(keep_indexes_with)) {}
+  RulerShared(std::shared_ptr<LayerCache> layers, std::function<void(MeshDocument&)> keep_layers_with)
+      : layers_(std::move(layers)), keep_layers_with_(std::move(keep_layers_with)) {}
 
-  IndexCache& indexes() { return *indexes_; }
-  void keep_indexes_with(MeshDocument& document) const { keep_indexes_with_(document); }
+  LayerCache& layers() { return *layers_; }
+  void keep_layers_with(MeshDocument& document) const { keep_layers_with_(document); }
   /// The list of a document, as long as a ruler holds it.
   std::shared_ptr<DocumentMeasurements> measurements_of(MeshDocument& document);
 
  private:
-  const std::shared_ptr<IndexCache> indexes_;
-  const std::function<void(MeshDocument&)> keep_indexes_with_;
+  const std::shared_ptr<LayerCache> layers_;
+  const std::function<void(MeshDocument&)> keep_layers_with_;
   std::vector<std::pair<QPointer<MeshDocument>, std::weak_ptr<DocumentMeasurements>>> measurements_;
 };
 

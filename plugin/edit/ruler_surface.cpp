@@ -32,46 +32,14 @@ std::vector<double> round_values(double largest) {
   return values;
 }
 
-RulerSurface::RulerSurface(VcgMeshArrays arrays, const GapLimit& gap,
-                           const std::shared_ptr<const GeodesicIndex>& index)
-    : arrays_(std::move(arrays)), gap_(gap) {
-  if (index) use(index);
-}
-
-std::shared_ptr<const GeodesicIndex> RulerSurface::index() const {
-  const std::lock_guard lock(mutex_);
-  return surface_ ? surface_->index() : nullptr;
-}
-
-void RulerSurface::use(const std::shared_ptr<const GeodesicIndex>& index) {
-  auto with_index = std::make_shared<Surface>(index->mesh(), index, RentOrBuy(index->mesh()->vertex_count()));
-  const std::lock_guard lock(mutex_);
-  surface_ = std::move(with_index);
-}
-
-std::shared_ptr<Surface> RulerSurface::surface() {
-  auto known = [this] {
-    const std::lock_guard lock(mutex_);
-    return surface_;
-  };
-  const std::lock_guard one(making_);
-  if (auto surface = known()) return surface;
-  auto made = std::make_shared<Surface>(measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap_,
-                                                      arrays_.points_per_edge, arrays_.splits));
-  const std::lock_guard lock(mutex_);
-  if (!surface_) surface_ = std::move(made);
-  return surface_;
-}
-
 bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
-  if (!locator_) locator_ = std::make_unique<SurfaceLocator>(mesh());
-  const SnappedPoint found = locator_->nearest(picked.at);
+  const SnappedPoint found = layer_->locator()->nearest(picked.at);
   point = found.point;
   return found.distance <= picked.tolerance;
 }
 
 SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
-  if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(surface()->geometry());
+  if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(layer_->surface()->geometry());
   try {
     return exact_paths_->path(source, target);
   } catch (...) {
@@ -87,7 +55,7 @@ PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progre
   answer.starts_on_surface = snap(from, source);
   answer.ends_on_surface = snap(to, target);
   if (!answer.starts_on_surface || !answer.ends_on_surface) return answer;
-  const auto surface = this->surface();
+  const auto surface = layer_->surface();
   answer.from = position_of(*surface->mesh(), source);
   answer.to = position_of(*surface->mesh(), target);
   answer.how = surface->at_once(false);
@@ -96,7 +64,7 @@ PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progre
   } else {
     exact_paths_.reset();
     Answered answered;
-    answer.path = surface->path(source, target, answer.how, false, answered, progress).path;
+    answer.path = surface->path(source, target, answer.how, {}, answered, progress).path;
   }
   return answer;
 }
@@ -106,7 +74,7 @@ FieldAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
   SurfacePoint source;
   answer.starts_on_surface = snap(from, source);
   if (!answer.starts_on_surface) return answer;
-  const auto surface = this->surface();
+  const auto surface = layer_->surface();
   const std::array sources{ExactSource{source}};
   Answered answered;
   answer.distances =

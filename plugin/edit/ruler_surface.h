@@ -2,16 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edit/drag_paths.h"
 #include "edit/picked.h"
-#include "mesh/gaps.h"
-#include "mesh/surface_locator.h"
-#include "mesh/vcg_adapter.h"
-#include "query/surface.h"
+#include "layers/layer_surface.h"
 #include "support/progress.h"
 #include "tasks/surface_lines.h"
 
@@ -43,25 +40,16 @@ struct FieldAnswer {
   AnswerMethod how = AnswerMethod::exact;
 };
 
-/// The mesh of a layer as it was when it was read. The worker makes all that answers need when it is first
-/// asked. Holds no algorithm: a Surface of the core answers.
+/// A layer as it was when it was read, shared with the filters. The worker makes all that answers need when
+/// it is first asked. Holds no algorithm: a Surface of the core answers.
 class RulerSurface {
  public:
-  /// `index`: of exactly this mesh with these gaps bridged, or null.
-  RulerSurface(VcgMeshArrays arrays, const GapLimit& gap, const std::shared_ptr<const GeodesicIndex>& index);
+  explicit RulerSurface(std::shared_ptr<LayerSurface> layer) : layer_(std::move(layer)) {}
 
-  const VcgMeshArrays& arrays() const { return arrays_; }
-  const GapLimit& gap() const { return gap_; }
-
-  // By any thread, without a wait:
+  const std::shared_ptr<LayerSurface>& layer() const { return layer_; }
+  const VcgMeshArrays& arrays() const { return layer_->arrays(); }
   /// Null as long as there is none.
-  std::shared_ptr<const GeodesicIndex> index() const;
-  /// From now on answers come from it.
-  void use(const std::shared_ptr<const GeodesicIndex>& index);
-
-  // By any thread, which makes the mesh if no other one has:
-  std::shared_ptr<Surface> surface();
-  std::shared_ptr<const Mesh> mesh() { return surface()->mesh(); }
+  std::shared_ptr<const GeodesicIndex> index() const { return layer_->index(); }
 
   // By the worker only. \throw Cancelled, InvalidInput for a mesh that cannot be used.
   PathAnswer path(const Picked& from, const Picked& to, const Progress& progress);
@@ -74,15 +62,8 @@ class RulerSurface {
   bool snap(const Picked& picked, SurfacePoint& point);
   SurfacePath exact_path(const SurfacePoint& source, const SurfacePoint& target);
 
-  const VcgMeshArrays arrays_;
-  const GapLimit gap_;
-  std::mutex making_;         ///< held while the mesh is made
-  mutable std::mutex mutex_;  ///< of the pointer, held for moments
-  std::shared_ptr<Surface> surface_;
-
-  // The worker's.
-  std::unique_ptr<SurfaceLocator> locator_;
-  std::unique_ptr<DragPaths> exact_paths_;
+  const std::shared_ptr<LayerSurface> layer_;
+  std::unique_ptr<DragPaths> exact_paths_;  ///< the worker's
 };
 
 }  // namespace vorogeo::plugin

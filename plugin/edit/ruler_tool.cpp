@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/edit_host.h"
+#include "layers/answering.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -65,7 +66,7 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   document_ = &document;
   context_ = context;
   setLog(&document.Log);
-  shared_->keep_indexes_with(document);
+  shared_->keep_layers_with(document);
   measurements_ = shared_->measurements_of(document);
   if (dock_ == nullptr) {
     dock_ = new RulerDock(area_->window(), {[this] { prepare(); },
@@ -125,16 +126,14 @@ void RulerTool::read_layer() {
   why_not_ = "There is no layer.";
   if (layer != nullptr) {
     try {
-      const LayerMesh mesh(layer->cm);
-      const VcgMeshArrays& arrays = mesh.arrays();
-      measurements_->compare(layer->id(), arrays);
-      const auto index = shared_->indexes().find(arrays, mesh.gap(), document_);
-      if (surface_ && layer_ == layer->id() && is_same_mesh(surface_->arrays(), arrays)) {
-        now = surface_;
-        if (index && !surface_->index()) surface_->use(index);
-      } else {
-        now = std::make_shared<RulerSurface>(arrays, mesh.gap(), index);
+      const bool is_measured = surface_ && layer_ == layer->id() && surface_->layer()->is_of(layer->cm, {});
+      auto read = shared_->layers().find(layer->cm, {}, document_);
+      if (!read) {
+        read = is_measured ? surface_->layer() : read_surface(layer->cm, {});
+        shared_->layers().put(read, document_);
       }
+      measurements_->compare(layer->id(), read->arrays());
+      now = is_measured && surface_->layer() == read ? surface_ : std::make_shared<RulerSurface>(read);
     } catch (const Error& error) {
       why_not_ = QString::fromUtf8(error.what());
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "filters/rows.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
@@ -36,21 +36,21 @@ RichParameterList exact_from_point_parameters(const MeshDocument& document) {
 }
 
 Results distances_from_point(FilterCall& call, AnswerMethod method) {
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
-  const StartPoint start = start_point(call, layer_mesh, mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const StartPoint start = start_point(call, *layer);
   const Index face = given_face_at(*mesh, start.point);
   Results results;
   if (face == no_index) {
-    results = write_distance_field(call, layer_mesh, {start.point.vertex}, method);
-    results["start_vertex"] = layer_mesh.host_vertex(start.point.vertex);
+    results = write_distance_field(call, *layer, {start.point.vertex}, method);
+    results["start_vertex"] = layer->host_vertex(start.point.vertex);
   } else {
-    results = write_distance_field(call, layer_mesh, mesh, {{start.point}}, nullptr, method);
+    results = write_distance_field(call, *layer, {{start.point}}, nullptr, method);
     results.erase("source_points");
     results["source_vertices"] = 0;
     results["start_vertex"] = -1;
   }
-  results["start_face"] = face == no_index ? -1 : layer_mesh.arrays().input_of_face[face];
+  results["start_face"] = face == no_index ? -1 : layer->arrays().input_of_face[face];
   results["snap_distance"] = start.distance;
   return results;
 }
@@ -97,9 +97,9 @@ FilterRow exact_distance_from_point_row() {
 namespace {
 
 Results distances_from_selection(FilterCall& call, AnswerMethod method) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   return write_distance_field(
-      call, layer_mesh, selected_vertices(call.layer.cm, layer_mesh, "where distances shall start"), method);
+      call, *layer, selected_vertices(call.layer.cm, *layer, "where distances shall start"), method);
 }
 
 Results chosen_distances_from_selection(FilterCall& call) {
@@ -160,9 +160,8 @@ std::vector<Index> border_vertices(const Mesh& mesh) {
 }
 
 Results distances_from_border(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  return write_distance_field(call, layer_mesh, border_vertices(*read_mesh(call, layer_mesh)),
-                              method_of(call));
+  const auto layer = layer_of(call);
+  return write_distance_field(call, *layer, border_vertices(*layer->mesh()), method_of(call));
 }
 
 RichParameterList from_border_parameters(const MeshDocument& document) {
@@ -199,11 +198,12 @@ RichLength spacing_parameter(const MeshDocument& document) {
 
 RichParameterList from_layer_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_source_layer_parameters(list, document, "points or lines");
+  add_source_layer_parameter(list, document, "points or lines");
+  add_field_parameters(list, document);
+  list.addParam(max_snap_distance_parameter(document));
   list.addParam(spacing_parameter(document));
   list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
                          "Add the quality of a point of the source layer to the distances from it."));
-  add_field_parameters(list, document);
   return list;
 }
 
@@ -211,8 +211,8 @@ RichParameterList from_edges_parameters(const MeshDocument& document) {
   RichParameterList list;
   list.addParam(
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
-  list.addParam(spacing_parameter(document));
   add_field_parameters(list, document);
+  list.addParam(spacing_parameter(document));
   return list;
 }
 
@@ -222,10 +222,10 @@ double spacing_of(const FilterCall& call, const Mesh& mesh) {
 }
 
 Results distances_from_layer(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
   const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
-  PointSnapper snapper(call, mesh, "source_layer");
+  PointSnapper snapper(call, *layer, "source_layer");
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
   const double spacing = spacing_of(call, *mesh);
   std::vector<ExactSource> sources;
@@ -254,20 +254,20 @@ Results distances_from_layer(FilterCall& call) {
     throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId("source_layer")) +
                        " has no vertex. Choose a layer with points or lines.");
   }
-  Results results = write_distance_field(call, layer_mesh, mesh, sources, &numbers, method_of(call));
+  Results results = write_distance_field(call, *layer, sources, &numbers, method_of(call));
   results["snap_distance"] = snapper.farthest();
   return results;
 }
 
 Results distances_from_edges(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
   const bool from_border = call.parameters.getBool("from_border");
   std::vector<bool> chosen(static_cast<std::size_t>(mesh->edge_count()), false);
   for (Index e = 0; from_border && e < mesh->edge_count(); ++e) chosen[e] = mesh->is_border_edge(e);
   for (Index f = 0; !from_border && f < mesh->first_bridge(); ++f) {
     for (int i = 0; i < 3; ++i) {
-      if (!call.layer.cm.face[layer_mesh.host_face(*mesh, f)].IsFaceEdgeS(i)) continue;
+      if (!call.layer.cm.face[layer->host_face(*mesh, f)].IsFaceEdgeS(i)) continue;
       const auto& corners = mesh->given_corners(f);
       for (Index e : edges_between(*mesh, corners[i], corners[(i + 1) % 3])) chosen[e] = true;
     }
@@ -285,7 +285,7 @@ Results distances_from_edges(FilterCall& call) {
   const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
   std::vector<Index> numbers(sources.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  Results results = write_distance_field(call, layer_mesh, mesh, sources, &numbers, method_of(call));
+  Results results = write_distance_field(call, *layer, sources, &numbers, method_of(call));
   results["source_edges"] = static_cast<int>(edges.size());
   return results;
 }

@@ -9,9 +9,7 @@
 
 #include "filters/rows.h"
 #include "host/ticking.h"
-#include "layers/index_cache.h"
-#include "layers/layer_mesh.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "support/error.h"
 #include "support/file.h"
@@ -94,17 +92,16 @@ Results build_index_of_layer(FilterCall& call) {
   const IndexOptions options = options_of(call);
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   if (!file.empty()) check_index_file_can_be_written(file);
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   // A file that exists is replaced, but only by an index that is complete.
   std::error_code unknown;  // check_index_file_can_be_written() has looked
   const bool in_file = !file.empty() && !fs::exists(file, unknown);
-  const auto index = build_index(call, layer_mesh, options, call.progress, in_file ? file : fs::path());
+  const auto index = build_index(call, *layer, options, call.progress, in_file ? file : fs::path());
   if (!file.empty() && !in_file) {
     run_ticking(call.progress.part(1.0, 1.0), "Writing the geodesic index",
                 [&](const Progress&) { index->save(file); });
   }
   if (!file.empty()) call.log("Geodesic index: written to " + file.string());
-  call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
 
   return statistics_results(index->statistics());
 }
@@ -153,9 +150,9 @@ RichParameterList file_to_read(const MeshDocument&) {
 }
 
 Results describe_index(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   call.progress.report(0.0, "Looking for the geodesic index");
-  const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
+  const auto index = layer->index();
   if (!index) {
     call.log(
         "Geodesic index: none for this mesh as it is. 'Geodesic index: build (VoroGeo)' builds one; other "
@@ -172,8 +169,8 @@ Results describe_index(FilterCall& call) {
 Results save_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getSaveFileName("index_file"));
   check_index_file_can_be_written(file);
-  const LayerMesh layer_mesh(call);
-  const auto index = call.indexes.find(layer_mesh.arrays(), layer_mesh.gap(), &call.document);
+  const auto layer = layer_of(call);
+  const auto index = layer->index();
   if (!index) {
     throw InvalidInput(
         "There is no index for this mesh as it is. Run 'Geodesic index: build (VoroGeo)' first.");
@@ -190,11 +187,10 @@ Results save_index(FilterCall& call) {
 Results load_index(FilterCall& call) {
   const fs::path file = index_file_name(call.parameters.getOpenFileName("index_file"));
   if (file.empty()) throw IndexFileError("No index file is named. Name one that ends in .vgi.");
-  const LayerMesh layer_mesh(call);
-  const auto index = run_ticking(call.progress, "Reading the geodesic index", [&](const Progress&) {
-    return GeodesicIndex::load(file, layer_mesh.make_mesh());
-  });
-  call.indexes.put(layer_mesh.arrays(), layer_mesh.gap(), index, &call.document);
+  const auto layer = layer_of(call);
+  const auto index = run_ticking(call.progress, "Reading the geodesic index",
+                                 [&](const Progress&) { return GeodesicIndex::load(file, layer->mesh()); });
+  layer->use(index);
   call.log("Geodesic index: read from " + file.string());
   log_statistics(call, index->statistics());
   return statistics_results(index->statistics());

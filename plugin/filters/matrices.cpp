@@ -8,7 +8,7 @@
 #include <string>
 
 #include "filters/rows.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
@@ -71,8 +71,8 @@ RichParameterList matrix_parameters(const MeshDocument& document) {
 }
 
 Results distance_matrix_of_selection(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const TaskPoints points = task_points(call, layer_mesh, "whose distances are wanted");
+  const auto layer = layer_of(call);
+  const TaskPoints points = task_points(call, *layer, "whose distances are wanted");
   const std::size_t k = points.size();
   // Once here, and once in the array that the host passes on.
   require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
@@ -81,9 +81,9 @@ Results distance_matrix_of_selection(FilterCall& call) {
   const auto file = output_file(call);
   std::optional<NpyFile> output;
   if (!file.empty()) output.emplace(file, k, k);
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
+  TaskOfLayer found = task_of_layer(call, *layer);
   std::vector<double> matrix(k * k);
-  distance_matrix(found.team, points.points, MatrixMethod::automatic, matrix, found.progress);
+  distance_matrix(*found.surface, points.points, MatrixMethod::automatic, matrix, found.options);
   if (output) {
     output->finish(matrix);
     call.log("Distance matrix: written to " + file.string());
@@ -108,12 +108,12 @@ RichParameterList pairs_parameters(const MeshDocument& document) {
 }
 
 Results pairs_of_selection(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", true);
-  const TaskPoints points = task_points(call, layer_mesh, "among which pairs are wanted");
+  const TaskPoints points = task_points(call, *layer, "among which pairs are wanted");
   const auto file = output_file(call);
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const SparseDistances pairs = pairs_within(found.team, points.points, radius, 0, found.progress);
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const SparseDistances pairs = pairs_within(*found.surface, points.points, radius, 0, found.options);
   std::vector<int> first;
   std::vector<int> second;
   std::vector<double> distance;
@@ -177,30 +177,31 @@ namespace {
 
 RichParameterList nearest_parameters(const MeshDocument& document) {
   RichParameterList list;
-  add_source_layer_parameters(list, document, "points");
+  add_source_layer_parameter(list, document, "points");
   list.addParam(RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."));
-  add_task_point_parameters(list, document, "points whose nearest ones are wanted", false);
+  add_task_point_parameters(list, document, "points whose nearest ones are wanted");
   list.addParam(output_file_parameter());
   list.addParam(exact_parameter());
   return list;
 }
 
 Results nearest_points(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const int neighbours = call.parameters.getInt("neighbour_number");
   if (neighbours < 1) {
     refuse(call, "neighbour_number", neighbours, ". Give 1 or more.");
   }
-  const TaskPoints queries = task_points(call, layer_mesh, "whose nearest points are wanted");
+  const TaskPoints queries = task_points(call, *layer, "whose nearest points are wanted");
   const auto file = output_file(call);
   const auto count = static_cast<std::size_t>(neighbours);
   require_memory(64.0 * static_cast<double>(queries.size()) * static_cast<double>(count), 0,
                  "The table of " + std::to_string(count) + " neighbours of " +
                      std::to_string(queries.size()) + " points",
                  "Lower neighbour_number or give fewer points.");
-  const SnappedLayer set = snapped_layer(call, read_mesh(call, layer_mesh), "source_layer", "points");
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const NearestOfSet nearest = nearest_of_set(found.team, set.points, queries.points, count, found.progress);
+  const SnappedLayer set = snapped_layer(call, *layer, "source_layer", "points");
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const NearestOfSet nearest =
+      nearest_of_set(*found.surface, set.points, queries.points, count, found.options);
   std::vector<int> of_query;
   std::vector<double> place;
   std::vector<double> table;

@@ -15,7 +15,7 @@
 #include "filters/rows.h"
 #include "host/host_methods.h"
 #include "host/ticking.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "query/geodesic_query.h"
@@ -58,10 +58,10 @@ Results measure_methods(FilterCall& call) {
   const std::filesystem::path file =
       QFile::encodeName(call.parameters.getSaveFileName("csv_file")).toStdString();
   if (!file.empty()) output_target(file, "The CSV file");
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
   for (MethodRequest& request : requests) {
-    request = with_gap(request, layer_mesh.gap());
+    request = with_gap(request, layer->gap());
     const auto& warning = method_named(request.name).warning;
     if (warning && !warning(*mesh).empty()) call.log(warning(*mesh));
   }
@@ -170,10 +170,9 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-MethodField index_field(FilterCall call, const LayerMesh& layer_mesh, Index source,
-                        const Progress& progress) {
+MethodField index_field(FilterCall call, LayerSurface& layer, Index source, const Progress& progress) {
   call.progress = progress;
-  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  const IndexOfLayer found = index_of(call, layer);
   MethodField field;
   field.build_seconds = found.reused ? 0.0 : found.index->statistics().seconds;
   run_ticking(progress.part(0.9, 1.0), "Geodesic distances", [&](const Progress&) {
@@ -212,13 +211,13 @@ MethodField further_field(const MethodRequest& request, const std::shared_ptr<co
   return field;
 }
 
-MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::shared_ptr<const Mesh>& mesh,
+MethodField field_of(FilterCall& call, LayerSurface& layer, const std::shared_ptr<const Mesh>& mesh,
                      Index source, Compared method, const Progress& progress) {
   const std::string activity = "Geodesic distances: " + method_names()[int(method)].toStdString();
   progress.report(0.0, activity);
   switch (method) {
     case Compared::index:
-      return index_field(call, layer_mesh, source, progress);
+      return index_field(call, layer, source, progress);
     case Compared::exact:
       return run_ticking(progress, activity,
                          [&](const Progress& inner) { return exact_field(mesh, source, inner); });
@@ -233,7 +232,7 @@ MethodField field_of(FilterCall& call, const LayerMesh& layer_mesh, const std::s
   }
   const MethodEntry& entry = method_named(further_methods()[int(method) - own_methods].name);
   if (entry.warning && !entry.warning(*mesh).empty()) call.log(entry.warning(*mesh));
-  const MethodRequest request = with_gap({entry.info.name, {}}, layer_mesh.gap());
+  const MethodRequest request = with_gap({entry.info.name, {}}, layer.gap());
   return run_ticking(progress, activity,
                      [&](const Progress& inner) { return further_field(request, mesh, source, inner); });
 }
@@ -256,11 +255,11 @@ vcg::Color4b diverging_color(double t) {
 /// Dark grey: vertices with nothing to compare.
 vcg::Color4b color_not_compared() { return {90, 90, 90, 255}; }
 
-void write_difference(FilterCall& call, const LayerMesh& layer_mesh, const FieldDifference& difference) {
+void write_difference(FilterCall& call, const LayerSurface& layer, const FieldDifference& difference) {
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   const double range = difference.p99 > 0.0 ? difference.p99 : 1.0;
   for (std::size_t v = 0; v < difference.relative.size(); ++v) {
-    CVertexO& vertex = call.layer.cm.vert[layer_mesh.host_vertex(static_cast<Index>(v))];
+    CVertexO& vertex = call.layer.cm.vert[layer.host_vertex(static_cast<Index>(v))];
     const double error = difference.relative[v];
     vertex.Q() = static_cast<Scalarm>(std::isnan(error) ? 0.0 : error);
     vertex.C() = std::isnan(error) ? color_not_compared() : diverging_color(error / range);
@@ -287,11 +286,11 @@ void log_difference(FilterCall& call, const FieldDifference& d, const std::strin
 Results compare_methods(FilterCall& call) {
   const Compared method = method_of(call, "method");
   const Compared reference = method_of(call, "reference");
-  const LayerMesh layer_mesh(call);
-  const StartVertex start = start_vertex(call, layer_mesh);
-  const auto mesh = read_mesh(call, layer_mesh);
+  const auto layer = layer_of(call);
+  const StartVertex start = start_vertex(call, *layer);
+  const auto mesh = layer->mesh();
   const auto measured = [&](Compared which, const Progress& progress) {
-    MethodField field = field_of(call, layer_mesh, mesh, mesh->representative(start.vertex), which, progress);
+    MethodField field = field_of(call, *layer, mesh, mesh->representative(start.vertex), which, progress);
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       field.distances[v] = field.distances[mesh->representative(v)];
     }
@@ -301,11 +300,11 @@ Results compare_methods(FilterCall& call) {
   const MethodField a = measured(method, call.progress.part(0.5, 1.0));
   const FieldDifference difference = difference_of(a.distances, b.distances);
   call.progress.report(1.0, "Writing quality and colours");
-  write_difference(call, layer_mesh, difference);
+  write_difference(call, *layer, difference);
   const QStringList names = method_names();
   log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a,
                  b);
-  return {{"start_vertex", layer_mesh.host_vertex(start.vertex)},
+  return {{"start_vertex", layer->host_vertex(start.vertex)},
           {"compared_vertices", difference.compared},
           {"vertices_by_one_method_only", difference.one_only},
           {"mean_error", difference.mean},
@@ -331,8 +330,9 @@ FilterRow method_comparison_row() {
           "times are logged.</p>"
           "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
           "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "
-          "limit of distance; the methods after them are VoroGeo's code, with the options that "
-          "docs/methods.md names; <i>Waves across gaps</i> takes <b>Bridge gaps up to</b> as its own gap.</p>"
+          "limit of distance; the methods after them are VoroGeo's code, with the usual "
+          "options, which <i>Table of geodesic methods (VoroGeo)</i> can change; <i>Waves across gaps</i> "
+          "takes <b>Bridge gaps up to</b> as its own gap.</p>"
           "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on "
           "triangular meshes\"</b><br/>WSCG 2002.<br/>"
           "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "

@@ -6,7 +6,7 @@
 #include "filters/rows.h"
 #include "host/edit_host.h"
 #include "host/ticking.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/path_lines.h"
 #include "layers/points.h"
@@ -26,36 +26,36 @@ RichParameterList two_points_parameters(const MeshDocument& document) {
   return list;
 }
 
-std::string name_of(const LayerMesh& layer_mesh, const Mesh& mesh, const SurfacePoint& point) {
+std::string name_of(const LayerSurface& layer, const Mesh& mesh, const SurfacePoint& point) {
   const Index face = given_face_at(mesh, point);
-  return face == no_index ? "Vertex " + std::to_string(layer_mesh.host_vertex(point.vertex))
-                          : "Point in face " + std::to_string(layer_mesh.arrays().input_of_face[face]);
+  return face == no_index ? "Vertex " + std::to_string(layer.host_vertex(point.vertex))
+                          : "Point in face " + std::to_string(layer.arrays().input_of_face[face]);
 }
 
 Results distance_between_points(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
-  const EndPoints ends = end_points(call, layer_mesh, mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const EndPoints ends = end_points(call, *layer);
   const auto& [source, target] = ends;
-  SurfaceOfLayer layer(call, layer_mesh, mesh);
   const AnswerMethod method = method_of(call);
-  Answered answered;
-  const double distance = run_ticking(call.progress, "Geodesic distance", [&](const Progress& inner) {
-    return layer.surface().distance(source.point, target.point, method, answered, inner);
-  });
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
+    return surface.distance(source.point, target.point, method, answered, progress);
+  };
+  auto answer = ask_surface(call, *layer, "Geodesic distance", ask);
+  const double distance = answer.found;
+  if (answer.by == AnswerMethod::exact && mesh->vertex_count() > max_vertices_kept) layer->rest();
   std::ostringstream text;
-  text << name_of(layer_mesh, *mesh, source.point) << " to " << name_of(layer_mesh, *mesh, target.point)
-       << ": ";
+  text << name_of(*layer, *mesh, source.point) << " to " << name_of(*layer, *mesh, target.point) << ": ";
   if (std::isfinite(distance)) {
-    text << "distance " << logged_length(distance) << ", in " << std::setprecision(3) << answered.seconds
+    text << "distance " << logged_length(distance) << ", in " << std::setprecision(3) << answer.seconds
          << " s";
   } else {
     text << "no path, they lie in different components";
   }
   call.log(text.str());
-  Results results = {{"distance", distance}, {"seconds", answered.seconds}};
+  Results results = {{"distance", distance}, {"seconds", answer.seconds}};
   results.merge(about_end_points(ends));
-  results.merge(layer.finish(answered));
+  results.merge(answer.about);
   return results;
 }
 
@@ -93,18 +93,19 @@ RichParameterList path_parameters(const MeshDocument& document) {
 }
 
 Results draw_path(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const auto mesh = read_mesh(call, layer_mesh);
-  const EndPoints ends = end_points(call, layer_mesh, mesh);
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const EndPoints ends = end_points(call, *layer);
   const auto& [source, target] = ends;
-  SurfaceOfLayer layer(call, layer_mesh, mesh);
   const bool exact = call.parameters.getBool("exact");
   const bool certify = call.parameters.getBool("certify");
   const AnswerMethod method = method_of(call);
-  Answered answered;
-  const ExactPath result = run_ticking(call.progress, "Shortest path", [&](const Progress& inner) {
-    return layer.surface().path(source.point, target.point, method, exact, answered, inner, certify);
-  });
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
+    return surface.path(source.point, target.point, method, {exact, certify}, answered, progress);
+  };
+  auto answer = ask_surface(call, *layer, "Shortest path", ask);
+  const ExactPath& result = answer.found;
+  if (answer.by == AnswerMethod::exact && mesh->vertex_count() > max_vertices_kept) layer->rest();
   call.progress.report(1.0, "Shortest path");
   const PathLines polyline = lines_of(*mesh, result.path);
   const std::vector<bool> over_gap = steps_over_gaps(*mesh, result.path.points);
@@ -134,9 +135,9 @@ Results draw_path(FilterCall& call) {
                      {"points", static_cast<int>(polyline.lines.points.size())},
                      {"steps_over_gaps", static_cast<int>(marked.size())},
                      {"gap_length", gap_length},
-                     {"seconds", answered.seconds}};
+                     {"seconds", answer.seconds}};
   results.merge(about_end_points(ends));
-  results.merge(layer.finish(answered));
+  results.merge(answer.about);
   return results;
 }
 

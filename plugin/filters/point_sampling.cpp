@@ -3,7 +3,7 @@
 
 #include "filters/rows.h"
 #include "host/edit_host.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
@@ -15,11 +15,10 @@ namespace {
 
 RichParameterList farthest_parameters(const MeshDocument& document) {
   RichParameterList list;
-  list.addParam(
-      RichInt("sample_number", 100, "Samples", "Number of samples; 0: as many as the radius needs."));
-  list.addParam(
-      length_parameter(document, "radius", 0.0, "Covering radius",
-                       "Stop as soon as every vertex is at most this far from a sample. 0: no such limit."));
+  list.addParam(RichInt("sample_number", 100, "Samples (0: no limit)",
+                        "Number of samples; 0: as many as the radius needs."));
+  list.addParam(length_parameter(document, "radius", 0.0, "Covering radius (0: no limit)",
+                                 "Stop as soon as every vertex is at most this far from a sample."));
   list.addParam(
       RichBool("from_selection", false, "Begin with the selection",
                "Begin with the selected vertices, or the points given below; otherwise with a random one."));
@@ -30,7 +29,7 @@ RichParameterList farthest_parameters(const MeshDocument& document) {
 }
 
 Results farthest_sampling(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const FarthestStop stop{call.parameters.getInt("sample_number"), length_of(call, "radius", true)};
   if (stop.count < 0 || (stop.count == 0 && stop.radius == 0.0)) {
     refuse(call, "sample_number", stop.count,
@@ -39,15 +38,15 @@ Results farthest_sampling(FilterCall& call) {
   const std::uint64_t seed = seed_of(call);
   TaskPoints start;
   if (call.parameters.getBool("from_selection")) {
-    start = task_points(call, layer_mesh, "that the sampling shall begin with");
+    start = task_points(call, *layer, "that the sampling shall begin with");
   }
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const FarthestSamples samples = sample_farthest(found.team, stop, start.points, seed, found.progress);
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const FarthestSamples samples = sample_farthest(*found.surface, stop, start.points, seed, found.options);
   Results results = std::move(found.about_index);
   results["samples"] = static_cast<int>(samples.points.size());
   results["covering_radius"] = samples.covering_radius;
   results["vertices"] =
-      add_surface_point_layer(call, "Farthest point samples", layer_mesh, found.team.mesh(), samples.points);
+      add_surface_point_layer(call, "Farthest point samples", *layer, found.mesh(), samples.points);
   results["snap_distance"] = start.snap_distance;
   call.log(std::to_string(samples.points.size()) + " samples; every vertex is within " +
            logged_length(samples.covering_radius) + " of one");
@@ -64,15 +63,15 @@ RichParameterList poisson_parameters(const MeshDocument& document) {
 }
 
 Results poisson_disk_sampling(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", false);
   const std::uint64_t seed = seed_of(call);
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const auto samples = sample_poisson_disk(found.team, radius, seed, found.progress);
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const auto samples = sample_poisson_disk(*found.surface, radius, seed, found.options);
   Results results = std::move(found.about_index);
   results["samples"] = static_cast<int>(samples.size());
-  results["vertices"] = add_surface_point_layer(call, "Poisson-disk samples", layer_mesh, found.team.mesh(),
-                                                PointList(samples));
+  results["vertices"] =
+      add_surface_point_layer(call, "Poisson-disk samples", *layer, found.mesh(), PointList(samples));
   call.log(std::to_string(samples.size()) + " samples, at least " + logged_length(radius) + " apart");
   return results;
 }
@@ -88,16 +87,15 @@ RichParameterList lloyd_parameters(const MeshDocument& document) {
 Results lloyd_relaxation(FilterCall& call) {
   const int rounds = call.parameters.getInt("rounds");
   if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
-  const LayerMesh layer_mesh(call);
-  const TaskPoints points = task_points(call, layer_mesh, "that shall be relaxed");
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const RelaxedPoints relaxed = relax_points(found.team, points.points, rounds, found.progress);
+  const auto layer = layer_of(call);
+  const TaskPoints points = task_points(call, *layer, "that shall be relaxed");
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const RelaxedPoints relaxed = relax_points(*found.surface, points.points, rounds, found.options);
   Results results = std::move(found.about_index);
   results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
   results["energy_before"] = relaxed.energy.front();
   results["energy_after"] = relaxed.energy.back();
-  results["vertices"] =
-      add_surface_point_layer(call, "Relaxed points", layer_mesh, found.team.mesh(), relaxed.points);
+  results["vertices"] = add_surface_point_layer(call, "Relaxed points", *layer, found.mesh(), relaxed.points);
   results["snap_distance"] = points.snap_distance;
   call.log("Lloyd relaxation: the energy went from " + std::to_string(relaxed.energy.front()) + " to " +
            std::to_string(relaxed.energy.back()) + " in " + std::to_string(relaxed.energy.size() - 1) +

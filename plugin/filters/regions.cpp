@@ -6,7 +6,7 @@
 
 #include "filters/rows.h"
 #include "host/edit_host.h"
-#include "layers/layer_surface.h"
+#include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
@@ -44,11 +44,11 @@ PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::
 }
 
 Results color_voronoi_regions(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
-  const TaskPoints points = task_points(call, layer_mesh, "whose regions are wanted");
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const Mesh& mesh = found.team.mesh();
-  const VoronoiRegions regions = voronoi_regions(found.team, points.points, found.progress);
+  const auto layer = layer_of(call);
+  const TaskPoints points = task_points(call, *layer, "whose regions are wanted");
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const Mesh& mesh = found.mesh();
+  const VoronoiRegions regions = voronoi_regions(*found.surface, points.points, found.options);
   const PatchColoring coloring = coloring_of(mesh, regions, points.size());
   if (call.parameters.getBool("borders")) {
     add_polyline_layer(call.document, call.layer, "Voronoi borders", regions.borders, {}, false);
@@ -56,14 +56,14 @@ Results color_voronoi_regions(FilterCall& call) {
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR);
   int unreached = 0;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
-    call.layer.cm.vert[layer_mesh.host_vertex(v)].Q() = static_cast<Scalarm>(regions.vertex_region[v]);
+    call.layer.cm.vert[layer->host_vertex(v)].Q() = static_cast<Scalarm>(regions.vertex_region[v]);
     unreached += regions.vertex_region[v] == no_index;
   }
-  for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
+  for (int face : layer->arrays().input_of_face) call.layer.cm.face[face].C() = grey();
   for (Index f : central_parts(mesh)) {
     if (regions.face_region[f] == no_index) continue;
     const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
-    call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
+    call.layer.cm.face[layer->host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
   }
   call.log("Voronoi regions of " + std::to_string(points.size()) + " " + points.what +
            "; their borders are " + logged_length(regions.borders.length()) + " long");
@@ -117,24 +117,24 @@ RichParameterList patch_colors_parameters(const MeshDocument&) {
 vcg::Color4b color_without_patch() { return {160, 160, 160, 255}; }
 
 Results color_patches(FilterCall& call) {
-  const int layer = call.parameters.getInt("layer");
-  if (layer != 1 && layer != 2) {
-    refuse(call, "layer", layer, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
+  const int number = call.parameters.getInt("layer");
+  if (number != 1 && number != 2) {
+    refuse(call, "layer", number, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
   }
-  const LayerMesh layer_mesh(call);
-  const IndexOfLayer found = index_of_layer(call, layer_mesh);
+  const auto layer = layer_of(call);
+  const IndexOfLayer found = index_of(call, *layer);
   const Mesh& mesh = *found.index->mesh();
-  const auto patches = found.index->face_patches(layer);
+  const auto patches = found.index->face_patches(number);
   const PatchColoring coloring = color_neighbors_differently(mesh, patches);
   call.progress.report(1.0, "Writing colours");
 
   call.layer.updateDataMask(MeshModel::MM_FACECOLOR);
-  for (int face : layer_mesh.arrays().input_of_face) call.layer.cm.face[face].C() = color_without_patch();
+  for (int face : layer->arrays().input_of_face) call.layer.cm.face[face].C() = color_without_patch();
   for (Index f : central_parts(mesh)) {
     const Rgb& color = coloring.palette[coloring.color_of_patch[patches[f]]];
-    call.layer.cm.face[layer_mesh.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
+    call.layer.cm.face[layer->host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
   }
-  call.log("Patches of layer " + std::to_string(layer) + ": " +
+  call.log("Patches of layer " + std::to_string(number) + ": " +
            std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
            " colours");
   Results results = {{"patches", static_cast<int>(coloring.color_of_patch.size())},
@@ -196,17 +196,17 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
 }
 
 Results draw_isolines(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput("The vertices have no quality. Compute a distance first.");
   }
   const bool is_distance = call.parameters.getBool("is_distance");
-  const auto mesh = read_mesh(call, layer_mesh);
+  const auto mesh = layer->mesh();
   std::vector<double> field(static_cast<std::size_t>(mesh->given_vertex_count()));
   double low = unreachable;
   double high = -unreachable;
   for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
-    const double quality = call.layer.cm.vert[layer_mesh.host_vertex(v)].cQ();
+    const double quality = call.layer.cm.vert[layer->host_vertex(v)].cQ();
     field[v] = is_distance && quality < 0.0 ? unreachable : quality;
     if (!std::isfinite(field[v])) continue;
     low = std::min(low, field[v]);
@@ -268,26 +268,26 @@ RichParameterList disk_parameters(const MeshDocument& document) {
 }
 
 Results select_disk(FilterCall& call) {
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", true);
   const int number = call.parameters.getInt("vertex_index");
   TaskPoints sources;
   if (number != -1) {
-    sources.points = std::vector<Index>{vertex_of(call, layer_mesh, "vertex_index")};
+    sources.points = std::vector<Index>{vertex_of(call, *layer, "vertex_index")};
   } else {
-    sources = task_points(call, layer_mesh, "around which the disk shall lie");
+    sources = task_points(call, *layer, "around which the disk shall lie");
   }
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  const GeodesicDisk disk = geodesic_disk(found.team, sources.points, radius);
-  found.progress.report(1.0, "Selecting");
+  TaskOfLayer found = task_of_layer(call, *layer);
+  const GeodesicDisk disk = geodesic_disk(*found.surface, sources.points, radius, found.options);
+  found.options.progress.report(1.0, "Selecting");
   for (CVertexO& vertex : call.layer.cm.vert) {
     if (!vertex.IsD()) vertex.ClearS();
   }
   for (CFaceO& face : call.layer.cm.face) {
     if (!face.IsD()) face.ClearS();
   }
-  for (Index v : disk.vertices) call.layer.cm.vert[layer_mesh.host_vertex(v)].SetS();
-  for (Index f : disk.faces) call.layer.cm.face[layer_mesh.host_face(found.team.mesh(), f)].SetS();
+  for (Index v : disk.vertices) call.layer.cm.vert[layer->host_vertex(v)].SetS();
+  for (Index f : disk.faces) call.layer.cm.face[layer->host_face(found.mesh(), f)].SetS();
   call.log("Selected " + std::to_string(disk.vertices.size()) + " vertices and " +
            std::to_string(disk.faces.size()) + " faces");
   Results results = std::move(found.about_index);
@@ -309,25 +309,25 @@ RichParameterList extent_parameters(const MeshDocument&) {
 Results measure_extent(FilterCall& call) {
   const int fields = call.parameters.getInt("fields");
   if (fields < 2) refuse(call, "fields", fields, ". Give 2 or more.");
-  const LayerMesh layer_mesh(call);
+  const auto layer = layer_of(call);
   const int number = call.parameters.getInt("vertex_index");
-  Index start = number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
-  TeamOfLayer found = team_of_layer(call, layer_mesh);
-  if (start == no_index) start = largest_component(found.team.mesh()).first_vertex;
-  const Extent extent = extent_of_component(found.team, start, fields, found.progress);
+  Index start = number == -1 ? no_index : vertex_of(call, *layer, "vertex_index");
+  TaskOfLayer found = task_of_layer(call, *layer);
+  if (start == no_index) start = largest_component(found.mesh()).first_vertex;
+  const Extent extent = extent_of_component(*found.surface, start, fields, found.options);
   Results results = std::move(found.about_index);
   results["diameter_lower"] = extent.diameter.lower;
   results["diameter_upper"] = extent.diameter.upper;
-  results["diameter_start"] = layer_mesh.host_vertex(extent.ends[0]);
-  results["diameter_end"] = layer_mesh.host_vertex(extent.ends[1]);
+  results["diameter_start"] = layer->host_vertex(extent.ends[0]);
+  results["diameter_end"] = layer->host_vertex(extent.ends[1]);
   results["radius_lower"] = extent.radius.lower;
   results["radius_upper"] = extent.radius.upper;
-  results["centre"] = layer_mesh.host_vertex(extent.centre);
+  results["centre"] = layer->host_vertex(extent.centre);
   results["fields"] = extent.fields;
   call.log("Geodesic diameter between " + logged_length(extent.diameter.lower) + " and " +
            logged_length(extent.diameter.upper) + ", radius between " + logged_length(extent.radius.lower) +
            " and " + logged_length(extent.radius.upper) + " around vertex " +
-           std::to_string(layer_mesh.host_vertex(extent.centre)));
+           std::to_string(layer->host_vertex(extent.centre)));
   return results;
 }
 

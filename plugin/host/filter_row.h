@@ -12,7 +12,7 @@
 
 namespace vorogeo::plugin {
 
-class IndexCache;
+class LayerCache;
 
 /// Named values that a filter returns. Only int, double, bool and Eigen::VectorXd are used, as these reach
 /// Python in every version.
@@ -23,7 +23,7 @@ struct FilterCall {
   MeshDocument& document;  ///< for filters that add a layer
   MeshModel& layer;
   const RichParameterList& parameters;
-  IndexCache& indexes;
+  LayerCache& layers;
   Progress progress;
   std::function<void(const std::string&)> log;
 };

@@ -1,85 +1,94 @@
-// What answers for a layer: its index or its surface, kept between calls, and the team of a task.
+// A layer that was read: its arrays, how it is measured, and the surface that answers questions on it.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "host/filter_row.h"
-#include "index/geodesic_index.h"
-#include "layers/layer_mesh.h"
+#include "mesh/gaps.h"
+#include "mesh/metric.h"
+#include "mesh/surface_locator.h"
+#include "mesh/vcg_adapter.h"
 #include "query/surface.h"
-#include "tasks/field_team.h"
 
 namespace vorogeo::plugin {
 
-// ---- The mesh and the index of a layer; the index is taken from the cache if there is one, or built
+/// What a path costs; the values of the parameter metric.
+enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality };
 
-/// An index and how it was obtained.
-struct IndexOfLayer {
-  std::shared_ptr<const GeodesicIndex> index;
-  bool reused = false;
+/// What decides, besides a layer's mesh, which distances it has.
+struct LayerMeasure {
+  LayerMetric metric = LayerMetric::length;
+  double weight = 0.0;  ///< slope_penalty or curvature_weight; 0 in other metrics
+  std::vector<double>
+      cost;  ///< by quality: of each vertex or face that is not deleted; empty in other metrics
+  GapLimit gap;
+
+  friend bool operator==(const LayerMeasure&, const LayerMeasure&) = default;
 };
 
-/// What an index holds, as one line of the log and as values to return.
-void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
-Results statistics_results(const IndexStatistics& statistics);
-
-/// What a filter returns about the index that it used: index_reused and index_seconds.
-Results about_index(const IndexOfLayer& found);
-
-/// The mesh of the layer: that of the cached index, or a new one, made while the window stays responsive.
-std::shared_ptr<const Mesh> read_mesh(const FilterCall& call, const LayerMesh& layer_mesh);
-
-/// Logs what a user should know about the mesh before trusting distances on it.
-void log_warnings(FilterCall& call, const LayerMesh& layer_mesh);
-
-/// Builds an index, logs what it holds and anything odd about the mesh. Does not put it into the cache.
-/// `file`: where it is built, or goes on if it was stopped there (GeodesicIndex::build_in_file); empty: in
-/// memory.
-std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, const LayerMesh& layer_mesh,
-                                                 const IndexOptions& options, const Progress& progress,
-                                                 const std::filesystem::path& file = {});
-
-/// The cached index of this mesh, whatever its options; if there is none, one with default options, which is
-/// then cached. Building takes the first nine tenths of the progress.
-IndexOfLayer index_of_layer(FilterCall& call, const LayerMesh& layer_mesh);
-
-// ---- The parameter method of the distance filters, and what answers for a layer by it
-
-/// The parameter method, the same in all filters that have it, and its value.
-RichEnum method_parameter();
-AnswerMethod method_of(const FilterCall& call);
-
-/// The mesh of the layer with its index, if it has one, and with what exact answers on it have taken in
-/// earlier calls; both are kept for later ones.
-class SurfaceOfLayer {
+/// A layer of the host as it was when it was read. A core vertex is a vertex that is not deleted. Nothing of
+/// it changes but what is made when it is first asked for; may be used by several threads.
+class LayerSurface {
  public:
-  /// `mesh`: made from the layer before, or null. Logs what a user should know about the mesh, unless it has
-  /// an index.
-  SurfaceOfLayer(FilterCall& call, const LayerMesh& layer_mesh, std::shared_ptr<const Mesh> mesh = nullptr);
+  /// `arrays`: with the sides that the metric gives the faces. `remarks`: what reading the metric has to say.
+  explicit LayerSurface(VcgMeshArrays arrays, LayerMeasure measure = {},
+                        std::vector<std::string> remarks = {});
 
-  Surface& surface() { return *surface_; }
-  const std::shared_ptr<const Mesh>& mesh() const { return surface_->mesh(); }
-  /// Keeps what the answer left behind, logs what answered, and returns it: answered_by, the number of its
-  /// choice in the parameter; from the index also index_reused and index_seconds.
-  Results finish(const Answered& answered);
+  const VcgMeshArrays& arrays() const { return arrays_; }
+  const LayerMeasure& measure() const { return measure_; }
+  const GapLimit& gap() const { return measure_.gap; }
+  const std::vector<std::string>& remarks() const { return remarks_; }
+  /// Whether reading this layer, to be measured like this, would give the same again.
+  template <class VcgMesh>
+  bool is_of(const VcgMesh& layer, const LayerMeasure& measure) const {
+    return measure == measure_ && are_arrays_of(layer, arrays_);
+  }
+
+  /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message names
+  /// `parameter`, which gave the number.
+  Index core_vertex(int host_vertex, const std::string& parameter) const;
+  /// -1 for a vertex that the host does not have (Mesh::given_vertex_count).
+  int host_vertex(Index vertex) const {
+    const auto number = static_cast<std::size_t>(vertex);
+    return number < arrays_.input_of_vertex.size() ? arrays_.input_of_vertex[number] : -1;
+  }
+  /// The host's number of a face of mesh(). \pre It is not a bridge over a gap.
+  int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
+
+  // Made when first asked for, which takes a while. \throw InvalidInput for a mesh that cannot be used.
+  std::shared_ptr<Surface> surface();
+  std::shared_ptr<const Mesh> mesh() { return surface()->mesh(); }
+  std::shared_ptr<const SurfaceLocator> locator();
+  /// What a user should know about the mesh before trusting distances on it, one sentence each.
+  const std::vector<std::string>& warnings();
+
+  // Without a wait:
+  bool has_surface() const { return known_surface() != nullptr; }
+  /// Null as long as there is none.
+  std::shared_ptr<const GeodesicIndex> index() const;
+  /// An index of mesh() that was built or loaded elsewhere: from now on answers come from it.
+  void use(std::shared_ptr<const GeodesicIndex> index);
+  /// Frees what solvers hold between two questions; the mesh, the index and what exact answers have taken
+  /// stay.
+  void rest();
+  /// Of the arrays, the mesh and the index.
+  std::int64_t memory_bytes() const;
 
  private:
-  FilterCall& call_;
-  const LayerMesh& layer_mesh_;
-  bool had_index_ = false;
-  std::unique_ptr<Surface> surface_;
+  std::shared_ptr<Surface> known_surface() const;
+
+  const VcgMeshArrays arrays_;
+  const LayerMeasure measure_;
+  const std::vector<std::string> remarks_;
+  std::mutex making_;         ///< held while something is made
+  mutable std::mutex mutex_;  ///< of the pointers, held for moments
+  std::shared_ptr<Surface> surface_;
+  std::shared_ptr<const SurfaceLocator> locator_;     ///< by making_
+  std::optional<std::vector<std::string>> warnings_;  ///< likewise; written once
 };
-
-// ---- The source of fields for tasks that need many: the index of the layer, or exact propagation
-
-struct TeamOfLayer {
-  FieldTeam team;
-  Progress progress;  ///< what is left of the call's progress after building an index
-  Results about_index;
-};
-
-/// Reads the parameter exact.
-TeamOfLayer team_of_layer(FilterCall& call, const LayerMesh& layer_mesh);
 
 }  // namespace vorogeo::plugin

@@ -7,19 +7,20 @@ namespace vorogeo::plugin {
 
 std::string named(const FilterCall& call, const char* parameter) {
   // A list that was read from a filter script has names only.
-  const std::string label = call.parameters.getParameterByName(parameter).fieldDescription().toStdString();
+  const std::string label =
+      call.parameters.getParameterByName(parameter).fieldDescription().section(" (0:", 0, 0).toStdString();
   return label.empty() ? parameter : "\"" + label + "\" (" + parameter + ")";
 }
 
 RichLength length_parameter(const MeshDocument& document, const char* name, double share_of_diagonal,
-                            const char* label, const char* tooltip) {
+                            const char* label, const char* tooltip, bool advanced) {
   const Scalarm diagonal = document.mm()->cm.bbox.Diag();  // infinite if a coordinate is
   const Scalarm length = share_of_diagonal > 0.0 ? static_cast<Scalarm>(share_of_diagonal) * diagonal : 0;
-  return RichLength(name, length, 0, diagonal, label, tooltip);
+  return RichLength(name, length, 0, diagonal, label, tooltip, advanced);
 }
 
 RichLength max_snap_distance_parameter(const MeshDocument& document) {
-  return length_parameter(document, "max_snap_distance", 0.0, "Max snap distance",
+  return length_parameter(document, "max_snap_distance", 0.0, "Max snap distance (0: no limit)",
                           "How far a point may be from the surface; 0: any distance.");
 }
 
@@ -44,8 +45,8 @@ std::uint64_t seed_of(const FilterCall& call) {
   return static_cast<std::uint64_t>(seed);
 }
 
-Index vertex_of(const FilterCall& call, const LayerMesh& layer_mesh, const char* parameter) {
-  return layer_mesh.core_vertex(call.parameters.getInt(parameter), named(call, parameter));
+Index vertex_of(const FilterCall& call, const LayerSurface& layer, const char* parameter) {
+  return layer.core_vertex(call.parameters.getInt(parameter), named(call, parameter));
 }
 
 Point point_of(const FilterCall& call, const char* parameter) {

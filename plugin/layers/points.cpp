@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "host/edit_host.h"
-#include "layers/layer_surface.h"
 #include "layers/parameters.h"
 #include "mesh/given_points.h"
 #include "mesh/surface_locator.h"
@@ -19,10 +18,11 @@ namespace vorogeo::plugin {
 
 // ---- Reads the selection of a layer
 
-std::vector<Index> selected_vertices(const CMeshO& layer, const LayerMesh& layer_mesh, const char* purpose) {
+std::vector<Index> selected_vertices(const CMeshO& host_layer, const LayerSurface& layer,
+                                     const char* purpose) {
   std::vector<Index> selected;
-  for (std::size_t v = 0; v < layer_mesh.arrays().input_of_vertex.size(); ++v) {
-    if (layer.vert[layer_mesh.host_vertex(static_cast<Index>(v))].IsS())
+  for (std::size_t v = 0; v < layer.arrays().input_of_vertex.size(); ++v) {
+    if (host_layer.vert[layer.host_vertex(static_cast<Index>(v))].IsS())
       selected.push_back(static_cast<Index>(v));
   }
   if (selected.empty()) {
@@ -53,9 +53,9 @@ StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
 }
 
 /// The vertex that is named by number; no_index if the start point is used.
-Index named_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
+Index named_vertex(const FilterCall& call, const LayerSurface& layer) {
   const int number = call.parameters.getInt("vertex_index");
-  return number == -1 ? no_index : vertex_of(call, layer_mesh, "vertex_index");
+  return number == -1 ? no_index : vertex_of(call, layer, "vertex_index");
 }
 
 double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
@@ -88,34 +88,34 @@ void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& do
               "Number of the vertex where distances start, counted from 0; -1: the start point is used."));
 }
 
-StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
-                       const std::shared_ptr<const Mesh>& mesh) {
+StartPoint start_point(const FilterCall& call, LayerSurface& layer) {
+  const auto mesh = layer.mesh();
   std::ostringstream text;
   StartPoint start;
-  const Index vertex = named_vertex(call, layer_mesh);
+  const Index vertex = named_vertex(call, layer);
   if (vertex != no_index) {
     start.point = SurfacePoint::at_vertex(vertex);
   } else {
-    const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, "start_point"));
+    const SnappedPoint found = layer.locator()->nearest(point_of(call, "start_point"));
     start = {at_corner(*mesh, found.point), found.distance};
   }
   if (const Index face = given_face_at(*mesh, start.point); face == no_index) {
-    text << "Start: vertex " << layer_mesh.host_vertex(start.point.vertex);
+    text << "Start: vertex " << layer.host_vertex(start.point.vertex);
   } else {
-    text << "Start: a point in face " << layer_mesh.arrays().input_of_face[face];
+    text << "Start: a point in face " << layer.arrays().input_of_face[face];
   }
   if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
   call.log(text.str());
   return start;
 }
 
-StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
-  const Index vertex = named_vertex(call, layer_mesh);
+StartVertex start_vertex(const FilterCall& call, const LayerSurface& layer) {
+  const Index vertex = named_vertex(call, layer);
   const StartVertex start = vertex != no_index
                                 ? StartVertex{vertex, 0.0}
-                                : nearest_vertex(layer_mesh.arrays(), point_of(call, "start_point"));
+                                : nearest_vertex(layer.arrays(), point_of(call, "start_point"));
   std::ostringstream text;
-  text << "Start: vertex " << layer_mesh.host_vertex(start.vertex);
+  text << "Start: vertex " << layer.host_vertex(start.vertex);
   if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
   call.log(text.str());
   return start;
@@ -126,11 +126,10 @@ StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh) {
 namespace {
 
 /// A vertex by its number, else the surface point nearest to a position.
-SnappedPoint end_of(const FilterCall& call, const LayerMesh& layer_mesh,
-                    const std::shared_ptr<const Mesh>& mesh, const char* vertex, const char* point) {
+SnappedPoint end_of(const FilterCall& call, LayerSurface& layer, const char* vertex, const char* point) {
   const int number = call.parameters.getInt(vertex);
-  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer_mesh, vertex)), 0.0};
-  const SnappedPoint found = SurfaceLocator(mesh).nearest(point_of(call, point));
+  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer, vertex)), 0.0};
+  const SnappedPoint found = layer.locator()->nearest(point_of(call, point));
   const double max_distance = length_of(call, "max_snap_distance", true);
   if (max_distance > 0.0 && found.distance > max_distance) {
     std::ostringstream text;
@@ -160,16 +159,14 @@ void add_end_point_parameters(RichParameterList& list, const MeshDocument& docum
                            "vertex, or of a face with three weights, such as 17; 203 0.2 0.3 0.5."));
 }
 
-EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
-                     const std::shared_ptr<const Mesh>& mesh) {
-  const auto written = parse_surface_points(call, layer_mesh, *mesh, "surface_points");
+EndPoints end_points(const FilterCall& call, LayerSurface& layer) {
+  const auto written = parse_surface_points(call, layer, "surface_points");
   if (written.size() == 2) return {{written[0], 0.0}, {written[1], 0.0}};
   if (!written.empty()) {
     throw InvalidInput(named(call, "surface_points") + " holds " + std::to_string(written.size()) +
                        " points. Give two, the source and the target, separated by a semicolon.");
   }
-  return {end_of(call, layer_mesh, mesh, "source", "source_point"),
-          end_of(call, layer_mesh, mesh, "target", "target_point")};
+  return {end_of(call, layer, "source", "source_point"), end_of(call, layer, "target", "target_point")};
 }
 
 Results about_end_points(const EndPoints& ends) {
@@ -189,9 +186,9 @@ QString help_on_end_points() {
 namespace {
 
 /// The point in a face of the host. \throw InvalidInput if there is none; `entry` begins the message.
-SurfacePoint point_in_face(const LayerMesh& layer_mesh, const Mesh& mesh, int host_face,
+SurfacePoint point_in_face(const LayerSurface& layer, const Mesh& mesh, int host_face,
                            const std::array<double, 3>& weights, const std::string& entry) {
-  const auto& numbers = layer_mesh.arrays().input_of_face;  // ascending
+  const auto& numbers = layer.arrays().input_of_face;  // ascending
   const auto found = std::ranges::lower_bound(numbers, host_face);
   const bool exists = found != numbers.end() && *found == host_face;
   const Index first = exists ? first_part(mesh, static_cast<Index>(found - numbers.begin())) : no_index;
@@ -202,7 +199,7 @@ SurfacePoint point_in_face(const LayerMesh& layer_mesh, const Mesh& mesh, int ho
 }
 
 /// One entry of the text. \throw InvalidInput.
-SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QString& text,
+SurfacePoint parse_point(const LayerSurface& layer, const Mesh& mesh, const QString& text,
                          const std::string& entry) {
   const QStringList words = text.split(' ', Qt::SkipEmptyParts);
   bool is_number = false;
@@ -216,9 +213,9 @@ SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QS
                        " is not a surface point. Give the number of a vertex, or the number of a face and "
                        "three weights, such as 17; 203 0.2 0.3 0.5.");
   }
-  if (words.size() == 1) return SurfacePoint::at_vertex(layer_mesh.core_vertex(number, entry));
+  if (words.size() == 1) return SurfacePoint::at_vertex(layer.core_vertex(number, entry));
   try {
-    return point_in_face(layer_mesh, mesh, number, weights, entry);
+    return point_in_face(layer, mesh, number, weights, entry);
   } catch (const InvalidInput& error) {
     throw InvalidInput(entry + ": " + error.what());
   }
@@ -226,8 +223,9 @@ SurfacePoint parse_point(const LayerMesh& layer_mesh, const Mesh& mesh, const QS
 
 }  // namespace
 
-std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, const LayerMesh& layer_mesh,
-                                               const Mesh& mesh, const char* parameter) {
+std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, LayerSurface& layer,
+                                               const char* parameter) {
+  const auto mesh = layer.mesh();
   std::vector<SurfacePoint> points;
   QString text = call.parameters.getString(parameter);
   const QStringList entries =
@@ -237,13 +235,12 @@ std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, const Lay
     std::ostringstream name;
     name << '"' << entry.trimmed().toStdString() << "\", point " << points.size() << " of "
          << named(call, parameter) << ',';
-    points.push_back(parse_point(layer_mesh, mesh, entry, name.str()));
+    points.push_back(parse_point(layer, *mesh, entry, name.str()));
   }
   return points;
 }
 
-void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what,
-                               bool with_snap_distance) {
+void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what) {
   list.addParam(RichMesh("point_layer", static_cast<unsigned int>(document.mm()->id()), &document,
                          "Point layer",
                          QString("The layer with the %1: all its vertices, moved to the surface. The current "
@@ -252,14 +249,13 @@ void add_task_point_parameters(RichParameterList& list, const MeshDocument& docu
   list.addParam(RichString("surface_points", "", "Surface points",
                            "Used instead if not empty: numbers of vertices, or of a face with three weights, "
                            "separated by semicolons, such as 17; 203 0.2 0.3 0.5."));
-  if (with_snap_distance) list.addParam(max_snap_distance_parameter(document));
+  list.addParam(max_snap_distance_parameter(document));
 }
 
-TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, const char* purpose) {
+TaskPoints task_points(const FilterCall& call, LayerSurface& layer, const char* purpose) {
   TaskPoints result;
   if (!call.parameters.getString("surface_points").trimmed().isEmpty()) {
-    const auto mesh = read_mesh(call, layer_mesh);
-    const auto points = parse_surface_points(call, layer_mesh, *mesh, "surface_points");
+    const auto points = parse_surface_points(call, layer, "surface_points");
     for (std::size_t i = 0; i < points.size(); ++i) result.numbers.push_back(static_cast<int>(i));
     result.points = points;
     result.what = "surface points";
@@ -268,16 +264,16 @@ TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, cons
   }
   const auto id = static_cast<int>(call.parameters.getMeshId("point_layer"));
   if (id == static_cast<int>(call.layer.id())) {
-    const auto vertices = selected_vertices(call.layer.cm, layer_mesh, purpose);
-    for (Index v : vertices) result.numbers.push_back(layer_mesh.host_vertex(v));
+    const auto vertices = selected_vertices(call.layer.cm, layer, purpose);
+    for (Index v : vertices) result.numbers.push_back(layer.host_vertex(v));
     result.points = vertices;
     result.what = "selected vertices";
     return result;
   }
-  SnappedLayer layer = snapped_layer(call, read_mesh(call, layer_mesh), "point_layer", "points");
-  result.points = layer.points;
-  result.numbers = std::move(layer.numbers);
-  result.snap_distance = layer.snap_distance;
+  SnappedLayer snapped = snapped_layer(call, layer, "point_layer", "points");
+  result.points = snapped.points;
+  result.numbers = std::move(snapped.numbers);
+  result.snap_distance = snapped.snap_distance;
   result.what = "points of layer " + std::to_string(id);
   return result;
 }
@@ -296,10 +292,9 @@ unsigned int some_other_layer(const MeshDocument& document) {
 
 }  // namespace
 
-void add_source_layer_parameters(RichParameterList& list, const MeshDocument& document, const char* what) {
+void add_source_layer_parameter(RichParameterList& list, const MeshDocument& document, const char* what) {
   list.addParam(RichMesh("source_layer", some_other_layer(document), &document, "Source layer",
                          QString("The layer with the %1.").arg(what)));
-  list.addParam(max_snap_distance_parameter(document));
 }
 
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what) {
@@ -317,14 +312,14 @@ Point position_of(const CVertexO& vertex) {
   return {double(vertex.cP()[0]), double(vertex.cP()[1]), double(vertex.cP()[2])};
 }
 
-PointSnapper::PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter)
-    : locator_(std::move(mesh)),
+PointSnapper::PointSnapper(const FilterCall& call, LayerSurface& layer, const char* parameter)
+    : locator_(layer.locator()),
       call_(call),
       parameter_(parameter),
       max_distance_(length_of(call, "max_snap_distance", true)) {}
 
 SurfacePoint PointSnapper::snap(const Point& at, std::size_t number) {
-  const SnappedPoint found = locator_.nearest(at);
+  const SnappedPoint found = locator_->nearest(at);
   if (max_distance_ > 0.0 && found.distance > max_distance_) {
     std::ostringstream text;
     text << "Vertex " << number << " of layer " << call_.parameters.getMeshId(parameter_) << " is "
@@ -336,10 +331,10 @@ SurfacePoint PointSnapper::snap(const Point& at, std::size_t number) {
   return found.point;
 }
 
-SnappedLayer snapped_layer(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter,
+SnappedLayer snapped_layer(const FilterCall& call, LayerSurface& surface, const char* parameter,
                            const char* what) {
   const CMeshO& layer = other_layer(call, parameter, what).cm;
-  PointSnapper snapper(call, std::move(mesh), parameter);
+  PointSnapper snapper(call, surface, parameter);
   SnappedLayer result;
   for (std::size_t v = 0; v < layer.vert.size(); ++v) {
     if (layer.vert[v].IsD()) continue;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/filter_row.h"
-#include "layers/layer_mesh.h"
+#include "layers/layer_surface.h"
 #include "mesh/surface_locator.h"
 #include "mesh/surface_point.h"
 
@@ -17,7 +17,8 @@ namespace vorogeo::plugin {
 
 /// Core vertices selected in the layer, ascending. \throw InvalidInput if there is none; `purpose` ends the
 /// sentence "Select the vertices ...".
-std::vector<Index> selected_vertices(const CMeshO& layer, const LayerMesh& layer_mesh, const char* purpose);
+std::vector<Index> selected_vertices(const CMeshO& host_layer, const LayerSurface& layer,
+                                     const char* purpose);
 
 // ---- The source of a filter that takes only one: a vertex by number, a point of the surface, or the vertex
 // nearest to a point
@@ -41,12 +42,11 @@ void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& do
 
 /// The start vertex named by number, otherwise the point of the surface nearest to the start point: a vertex
 /// if it is one up to single precision. Logs which. \throw as start_vertex.
-StartPoint start_point(const FilterCall& call, const LayerMesh& layer_mesh,
-                       const std::shared_ptr<const Mesh>& mesh);
+StartPoint start_point(const FilterCall& call, LayerSurface& layer);
 
 /// The start vertex named by number, otherwise the one nearest to the start point that has a face; logs
 /// which. \throw InvalidInput for a number without a vertex and a point that is not finite.
-StartVertex start_vertex(const FilterCall& call, const LayerMesh& layer_mesh);
+StartVertex start_vertex(const FilterCall& call, const LayerSurface& layer);
 
 // ---- The two points of a filter for one pair
 
@@ -62,8 +62,7 @@ void add_end_point_parameters(RichParameterList& list, const MeshDocument& docum
 
 /// The points that these parameters give. \throw InvalidInput for a point that does not exist or is too far
 /// from the surface.
-EndPoints end_points(const FilterCall& call, const LayerMesh& layer_mesh,
-                     const std::shared_ptr<const Mesh>& mesh);
+EndPoints end_points(const FilterCall& call, LayerSurface& layer);
 
 /// How far the points were moved to the surface, as returned values.
 Results about_end_points(const EndPoints& ends);
@@ -85,43 +84,42 @@ struct TaskPoints {
   std::size_t size() const { return points.size(); }
 };
 
-/// The parameters point_layer and surface_points; max_snap_distance belongs to them and is also added unless
-/// the filter has it anyway. `what`: ends the sentence "The layer with the ...".
-void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what,
-                               bool with_snap_distance = true);
+/// The parameters point_layer, surface_points and max_snap_distance. `what`: ends the sentence "The layer
+/// with the ...".
+void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what);
 
 /// The points that these parameters give. `purpose`: as for selected_vertices. \throw InvalidInput if there
 /// is no point, or one that is not on the surface or too far from it.
-TaskPoints task_points(const FilterCall& call, const LayerMesh& layer_mesh, const char* purpose);
+TaskPoints task_points(const FilterCall& call, LayerSurface& layer, const char* purpose);
 
 /// Surface points written as text, separated by semicolons: a vertex as its number, any other point as the
 /// number of a face and three weights. All numbers are the host's. \throw InvalidInput that names the
 /// parameter and the entry.
-std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, const LayerMesh& layer_mesh,
-                                               const Mesh& mesh, const char* parameter);
+std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, LayerSurface& layer,
+                                               const char* parameter);
 
 // ---- A layer from which a filter takes points: its parameter, and its points moved to the surface
 
-/// The parameters source_layer and max_snap_distance. `what`: "points", or "points or lines".
-void add_source_layer_parameters(RichParameterList& list, const MeshDocument& document, const char* what);
+/// The parameter source_layer; max_snap_distance belongs to it. `what`: "points", or "points or lines".
+void add_source_layer_parameter(RichParameterList& list, const MeshDocument& document, const char* what);
 
 /// The layer named by a parameter. \throw InvalidInput if there is none, or if it is the current one.
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what);
 
 Point position_of(const CVertexO& vertex);
 
-/// Moves points to the surface, within max_snap_distance.
+/// Moves points to the surface of the layer, within max_snap_distance.
 class PointSnapper {
  public:
   /// `parameter`: the one that names the layer of the points.
-  PointSnapper(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter);
+  PointSnapper(const FilterCall& call, LayerSurface& layer, const char* parameter);
   /// `number`: that of the vertex in the layer, for the error. \throw InvalidInput if it is too far away.
   SurfacePoint snap(const Point& at, std::size_t number);
   /// The farthest move so far.
   double farthest() const { return farthest_; }
 
  private:
-  SurfaceLocator locator_;
+  std::shared_ptr<const SurfaceLocator> locator_;
   const FilterCall& call_;
   const char* parameter_;
   double max_distance_;
@@ -136,7 +134,7 @@ struct SnappedLayer {
 };
 
 /// \throw InvalidInput as other_layer and PointSnapper, and for a layer without vertices.
-SnappedLayer snapped_layer(const FilterCall& call, std::shared_ptr<const Mesh> mesh, const char* parameter,
+SnappedLayer snapped_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
                            const char* what);
 
 }  // namespace vorogeo::plugin

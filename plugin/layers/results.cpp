@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "host/edit_host.h"
-#include "host/ticking.h"
 #include "layers/parameters.h"
 #include "support/error.h"
 
@@ -19,13 +18,6 @@ namespace vorogeo::plugin {
 
 namespace {
 
-struct Field {
-  std::shared_ptr<const Mesh> mesh;
-  LabelledField found;
-  double seconds = 0.0;
-  Results about_answer;
-};
-
 /// The limit to compute with: `unreachable` stands for none.
 double max_distance_of(const FilterCall& call) {
   const double value = call.parameters.getAbsPerc("max_distance");
@@ -34,19 +26,6 @@ double max_distance_of(const FilterCall& call) {
            ". Give a positive length in the unit of the mesh, or 0 for no limit.");
   }
   return value == 0.0 ? unreachable : value;
-}
-
-Field field_of(FilterCall& call, SurfaceOfLayer& layer, const std::vector<ExactSource>& sources, double limit,
-               AnswerMethod method) {
-  Field field;
-  field.mesh = layer.mesh();
-  Answered answered;
-  field.found = run_ticking(call.progress, "Geodesic distances", [&](const Progress& inner) {
-    return layer.surface().field(sources, limit, method, answered, inner);
-  });
-  field.seconds = answered.seconds;
-  field.about_answer = layer.finish(answered);
-  return field;
 }
 
 }  // namespace
@@ -70,9 +49,9 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
 
 RichLength max_distance_parameter(const MeshDocument& document) {
   return length_parameter(
-      document, "max_distance", 0.0, "Max distance",
+      document, "max_distance", 0.0, "Max distance (0: no limit)",
       "Distances above this length are not computed: those vertices get quality -1. In the unit of the mesh, "
-      "or in percent of the diagonal of its bounding box. 0 means no limit.");
+      "or in percent of the diagonal of its bounding box.");
 }
 
 RichParameterList only_max_distance(const MeshDocument& document) {
@@ -88,33 +67,45 @@ void add_field_parameters(RichParameterList& list, const MeshDocument& document)
 
 namespace {
 
-/// Writes a computed field; `has_source`: by component of its mesh; `at_vertices`: all sources are vertices.
-Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
-                    const std::vector<bool>& has_source, std::size_t source_count, bool at_vertices) {
-  const Mesh& mesh = *field.mesh;
+/// Computes a field and writes it. `at_vertices`: all sources are vertices.
+Results write_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
+                    AnswerMethod method, bool at_vertices, std::vector<Index>& nearest) {
+  const double limit = max_distance_of(call);
+  const auto shared_mesh = layer.mesh();
+  const Mesh& mesh = *shared_mesh;
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
+    return surface.field(sources, limit, method, answered, progress);
+  };
+  auto [field, by, seconds, results] = ask_surface(call, layer, "Geodesic distances", ask);
+  std::vector<bool> has_source(static_cast<std::size_t>(mesh.component_count()), false);
+  for (const ExactSource& source : sources) {
+    const SurfacePoint& p = source.point;
+    has_source[mesh.component(p.is_vertex() ? p.vertex : mesh.face_vertices(p.face)[0])] = true;
+  }
   double largest = 0.0;
   int reached = 0;
   int no_path = 0;
   int beyond = 0;
-  field.found.distance.resize(mesh.given_vertex_count());
+  field.distance.resize(mesh.given_vertex_count());
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
-    if (std::isfinite(field.found.distance[v])) {
+    if (std::isfinite(field.distance[v])) {
       ++reached;
-      largest = std::max(largest, field.found.distance[v]);
+      largest = std::max(largest, field.distance[v]);
     } else {
       ++(has_source[mesh.component(v)] ? beyond : no_path);
     }
   }
+  if (by == AnswerMethod::exact && reached > max_vertices_kept) layer.rest();
   call.progress.report(1.0, "Writing quality and colours");
 
-  write_distances(call.layer, layer_mesh.arrays().input_of_vertex, field.found.distance, largest);
+  write_distances(call.layer, layer.arrays().input_of_vertex, field.distance, largest);
 
-  const bool one = source_count == 1;
-  const char* sources = at_vertices ? (one ? " source vertex" : " source vertices")
-                                    : (one ? " source point" : " source points");
+  const bool one = sources.size() == 1;
+  const char* kind = at_vertices ? (one ? " source vertex" : " source vertices")
+                                 : (one ? " source point" : " source points");
   std::ostringstream text;
-  text << "Distances from " << source_count << sources << " to " << reached << " vertices, the largest "
-       << logged_length(largest) << ", in " << std::setprecision(3) << field.seconds << " s";
+  text << "Distances from " << sources.size() << kind << " to " << reached << " vertices, the largest "
+       << logged_length(largest) << ", in " << std::setprecision(3) << seconds << " s";
   call.log(text.str());
   if (no_path > 0) {
     call.log("No path leads to " + std::to_string(no_path) +
@@ -124,49 +115,36 @@ Results write_field(FilterCall& call, const LayerMesh& layer_mesh, Field& field,
     call.log(std::to_string(beyond) +
              " vertices lie beyond the max distance; their quality is -1 and their colour grey");
   }
-  Results results = std::move(field.about_answer);
-  results["source_vertices"] = static_cast<int>(source_count);
+  nearest = std::move(field.source);
+  results["source_vertices"] = static_cast<int>(sources.size());
   results["reached_vertices"] = reached;
   results["unreachable_vertices"] = no_path;
   results["vertices_beyond_max_distance"] = beyond;
   results["max_distance"] = largest;
-  results["seconds"] = field.seconds;
+  results["seconds"] = seconds;
   return results;
 }
 
 }  // namespace
 
-Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<Index>& sources,
                              AnswerMethod method) {
-  const double limit = max_distance_of(call);
-  SurfaceOfLayer layer(call, layer_mesh);
   std::vector<ExactSource> points;
   points.reserve(sources.size());
   for (Index source : sources) points.push_back({SurfacePoint::at_vertex(source)});
-  Field field = field_of(call, layer, points, limit, method);
-  std::vector<bool> has_source(static_cast<std::size_t>(field.mesh->component_count()), false);
-  for (Index source : sources) has_source[field.mesh->component(source)] = true;
-  return write_field(call, layer_mesh, field, has_source, sources.size(), true);
+  std::vector<Index> nearest;
+  return write_field(call, layer, points, method, true, nearest);
 }
 
-Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
-                             const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
+Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
                              const std::vector<Index>* numbers, AnswerMethod method) {
-  const double limit = max_distance_of(call);
-  SurfaceOfLayer layer(call, layer_mesh, mesh);
-  Field field = field_of(call, layer, sources, limit, method);
-  std::vector<bool> has_source(static_cast<std::size_t>(mesh->component_count()), false);
-  for (const ExactSource& source : sources) {
-    const SurfacePoint& p = source.point;
-    has_source[mesh->component(p.is_vertex() ? p.vertex : mesh->face_vertices(p.face)[0])] = true;
-  }
-  Results results = write_field(call, layer_mesh, field, has_source, sources.size(), false);
+  std::vector<Index> nearest;
+  Results results = write_field(call, layer, sources, method, false, nearest);
   if (numbers != nullptr) {
     auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
-    for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
-      const Index source = field.found.source[v];
-      label[call.layer.cm.vert[layer_mesh.host_vertex(v)]] =
-          static_cast<Scalarm>(source == no_index ? no_index : (*numbers)[source]);
+    for (Index v = 0; v < static_cast<Index>(layer.arrays().positions.size()); ++v) {
+      label[call.layer.cm.vert[layer.host_vertex(v)]] =
+          static_cast<Scalarm>(nearest[v] == no_index ? no_index : (*numbers)[nearest[v]]);
     }
   }
   results["source_points"] = results["source_vertices"];
@@ -212,13 +190,13 @@ void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QStri
   }
 }
 
-QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
+QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerSurface& layer,
                                  const Mesh& mesh, const PointList& points) {
   std::vector<Point> positions;
   std::vector<int> numbers;
   for (const SurfacePoint& point : points) {
     positions.push_back(position_of(mesh, point));
-    numbers.push_back(point.is_vertex() ? layer_mesh.host_vertex(point.vertex) : -1);
+    numbers.push_back(point.is_vertex() ? layer.host_vertex(point.vertex) : -1);
   }
   add_point_layer(call, name, positions, {}, true);
   return as_vector(numbers);

@@ -6,7 +6,7 @@
 
 #include "exact/exact_solver.h"
 #include "host/filter_row.h"
-#include "layers/layer_mesh.h"
+#include "layers/answering.h"
 #include "layers/layer_surface.h"
 #include "mesh/surface_point.h"
 #include "tasks/surface_lines.h"
@@ -39,15 +39,14 @@ void add_field_parameters(RichParameterList& list, const MeshDocument& document)
 ///
 /// Returns source_vertices, reached_vertices, unreachable_vertices, vertices_beyond_max_distance,
 /// max_distance (the largest distance found), seconds (of the distances alone), and what
-/// SurfaceOfLayer::finish() does.
-Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh, const std::vector<Index>& sources,
+/// about_answer() does.
+Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<Index>& sources,
                              AnswerMethod method);
 
-/// The same for points anywhere on the surface of `mesh` (made from the layer), each with an offset; returns
+/// The same for points anywhere on the surface, each with an offset; returns
 /// source_points instead of source_vertices. If there are `numbers`, one for each source, the vertices also
 /// get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
-Results write_distance_field(FilterCall& call, const LayerMesh& layer_mesh,
-                             const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& sources,
+Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
                              const std::vector<Index>* numbers, AnswerMethod method);
 
 // ---- Layers that filters add to the document: points and polylines on the surface of the current layer
@@ -63,7 +62,7 @@ void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QStri
 
 /// Points of the surface as a layer, which becomes current. \return the numbers of their vertices in the
 /// host, -1 for a point that is not a vertex, as Eigen::VectorXd.
-QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerMesh& layer_mesh,
+QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerSurface& layer,
                                  const Mesh& mesh, const PointList& points);
 
 /// Numbers in the form in which the host passes them to Python.

@@ -50,6 +50,16 @@ def test_left_out_faces_are_grey():
     np.testing.assert_allclose(ms.current_mesh().face_color_matrix()[-1] * 255, [160, 160, 160, 255])
 
 
+@pytest.mark.parametrize("layer", [1, 2])
+def test_no_patch_looks_like_faces_that_are_in_none_or_not_reached(layer):
+    ms = mesh_set(*sphere(5))
+    ms.apply_filter(INDEX, n1=40)
+    ms.apply_filter(PATCHES, layer=layer)
+    colors = np.unique(ms.current_mesh().face_color_matrix()[:, :3] * 255, axis=0)
+    assert len(colors) >= 8
+    assert np.ptp(colors, axis=1).min() > 50  # no grey of any lightness
+
+
 def test_only_face_colours_change():
     vertices, faces = sphere(3)
     ms = mesh_set(vertices, faces)

@@ -128,3 +128,11 @@ def test_help_and_masks(name, changes):
     assert result["names_itself"]
     assert result["filter_class"] != 0
     assert result["changes"] == changes
+    assert not result["sends_to_docs"]  # an installed plugin has no such file
+
+
+@pytest.mark.parametrize("name", ALL_FILTERS)
+def test_metric_and_gaps_stand_last_and_are_shown_on_request(name):
+    result = mesh_set(*grid(2, 2)).apply_filter("probe_help", filter=name)
+    assert result["advanced_parameters"] == (2 if name in (COMPARISON, METHOD_TABLE) else 5)
+    assert result["advanced_last"]

@@ -39,6 +39,11 @@ class Parameter:
         return [text_of(widget) for widget in self.widgets if widget.get_role() in FIELDS]
 
 
+def name_of(label: str) -> str:
+    """The label of a parameter without what it says about 0, and what MeshLab adds to lengths."""
+    return label.removesuffix(" (abs and %)").partition(" (0:")[0]
+
+
 class MeshLabWindow(Screen):
     """The main window of a MeshLab that was started with mesh files."""
 
@@ -112,6 +117,8 @@ class MeshLabWindow(Screen):
                 if child.get_role() == Atspi.Role.LABEL and child.get_description():
                     found.append(Parameter(child.get_name(), child.get_description(), widgets))
                     widgets = []
+                elif child.get_name() == "Show advanced parameters":
+                    continue  # of the dialog, not of a parameter
                 elif child.get_role() in (*FIELDS, Atspi.Role.PUSH_BUTTON):
                     widgets.append(child)
         return found
@@ -124,9 +131,7 @@ class MeshLabWindow(Screen):
 
     def fill(self, dialog: Atspi.Accessible, label: str, *values: str) -> None:
         """Replace what stands in the fields of a parameter, by mouse and keyboard."""
-        parameter = next(
-            entry for entry in self.parameters(dialog) if entry.label.removesuffix(" (abs and %)") == label
-        )
+        parameter = next(entry for entry in self.parameters(dialog) if name_of(entry.label) == label)
         widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:

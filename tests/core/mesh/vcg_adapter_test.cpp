@@ -99,6 +99,38 @@ TEST(VcgAdapter, MeshMapsFacesPastThoseLeftOut) {
   EXPECT_EQ(arrays.vertex_of_input.size(), 6U);
 }
 
+TEST(VcgAdapter, ArraysAreThoseOfAMeshUntilItIsEdited) {
+  auto mesh = strip<float>();
+  mesh.vert[0].deleted = true;
+  mesh.face[0].deleted = true;
+  const VcgMeshArrays arrays = arrays_from_vcg(mesh);
+  EXPECT_TRUE(are_arrays_of(mesh, arrays));
+  const auto is_noticed = [&](const auto& edit) {
+    auto edited = mesh;
+    for (std::size_t f = 0; f < mesh.face.size(); ++f) {
+      for (int i = 0; i < 3; ++i)
+        edited.face[f].corners[i] = &edited.vert[mesh.face[f].corners[i] - &mesh.vert[0]];
+    }
+    EXPECT_TRUE(are_arrays_of(edited, arrays));
+    edit(edited);
+    return !are_arrays_of(edited, arrays);
+  };
+  using Edited = PlainMesh<float>;
+  EXPECT_TRUE(
+      is_noticed([](Edited& m) { m.vert[5].position[2] = std::numeric_limits<float>::denorm_min(); }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.vert[5].position[2] = std::numeric_limits<float>::quiet_NaN(); }));
+  EXPECT_FALSE(is_noticed([](Edited& m) { m.vert[0].position[2] = 7.0F; }));  // a deleted vertex
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.vert[0].deleted = false; }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.vert[5].deleted = true; }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.vert.pop_back(); }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.face[0].deleted = false; }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.face[3].deleted = true; }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.face.push_back(m.face[3]); }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { std::swap(m.face[2], m.face[3]); }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { std::swap(m.face[2].corners[0], m.face[2].corners[1]); }));
+  EXPECT_TRUE(is_noticed([](Edited& m) { m.face[2].corners[1] = nullptr; }));
+}
+
 TEST(VcgAdapter, EmptyMesh) {
   const PlainMesh<float> empty;
   EXPECT_TRUE(arrays_from_vcg(empty).positions.empty());

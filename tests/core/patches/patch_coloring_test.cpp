@@ -2,6 +2,9 @@
 // are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -61,6 +64,24 @@ TEST(PatchColoring, PatchesThatDoNotTouchShareTheWorkOfThePalette) {
   std::vector<int> uses(colors.palette.size(), 0);
   for (const int color : colors.color_of_patch) ++uses[color];
   for (const int count : uses) EXPECT_EQ(count, 2);  // 16 patches, 8 colours
+}
+
+TEST(PatchColoring, NoColourIsNearThatOfFacesThatNoPathReaches) {
+  // The greys of the filters: light for what is not reached or in no patch, dark for what is not compared.
+  constexpr std::array<double, 2> greys{160.0, 90.0};
+  const auto mesh = test::make_mesh(test::cone(60, 1, 5.0, 1.0).soup);
+  std::vector<Index> patch;
+  for (Index f = 0; f < mesh->face_count(); ++f) patch.push_back(f);
+  const PatchColoring colors = color_neighbors_differently(*mesh, patch);
+  EXPECT_EQ(colors.palette.size(), 60U);
+  for (const Rgb& color : colors.palette) {
+    for (const double grey : greys) {
+      EXPECT_GT(std::hypot(color[0] - grey, color[1] - grey, color[2] - grey), 50.0)
+          << int{color[0]} << ' ' << int{color[1]} << ' ' << int{color[2]};
+    }
+    const auto [least, greatest] = std::minmax({color[0], color[1], color[2]});
+    EXPECT_GT(greatest - least, 50) << int{color[0]} << ' ' << int{color[1]} << ' ' << int{color[2]};
+  }
 }
 
 TEST(PatchColoring, WithoutFacesThereIsNothingToColour) {

@@ -24,11 +24,17 @@ VcgMeshArrays arrays_of(const test::Soup& soup) {
   return arrays;
 }
 
+std::shared_ptr<LayerSurface> layer_of(const test::Soup& soup, const GapLimit& gap = {}) {
+  LayerMeasure measure;
+  measure.gap = gap;
+  return std::make_shared<LayerSurface>(arrays_of(soup), measure);
+}
+
 constexpr double tolerance = 1e-6;
 
 TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
-  RulerSurface surface(arrays_of(plate), {}, nullptr);
+  RulerSurface surface(layer_of(plate));
   const Picked from{{0.31, 0.22, 1e-8}, tolerance};
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
@@ -39,13 +45,13 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
     EXPECT_NEAR(answer.path.length, expected, 1e-9);
     EXPECT_NEAR(distance_between(answer.from, from.at), 0.0, 1e-7);
     EXPECT_NEAR(distance_between(answer.to, to.at), 0.0, 1e-7);
-    surface.use(test::make_index(plate, 2, 2));
+    surface.layer()->use(test::make_index(plate, 2, 2));
   }
 }
 
 TEST(RulerSurface, ManyTargetsFromManySources) {
   const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
-  RulerSurface surface(arrays_of(plate), {}, nullptr);
+  RulerSurface surface(layer_of(plate));
   for (double x : {0.5, 3.5, 0.5}) {
     for (double y : {0.1, 2.9, 1.0}) {
       const PathAnswer answer = surface.path({{x, 1.5, 0.0}, tolerance}, {{2.0, y, 0.0}, tolerance}, {});
@@ -55,7 +61,7 @@ TEST(RulerSurface, ManyTargetsFromManySources) {
 }
 
 TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
-  RulerSurface surface(arrays_of(test::plane_grid(4, 4, 1.0, 1.0).soup), {}, nullptr);
+  RulerSurface surface(layer_of(test::plane_grid(4, 4, 1.0, 1.0).soup));
   const Picked on{{0.5, 0.5, 0.0}, tolerance};
   const Picked above{{0.5, 0.5, 0.1}, tolerance};
   EXPECT_FALSE(surface.path(above, on, {}).starts_on_surface);
@@ -68,7 +74,7 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
   test::Soup far = test::plane_grid(4, 4, 1.0, 1.0).soup;
   for (Point& p : far.positions) p[0] += 3.0;
   const test::Soup both = test::two_components(test::plane_grid(4, 4, 1.0, 1.0).soup, far);
-  RulerSurface surface(arrays_of(both), {}, nullptr);
+  RulerSurface surface(layer_of(both));
   const Picked from{{0.5, 0.5, 0.0}, tolerance};
   for (int i = 0; i < 2; ++i) {
     const PathAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance}, {});
@@ -78,13 +84,13 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
     const FieldAnswer field = surface.field(from, {});
     EXPECT_NEAR(field.largest, std::sqrt(0.5), 1e-6);
     EXPECT_EQ(field.distances.back(), unreachable);
-    surface.use(test::make_index(both, 2, 2));
+    surface.layer()->use(test::make_index(both, 2, 2));
   }
 }
 
 TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
   const test::Soup sphere = test::icosphere(3);
-  RulerSurface surface(arrays_of(sphere), {}, nullptr);
+  RulerSurface surface(layer_of(sphere));
   const Picked pole{sphere.positions[0], tolerance};
   for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
     const FieldAnswer field = surface.field(pole, {});
@@ -96,14 +102,14 @@ TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
     double expected = 0.0;
     for (double r : round_values(field.largest)) expected += 2.0 * std::numbers::pi * std::sin(r);
     EXPECT_NEAR(length, expected, 0.02 * expected);
-    surface.use(test::make_index(sphere, 2, 4));
+    surface.layer()->use(test::make_index(sphere, 2, 4));
   }
 }
 
 TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromThePointItself) {
   const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
   ASSERT_GT(plate.positions.size(), static_cast<std::size_t>(max_vertices_at_once));
-  RulerSurface surface(arrays_of(plate), {}, nullptr);
+  RulerSurface surface(layer_of(plate));
   const Picked from{{1.005, 1.003, 0.0}, tolerance};  // half a cell from all vertices
   const FieldAnswer field = surface.field(from, {});
   EXPECT_EQ(field.how, AnswerMethod::quick);
@@ -119,9 +125,9 @@ TEST(RulerSurface, MeasuresOverTheGapsThatItBridges) {
   const test::Shape plates = test::two_plates(4, 5, 0.01);
   const Picked from{{0.4, 0.2, 0.0}, tolerance};
   const Picked to{{1.7, 0.9, 0.0}, tolerance};
-  RulerSurface apart(arrays_of(plates.soup), {}, nullptr);
+  RulerSurface apart(layer_of(plates.soup));
   EXPECT_EQ(apart.path(from, to, {}).path.length, unreachable);
-  RulerSurface bridged(arrays_of(plates.soup), {0.02}, nullptr);
+  RulerSurface bridged(layer_of(plates.soup, {0.02}));
   EXPECT_NEAR(bridged.path(from, to, {}).path.length, distance_between(from.at, to.at), 1e-9);
   const FieldAnswer field = bridged.field(from, {});
   const auto corner = plates.soup.positions.size() - 1;
@@ -129,9 +135,9 @@ TEST(RulerSurface, MeasuresOverTheGapsThatItBridges) {
 }
 
 TEST(RulerSurface, AnIndexThatIsBuiltForItAnswersFromThenOn) {
-  RulerSurface surface(arrays_of(test::icosphere(2)), {}, nullptr);
+  RulerSurface surface(layer_of(test::icosphere(2)));
   EXPECT_EQ(surface.index(), nullptr);
-  const auto index = surface.surface()->build_index();
+  const auto index = surface.layer()->surface()->build_index();
   EXPECT_EQ(surface.index(), index);
   EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}, {}).how, AnswerMethod::index);
 }
@@ -151,7 +157,7 @@ TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
   VcgMeshArrays bad = arrays_of(test::plane_grid(2, 2, 1.0, 1.0).soup);
   bad.faces[0][1] = 77;
   RulerRequest request;
-  request.surface = std::make_shared<RulerSurface>(bad, GapLimit{}, nullptr);
+  request.surface = std::make_shared<RulerSurface>(std::make_shared<LayerSurface>(bad));
   for (bool is_field : {false, true}) {
     request.is_field = is_field;
     const RulerAnswer found = answer(request, {});
@@ -162,8 +168,7 @@ TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
 
 TEST(RulerRequests, APathComesAsALineOfItsLength) {
   RulerRequest request;
-  request.surface =
-      std::make_shared<RulerSurface>(arrays_of(test::plane_grid(5, 5, 1.0, 1.0).soup), GapLimit{}, nullptr);
+  request.surface = std::make_shared<RulerSurface>(layer_of(test::plane_grid(5, 5, 1.0, 1.0).soup));
   request.from = {{0.1, 0.1, 0.0}, tolerance};
   request.to = {{0.9, 0.7, 0.0}, tolerance};
   const RulerAnswer found = answer(request, {});

@@ -115,7 +115,20 @@ std::map<std::string, QVariant> FilterProbe::applyFilter(const QAction* action,
                                                          vcg::CallBackPos*) {
   const auto [plugin, filter] = find_filter(parameters.getString("filter"));
   if (ID(action) == 1) {
-    return {{"help_length", plugin->filterInfo(filter).size()},
+    const QString help = plugin->filterInfo(filter);
+    bool advanced_last = true;
+    bool sends_to_docs = help.contains("docs/") || help.contains(".md");
+    int advanced = 0;
+    for (const RichParameter& parameter : plugin->initParameterList(filter, document)) {
+      advanced_last = advanced_last && (parameter.isAdvanced() || advanced == 0);
+      advanced += parameter.isAdvanced() ? 1 : 0;
+      const QString words = parameter.fieldDescription() + parameter.toolTip();
+      sends_to_docs = sends_to_docs || words.contains("docs/") || words.contains(".md");
+    }
+    return {{"advanced_parameters", advanced},
+            {"advanced_last", advanced_last},
+            {"sends_to_docs", sends_to_docs},
+            {"help_length", plugin->filterInfo(filter).size()},
             {"names_itself", plugin->filterName(filter).contains("(VoroGeo)")},
             {"cites", plugin->filterInfo(filter).contains("See:")},
             {"filter_class", int(plugin->getClass(filter))},

@@ -1,56 +1,16 @@
-// A layer of the host as a mesh of the core: its arrays, its metric, its gaps.
-#include "layers/layer_mesh.h"
+// How a layer is measured: the parameters that choose a metric and bridge gaps, and the lengths they give.
+#include "layers/layer_metric.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "layers/parameters.h"
-#include "mesh/mesh_check.h"
 #include "mesh/metric.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
-
-// ---- Checks a layer and copies it into the core's arrays
-
-LayerMesh::LayerMesh(const CMeshO& layer, const GapLimit& gap) : gap_(gap) {
-  if (layer.vn == 0) {
-    throw InvalidInput(
-        "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
-  }
-  if (layer.fn == 0) {
-    throw InvalidInput(
-        "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "
-        "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
-  }
-  arrays_ = arrays_from_vcg(layer);
-}
-
-LayerMesh::LayerMesh(const FilterCall& call) : LayerMesh(call.layer.cm, gap_of(call)) {
-  MetricLengths found = lengths_of_layer(call, arrays_);
-  arrays_.sides = std::move(found.sides);
-  arrays_.splits = std::move(found.splits);
-  if (metric_of(call) == LayerMetric::face_quality) arrays_.points_per_edge = FaceSides{}.points_per_edge;
-}
-
-Index LayerMesh::core_vertex(int host_vertex, const std::string& parameter) const {
-  const auto& map = arrays_.vertex_of_input;
-  if (host_vertex < 0 || static_cast<std::size_t>(host_vertex) >= map.size()) {
-    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
-                       ", but the vertices of the current layer are numbered from 0 to " +
-                       std::to_string(map.size() - 1) + ". Give a number in this range.");
-  }
-  if (map[static_cast<std::size_t>(host_vertex)] == no_index) {
-    throw InvalidInput(parameter + " is " + std::to_string(host_vertex) +
-                       ", but this vertex was deleted. Give the number of another vertex.");
-  }
-  return map[static_cast<std::size_t>(host_vertex)];
-}
-
-std::vector<std::string> LayerMesh::warnings() const {
-  return check_mesh(arrays_.positions, arrays_.faces, gap_).sentences();
-}
 
 // ---- Reads costs and tensors of a layer and integrates them along its edges
 
@@ -86,34 +46,35 @@ std::vector<Scalarm> cost_of(const FilterCall& call, bool& is_kept) {
 }
 
 /// A quality as a cost. \throw InvalidInput, naming the element by its number in the host.
-double checked_cost(const FilterCall& call, const std::string& element, Index number, Scalarm quality) {
+double checked_cost(const FilterCall& call, const char* element, Index number, Scalarm quality) {
   const auto value = static_cast<double>(quality);
   if (value > 0.0 && std::isfinite(value)) return value;
-  const bool of_vertex = element == "vertex";
+  const bool of_vertex = std::string(element) == "vertex";
   refuse(call, "metric", "the quality",
-         ", but " + element + " " + std::to_string(number) + " has quality " + std::to_string(value) +
+         ", but " + std::string(element) + " " + std::to_string(number) + " has quality " +
+             std::to_string(value) +
              ". A cost is a number above 0: 2 makes paths count twice there. Give all " +
              (of_vertex ? "vertices" : "faces") + " such a quality, for example with 'Per " +
              (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
 }
 
-MetricLengths lengths_by_face_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+std::vector<double> cost_of_faces(const FilterCall& call) {
   if (!call.layer.hasDataMask(MeshModel::MM_FACEQUALITY)) {
     throw InvalidInput(
         "The faces have no quality that could be the cost of paths. Compute one above 0, or choose another "
         "metric.");
   }
+  const CMeshO& layer = call.layer.cm;
   std::vector<double> cost;
-  for (const Index input : arrays.input_of_face) {
-    cost.push_back(
-        checked_cost(call, "face", input, call.layer.cm.face[static_cast<std::size_t>(input)].cQ()));
+  cost.reserve(layer.face.size());
+  for (std::size_t f = 0; f < layer.face.size(); ++f) {
+    if (layer.face[f].IsD()) continue;
+    cost.push_back(checked_cost(call, "face", static_cast<Index>(f), layer.face[f].cQ()));
   }
-  MetricLengths found;
-  found.sides = sides_by_face_cost(arrays.positions, arrays.faces, cost);
-  return found;
+  return cost;
 }
 
-MetricLengths lengths_by_quality(const FilterCall& call, const VcgMeshArrays& arrays) {
+std::vector<double> cost_of_vertices(const FilterCall& call) {
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput(
         "The vertices have no quality that could be the cost of paths. Paint or compute one above 0, or "
@@ -126,12 +87,22 @@ MetricLengths lengths_by_quality(const FilterCall& call, const VcgMeshArrays& ar
                          "the vertex attribute ") +
              cost_attribute);
   }
+  const CMeshO& layer = call.layer.cm;
   std::vector<double> cost;
-  for (const Index input : arrays.input_of_vertex) {
-    cost.push_back(checked_cost(call, "vertex", input, values[static_cast<std::size_t>(input)]));
+  cost.reserve(values.size());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (layer.vert[v].IsD()) continue;
+    cost.push_back(checked_cost(call, "vertex", static_cast<Index>(v), values[v]));
   }
-  return lengths_by_cost(arrays.positions, arrays.faces, cost);
+  return cost;
 }
+
+}  // namespace
+
+namespace {
+
+/// These parameters are shown on request only: most questions are about lengths on the mesh as it is.
+constexpr bool advanced = true;
 
 }  // namespace
 
@@ -145,13 +116,16 @@ void add_metric_parameters(RichParameterList& list) {
       "more across ridges and limbs than along them; or the quality of faces as a cost that jumps at "
       "edges, where paths refract. An index belongs to its metric: newly "
       "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
-      "the vertex attribute metric_cost, so that it can be applied again."));
+      "the vertex attribute metric_cost, so that it can be applied again.",
+      advanced));
   list.addParam(RichFloat(
       "slope_penalty", 1, "Slope penalty",
-      "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards."));
+      "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards.",
+      advanced));
   list.addParam(RichFloat("curvature_weight", 3, "Curvature weight",
                           "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, "
-                          "they run around them."));
+                          "they run around them.",
+                          advanced));
 }
 
 // Short: a dialog is as high as its help, and must leave room for its buttons on a small screen.
@@ -171,45 +145,71 @@ LayerMetric metric_of(const FilterCall& call) {
   return static_cast<LayerMetric>(number);
 }
 
-MetricLengths lengths_of_layer(const FilterCall& call, const VcgMeshArrays& arrays) {
-  MetricLengths found;
-  switch (metric_of(call)) {
+LayerMeasure measure_of(const FilterCall& call) {
+  LayerMeasure measure;
+  measure.gap = gap_of(call);
+  measure.metric = metric_of(call);
+  switch (measure.metric) {
     case LayerMetric::length:
       break;
     case LayerMetric::vertex_quality:
-      found = lengths_by_quality(call, arrays);
+      measure.cost = cost_of_vertices(call);
       break;
     case LayerMetric::face_quality:
-      found = lengths_by_face_quality(call, arrays);
+      measure.cost = cost_of_faces(call);
       break;
     case LayerMetric::slope: {
       const double penalty = call.parameters.getFloat("slope_penalty");
       if (!(penalty >= 0.0 && std::isfinite(penalty))) {
         refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
       }
-      found = lengths_by_cost(arrays.positions, arrays.faces,
-                              slope_cost(arrays.positions, arrays.faces, {0, 0, 1}, penalty));
+      measure.weight = penalty;
       break;
     }
     case LayerMetric::curvature: {
       const double weight = call.parameters.getFloat("curvature_weight");
       if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
-      found = lengths_by_tensor(arrays.positions, arrays.faces,
-                                curvature_tensors(arrays.positions, arrays.faces, weight));
+      measure.weight = weight;
       break;
     }
   }
-  if (found.split_faces > 0) {
-    call.log(
-        "Metric: " + std::to_string(found.split_faces) +
+  return measure;
+}
+
+MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
+  const auto& [positions, faces] = std::tie(arrays.positions, arrays.faces);
+  switch (measure.metric) {
+    case LayerMetric::length:
+      break;
+    case LayerMetric::vertex_quality:
+      return lengths_by_cost(positions, faces, measure.cost);
+    case LayerMetric::face_quality: {
+      MetricLengths lengths;
+      lengths.sides = sides_by_face_cost(positions, faces, measure.cost);
+      return lengths;
+    }
+    case LayerMetric::slope:
+      return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
+    case LayerMetric::curvature:
+      return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
+  }
+  return {};
+}
+
+std::vector<std::string> remarks_on(const MetricLengths& lengths) {
+  std::vector<std::string> remarks;
+  if (lengths.split_faces > 0) {
+    remarks.push_back(
+        "Metric: " + std::to_string(lengths.split_faces) +
         " faces are measured in parts, as one side would cost more than the other two together; the mesh "
         "is coarse for this metric");
   }
-  if (found.shortened_edges > 0) {
-    call.log("Metric: " + std::to_string(found.shortened_edges) +
-             " edges would cost more than the other two sides of a face together, and cost as much as these");
+  if (lengths.shortened_edges > 0) {
+    remarks.push_back(
+        "Metric: " + std::to_string(lengths.shortened_edges) +
+        " edges would cost more than the other two sides of a face together, and cost as much as these");
   }
-  return found;
+  return remarks;
 }
 
 KeptCost::KeptCost(const FilterCall& call, const FilterRow& row) {
@@ -235,12 +235,14 @@ void KeptCost::write(FilterCall& call) const {
 
 void add_gap_parameters(RichParameterList& list, const MeshDocument& document) {
   list.addParam(length_parameter(
-      document, "gap", 0.0, "Bridge gaps up to",
+      document, "gap", 0.0, "Bridge gaps up to (0: none)",
       "Borders at most this far apart that face each other, and equal positions, are joined in the mesh that "
-      "is measured on; crossing a gap costs its width. The layer is not changed. 0: nothing is bridged."));
+      "is measured on; crossing a gap costs its width. The layer is not changed.",
+      advanced));
   list.addParam(
       RichBool("bridge_folds", false, "Bridge folds",
-               "Bridge also where the surface would turn back: rims side by side, sheets above each other."));
+               "Bridge also where the surface would turn back: rims side by side, sheets above each other.",
+               advanced));
 }
 
 GapLimit gap_of(const FilterCall& call) {

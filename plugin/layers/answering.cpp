@@ -1,0 +1,176 @@
+// From a filter call to what answers it: the surface of its layer, by the method that was chosen.
+#include "layers/answering.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include "layers/layer_cache.h"
+#include "layers/layer_metric.h"
+#include "layers/parameters.h"
+#include "support/error.h"
+
+namespace vorogeo::plugin {
+
+// ---- Finds the layer in the cache, or reads it
+
+namespace {
+
+void require_faces(const CMeshO& layer) {
+  if (layer.vn == 0) {
+    throw InvalidInput(
+        "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
+  }
+  if (layer.fn == 0) {
+    throw InvalidInput(
+        "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "
+        "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure) {
+  require_faces(layer);
+  VcgMeshArrays arrays = arrays_from_vcg(layer);
+  MetricLengths lengths = lengths_in(measure, arrays);
+  std::vector<std::string> remarks = remarks_on(lengths);
+  arrays.sides = std::move(lengths.sides);
+  arrays.splits = std::move(lengths.splits);
+  if (measure.metric == LayerMetric::face_quality) arrays.points_per_edge = FaceSides{}.points_per_edge;
+  return std::make_shared<LayerSurface>(std::move(arrays), std::move(measure), std::move(remarks));
+}
+
+std::shared_ptr<LayerSurface> layer_of(FilterCall& call) {
+  require_faces(call.layer.cm);  // which matters more than what its costs are
+  LayerMeasure measure = measure_of(call);
+  auto layer = call.layers.find(call.layer.cm, measure, &call.document);
+  const bool is_new = layer == nullptr;
+  if (is_new) layer = read_surface(call.layer.cm, std::move(measure));
+  for (const std::string& remark : layer->remarks()) call.log(remark);
+  if (!layer->has_surface()) {
+    run_ticking(call.progress.part(0.0, 0.0), "Reading the mesh",
+                [&](const Progress&) { return layer->surface(); });
+  }
+  if (is_new) call.layers.put(layer, &call.document);
+  return layer;
+}
+
+void log_warnings(FilterCall& call, LayerSurface& layer) {
+  const auto warnings =
+      run_ticking(call.progress, "Checking the mesh", [&](const Progress&) { return layer.warnings(); });
+  for (const std::string& warning : warnings) call.log("Mesh: " + warning);
+}
+
+// ---- Builds indexes for filters and logs what was built
+
+void log_statistics(const FilterCall& call, const IndexStatistics& s) {
+  std::ostringstream text;
+  text << "Geodesic index in the form of " << (s.form == IndexForm::graph ? "a graph" : "tables") << ": "
+       << s.vertices << " vertices, " << s.first_layer_patches << " first-layer and "
+       << s.second_layer_patches << " second-layer patches with " << s.first_layer_border_vertices << " and "
+       << s.second_layer_border_vertices << " border vertices, " << s.arcs << " arcs ("
+       << s.arcs_before_pruning << " before pruning), " << std::setprecision(3)
+       << static_cast<double>(s.bytes) / (1 << 20) << " MiB";
+  if (s.seconds > 0.0) text << ", built in " << s.seconds << " s";
+  call.log(text.str());
+}
+
+// 64-bit counts are returned as double: the host passes on only int and double, and double holds them
+// exactly.
+Results statistics_results(const IndexStatistics& s) {
+  return {{"vertices", s.vertices},
+          {"first_layer_patches", s.first_layer_patches},
+          {"second_layer_patches", s.second_layer_patches},
+          {"first_layer_border_vertices", s.first_layer_border_vertices},
+          {"second_layer_border_vertices", s.second_layer_border_vertices},
+          {"is_graph", s.form == IndexForm::graph ? 1 : 0},
+          {"arcs_before_pruning", static_cast<double>(s.arcs_before_pruning)},
+          {"arcs", static_cast<double>(s.arcs)},
+          {"bytes", static_cast<double>(s.bytes)},
+          {"seconds", s.seconds},
+          {"expected_fields", s.expected_fields}};
+}
+
+Results about_index(const IndexOfLayer& found) {
+  return {{"index_reused", found.reused},
+          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+}
+
+std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface& layer,
+                                                 const IndexOptions& options, const Progress& progress,
+                                                 const std::filesystem::path& file) {
+  log_warnings(call, layer);
+  const auto index = run_ticking(progress, "Reading the mesh", [&](const Progress& inner) {
+    return file.empty() ? GeodesicIndex::build(layer.mesh(), options, inner)
+                        : GeodesicIndex::build_in_file(file, layer.mesh(), options, inner);
+  });
+  log_statistics(call, index->statistics());
+  layer.use(index);
+  return index;
+}
+
+IndexOfLayer index_of(FilterCall& call, LayerSurface& layer) {
+  if (auto index = layer.index()) {
+    call.log("Geodesic index: reused, the mesh has not changed since it was built");
+    return {std::move(index), true};
+  }
+  return {build_index(call, layer, {}, call.progress.part(0.0, 0.9)), false};
+}
+
+// ---- The method, and what is logged and returned about an answer
+
+namespace {
+
+/// By AnswerMethod.
+constexpr const char* answered_by[] = {"", "the index", "exact propagation", "virtual sources (quick)"};
+
+}  // namespace
+
+RichEnum method_parameter() {
+  QStringList names;
+  for (const AnswerMethod method :
+       {AnswerMethod::automatic, AnswerMethod::index, AnswerMethod::exact, AnswerMethod::quick}) {
+    names.append(to_string(method));
+  }
+  return RichEnum(
+      "method", static_cast<int>(AnswerMethod::automatic), names, "Method",
+      "automatic: the index if this mesh has one, else exact answers, until these have taken as long as "
+      "building an index would; then it is built. index: builds it at once. exact: no errors, no "
+      "index. quick: a field with errors of some tenths of a percent in a tenth of the time.");
+}
+
+AnswerMethod method_of(const FilterCall& call) {
+  const int number = call.parameters.getEnum("method");
+  if (number < 0 || number > static_cast<int>(AnswerMethod::quick)) {
+    refuse(call, "method", number, ". Give automatic, index, exact or quick, or its number from 0 to 3.");
+  }
+  return static_cast<AnswerMethod>(number);
+}
+
+Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered) {
+  if (!answered.remark.empty()) call.log(answered.remark);
+  if (const auto index = layer.index(); index && !had_index) log_statistics(call, index->statistics());
+  Results results = {{"answered_by", static_cast<int>(answered.by)}};
+  std::string line = std::string("Answered by ") + answered_by[static_cast<int>(answered.by)];
+  if (answered.by == AnswerMethod::index) {
+    if (had_index) line += ": reused, the mesh has not changed since it was built";
+    results["index_reused"] = had_index;
+    results["index_seconds"] = answered.index_seconds;
+  }
+  call.log(line);
+  return results;
+}
+
+// ---- Takes the index from the cache or builds it, unless exact distances are wanted
+
+TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer) {
+  if (call.parameters.getBool("exact")) {
+    log_warnings(call, layer);
+    return {layer.surface(), {.by = AnswerMethod::exact, .progress = call.progress}, {}};
+  }
+  const IndexOfLayer found = index_of(call, layer);
+  const Progress rest = found.reused ? call.progress : call.progress.part(0.9, 1.0);
+  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, about_index(found)};
+}
+
+}  // namespace vorogeo::plugin

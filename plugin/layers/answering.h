@@ -1,0 +1,108 @@
+// From a filter call to what answers it: the surface of its layer, by the method that was chosen.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "host/filter_row.h"
+#include "host/ticking.h"
+#include "index/geodesic_index.h"
+#include "layers/layer_surface.h"
+#include "query/surface.h"
+#include "tasks/workers.h"
+
+namespace vorogeo::plugin {
+
+// ---- The layer of a call
+
+/// Reads a layer, to be measured like this. \throw InvalidInput for one without vertices or faces, and for a
+/// coordinate that is NaN or infinite (names the vertex).
+std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure);
+
+/// The current layer in the metric and with the gaps that the parameters choose: that of an earlier call if
+/// nothing of it has changed since, otherwise read anew, while the window stays responsive. Its mesh has been
+/// made. \throw InvalidInput as read_surface() and measure_of().
+std::shared_ptr<LayerSurface> layer_of(FilterCall& call);
+
+/// Logs what a user should know about the mesh before trusting distances on it.
+void log_warnings(FilterCall& call, LayerSurface& layer);
+
+// ---- The index of a layer
+
+/// An index and how it was obtained.
+struct IndexOfLayer {
+  std::shared_ptr<const GeodesicIndex> index;
+  bool reused = false;
+};
+
+/// What an index holds, as one line of the log and as values to return.
+void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
+Results statistics_results(const IndexStatistics& statistics);
+
+/// What a filter returns about the index that it used: index_reused and index_seconds.
+Results about_index(const IndexOfLayer& found);
+
+/// Builds an index, from which the layer is answered from then on; logs what it holds and anything odd about
+/// the mesh. `file`: where it is built, or goes on if it was stopped there (GeodesicIndex::build_in_file);
+/// empty: in memory.
+std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface& layer,
+                                                 const IndexOptions& options, const Progress& progress,
+                                                 const std::filesystem::path& file = {});
+
+/// The index of the layer, whatever its options; one with default options if there is none. Building takes
+/// the first nine tenths of the progress.
+IndexOfLayer index_of(FilterCall& call, LayerSurface& layer);
+
+// ---- The parameter method of the distance filters, and answers by it
+
+/// The parameter method, the same in all filters that have it, and its value.
+RichEnum method_parameter();
+AnswerMethod method_of(const FilterCall& call);
+
+/// What a surface found, and what a filter returns about that: answered_by, the number of its choice in the
+/// parameter; from the index also index_reused and index_seconds.
+template <class Found>
+struct AnswerOfLayer {
+  Found found;
+  AnswerMethod by = AnswerMethod::exact;
+  double seconds = 0.0;  ///< of the answer alone
+  Results about;
+};
+
+/// Exact fields that reach more vertices, and exact paths on meshes that have more, leave gigabytes in
+/// solvers, which are soon made anew compared with such an answer: LayerSurface::rest().
+inline constexpr Index max_vertices_kept = 1000000;
+
+/// Logs what answered.
+Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered);
+
+/// The answer of ask(surface, answered, progress), which runs while the window stays responsive. Logs what a
+/// user should know about the mesh before, unless it has an index, and what answered after it.
+template <class Ask>
+auto ask_surface(FilterCall& call, LayerSurface& layer, const char* activity, Ask&& ask) {
+  const bool had_index = layer.index() != nullptr;
+  if (!had_index) log_warnings(call, layer);
+  Answered answered;
+  auto found = run_ticking(call.progress, activity, [&](const Progress& progress) {
+    return ask(*layer.surface(), answered, progress);
+  });
+  return AnswerOfLayer<decltype(found)>{std::move(found), answered.by, answered.seconds,
+                                        about_answer(call, layer, had_index, answered)};
+}
+
+// ---- What answers a task: the index of the layer, or exact propagation
+
+struct TaskOfLayer {
+  std::shared_ptr<Surface> surface;
+  TaskOptions options;  ///< with what is left of the call's progress after building an index
+  Results about_index;
+
+  const Mesh& mesh() const { return *surface->mesh(); }
+};
+
+/// Reads the parameter exact.
+TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer);
+
+}  // namespace vorogeo::plugin

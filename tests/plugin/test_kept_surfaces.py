@@ -1,0 +1,193 @@
+"""A layer is read once: later calls answer from the surface that was kept, and never from one that is out of date."""
+
+from __future__ import annotations
+
+import ctypes
+import time
+
+import numpy as np
+import pymeshlab
+import pytest
+from support import (
+    EXACT_FROM_POINT,
+    EXTENT,
+    FROM_POINT,
+    PATH,
+    TWO_POINTS,
+    arrays,
+    exact_distances,
+    field,
+    grid,
+    length,
+    mesh_set,
+    select_vertices,
+    sphere,
+)
+
+COST = "Vertex quality as cost"
+
+
+def wall() -> tuple[np.ndarray, np.ndarray]:
+    """A vertical rectangle in the plane y = 0."""
+    vertices, faces = grid(8, 6)
+    return vertices[:, [0, 2, 1]], faces
+
+
+def assert_exact_now(ms: pymeshlab.MeshSet, source: int = 0) -> None:
+    """A field of the mesh as it is now equals that of an independent solver."""
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)
+    vertices, faces = arrays(ms)
+    np.testing.assert_allclose(field(ms), exact_distances(vertices, faces, [source]), rtol=1e-9, atol=1e-12)
+
+
+def logged(capfd: pytest.CaptureFixture[str]) -> str:
+    """What a verbose MeshSet has logged since the last call; the C library buffers it."""
+    ctypes.CDLL(None).fflush(None)
+    seen = capfd.readouterr()
+    return seen.out + seen.err
+
+
+def test_every_edit_between_two_calls_is_seen():
+    ms = mesh_set(*sphere(3))
+    assert_exact_now(ms)
+    assert_exact_now(ms, source=17)
+    ms.apply_filter("compute_matrix_from_scaling_or_normalization", axisx=2.5, uniformflag=False)
+    assert_exact_now(ms)
+    ms.apply_filter("compute_coord_by_function", x="(vi == 100) ? x * 1.25 : x", y="y", z="z")
+    assert_exact_now(ms, source=100)
+    ms.apply_filter("meshing_surface_subdivision_midpoint", iterations=1)
+    assert_exact_now(ms)
+    select_vertices(ms, [200, 201])
+    ms.apply_filter("meshing_remove_selected_vertices")
+    assert_exact_now(ms)
+    ms.apply_filter("meshing_invert_face_orientation")
+    assert_exact_now(ms)
+
+
+def test_an_undone_edit_gives_the_old_answer_to_the_last_bit():
+    vertices, faces = sphere(3)
+    original = mesh_set(vertices, faces)
+    original.apply_filter(EXACT_FROM_POINT, vertex_index=3)
+    before = field(original).copy()
+    moved = vertices.copy()
+    moved[3] *= 1.1
+    assert_exact_now(mesh_set(moved, faces), source=3)
+    original.apply_filter(EXACT_FROM_POINT, vertex_index=3)
+    np.testing.assert_array_equal(field(original), before)
+
+
+@pytest.mark.parametrize("method", ["exact", "quick", "index"])
+def test_a_second_call_gives_the_same_bits(method):
+    vertices, faces = sphere(4)
+    ms = mesh_set(vertices, faces)
+    seen = []
+    for _ in range(2):
+        for source in (9, 700):
+            ms.apply_filter(FROM_POINT, vertex_index=source, method=method, max_distance=length(1.5))
+            seen.append(field(ms).copy())
+    np.testing.assert_array_equal(seen[0], seen[2])
+    np.testing.assert_array_equal(seen[1], seen[3])
+    lengths = [ms.apply_filter(PATH, source=9, target=700, method="exact")["length"]]
+    ms.set_current_mesh(0)
+    lengths.append(ms.apply_filter(TWO_POINTS, source=9, target=700, method="exact")["distance"])
+    assert lengths[0] == pytest.approx(lengths[1], rel=1e-12)
+
+
+def test_answers_after_an_index_came_are_those_from_before():
+    ms = mesh_set(*sphere(3))
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
+    before = field(ms).copy()
+    ms.apply_filter(FROM_POINT, vertex_index=5, method="index")
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
+    np.testing.assert_array_equal(field(ms), before)
+
+
+def test_metrics_and_their_parameters_are_not_mixed_up():
+    vertices, faces = wall()
+    ms = mesh_set(vertices, faces)
+    straight = np.linalg.norm(vertices - vertices[0], axis=1)
+    # On a wall a slope penalty p multiplies lengths by 1 + p; with the metric length it is not used.
+    for chosen, factor in [
+        ({}, 1),
+        ({"metric": "Slope penalty", "slope_penalty": 1}, 2),
+        ({"metric": "Slope penalty", "slope_penalty": 4}, 5),
+        ({"slope_penalty": 4}, 1),
+        ({"metric": "Slope penalty", "slope_penalty": 1}, 2),
+    ]:
+        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, **chosen)
+        np.testing.assert_allclose(field(ms), factor * straight, rtol=1e-9, err_msg=str(chosen))
+
+
+def test_every_cost_that_was_painted_is_the_next_calls():
+    vertices, faces = wall()
+    ms = mesh_set(vertices, faces)
+    straight = np.linalg.norm(vertices - vertices[0], axis=1)
+    for cost in (2, 3, 2):
+        ms.apply_filter("compute_scalar_by_function_per_vertex", q=str(cost))
+        for _ in range(2):  # the second time from the cost that was kept
+            ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=COST)
+            np.testing.assert_allclose(field(ms), cost * straight, rtol=1e-9)
+        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
+        np.testing.assert_allclose(field(ms), straight, rtol=1e-9)
+
+
+def test_gaps_are_not_mixed_up():
+    vertices, faces = grid(5, 5)
+    near = vertices + np.array([5.01, 0, 0])
+    far = vertices + np.array([10.06, 0, 0])
+    n = len(vertices)
+    ms = mesh_set(np.vstack([vertices, near, far]), np.vstack([faces, faces + n, faces + 2 * n]))
+    for gap, unreachable in [(0, 2 * n), (0.02, n), (0.06, 0), (0.02, n), (0, 2 * n)]:
+        result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, gap=length(gap))
+        assert result["unreachable_vertices"] == unreachable, gap
+
+
+def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():
+    vertices, faces = grid(6, 6)
+    ms = mesh_set(vertices, faces)
+    for height in (0.0, 0.5):
+        for _ in range(2):
+            result = ms.apply_filter(EXACT_FROM_POINT, start_point=[2.3, 3.1, 0.25])
+            assert result["snap_distance"] == pytest.approx(0.25, abs=1e-6)
+            assert result["start_face"] >= 0
+        ms.apply_filter("compute_coord_by_function", x="x", y="y", z=str(0.5 - height))
+
+
+def test_warnings_are_logged_at_every_call(capfd):
+    vertices, faces = grid(4, 4)
+    ms = pymeshlab.MeshSet(verbose=True)
+    ms.add_mesh(pymeshlab.Mesh(vertices, np.vstack([faces, faces[:1]])))
+    sentence = "Mesh: 1 face has the three vertices of an earlier face"
+    for name, chosen in [
+        (EXACT_FROM_POINT, {"vertex_index": 0}),
+        (EXACT_FROM_POINT, {"vertex_index": 1}),
+        (TWO_POINTS, {"source": 0, "target": 1, "method": "exact"}),
+        (EXTENT, {"exact": True}),
+    ]:
+        logged(capfd)
+        ms.apply_filter(name, **chosen)
+        assert logged(capfd).count(sentence) == 1, name
+
+
+def test_remarks_on_the_metric_are_logged_at_every_call(capfd):
+    vertices, faces = grid(6, 6)
+    ms = pymeshlab.MeshSet(verbose=True)
+    ms.add_mesh(pymeshlab.Mesh(vertices, faces))
+    for _ in range(2):
+        ms.apply_filter("compute_scalar_by_function_per_vertex", q="(vi == 24) ? 1000 : 1")
+        logged(capfd)
+        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=COST)
+        assert logged(capfd).count("Metric: ") == 1
+
+
+def test_later_calls_pay_for_the_answer_only():
+    """On a sphere of 40,962 vertices reading, checking and laying out the mesh takes most of a first call."""
+    ms = mesh_set(*sphere(6))
+
+    def seconds(source: int) -> float:
+        start = time.process_time()
+        ms.apply_filter(EXACT_FROM_POINT, vertex_index=source, max_distance=length(0.02))
+        return time.process_time() - start
+
+    first = seconds(0)
+    assert min(seconds(source) for source in range(1, 8)) < 0.35 * first
