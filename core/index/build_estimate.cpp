@@ -31,7 +31,7 @@ constexpr int parts = 2;
 /// An exact field is timed for so long, and then extrapolated.
 constexpr double max_field_seconds = 0.5;
 
-// Seconds of one core for what is not timed, measured on scans and parts (docs/choosing.md).
+// Seconds of one core for what is not timed, measured on scans and parts (docs/figures.md).
 constexpr double seconds_per_first_byte = 2.5e-7;
 constexpr double seconds_per_transit_byte = 1.25e-7;
 /// Per byte and node on the border of a first-layer patch: searches that fill the table scan borders.

@@ -65,8 +65,8 @@ class CorridorSearch {
 
 /// The largest error assumed of the index: this fraction of the distance plus this fraction of the mean edge
 /// (a single border crossing errs by a fraction of an edge, however long the distance). About twice the
-/// largest error measured on shortest paths (docs/paths.md). It is not proven, so results that rely on it are
-/// not certified.
+/// largest error measured on shortest paths (docs/figures.md). It is not proven, so results that rely on it
+/// are not certified.
 inline constexpr double index_margin = 0.003;
 inline constexpr double index_margin_in_edges = 0.5;
 

@@ -28,7 +28,7 @@ constexpr double suspicious = 2e-4;
 /// A shorter path is looked for near the refined one if that is longer than the index's distance by this much
 /// (relative) on an even surface, by less for each radian of roughness, but by no less than a minimum.
 /// Measured: on rough surfaces more paths have a shorter one close to them, and the index's distance itself
-/// is longer (docs/paths.md).
+/// is longer (docs/figures.md).
 constexpr double doubtful_if_even = 2e-4;
 constexpr double doubtful_by_roughness = 1.8e-2;
 constexpr double least_doubtful = -1.5e-4;

@@ -39,7 +39,7 @@ constexpr double short_reach = 0.04;
 /// Tasks of so many whole fields ask for the price of an index before they begin.
 constexpr double many_fields = 16.0;
 
-/// Number of pairs in one call from which landmarks usually save more time than they cost (docs/paths.md).
+/// Number of pairs in one call from which landmarks usually save more time than they cost (docs/figures.md).
 constexpr std::size_t pairs_worth_landmarks = 1000;
 
 /// The number of targets of one source from which one propagation over the mesh, which serves them all, is

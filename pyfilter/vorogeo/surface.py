@@ -228,7 +228,7 @@ class Surface(Tasks):
         source, target : a point, or k points
             Vertex ids, 0 to n - 1, `SurfacePoints` or lists of both; one point goes with each of k.
         method : {"automatic", "index", "exact"}, optional
-            As for the class. From an index, distances of vertices err slightly (``docs/accuracy.md``); those of other
+            As for the class. From an index, distances of vertices err slightly (``docs/figures.md``); those of other
             points are lengths of refined paths (`path`).
         progress : callable or bool, optional
             As for `GeodesicIndex`.
@@ -302,7 +302,7 @@ class Surface(Tasks):
         """Shortest path between two points, or of each of k pairs: exact without an index, else the refined one.
 
         A refined path is the route of the index, shortened to a geodesic: never shorter than the shortest path, and in
-        most cases that path (``docs/paths.md`` has the errors).
+        most cases that path (``docs/figures.md`` has the errors).
 
         Parameters
         ----------

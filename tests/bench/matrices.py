@@ -32,7 +32,7 @@ def main() -> None:
     parser.add_argument("mesh", nargs="*", default=["homer@6890", "fsaverage5@32492"], metavar="MESH[@VERTICES]")
     parser.add_argument("--seconds", type=float, default=10, help="processor time of each method, without its set-up")
     parser.add_argument("--whole", action="store_true", help="our matrix to its end, in a file, instead of some rows")
-    parser.add_argument("--write", action="store_true", help="renew the table in docs/benchmarks.md")
+    parser.add_argument("--write", action="store_true", help="renew the table in docs/figures.md")
     parser.add_argument("--one", nargs=4, help=argparse.SUPPRESS)  # method, raw mesh, seconds, whole
     given = parser.parse_args()
     if given.one:
@@ -47,7 +47,7 @@ def main() -> None:
     text = "\n" + "\n".join(f"| {line} |" for line in lines) + "\n\n"
     print(text)
     if given.write:
-        pages.replace(pages.BENCHMARKS, "matrices", text)
+        pages.replace(pages.FIGURES, "matrices", text)
 
 
 def rows_of(name: str, seconds: float, whole: bool) -> list[str]:

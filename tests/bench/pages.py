@@ -11,7 +11,7 @@ from typing import Any
 import meshes
 import tables
 
-BENCHMARKS = FIGURES = meshes.ROOT / "docs" / "figures.md"
+FIGURES = meshes.ROOT / "docs" / "figures.md"
 PICTURES = meshes.ROOT / "docs" / "figures"
 COSTS_HEADING = (
     "mesh | vertices | build (s) | bytes per vertex | file | field (ms) | far pair (µs) | p99 (µs) | near pair (µs) "

@@ -32,7 +32,7 @@ class Errors:
     largest: float
 
 
-#: Twice those of docs/accuracy.md, of docs/metrics.md for values of faces, and of docs/choosing.md for the worst mesh.
+#: Twice those of docs/figures.md: of an index, of values of faces, and of quick fields on the worst mesh.
 _INDEX = Errors(4e-4, 2e-2)
 _INDEX_OF_JUMPS = Errors(1.7e-3, 4.6e-2)
 _QUICK = Errors(0.1, 1.6)

@@ -12,8 +12,8 @@ from sample_meshes import bent_grid
 
 VERTICES, FACES = bent_grid(22, 16)
 IDS = np.array([3, 60, 121, 180, 222, 300, 351])
-# Mean, 99th percentile and largest error of an index: twice those of docs/accuracy.md, and for values of faces twice
-# those of the field on igea in docs/metrics.md; the largest, which hardly any vertex has, is bounded closer.
+# Mean, 99th percentile and largest error of an index: twice those of docs/figures.md, for values of faces
+# twice those of the field on igea there; the largest, which hardly any vertex has, is bounded closer.
 OF_VERTICES = 2e-4, 1.5e-3, 5e-3
 OF_FACES = 1.7e-3, 8e-3, 3e-2
 
