@@ -178,6 +178,11 @@ void Surface::give_back(std::unique_ptr<Query> query) {
   }
 }
 
+void Surface::free_queries() {
+  const std::lock_guard lock(mutex_);
+  idle_.clear();
+}
+
 double Surface::reach_of(double distance) {
   if (!(distance < unreachable)) return 1.0;
   double area = 0.0;

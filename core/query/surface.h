@@ -107,6 +107,9 @@ class Surface {
   /// A query that no other thread has, until give_back(). After an exception, let it go instead.
   std::unique_ptr<Query> borrow();
   void give_back(std::unique_ptr<Query> query);
+  /// Frees the queries that no thread has: they answer the next question sooner, and hold memory for the
+  /// whole mesh.
+  void free_queries();
   /// Lends a query to `body`, which it is called with.
   template <class Body>
   auto lend(Body&& body) {

@@ -19,7 +19,7 @@ namespace vorogeo::plugin {
 /// A surface is found by comparing the whole layer, all positions, faces, costs and parameters, not a name or
 /// a hash of it: after any edit there is none until the layer is read again, and when the edit is undone the
 /// old one is found again. A surface belongs to the documents that used it and is freed with the last of
-/// them. Only the one used last keeps solvers, which hold memory for the whole mesh. May be used by several
+/// them. Only the one used last keeps queries, which hold memory for the whole mesh. May be used by several
 /// threads.
 class LayerCache {
  public:

@@ -69,11 +69,7 @@ void LayerSurface::use(std::shared_ptr<const GeodesicIndex> index) {
 }
 
 void LayerSurface::rest() {
-  if (const auto known = known_surface()) {
-    auto rested = std::make_shared<Surface>(known->mesh(), known->index(), known->spent());
-    const std::lock_guard lock(mutex_);
-    if (surface_ == known) surface_ = std::move(rested);
-  }
+  if (const auto known = known_surface()) known->free_queries();
 }
 
 std::int64_t LayerSurface::memory_bytes() const {

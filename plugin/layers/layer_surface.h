@@ -72,8 +72,7 @@ class LayerSurface {
   std::shared_ptr<const GeodesicIndex> index() const;
   /// An index of mesh() that was built or loaded elsewhere: from now on answers come from it.
   void use(std::shared_ptr<const GeodesicIndex> index);
-  /// Frees what solvers hold between two questions; the mesh, the index and what exact answers have taken
-  /// stay.
+  /// Frees what queries hold between two questions; what is made from the mesh alone stays.
   void rest();
   /// Of the arrays, the mesh and the index.
   std::int64_t memory_bytes() const;
