@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #if defined(__GNUC__)
@@ -80,7 +81,10 @@ struct SurfacePoint {
   std::array<double, 3> weights{};
 
   SurfacePoint() = default;
-  SurfacePoint(int vertex_number) : vertex(vertex_number) {}  // NOLINT(google-explicit-constructor)
+  /// From a whole number of any type; one too large for a vertex becomes -1, which is refused.
+  template <std::integral Number>
+  SurfacePoint(Number vertex_number)  // NOLINT(google-explicit-constructor)
+      : vertex(std::in_range<int>(vertex_number) ? static_cast<int>(vertex_number) : -1) {}
   SurfacePoint(int face_number, const std::array<double, 3>& corner_weights)
       : face(face_number), weights(corner_weights) {}
 

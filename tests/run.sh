@@ -163,8 +163,8 @@ fi
 compile_for_arm64() {
   local unit
   for unit in build/release/core/CMakeFiles/vorogeo_{core,methods}.dir/Unity/*.cxx \
-              core/index/scans.cpp; do
-    aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore -isystem /usr/include/eigen3 "$unit" || return 1
+              core/index/scans.cpp core/vorogeo.cpp; do
+    aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore -Iinclude -isystem /usr/include/eigen3 "$unit" || return 1
   done
 }
 if [ "$quick" = yes ]; then

@@ -360,6 +360,12 @@ TEST(Library, ThreadsMayAskAtATime) {
   EXPECT_LT(*std::ranges::max_element(worst), 1e-12);
 }
 
+// Numbers of any whole type are vertices, others are none.
+static_assert(std::convertible_to<std::vector<std::size_t>, vorogeo::PointList>);
+static_assert(std::convertible_to<std::vector<SurfacePoint>, vorogeo::PointList>);
+static_assert(!std::convertible_to<double, SurfacePoint>);
+static_assert(!std::convertible_to<std::vector<double>, vorogeo::PointList>);
+
 TEST(Library, RefusalsNameTheElement) {
   using vorogeo::InvalidInput;
   const Sheet sheet(squares);
@@ -371,6 +377,7 @@ TEST(Library, RefusalsNameTheElement) {
             "Vertex 625 does not exist: the mesh has vertices 0 to 624.");
   EXPECT_EQ(refusal([&] { surface.distance(-1, 0); }),
             "Vertex -1 does not exist: the mesh has vertices 0 to 624.");
+  EXPECT_NE(refusal([&] { surface.distance(0, std::size_t{1} << 32); }), "not refused");
   EXPECT_EQ(refusal([&] { surface.field({}); }), "There is no source: give at least one.");
   EXPECT_NE(refusal([&] {
               surface.field({0, 1}, {.offsets = {1.0}});
