@@ -260,8 +260,7 @@ class VOROGEO_API Surface {
   std::shared_ptr<State> state_;
 };
 
-// ---- Tasks: what is built on many distances. From the index of the surface if there is one, otherwise
-// exact.
+// ---- Tasks: what is built on many distances, exactly or from the index, whichever is faster on this surface
 
 /// Row by row the distance of each row's point from each column's. The first form: of points from each other.
 VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
