@@ -42,6 +42,7 @@ using vorogeo::SideLengths;
 using vorogeo::Surface;
 using vorogeo::SurfaceLocator;
 using vorogeo::SurfacePoint;
+using vorogeo::TaskOptions;
 using vorogeo::to_string;
 }  // namespace inner
 
@@ -366,6 +367,12 @@ void Surface::load_index(const std::filesystem::path& file) {
 
 namespace {
 
+/// The part that tasks of the core take of TaskOptions and of FarthestOptions.
+template <class Options>
+inner::TaskOptions core_options(const Options& options) {
+  return {.by = static_cast<inner::AnswerMethod>(options.by), .progress = Progress(options.progress)};
+}
+
 /// Runs a task: body(surface, mesh).
 template <class Body>
 auto run_task(const Surface& surface, Body&& body) {
@@ -376,62 +383,61 @@ auto run_task(const Surface& surface, Body&& body) {
 }
 
 SparseDistances sparse_out(inner::Surface& surface, const inner::PointList& points, double radius,
-                           const Progress& progress) {
-  auto found = pairs_within(surface, points, radius, 0, {.progress = progress});
+                           const inner::TaskOptions& options) {
+  auto found = pairs_within(surface, points, radius, 0, options);
   return {std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
 }
 
 }  // namespace
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
-                                    const ProgressFunction& progress) {
+                                    const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> matrix(points.size() * points.size());
     distance_matrix(asked, points_in(mesh, points), MatrixMethod::automatic, std::span(matrix),
-                    {.progress = Progress(progress)});
+                    core_options(options));
     return matrix;
   });
 }
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& rows, const PointList& columns,
-                                    const ProgressFunction& progress) {
+                                    const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> matrix(rows.size() * columns.size());
     distance_matrix(asked, points_in(mesh, rows), points_in(mesh, columns), MatrixMethod::automatic,
-                    std::span(matrix), {.progress = Progress(progress)});
+                    std::span(matrix), core_options(options));
     return matrix;
   });
 }
 
 std::vector<double> distance_fields(const Surface& surface, const PointList& sources, double limit,
-                                    const ProgressFunction& progress) {
+                                    const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<double> rows(sources.size() * static_cast<std::size_t>(surface.vertex_count()));
-    distance_fields(asked, points_in(mesh, sources), limit, std::span(rows),
-                    {.progress = Progress(progress)});
+    distance_fields(asked, points_in(mesh, sources), limit, std::span(rows), core_options(options));
     return rows;
   });
 }
 
 SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
-                             const ProgressFunction& progress) {
+                             const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    return sparse_out(asked, points_in(mesh, points), radius, Progress(progress));
+    return sparse_out(asked, points_in(mesh, points), radius, core_options(options));
   });
 }
 
 NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
-                     std::size_t count, const ProgressFunction& progress) {
+                     std::size_t count, const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = nearest_of_set(asked, points_in(mesh, set), points_in(mesh, queries), count,
-                                {.progress = Progress(progress)});
+    auto found =
+        nearest_of_set(asked, points_in(mesh, set), points_in(mesh, queries), count, core_options(options));
     return NearestOfSet{std::move(found.position), std::move(found.distance)};
   });
 }
 
-VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const ProgressFunction& progress) {
+VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = voronoi_regions(asked, points_in(mesh, sites), {.progress = Progress(progress)});
+    auto found = voronoi_regions(asked, points_in(mesh, sites), core_options(options));
     VoronoiRegions regions;
     regions.face_region.assign(static_cast<std::size_t>(surface.face_count()), -1);
     for (const int face : central_parts(mesh)) {
@@ -460,51 +466,50 @@ FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& o
     FarthestStop stop;
     stop.count = options.count;
     stop.radius = options.radius;
-    auto found = sample_farthest(asked, stop, points_in(mesh, options.start), options.seed,
-                                 {.progress = Progress(options.progress)});
+    auto found =
+        sample_farthest(asked, stop, points_in(mesh, options.start), options.seed, core_options(options));
     return FarthestSamples{points_out(mesh, found.points), std::move(found.radius), std::move(found.distance),
                            found.covering_radius};
   });
 }
 
 std::vector<int> sample_poisson_disk(const Surface& surface, double radius, std::uint64_t seed,
-                                     const ProgressFunction& progress) {
+                                     const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh&) {
-    return sample_poisson_disk(asked, radius, seed, {.progress = Progress(progress)});
+    return sample_poisson_disk(asked, radius, seed, core_options(options));
   });
 }
 
-RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds,
-                    const ProgressFunction& progress) {
+RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds, const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = relax_points(asked, points_in(mesh, points), rounds, {.progress = Progress(progress)});
+    auto found = relax_points(asked, points_in(mesh, points), rounds, core_options(options));
     return RelaxedPoints{points_out(mesh, found.points), std::move(found.energy)};
   });
 }
 
-Disk disk(const Surface& surface, const PointList& sources, double radius) {
+Disk disk(const Surface& surface, const PointList& sources, double radius, const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = geodesic_disk(asked, points_in(mesh, sources), radius);
+    auto found = geodesic_disk(asked, points_in(mesh, sources), radius, core_options(options));
     for (int& face : found.faces) face = mesh.input_face(face);
     return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
   });
 }
 
 std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
-                                         const ProgressFunction& progress) {
+                                         const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     std::vector<Eccentricity> out;
-    for (const auto& one : eccentricities(asked, points_in(mesh, points), {.progress = Progress(progress)})) {
+    for (const auto& one : eccentricities(asked, points_in(mesh, points), core_options(options))) {
       out.push_back({one.distance, one.farthest});
     }
     return out;
   });
 }
 
-Extent extent(const Surface& surface, int max_fields, const ProgressFunction& progress) {
+Extent extent(const Surface& surface, int max_fields, const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    const auto found = extent_of_component(asked, largest_component(mesh).first_vertex, max_fields,
-                                           {.progress = Progress(progress)});
+    const auto found =
+        extent_of_component(asked, largest_component(mesh).first_vertex, max_fields, core_options(options));
     return Extent{{found.diameter.lower, found.diameter.upper},
                   {found.ends[0], found.ends[1]},
                   {found.radius.lower, found.radius.upper},

@@ -262,17 +262,20 @@ class VOROGEO_API Surface {
 
 // ---- Tasks: what is built on many distances, exactly or from the index, whichever is faster on this surface
 
+struct TaskOptions {
+  Answer by = Answer::automatic;  ///< not quick
+  ProgressFunction progress = {};
+};
+
 /// Row by row the distance of each row's point from each column's. The first form: of points from each other.
 VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
-                                                const ProgressFunction& progress = {});
+                                                const TaskOptions& options = {});
 VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& rows,
-                                                const PointList& columns,
-                                                const ProgressFunction& progress = {});
+                                                const PointList& columns, const TaskOptions& options = {});
 
 /// Row by row the distances of all vertices from each source; those above the limit are `unreachable`.
 VOROGEO_API std::vector<double> distance_fields(const Surface& surface, const PointList& sources,
-                                                double limit = unreachable,
-                                                const ProgressFunction& progress = {});
+                                                double limit = unreachable, const TaskOptions& options = {});
 
 /// Row i holds the entries row_begin[i] to row_begin[i + 1].
 struct SparseDistances {
@@ -282,7 +285,7 @@ struct SparseDistances {
 };
 /// All pairs of points at most `radius` apart. \throw NotEnoughMemory.
 VOROGEO_API SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
-                                         const ProgressFunction& progress = {});
+                                         const TaskOptions& options = {});
 
 /// For each query `count` positions in the set and distances, nearest first; -1 where fewer can be reached.
 struct NearestOfSet {
@@ -290,7 +293,7 @@ struct NearestOfSet {
   std::vector<double> distance;
 };
 VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
-                                 std::size_t count, const ProgressFunction& progress = {});
+                                 std::size_t count, const TaskOptions& options = {});
 
 /// Polylines on a surface: each segment joins two of the points.
 struct SurfaceLines {
@@ -307,7 +310,7 @@ struct VoronoiRegions {
   std::vector<std::array<int, 2>> border_regions;  ///< beside each segment
 };
 VOROGEO_API VoronoiRegions voronoi(const Surface& surface, const PointList& sites,
-                                   const ProgressFunction& progress = {});
+                                   const TaskOptions& options = {});
 
 /// Lines of equal value of a field at the vertices. `level` is the position of each segment's level.
 struct Isolines {
@@ -322,6 +325,7 @@ struct FarthestOptions {
   double radius = 0.0;   ///< until every vertex is at most so far from a sample; 0: no such limit
   PointList start = {};  ///< the first samples; empty: a random vertex
   std::uint64_t seed = 0;
+  Answer by = Answer::automatic;
   ProgressFunction progress = {};
 };
 struct FarthestSamples {
@@ -334,8 +338,7 @@ struct FarthestSamples {
 VOROGEO_API FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& options);
 /// Vertices at least `radius` apart, to which no vertex could be added.
 VOROGEO_API std::vector<int> sample_poisson_disk(const Surface& surface, double radius,
-                                                 std::uint64_t seed = 0,
-                                                 const ProgressFunction& progress = {});
+                                                 std::uint64_t seed = 0, const TaskOptions& options = {});
 
 /// Points moved to the middles of their Voronoi regions, and the energy before the first and after each
 /// round.
@@ -345,7 +348,7 @@ struct RelaxedPoints {
 };
 /// Lloyd relaxation: ends after so many rounds, or when no point finds a better vertex.
 VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds = 10,
-                                const ProgressFunction& progress = {});
+                                const TaskOptions& options = {});
 
 /// What lies within a radius of the nearest of some sources.
 struct Disk {
@@ -353,7 +356,8 @@ struct Disk {
   std::vector<double> distance;  ///< of each
   std::vector<int> faces;        ///< with all corners inside
 };
-VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius);
+VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius,
+                      const TaskOptions& options = {});
 
 /// The vertex farthest from a point, within its component, and its distance.
 struct Eccentricity {
@@ -361,7 +365,7 @@ struct Eccentricity {
   int farthest = -1;
 };
 VOROGEO_API std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
-                                                     const ProgressFunction& progress = {});
+                                                     const TaskOptions& options = {});
 
 /// Bounds of the greatest and the least distance of a vertex from the vertex farthest from it.
 struct Extent {
@@ -371,7 +375,7 @@ struct Extent {
   int centre = -1;  ///< from which all vertices are within the upper bound of the radius
 };
 /// Of the largest component, from at most `max_fields` fields.
-VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const ProgressFunction& progress = {});
+VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const TaskOptions& options = {});
 
 }  // namespace v0
 }  // namespace vorogeo

@@ -220,14 +220,15 @@ class LibraryTasks : public testing::TestWithParam<bool> {
   }
   const Sheet sheet{48};
   Surface surface = surface_of(sheet);
+  const vorogeo::TaskOptions options{.by = GetParam() ? Answer::index : Answer::exact};
   const double slack = GetParam() ? 5e-3 : 1e-9;
 };
 
 TEST_P(LibraryTasks, MatricesAndNeighbours) {
   const std::vector<int> points{0, 48, 1000, 2400, 1234};
-  const auto matrix = vorogeo::distance_matrix(surface, points);
-  const auto rows = vorogeo::distance_matrix(surface, {0, 48}, points);
-  const auto fields = vorogeo::distance_fields(surface, {0, 48}, 0.9);
+  const auto matrix = vorogeo::distance_matrix(surface, points, options);
+  const auto rows = vorogeo::distance_matrix(surface, {0, 48}, points, options);
+  const auto fields = vorogeo::distance_fields(surface, {0, 48}, 0.9, options);
   for (int v = 0; v < surface.vertex_count(); ++v) {
     const double flat = sheet.flat_distance(48, v), found = fields[surface.vertex_count() + v];
     if (flat < 0.9 * (1.0 - slack)) {
@@ -236,8 +237,8 @@ TEST_P(LibraryTasks, MatricesAndNeighbours) {
       EXPECT_EQ(found, unreachable);
     }
   }
-  const auto near = vorogeo::pairs_within(surface, points, 0.8);
-  const auto nearest = vorogeo::nearest(surface, points, {100}, 2);
+  const auto near = vorogeo::pairs_within(surface, points, 0.8, options);
+  const auto nearest = vorogeo::nearest(surface, points, {100}, 2, options);
   std::int64_t pairs = 0;
   std::vector<std::pair<double, int>> by_distance;
   for (int i = 0; i < 5; ++i) {
@@ -261,7 +262,7 @@ TEST_P(LibraryTasks, MatricesAndNeighbours) {
 }
 
 TEST_P(LibraryTasks, RegionsOfTwoSitesAreHalves) {
-  const auto regions = vorogeo::voronoi(surface, {sheet.vertex(12, 24), sheet.vertex(36, 24)});
+  const auto regions = vorogeo::voronoi(surface, {sheet.vertex(12, 24), sheet.vertex(36, 24)}, options);
   EXPECT_NEAR(regions.area[0], 0.5, slack);
   EXPECT_NEAR(regions.area[1], 0.5, slack);
   ASSERT_EQ(regions.face_region.size(), sheet.faces.size());
@@ -277,19 +278,19 @@ TEST_P(LibraryTasks, RegionsOfTwoSitesAreHalves) {
 }
 
 TEST_P(LibraryTasks, SamplesAreSpread) {
-  const auto farthest = vorogeo::sample_farthest(surface, {.count = 4, .start = 0});
+  const auto farthest = vorogeo::sample_farthest(surface, {.count = 4, .start = 0, .by = options.by});
   EXPECT_EQ(farthest.points[1], SurfacePoint(sheet.vertex(48, 48)));
   EXPECT_NEAR(farthest.radius[1], std::numbers::sqrt2, slack);
   EXPECT_NEAR(farthest.radius[3], 1.0, slack);
   EXPECT_NEAR(farthest.covering_radius, std::sqrt(0.5), slack);
   // Two points that begin beside each other come to rest in the middles of halves: their energy is that of
   // two rectangles about their centres, 2 (1/2) (1/4 + 1) / 12.
-  const auto relaxed = vorogeo::relax(surface, {sheet.vertex(23, 24), sheet.vertex(25, 24)}, 40);
+  const auto relaxed = vorogeo::relax(surface, {sheet.vertex(23, 24), sheet.vertex(25, 24)}, 40, options);
   EXPECT_NEAR(relaxed.energy.back(), 1.25 / 12.0, 0.005);
   EXPECT_LT(relaxed.energy.back(), relaxed.energy.front());
 
   const double radius = 0.2;
-  const std::vector<int> samples = vorogeo::sample_poisson_disk(surface, radius, 7);
+  const std::vector<int> samples = vorogeo::sample_poisson_disk(surface, radius, 7, options);
   for (int v = 0; v < surface.vertex_count(); ++v) {
     double nearest = unreachable;
     for (const int sample : samples) {
@@ -304,7 +305,7 @@ TEST_P(LibraryTasks, SamplesAreSpread) {
 }
 
 TEST_P(LibraryTasks, LinesDisksAndExtent) {
-  const auto lines = vorogeo::isolines(surface, surface.distances_from(0), {0.5, 0.75});
+  const auto lines = vorogeo::isolines(surface, surface.field(0, {.by = options.by}).distance, {0.5, 0.75});
   std::array<double, 2> length{};
   for (std::size_t i = 0; i < lines.level.size(); ++i) {
     const auto& [p, q] = lines.lines.segments[i];
@@ -314,7 +315,7 @@ TEST_P(LibraryTasks, LinesDisksAndExtent) {
   EXPECT_NEAR(length[0], 0.25 * std::numbers::pi, 0.01);  // a quarter of a circle
   EXPECT_NEAR(length[1], 0.375 * std::numbers::pi, 0.01);
 
-  const auto disk = vorogeo::disk(surface, 0, 0.301);
+  const auto disk = vorogeo::disk(surface, 0, 0.301, options);
   const auto inside = [&](int v) { return sheet.flat_distance(0, v) <= 0.301; };
   EXPECT_TRUE(std::ranges::all_of(disk.vertices, inside));
   int vertices = 0, faces = 0;
@@ -323,11 +324,11 @@ TEST_P(LibraryTasks, LinesDisksAndExtent) {
   EXPECT_EQ(disk.vertices.size(), static_cast<std::size_t>(vertices));
   EXPECT_EQ(disk.faces.size(), static_cast<std::size_t>(faces));
 
-  const auto farthest = vorogeo::eccentricities(surface, {0, sheet.vertex(24, 24)});
+  const auto farthest = vorogeo::eccentricities(surface, {0, sheet.vertex(24, 24)}, options);
   EXPECT_NEAR(farthest[0].distance, std::numbers::sqrt2, slack);
   EXPECT_EQ(farthest[0].farthest, sheet.vertex(48, 48));
   EXPECT_NEAR(farthest[1].distance, std::sqrt(0.5), slack);
-  const auto extent = vorogeo::extent(surface);
+  const auto extent = vorogeo::extent(surface, 20, options);
   EXPECT_LE(extent.diameter[0], std::numbers::sqrt2 + slack);
   EXPECT_GE(extent.diameter[1], std::numbers::sqrt2 - slack);
   EXPECT_NEAR(extent.diameter[0], std::numbers::sqrt2, slack);
