@@ -20,6 +20,10 @@ constexpr double least_step = 2.0;
 /// Items of a solver in one step below which steps become longer.
 constexpr std::size_t few_items = 64;
 
+/// Items of a solver in one step at most. Where those that the others have for it are nearer than all it
+/// has, a solver without them may follow windows around a thin part, turn by turn, as long as the step.
+constexpr std::size_t most_items = 1 << 12;
+
 /// How often a thread looks whether the others have finished the step before it goes to sleep.
 constexpr int looks = 200;
 
@@ -113,9 +117,11 @@ void SharedRun::take_step(int solver) {
   ExactSolver::State& state = *all_[solver];
   for (const auto& from : handed_) state.take_in(from[solver]);
   std::size_t items = 0;
-  for (Index item = state.queue.pop(end_of_step_); item != no_index; item = state.queue.pop(end_of_step_)) {
+  while (items < most_items) {
+    const Index item = state.queue.pop(end_of_step_);
+    if (item == no_index) break;
     state.take(item, front_);
-    if (++items % ExactSolver::State::items_per_report == 0) checkpoint();
+    ++items;
   }
   taken_[solver] = items;
 }

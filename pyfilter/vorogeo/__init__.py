@@ -23,7 +23,6 @@ from .geodesic_methods import (
     distance_field,
     methods,
 )
-from .index import GeodesicIndex
 from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .mesh_files import read_mesh
 from .metrics import (
@@ -50,7 +49,7 @@ from .results import (
     SparseDistances,
     VoronoiRegions,
 )
-from .surface import Surface
+from .surface import GeodesicIndex, Surface
 
 __version__ = _version("vorogeo")
 __all__ = [

@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
 from .errors import FileError, InvalidInput
-from .index import GeodesicIndex
 from .points import SurfacePoints
+from .surface import GeodesicIndex
 
 #: Names of labels that are not cortex, in lower case without spaces and underscores.
 OUTSIDE = frozenset(("???", "unknown", "medialwall", "corpuscallosum", "mask", "background"))

@@ -17,9 +17,9 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from .errors import InvalidInput
-from .index import GeodesicIndex
 from .mesh_files import Mesh, read_mesh
 from .metrics import Metric
+from .surface import GeodesicIndex
 
 _BLOCK_BYTES = 2**25
 

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
-from ..index import GeodesicIndex
 from ..mesh_files import read_mesh
 from ..metrics import Metric
 from ..points import Points
+from ..surface import GeodesicIndex
 from .metric_options import metric_of
 from .sources import points_of
 
