@@ -8,9 +8,10 @@ from __future__ import annotations
 import sys
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
-from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
+
+PROJECT = Path(__file__).resolve().parents[1]
 
 
 class Result(NamedTuple):
@@ -22,20 +23,13 @@ class Result(NamedTuple):
     reason: str
 
 
-def first_line(text: str | None) -> str:
-    """Return the first line of a text that says something."""
-    return next((line.strip() for line in (text or "").splitlines() if line.strip()), "")
-
-
-def skip_reason(case: ElementTree.Element, skipped: ElementTree.Element) -> str:
-    """Return why a test was skipped: pytest gives a message, ctest only the output of the test."""
-    lines = (case.findtext("system-out") or "").splitlines()
-    after = [after for line, after in pairwise(lines) if line.rstrip().endswith("Skipped")]
-    return after[0].strip() if after else first_line(skipped.get("message") or skipped.text)
+def in_one_line(text: str | None) -> str:
+    """Return a message of several lines as one; files are named from the project on."""
+    return " ".join((text or "").replace(f"{PROJECT}/", "").split())
 
 
 def junit_results(file: Path) -> list[Result]:
-    """Read the results of one JUnit file of pytest or ctest."""
+    """Read the results of one JUnit file of pytest or GoogleTest."""
     results = []
     for case in ElementTree.parse(file).iter("testcase"):
         name, group = case.get("name", ""), case.get("classname", "")
@@ -46,10 +40,10 @@ def junit_results(file: Path) -> list[Result]:
             broken = case.find("error")
         skipped = case.find("skipped")
         if broken is not None or case.get("status") == "fail":
-            reason = first_line(broken.get("message") if broken is not None else "")
+            reason = in_one_line(broken.get("message") if broken is not None else "")
             results.append(Result(file.stem, name, "failed", reason))
         elif skipped is not None or case.get("status") in ("disabled", "notrun"):
-            reason = skip_reason(case, skipped) if skipped is not None else "disabled"
+            reason = in_one_line(skipped.get("message") or skipped.text) if skipped is not None else "disabled"
             results.append(Result(file.stem, name, "skipped", reason))
         else:
             results.append(Result(file.stem, name, "passed", ""))
@@ -99,7 +93,7 @@ def main() -> int:
         if chosen:
             print(f"\n{outcome.capitalize()}:")
         for result in chosen:
-            print(f"  {result.suite}: {result.name}" + (f" - {result.reason[:160]}" if result.reason else ""))
+            print(f"  {result.suite}: {result.name}" + (f" - {result.reason[:300]}" if result.reason else ""))
     print("\nPassed, failed, skipped:")
     for suite in dict.fromkeys(result.suite for result in results):
         count = Counter(result.outcome for result in results if result.suite == suite)

@@ -1,31 +1,33 @@
 #!/usr/bin/env bash
-# Runs all tests: sets up what they need, builds, and ends with the line "N passed, N failed".
+# Runs the tests: sets up what they need, builds, and ends with the line "N passed, N failed".
 #
-# Usage: tests/run.sh [--quick] [--no-window]
-#   --quick: for daily work: without the core under sanitizers, the fuzzers, arm64, older PyMeshLab versions and the window.
-#   --no-window: without the real window of MeshLab in both versions (tests/window/run.sh), which needs the rights of
-#     root and some 3 GB in build/window; where it cannot be run it is skipped, with the reason.
-# The core is compiled twice, as it is used and under sanitizers; the C++ tests are compiled once. All run with the first; the
-# contract, the exact solver's kernels, index files and hostile meshes also with the second.
+# Usage: tests/run.sh [--quick | --all]
+#   By default what a change needs before it lands: C++ and Python with the newest PyMeshLab, hostile meshes, and the contract,
+#   kernels and files under sanitizers; some 15 minutes on two cores after set-up.
+#   --quick: C++, Python and the newest PyMeshLab alone; some 3 minutes.
+#   --all: also older PyMeshLab versions, the core for arm64, the wheels, long fuzzing, and the real window of MeshLab in both
+#     versions. Window and wheels need the rights of root and some 6 GB; where they cannot be run they are skipped, with the reason.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
-# build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (default 20); that of
-# meshes runs a quarter of it.
+# build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (20, with --all 300); that of meshes runs a
+# quarter of it.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 exec </dev/null
 
 quick=no
-window=yes
+all=no
 for argument in "$@"; do
   case "$argument" in
-    --quick) quick=yes window=no ;;
-    --no-window) window=no ;;
-    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick] [--no-window]" >&2; exit 2 ;;
+    --quick) quick=yes ;;
+    --all) all=yes ;;
+    *) echo "tests/run.sh: unknown argument '$argument'; usage: tests/run.sh [--quick | --all]" >&2; exit 2 ;;
   esac
 done
+[ "$quick$all" != yesyes ] || { echo "tests/run.sh: give --quick or --all, not both" >&2; exit 2; }
 
 jobs="${VOROGEO_JOBS:-$(nproc)}"
-fuzz_seconds="${VOROGEO_FUZZ_SECONDS:-20}"
+[ "$all" = yes ] && fuzz_seconds=300 meshes_of_today=2000 || fuzz_seconds=20 meshes_of_today=200
+fuzz_seconds="${VOROGEO_FUZZ_SECONDS:-$fuzz_seconds}"
 results=build/test-results
 rm -rf "$results"
 mkdir -p "$results"
@@ -78,9 +80,20 @@ build() {
   cmake --preset "$preset" "$@" && cmake --build --preset "$preset" --parallel "$jobs"
 }
 
-# Usage: run_ctest PRESET
-run_ctest() {
-  ctest --test-dir "build/$1" -j "$jobs" --timeout 300 --output-on-failure --output-junit "$PWD/$results/cpp-$1.xml"
+# One process per core, each with its part of the tests: a start takes as long as many a test.
+# Usage: run_shard PROGRAM NAME SHARD [OPTIONS OF GOOGLETEST]
+run_shard() {
+  GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$3" timeout 900 "build/release/tests/$1" \
+    "--gtest_output=xml:$results/$2-$3.xml" "${@:4}"
+}
+# Usage: cpp_suite PROGRAM NAME [OPTIONS OF GOOGLETEST]
+cpp_suite() {
+  local shard shards=()
+  for ((shard = 0; shard < jobs; shard++)); do
+    suite "$2-$shard" run_shard "$1" "$2" "$shard" "${@:3}" &
+    shards+=($!)
+  done
+  wait "${shards[@]}"
 }
 
 # Usage: run_pytest NAME PYTHON FOLDERS...
@@ -108,34 +121,41 @@ finish() {
   exit $?
 }
 
-setup=--tests
-[ "$quick" = no ] || setup=--daily
+setup=--daily
+[ "$all" = no ] || setup=--tests
 if ! timed "set-up" bash samples/setup.sh "$setup"; then
   echo "fail set-up (samples/setup.sh $setup)" >>"$checks"
   finish
 fi
 
-# The window of MeshLab itself, in a Debian root; skipped where none can be made.
-# Usage: window_suite VERSION JOBS
-window_suite() {
-  local name="window-$1" status=0 log="$results/window-$1.log"
+# What is run in Debian roots: exit status 77 where none can be made, with the reason in the last line of the log.
+# Usage: rooted_suite NAME COMMAND...
+rooted_suite() {
+  local name="$1" status=0 log="$results/$1.log"
+  shift
   say "$name"
-  VOROGEO_JOBS="$2" timed "$name" tests/window/run.sh "$1" -- "--junitxml=$results/$name.xml" >"$log" 2>&1 || status=$?
+  timed "$name" "$@" >"$log" 2>&1 || status=$?
   if [ "$status" = 77 ]; then
-    echo "skip MeshLab's window $1: $(tail -n 1 "$log")" >>"$checks"
-  elif [ ! -s "$results/$name.xml" ]; then
-    echo "fail $name wrote no results (exit $status, log: $log)" >>"$checks"
+    echo "skip $name: $(tail -n 1 "$log")" >>"$checks"
+  elif [ -s "$results/$name.xml" ]; then
+    :  # it reports by itself
+  elif [ "$status" = 0 ]; then
+    echo "pass $name" >>"$checks"
+  else
+    echo "fail $name (exit $status, log: $log)" >>"$checks"
     tail -n 25 "$log"
   fi
+}
+# Usage: window_suite VERSION JOBS
+window_suite() {
+  VOROGEO_JOBS="$2" rooted_suite "window-$1" tests/window/run.sh "$1" -- "--junitxml=$results/window-$1.xml"
 }
 
 # All of this runs in parallel with the checks below: it downloads, waits for windows, and seldom needs more than one core. When
 # the second version is built, the checks are done or nearly so.
-if [ "$window" = yes ]; then
+if [ "$all" = yes ]; then
   { window_suite 2022.02 1; window_suite 2025.07 "$jobs"; } &
   window_suites=$!
-else
-  echo "skip MeshLab's window: --no-window or --quick" >>"$checks"
 fi
 
 check "format of C++" check_cpp_format
@@ -147,15 +167,14 @@ check "types of Python (mypy)" env -C pyfilter ../.venv/bin/mypy vorogeo
 # The adapter is tested on a real VCG mesh where set-up has obtained the host's headers.
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
-  suite cpp-release run_ctest release
+  cpp_suite core_tests cpp
+  [ ! -x build/release/tests/library_tests ] || suite cpp-library build/release/tests/library_tests "--gtest_output=xml:$results/cpp-library.xml"
   if [ "$quick" = no ]; then
     check "installed library" tests/library/run.sh build/release "$vcg"
-  else
-    echo "skip installed library: --quick" >>"$checks"
+    check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
+    check "hostile meshes of today" tests/fuzz/run.sh --count "$meshes_of_today" --of-today --no-costs
+    check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only
   fi
-  check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
-  check "hostile meshes of today" tests/fuzz/run.sh --count 200 --of-today --no-costs
-  check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only
 fi
 
 # The core for arm64: that it compiles without a warning. There is no such machine to run it on. The units are
@@ -167,12 +186,12 @@ compile_for_arm64() {
     aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore -Iinclude -isystem /usr/include/eigen3 "$unit" || return 1
   done
 }
-if [ "$quick" = yes ]; then
-  echo "skip core for arm64: --quick" >>"$checks"
-elif command -v aarch64-linux-gnu-g++ >/dev/null; then
-  check "core for arm64" compile_for_arm64
-else
-  echo "skip core for arm64: no aarch64-linux-gnu-g++" >>"$checks"
+if [ "$all" = yes ]; then
+  if command -v aarch64-linux-gnu-g++ >/dev/null; then
+    check "core for arm64" compile_for_arm64
+  else
+    echo "skip core for arm64: no aarch64-linux-gnu-g++" >>"$checks"
+  fi
 fi
 
 # The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be
@@ -184,9 +203,13 @@ for name in loading registration index_files index_filters path_filters method_c
   older+=("tests/plugin/test_$name.py")
 done
 python_newer() {
-  local python=.venv/bin/python
-  suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
-  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/contract tests/wheels
+  local python=.venv/bin/python both=()
+  suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py &
+  both+=($!)
+  [ "$quick" = yes ] || wait "${both[@]}"  # the other core builds what sanitizers watch
+  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/contract tests/wheels &
+  both+=($!)
+  wait "${both[@]}"
 }
 # Usage: python_older PYMESHLAB
 python_older() {
@@ -205,33 +228,26 @@ all_older() {
 }
 python_newer &
 newer=$!
-[ "$quick" = yes ] || all_older
-wait "$newer"
+[ "$all" = no ] || all_older
 
-# One process per core, each with its part of the tests: a start under sanitizers takes as long as many a test.
-run_sanitized() {
-  GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$1" timeout 1800 build/release/tests/core_tests_sanitized \
-    --gtest_brief=1 '--gtest_filter=*Contract.*:SharedRun.*:BucketQueue.*:*Envelope*:*IndexFile*:BuildFile.*-Seeds/*' "--gtest_output=xml:$results/cpp-sanitized-$1.xml"
-}
 if [ "$quick" = no ]; then
   if check "build of the core with sanitizers" \
       cmake --build build/release --parallel "$jobs" --target sanitized_tests; then
-    shards=()
-    for ((shard = 0; shard < jobs; shard++)); do
-      suite "cpp-sanitized-$shard" run_sanitized "$shard" &
-      shards+=($!)
-    done
-    wait "${shards[@]}"
+    cpp_suite core_tests_sanitized cpp-sanitized \
+      '--gtest_filter=*Contract.*:SharedRun.*:BucketQueue.*:*Envelope*:*IndexFile*:BuildFile.*-Seeds/*'
     check "fuzz index files" timeout $((fuzz_seconds + 120)) build/release/tests/index_file_fuzz "$fuzz_seconds" &
     fuzzer=$!
     check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/release/tests/mesh_fuzz "$((fuzz_seconds / 4))"
     check "hostile meshes with sanitizers" tests/fuzz/run.sh --sanitized --count 50 --vertices 25
     wait "$fuzzer"
   fi
-else
-  for left_out in "the C++ tests with sanitizers" "fuzz index files" "fuzz meshes" "hostile meshes with sanitizers" "PyMeshLab 2022.2 and 2023.12"; do
-    echo "skip $left_out: --quick" >>"$checks"
-  done
 fi
-[ "$window" = no ] || wait "$window_suites"
+wait "$newer"
+if [ "$all" = yes ]; then
+  wait "$window_suites"
+  rooted_suite wheels tests/wheels/run.sh
+else
+  echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, wheels, long fuzzing" >>"$checks"
+fi
+[ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers and hostile meshes" >>"$checks"
 finish

@@ -148,10 +148,10 @@ inline KnownSurface several_components() {
   const auto faces = static_cast<Index>(plane.soup.faces.size());
   test::Soup soup = test::two_components(plane.soup, box.soup);
   soup = test::with_isolated_vertex(soup, {5.0, 5.0, 5.0});
-  auto distance = [=, lonely = static_cast<Index>(soup.positions.size()) - 1](SurfacePoint a,
-                                                                              SurfacePoint b) {
+  auto distance = [=, isolated = static_cast<Index>(soup.positions.size()) - 1](SurfacePoint a,
+                                                                                SurfacePoint b) {
     auto part = [&](const SurfacePoint& p) {
-      if (p.vertex == lonely) return 2;
+      if (p.vertex == isolated) return 2;
       return p.is_vertex() ? (p.vertex < vertices ? 0 : 1) : (p.face < faces ? 0 : 1);
     };
     if (part(a) != part(b)) return unreachable;

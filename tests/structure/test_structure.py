@@ -22,14 +22,14 @@ def none(found: dict[str, str]) -> None:
 
 
 @pytest.mark.parametrize("part", tree.ORDER)
-def test_arrows_between_rooms_point_down(part: str) -> None:
+def test_arrows_between_modules_point_down(part: str) -> None:
     order = tree.ORDER[part]
     found = {}
-    for file in (file for files in tree.rooms().values() for file in files if file.parts[0] == part):
-        assert tree.room_of(file) in order, f"{file.parent} has no place in tree.ORDER"
+    for file in (file for files in tree.modules().values() for file in files if file.parts[0] == part):
+        assert tree.module_of(file) in order, f"{file.parent} has no place in tree.ORDER"
         for other in tree.imported(file) if file.suffix == ".py" else tree.included(file):
-            same_part = other.parts[0] == part and tree.room_of(other) in order
-            if same_part and order.index(tree.room_of(other)) > order.index(tree.room_of(file)):
+            same_part = other.parts[0] == part and tree.module_of(other) in order
+            if same_part and order.index(tree.module_of(other)) > order.index(tree.module_of(file)):
                 found[str(file)] = f"uses {other}, which stands above it"
     none(found)
 
@@ -110,14 +110,14 @@ def test_every_source_says_first_what_it_is() -> None:
     none(found)
 
 
-def test_every_room_has_a_first_page() -> None:
+def test_every_module_has_a_first_page() -> None:
     found = {}
-    for room in (*tree.rooms(), Path("plugin")):
-        page = tree.PROJECT / room / "README.md"
+    for module in (*tree.modules(), Path("plugin")):
+        page = tree.PROJECT / module / "README.md"
         if not page.is_file():
-            found[str(room)] = "has no README.md"
+            found[str(module)] = "has no README.md"
         elif len(page.read_text().splitlines()) > MAX_LINES_OF_A_README:
-            found[str(room)] = f"its README.md has more than {MAX_LINES_OF_A_README} lines"
+            found[str(module)] = f"its README.md has more than {MAX_LINES_OF_A_README} lines"
     none(found)
 
 
@@ -168,7 +168,7 @@ def test_the_table_of_constants_names_what_the_sources_have() -> None:
     found = {}
     for names, places in rows:
         files: list[Path] = []
-        for place in places.split(", "):  # a second file may lie in the room of the first
+        for place in places.split(", "):  # a second file may lie in the module of the first
             candidates = [Path(place), Path("core", place), *(file.parent / place for file in files[:1])]
             files += [file for file in candidates if (tree.PROJECT / file).is_file()][:1]
         for name in re.findall(r"`([^`]+)`", names):

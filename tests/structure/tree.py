@@ -12,7 +12,7 @@ TOP = ("core", "include", "plugin", "pyfilter", "samples", "tests")
 SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".sh", ".cmake")
 PACKAGE = Path("pyfilter", "vorogeo")
 
-# The rooms of each part from the bottom to the top: a file includes or imports of its own room and those before it.
+# The modules of each part from the bottom to the top: a file includes or imports of its own module and those before it.
 ORDER = {
     "core": ("support", "mesh", "exact", "patches", "index", "query", "tasks", "methods"),
     "plugin": ("host", "layers", "filters", "edit"),
@@ -38,7 +38,7 @@ def known() -> frozenset[Path]:
 
 
 def pages() -> list[Path]:
-    """The documents: those at the top, in docs/ and in the rooms."""
+    """The documents: those at the top, in docs/ and in the modules."""
     places = [PROJECT, *(PROJECT / top for top in (*TOP, "docs"))]
     found = {page for place in places for page in place.glob("*.md" if place == PROJECT else "**/*.md")}
     pages = sorted(page.relative_to(PROJECT) for page in found)
@@ -51,18 +51,18 @@ def text(file: Path) -> str:
     return (PROJECT / file).read_text()
 
 
-def room_of(file: Path) -> str:
-    """The room of a file of one of the parts in ORDER, as named there; empty for what lies beside the rooms."""
+def module_of(file: Path) -> str:
+    """The module of a file of one of the parts in ORDER, as named there; empty for what lies beside the modules."""
     if file.name == "__main__.py":  # the entry of the program, which has to lie in the package itself
         return "vorogeo/cli"
     return Path(*file.parts[1:-1]).as_posix() if file.parts[0] in ORDER and len(file.parts) > 2 else ""
 
 
-def rooms() -> dict[Path, list[Path]]:
+def modules() -> dict[Path, list[Path]]:
     """The folders of the parts in ORDER that hold sources, and these sources."""
     found: dict[Path, list[Path]] = {}
     for file in sources(".cpp", ".h", ".py"):
-        if room_of(file):
+        if module_of(file):
             found.setdefault(file.parent, []).append(file)
     return found
 
