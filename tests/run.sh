@@ -249,5 +249,5 @@ if [ "$all" = yes ]; then
 else
   echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, wheels, long fuzzing" >>"$checks"
 fi
-[ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers and hostile meshes" >>"$checks"
+[ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers, hostile meshes, the installed library" >>"$checks"
 finish

@@ -65,6 +65,18 @@ TEST(DistanceContract, AnIndexOfOnePatchIsExact) {
   }
 }
 
+TEST(DistanceContract, NeighboursInAFanOfNeedlesAreExactFromAnIndex) {
+  constexpr int needles = 3000;
+  const Ask ask(test::needle_disc(needles), {.patches = 2, .patches_in_each = 3});
+  for (const Index v : {2, 40, 250, 900}) {
+    const double chord = 2.0 * std::sin(std::acos(-1.0) * (v - 1) / needles);
+    EXPECT_NEAR(ask.distance(vertex(1), vertex(v), By::index), chord, 1e-12);
+    const Path exact = ask.exact_path(vertex(1), vertex(v), By::index);
+    EXPECT_TRUE(exact.certified);
+    EXPECT_NEAR(exact.length(), chord, 1e-12);
+  }
+}
+
 TEST(DistanceContract, BumpySurfacesAgreeWithEveryUnfoldingOfTheirFaces) {
   const unsigned seed = fresh_seed();
   SCOPED_TRACE("seed " + std::to_string(seed));

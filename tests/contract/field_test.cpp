@@ -171,6 +171,35 @@ TEST(FieldContract, AVertexThatIsASourceHasItsOffset) {
   }
 }
 
+TEST(FieldContract, AGreatOffsetCostsNoMoreThanTheDigitsOfADouble) {
+  // Of ten million, single precision keeps only whole numbers.
+  for (const Case& one : cases_by_length()) {
+    const SurfacePoint source = one.points()[0];
+    for (const By by : {By::exact, By::index}) {
+      const Field field = one.ask.field({{source, 1e7}}, by);
+      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+        expect_close(field.distance[v] - 1e7, one.distance(source, vertex(v)), one.tolerance(by) + 1e-7,
+                     one.ask, one.name + ", " + to_string(by) + ", vertex " + std::to_string(v));
+      }
+    }
+  }
+}
+
+TEST(FieldContract, AcrossTensOfNeedlesFieldsOfAnIndexErrByLittle) {
+  // A disc squashed to an ellipse 100,000 times longer than wide: flat and convex, so that distances are
+  // straight.
+  test::Soup soup = test::needle_disc(90);
+  for (Point& p : soup.positions) p[1] *= 1e-5;
+  const Ask ask(soup, {.patches = 6, .patches_in_each = 2});
+  for (Index source = 1; source <= 90; source += 7) {
+    const Field field = ask.field({{vertex(source)}}, By::index);
+    for (Index v = 0; v <= 90; ++v) {
+      const double straight = distance_between(soup.positions[source], soup.positions[v]);
+      EXPECT_NEAR(field.distance[v], straight, 0.02 * straight) << source << " to " << v;
+    }
+  }
+}
+
 TEST(FieldContract, ASourceIsTheSameHoweverItIsNamed) {
   // The middle of a side in either of its faces, and a corner by its weights.
   const test::Soup soup = test::hills(14, 0.2);

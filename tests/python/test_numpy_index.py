@@ -6,10 +6,8 @@ import warnings
 import numpy as np
 import pytest
 import vorogeo
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from sample_meshes import bent_grid, cube, plane_grid, real_mesh, side_by_side
+from sample_meshes import bent_grid, cube, real_mesh
 
 GRID = bent_grid(60, 45)
 
@@ -24,15 +22,6 @@ def relative_errors(measured, exact):
     return np.abs(measured[positive] - exact[positive]) / exact[positive]
 
 
-def test_plane_field_is_euclidean():
-    vertices, faces = plane_grid(40, 30, 4.0, 3.0)
-    index = vorogeo.GeodesicIndex(vertices, faces)
-    exact = np.linalg.norm(vertices - vertices[617], axis=1)
-    errors = relative_errors(index.distance_field(617), exact)
-    assert errors.mean() <= 2e-5
-    assert errors.max() <= 1e-3
-
-
 @pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "rocker_arm"])
 def test_field_is_near_pygeodesic(name):
     geodesic = pytest.importorskip("pygeodesic.geodesic")
@@ -44,64 +33,6 @@ def test_field_is_near_pygeodesic(name):
     assert errors.mean() <= 3e-4
     assert np.quantile(errors, 0.99) <= 2e-3
     assert errors.max() <= 1e-2
-
-
-def test_pairs_are_near_exact(index):
-    rng = np.random.default_rng(5)
-    targets = rng.integers(0, len(GRID[0]), 300)
-    exact = vorogeo.exact_distance_field(*GRID, 1000)
-    errors = relative_errors(index.distance(np.full(300, 1000), targets), exact[targets])
-    assert errors.mean() <= 1e-4
-    assert errors.max() <= 5e-3
-
-
-@settings(max_examples=50, deadline=None)
-@given(st.lists(st.tuples(st.integers(0, 2699), st.integers(0, 2699)), min_size=1, max_size=20))
-def test_symmetric_and_zero_only_on_the_diagonal(index, pairs):
-    a, b = np.array(pairs).T
-    forward = index.distance(a, b)
-    np.testing.assert_array_equal(forward, index.distance(b, a))
-    np.testing.assert_array_equal(forward, [index.distance(int(i), int(j)) for i, j in pairs])
-    np.testing.assert_array_equal(forward == 0, a == b)
-
-
-def test_many_pairs_equal_single_ones(index):
-    a, b = np.random.default_rng(3).integers(0, 2700, (2, 1000))
-    together = index.distance(a, b)
-    assert together.shape == (1000,)
-    assert together.dtype == np.float64
-    np.testing.assert_array_equal(
-        together[::97], [index.distance(int(i), int(j)) for i, j in np.column_stack([a, b])[::97]]
-    )
-
-
-def test_several_sources_give_the_nearest(index):
-    sources = [0, 1333, 2650]
-    together = index.distance_field(sources)
-    nearest = np.min([index.distance_field(source) for source in sources], axis=0)
-    np.testing.assert_allclose(together, nearest, rtol=0.05)
-    assert (together[sources] == 0).all()
-    np.testing.assert_array_equal(index.distance_field([0, 0, 1333, 2650, 1333]), together)
-
-
-def test_max_distance_cuts_to_infinity(index):
-    full = index.distance_field(77)
-    limit = float(np.median(full))
-    cut = index.distance_field(77, max_distance=limit)
-    np.testing.assert_array_equal(cut, np.where(full <= limit, full, np.inf))
-    assert np.flatnonzero(np.isfinite(index.distance_field(77, max_distance=0))).tolist() == [77]
-    np.testing.assert_array_equal(index.distance_field(77, max_distance=np.inf), full)
-
-
-def test_infinite_between_components_and_at_isolated_vertices():
-    vertices, faces = side_by_side(plane_grid(9, 9), cube())
-    vertices = np.vstack([vertices, [5, 5, 5]])
-    index = vorogeo.GeodesicIndex(vertices, faces)
-    field = index.distance_field(3)
-    assert np.isfinite(field[:81]).all()
-    assert np.isinf(field[81:]).all()
-    np.testing.assert_array_equal(index.distance([3, 85, 89, 89], [85, 3, 3, 89]), [np.inf, np.inf, np.inf, 0])
-    assert index.statistics.components == 3
 
 
 @pytest.mark.parametrize("layer", [1, 2])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, plane_grid, real_mesh, side_by_side
+from sample_meshes import bent_grid, plane_grid, real_mesh
 
 
 def positions_of(vertices, faces, points):
@@ -28,24 +28,6 @@ def check_path(vertices, faces, path):
     for i in range(len(path.points) - 1):
         common = set.intersection(*(faces_at[v] for v in corners(i) | corners(i + 1)))
         assert common, f"points {i} and {i + 1} share no face"
-
-
-def test_paths_in_the_plane_are_straight():
-    vertices, faces = plane_grid(30, 20, 3.0)
-    index = vorogeo.GeodesicIndex(vertices, faces, patches=(4, 4))
-    rng = np.random.default_rng(3)
-    ends = np.column_stack(
-        [rng.uniform(vertices.min(axis=0)[:2], vertices.max(axis=0)[:2], size=(40, 2)), np.zeros(40)]
-    )
-    points = index.snap(ends)
-    np.testing.assert_allclose(points.snap_distance, 0, atol=1e-12)
-    straight = np.linalg.norm(ends[:20] - ends[20:], axis=1)
-    for paths in (index.path(points[:20], points[20:]), index.exact_path(points[:20], points[20:])):
-        np.testing.assert_allclose([path.length for path in paths], straight, rtol=1e-9)
-        for path in paths:
-            check_path(vertices, faces, path)
-    np.testing.assert_allclose(index.distance(points[:20], points[20:]), straight, rtol=1e-9)
-    assert index.distance(points[0], points[20]) == pytest.approx(straight[0], rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk", "gears"])
@@ -107,18 +89,6 @@ def test_exact_paths_have_the_exact_length(name):
         check_path(vertices, faces, path)
 
 
-def test_no_path_between_components():
-    vertices, faces = side_by_side(plane_grid(6, 6, 1.0), plane_grid(6, 6, 1.0))
-    index = vorogeo.GeodesicIndex(vertices, faces)
-    last = len(vertices) - 1
-    path = index.path(0, last)
-    assert path.points.shape == (0, 3)
-    assert path.length == np.inf
-    one, other = index.exact_path([0, 0], [last, 5])
-    assert one.length == np.inf
-    assert other.length == pytest.approx(np.linalg.norm(vertices[5] - vertices[0]))
-
-
 def test_equal_points_and_no_points():
     index = vorogeo.GeodesicIndex(*plane_grid(6, 6, 1.0))
     assert index.path(3, 3).length == 0
@@ -137,26 +107,6 @@ def test_snap_reports_and_limits_the_distance():
         index.snap(above, max_distance=0.2)
     with pytest.raises(vorogeo.InvalidInput, match="finite"):
         index.snap([[0, np.nan, 0]])
-
-
-def test_fields_from_points_with_offsets_and_labels():
-    vertices, faces = plane_grid(24, 24, 2.4)
-    index = vorogeo.GeodesicIndex(vertices, faces, patches=(3, 4))
-    center, size = vertices.mean(axis=0), np.ptp(vertices, axis=0)
-    places = center + np.array([[-0.31, 0.2, 0], [0.27, -0.33, 0]]) * size
-    points = index.snap(places)
-    offsets = np.array([0.0, 0.3])
-    sums = np.linalg.norm(vertices[:, None] - places, axis=2) + offsets
-    distance, label = index.distance_field(points, offsets=offsets, return_labels=True)
-    np.testing.assert_allclose(distance, sums.min(axis=1), rtol=1e-2)  # patches of 50 vertices only
-    assert np.mean(np.abs(distance / sums.min(axis=1) - 1)) < 1e-3
-    clear = np.abs(sums[:, 0] - sums[:, 1]) > 0.05
-    np.testing.assert_array_equal(label[clear], sums.argmin(axis=1)[clear])
-    mixed, label = index.distance_field([5, points], return_labels=True)
-    assert mixed[5] == 0
-    assert label[5] == 0
-    assert set(label.tolist()) == {0, 1, 2}
-    np.testing.assert_allclose(index.distance_field([5, 70], offsets=[0, 0]), index.distance_field([5, 70]), rtol=1e-2)
 
 
 def test_bad_sources_are_refused():

@@ -47,23 +47,6 @@ TEST(EdgePoints, StraightLinesInThePlane) {
   }
 }
 
-TEST(EdgePoints, AsThePointsOfFacesThatTheyAre) {
-  for (const test::Soup& soup :
-       {test::icosphere(3), test::gear(6, 8, 1.0), test::box({1.0, 2.0, 0.5}, 3).soup}) {
-    const auto mesh = test::make_mesh(soup);
-    const auto points = spread_edge_points(*mesh);
-    ExactSolver solver(mesh);
-    for (const ExactSource& source : {ExactSource{SurfacePoint::at_vertex(mesh->vertex_count() / 2)},
-                                      ExactSource{on_surface(*mesh, points[5])}}) {
-      solver.run(std::span(&source, 1));
-      for (const EdgePoint& point : points) {
-        test::expect_near(solver.distance(point), solver.distance(on_surface(*mesh, point)), *mesh, 1e-10,
-                          "edge " + std::to_string(point.edge));
-      }
-    }
-  }
-}
-
 TEST(EdgePoints, ARunStopsOnlyWhenTheyAreFinal) {
   const auto mesh = test::make_mesh(test::gear(10, 16, 2.0));
   ExactSolver whole(mesh);
@@ -79,21 +62,6 @@ TEST(EdgePoints, ARunStopsOnlyWhenTheyAreFinal) {
     stopped.run_from_vertices(std::span(&source, 1), limits);
     EXPECT_DOUBLE_EQ(stopped.distance(point), whole.distance(point)) << "edge " << point.edge;
   }
-}
-
-TEST(EdgePoints, NeedTheWindowsOfTheRun) {
-  const auto mesh = test::make_mesh(test::icosphere(1));
-  ExactSolver solver(mesh);
-  const EdgePoint point{3, 0.1};
-  const Index source = 0;
-  ExactLimits limits;
-  limits.targets = std::span(&source, 1);
-  limits.edge_targets = std::span(&point, 1);
-  limits.distances_only = true;
-  EXPECT_THROW(solver.run_from_vertices(std::span(&source, 1), limits), std::logic_error);
-  limits.edge_targets = {};
-  solver.run_from_vertices(std::span(&source, 1), limits);
-  EXPECT_THROW(static_cast<void>(solver.distance(point)), std::logic_error);
 }
 
 }  // namespace

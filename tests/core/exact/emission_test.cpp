@@ -1,27 +1,13 @@
 // Where windows begin: sectors behind bends, and vertices that lie on an edge.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "exact/exact_solver.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
-
-TEST(Emission, ASaddleLightsItsShadow) {
-  // A cone of 3 pi: behind its apex, as seen from a vertex of the rim, paths bend there.
-  const test::Shape cone = test::cone(12, 4, 3.0 * std::numbers::pi, 2.0);
-  const auto mesh = test::make_mesh(cone.soup);
-  ExactSolver solver(mesh);
-  solver.run_from_vertices(std::array<Index, 1>{13});
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    EXPECT_NEAR(solver.distance(v), cone.vertex_distance(13, v), 1e-12) << v;
-  }
-}
 
 TEST(Emission, AVertexInTheMiddleOfAnEdgeOfAFaceWithoutAreaLightsAllOfIt) {
   // The source in a plane sees everything by straight lines. A vertex on such a line is the middle of the

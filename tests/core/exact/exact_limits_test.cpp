@@ -20,26 +20,6 @@ using test::Shape;
 using test::Soup;
 constexpr double pi = std::numbers::pi;
 
-TEST(ExactLimits, DistancesUpToTheBoundAreExactOthersUnreachable) {
-  const Shape shape = test::plane_grid(20, 20, 2.0, 2.0, 0.2);
-  const auto mesh = test::make_mesh(shape.soup);
-  ExactSolver solver(mesh);
-  for (double bound : {0.0, 0.05, 0.4, 1.1, 10.0}) {
-    ExactLimits limits;
-    limits.max_distance = bound;
-    solver.run_from_vertices(std::array<Index, 1>{220}, limits);
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      const double expected = shape.vertex_distance(220, v);
-      if (expected <= bound) {
-        expect_near(solver.distance(v), expected, *mesh, 1e-11, "vertex " + std::to_string(v));
-      } else {
-        ASSERT_EQ(solver.distance(v), unreachable)
-            << "vertex " << v << " at " << expected << ", bound " << bound;
-      }
-    }
-  }
-}
-
 TEST(ExactLimits, BoundSavesWork) {
   const auto mesh = test::make_mesh(test::plane_grid(60, 60, 2.0, 2.0, 0.2).soup);
   ExactSolver solver(mesh);
@@ -108,14 +88,6 @@ TEST(ExactLimits, OnlyAllowedFacesAreEntered) {
       }
     }
   }
-}
-
-TEST(ExactLimits, WrongTargetsAreRefused) {
-  ExactSolver solver(test::make_mesh(test::icosphere(0)));
-  const std::array<Index, 2> targets{3, 12};
-  ExactLimits limits;
-  limits.targets = targets;
-  EXPECT_THROW(solver.run_from_vertices(std::array<Index, 1>{0}, limits), InvalidInput);
 }
 
 TEST(ExactLimits, CorridorKeepsTheDistanceOfItsTarget) {

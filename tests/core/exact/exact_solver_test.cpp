@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "support/error.h"
@@ -48,12 +47,6 @@ void expect_closed_form(const Shape& shape, const std::vector<SurfacePoint>& sou
 }
 
 void expect_closed_form(const Shape& shape) { expect_closed_form(shape, spread_points(shape.soup)); }
-
-TEST(ExactSolver, Plane) {
-  expect_closed_form(test::plane_grid(12, 9, 4.0, 3.0));
-  expect_closed_form(test::plane_grid(14, 11, 4.0, 3.0, 0.24, 7));
-  expect_closed_form(test::plane_grid(30, 3, 1.0, 3.0, 0.2));  // long thin faces
-}
 TEST(ExactSolver, Prism) {
   expect_closed_form(test::prism(12, 1, 8, 0.5, 3.0));
   expect_closed_form(test::prism(7, 2, 6, 1.0, 4.0, 0.45));
@@ -68,10 +61,6 @@ TEST(ExactSolver, SaddleCone) {
   expect_closed_form(test::cone(12, 5, 2.01 * pi, 2.0));
   expect_closed_form(test::cone(12, 5, 2.6 * pi, 2.0));
   expect_closed_form(test::cone(16, 4, 4.5 * pi, 2.0));
-}
-TEST(ExactSolver, Box) {
-  expect_closed_form(test::box({1.0, 1.0, 1.0}, 4));
-  expect_closed_form(test::box({1.0, 1.7, 3.1}, 5));
 }
 /// A rectangle of cells x cells cells, turned over every second diagonal or not, folded along a row of
 /// vertices, and turned so that all positions are rounded: a ray through a vertex of the fold leads to others
@@ -115,73 +104,6 @@ TEST(ExactSolver, FoldedGridsWhereRaysPassManyVertices) {
   expect_straight_on_a_folded_grid(100, 20.0, 1.0, false);
   expect_straight_on_a_folded_grid(40, 40.0, 4.0, true);
   expect_straight_on_a_folded_grid(40, 40.0, 0.4, true);
-}
-TEST(ExactSolver, BookWithNonManifoldSpine) { expect_closed_form(test::book_of_three_pages(6, 2.0, 1.0)); }
-TEST(ExactSolver, BowTie) { expect_closed_form(test::bow_tie(5)); }
-TEST(ExactSolver, Slit) { expect_closed_form(test::plane_with_slit(3)); }
-
-TEST(ExactSolver, SeveralSourcesGiveTheLeastDistanceAndItsSource) {
-  for (const Shape& shape : {test::plane_grid(12, 10, 4.0, 3.0, 0.2), test::box({1.0, 1.5, 2.0}, 4),
-                             test::cone(12, 4, 2.6 * pi, 2.0), test::book_of_three_pages(5, 2.0, 1.0)}) {
-    const auto mesh = test::make_mesh(shape.soup);
-    const auto points = spread_points(shape.soup);
-    const std::array<double, 4> offsets{0.0, 0.3, 0.05, 0.5};
-    std::vector<ExactSource> sources;
-    for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets[i % 4]});
-    ExactSolver solver(mesh);
-    solver.run(sources);
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      double least = unreachable;
-      auto from = [&](const ExactSource& source) {
-        return source.offset + shape.distance(source.point, SurfacePoint::at_vertex(v));
-      };
-      for (const ExactSource& source : sources) least = std::min(least, from(source));
-      expect_near(solver.distance(v), least, *mesh, 1e-11, "vertex " + std::to_string(v));
-      const Index nearest = solver.nearest_source(v);
-      ASSERT_GE(nearest, 0);
-      ASSERT_LT(nearest, static_cast<Index>(sources.size()));
-      expect_near(from(sources[nearest]), least, *mesh, 1e-11, "source of vertex " + std::to_string(v));
-    }
-  }
-}
-
-TEST(ExactSolver, SourcesAreAtTheirOffset) {
-  const auto mesh = test::make_mesh(test::icosphere(2));
-  ExactSolver solver(mesh);
-  const std::array<Index, 4> vertices{5, 9, 5, 100};
-  solver.run_from_vertices(vertices);
-  for (Index v : vertices) EXPECT_EQ(solver.distance(v), 0.0);
-  const auto inside = SurfacePoint::in_face(17, {0.2, 0.5, 0.3});
-  const std::array sources{ExactSource{inside, 0.75}};
-  solver.run(sources);
-  EXPECT_NEAR(solver.distance(inside), 0.75, 1e-15);
-}
-
-TEST(ExactSolver, NoSourceReachesNothing) {
-  ExactSolver solver(test::make_mesh(test::icosphere(1)));
-  solver.run_from_vertices(std::span<const Index>{});
-  for (Index v = 0; v < 42; ++v) {
-    EXPECT_EQ(solver.distance(v), unreachable);
-    EXPECT_EQ(solver.nearest_source(v), no_index);
-  }
-  EXPECT_EQ(solver.distance(SurfacePoint::in_face(3, {0.2, 0.3, 0.5})), unreachable);
-}
-
-TEST(ExactSolver, OtherComponentsAndIsolatedVerticesAreUnreachable) {
-  const Soup two = test::two_components(test::icosphere(1), test::icosphere(0));
-  ExactSolver solver(test::make_mesh(test::with_isolated_vertex(two, {0, 0, 0})));
-  solver.run_from_vertices(std::array<Index, 1>{3});
-  for (Index v = 0; v < 42; ++v) EXPECT_LT(solver.distance(v), 4.0);
-  for (Index v = 42; v < 55; ++v) {
-    EXPECT_EQ(solver.distance(v), unreachable);
-    EXPECT_EQ(solver.nearest_source(v), no_index);
-    EXPECT_TRUE(solver.path_to_source(SurfacePoint::at_vertex(v)).points.empty());
-  }
-  EXPECT_EQ(solver.distance(SurfacePoint::in_face(85, {0.2, 0.3, 0.5})), unreachable);
-  // From the isolated vertex only itself is reached.
-  solver.run_from_vertices(std::array<Index, 1>{54});
-  EXPECT_EQ(solver.distance(54), 0.0);
-  EXPECT_EQ(solver.distance(0), unreachable);
 }
 
 TEST(ExactSolver, ASecondRunForgetsTheFirst) {
@@ -243,28 +165,6 @@ TEST(ExactSolver, RealMeshesObeyTheTriangleInequalityAlongEdgesAndSymmetry) {
       }
     }
   }
-}
-
-TEST(ExactSolver, RefusalsNameTheElement) {
-  ExactSolver solver(test::make_mesh(test::icosphere(0)));
-  auto refusal = [&](const SurfacePoint& point, double offset) -> std::string {
-    try {
-      const std::array sources{ExactSource{point, offset}};
-      solver.run(sources);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "not refused";
-  };
-  EXPECT_EQ(refusal(SurfacePoint::at_vertex(12), 0.0),
-            "Vertex 12 does not exist: the mesh has vertices 0 to 11.");
-  EXPECT_EQ(refusal(SurfacePoint::in_face(20, {1, 0, 0}), 0.0),
-            "Face 20 does not exist: the mesh has faces 0 to 19.");
-  EXPECT_NE(refusal(SurfacePoint::at_vertex(0), std::numeric_limits<double>::quiet_NaN()), "not refused");
-  EXPECT_NE(refusal(SurfacePoint::at_vertex(0), std::numeric_limits<double>::infinity()), "not refused");
-  // A refused run leaves a solver that works.
-  solver.run_from_vertices(std::array<Index, 1>{0});
-  EXPECT_EQ(solver.distance(0), 0.0);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "mesh/gaps.h"
 #include "support/error.h"
 #include "support/gaps.h"
@@ -50,73 +48,6 @@ TEST(VirtualSources, AreWithinThreeTenthsOfAPercentOnSmoothSurfaces) {
   EXPECT_LT(errors_of(sphere, {{SurfacePoint::at_vertex(7)}}).mean, 0.003);
   VirtualSources hills(test::make_mesh(test::hills(40, 0.4)));
   EXPECT_LT(errors_of(hills, {{SurfacePoint::at_vertex(7)}}).mean, 0.005);
-}
-
-TEST(VirtualSources, StartAnywhereWithOffsetsAndSayWhichIsNearest) {
-  const test::Shape shape = test::plane_grid(12, 12, 1.0, 1.0);
-  const auto mesh = test::make_mesh(shape.soup);
-  VirtualSources runs(mesh);
-  const std::vector<ExactSource> sources{{SurfacePoint::in_face(20, {0.2, 0.3, 0.5}), 0.1},
-                                         {SurfacePoint::in_face(200, {0.0, 0.4, 0.6}), 0.0},
-                                         {SurfacePoint::at_vertex(90), 0.05}};
-  runs.run(sources);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    double least = unreachable;
-    double of_label = 0.0;
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      const double sum = sources[i].offset + shape.distance(sources[i].point, SurfacePoint::at_vertex(v));
-      least = std::min(least, sum);
-      if (static_cast<Index>(i) == runs.nearest_source(v)) of_label = sum;
-    }
-    EXPECT_NEAR(runs.distance(v), least, 0.01 * least + 1e-12);
-    EXPECT_NEAR(of_label, least, 0.02 * least);
-  }
-}
-
-TEST(VirtualSources, StopAtALimit) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
-  VirtualSources whole(mesh);
-  VirtualSources limited(mesh);
-  const ExactSource source{SurfacePoint::at_vertex(7)};
-  whole.run({&source, 1});
-  limited.run({&source, 1}, 0.8);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    if (whole.distance(v) > 0.8) {
-      EXPECT_EQ(limited.distance(v), unreachable);
-      EXPECT_EQ(limited.nearest_source(v), no_index);
-    } else {
-      EXPECT_NEAR(limited.distance(v), whole.distance(v), 1e-3);
-    }
-  }
-}
-
-TEST(VirtualSources, PassVerticesInWhichFacesMeetAndLeaveOtherComponentsOut) {
-  const test::Shape bow = test::bow_tie(4);
-  VirtualSources runs(test::make_mesh(bow.soup));
-  const ExactSource source{SurfacePoint::at_vertex(3)};
-  runs.run({&source, 1});
-  for (Index v = 0; v < runs.mesh().vertex_count(); ++v) {
-    EXPECT_NEAR(runs.distance(v), bow.vertex_distance(3, v), 0.02 * bow.vertex_distance(3, v) + 1e-12);
-  }
-  const auto two = test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(1)));
-  VirtualSources apart(two);
-  const ExactSource first{SurfacePoint::at_vertex(0)};
-  apart.run({&first, 1});
-  EXPECT_LT(apart.distance(1), unreachable);
-  EXPECT_EQ(apart.distance(two->vertex_count() - 1), unreachable);
-}
-
-TEST(VirtualSources, CrossASpineIntoEachOfThreePages) {
-  const test::Shape book = test::book_of_three_pages(8, 1.0, 0.7);
-  VirtualSources runs(test::make_mesh(book.soup));
-  const Index middle = runs.mesh().vertex_count() / 2;
-  const ExactSource source{SurfacePoint::at_vertex(middle)};
-  runs.run({&source, 1});
-  for (Index v = 0; v < runs.mesh().vertex_count(); ++v) {
-    const double straight = book.vertex_distance(middle, v);
-    EXPECT_GE(runs.distance(v), straight - 1e-12);
-    EXPECT_LE(runs.distance(v), 1.02 * straight + 1e-12);
-  }
 }
 
 TEST(VirtualSources, GiveVerticesThatAGapMadeOneTheSameDistance) {

@@ -38,18 +38,6 @@ TEST(WeightedPath, RefractsAndRunsAlongTheBorderOfTwoHalfPlanes) {
   }
 }
 
-TEST(WeightedPath, PointsInFacesAndPlacesThatAreNotReached) {
-  const Layers layers(8, [](double, double) { return 1.0; });
-  WeightedSolver solver = layers.solver();
-  const auto source = SurfacePoint::in_face(40, {0.2, 0.5, 0.3});
-  const auto target = SurfacePoint::in_face(90, {0.6, 0.0, 0.4});
-  solver.run(std::array{ExactSource{source}});
-  const double exact = distance_between(position_of(*layers.mesh, source), position_of(*layers.mesh, target));
-  EXPECT_NEAR(solver.path_to_source(target).length, exact, 1e-9);
-  solver.run(std::array{ExactSource{source}}, {.max_distance = 0.5 * exact});
-  EXPECT_TRUE(solver.path_to_source(target).points.empty());
-}
-
 /// The grid cut open along x = 1 and closed again by faces without width: `seam` by pairs of them between
 /// vertices in one place, otherwise by caps under vertices added to the edges of one side.
 test::Soup cut_and_closed(int cells, bool seam) {

@@ -40,15 +40,6 @@ Errors errors_of(const Layers& layers, WeightedSolver& solver, Index source,
   return errors;
 }
 
-TEST(WeightedSolver, OneCostIsThePlane) {
-  const Layers layers(
-      12, [](double, double) { return 2.0; }, 0.2);
-  WeightedSolver solver = layers.solver();
-  const auto errors = errors_of(layers, solver, layers.nearest(0.7, 0.1),
-                                [](const Point& p, const Point& q) { return 2.0 * distance_between(p, q); });
-  EXPECT_LT(errors.greatest, 1e-9);
-}
-
 TEST(WeightedSolver, TwoHalfPlanesRefractAndRunAlongTheBorder) {
   const Layers layers(
       24, [](double, double y) { return y > 0.0 ? 1.0 : 3.0; }, 0.1);
@@ -151,19 +142,6 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
     EXPECT_GE(solver.distance(v), 0.999 * distance_between(soup.positions[5], soup.positions[v])) << v;
     EXPECT_LT(solver.distance(v), unreachable);
   }
-}
-
-TEST(WeightedSolver, PointsInFacesAndLimits) {
-  const Layers layers(8, [](double, double) { return 1.0; });
-  WeightedSolver solver = layers.solver();
-  const auto source = SurfacePoint::in_face(40, {0.2, 0.5, 0.3});
-  const auto target = SurfacePoint::in_face(90, {0.6, 0.0, 0.4});
-  solver.run(std::array{ExactSource{source}});
-  const double exact = distance_between(position_of(*layers.mesh, source), position_of(*layers.mesh, target));
-  EXPECT_NEAR(solver.distance(target), exact, 1e-9);
-  solver.run(std::array{ExactSource{source}}, {.max_distance = 0.5 * exact});
-  EXPECT_EQ(solver.distance(target), unreachable);
-  EXPECT_THROW(layers.solver(0), InvalidInput);
 }
 
 }  // namespace

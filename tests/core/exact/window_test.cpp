@@ -19,19 +19,6 @@ Window window(double begin, double end, double source_x, double source_y, double
   return w;
 }
 
-TEST(Window, DistancesFollowPythagoras) {
-  const Window w = window(0.0, 10.0, 3.0, 4.0, 2.5);
-  EXPECT_DOUBLE_EQ(w.distance(0.0), 7.5);
-  EXPECT_DOUBLE_EQ(w.distance(3.0), 6.5);
-  EXPECT_DOUBLE_EQ(w.plane_distance(6.0), 5.0);
-}
-
-TEST(Window, TheLeastDistanceIsAtTheFootOrTheNearerEnd) {
-  EXPECT_DOUBLE_EQ(window(0.0, 10.0, 3.0, 4.0, 1.0).least_distance(), 5.0);
-  EXPECT_DOUBLE_EQ(window(6.0, 10.0, 3.0, 4.0, 1.0).least_distance(), 6.0);
-  EXPECT_DOUBLE_EQ(window(-3.0, 0.0, 3.0, 4.0, 1.0).least_distance(), 6.0);
-}
-
 TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> number(0.05, 3.0);

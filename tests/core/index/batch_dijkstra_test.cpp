@@ -2,7 +2,6 @@
 // everywhere.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -115,22 +114,6 @@ TEST(BatchDijkstra, SourcesThatTheLeaderCannotReach) {
       }
     }
   });
-}
-
-TEST(BatchDijkstra, GroupsAreNodesBetweenTheSamePatches) {
-  const auto index = test::make_index(test::hills(40, 0.12), 6, 4);
-  const PatchLayer& layer = index->data().first;
-  const auto groups = group_by_patches(layer, 5);
-  ASSERT_EQ(groups.front(), 0);
-  ASSERT_EQ(groups.back(), layer.node_count());
-  for (std::size_t g = 0; g + 1 < groups.size(); ++g) {
-    EXPECT_GT(groups[g + 1], groups[g]);
-    EXPECT_LE(groups[g + 1] - groups[g], 5);
-    for (Index node = groups[g]; node < groups[g + 1]; ++node) {
-      EXPECT_TRUE(std::ranges::equal(layer.patches_of(node), layer.patches_of(groups[g]), {},
-                                     &PatchRow::patch, &PatchRow::patch));
-    }
-  }
 }
 
 TEST(MinPlus, RangeWithinIsTheSmallest) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "index/patch_layer.h"
 #include "index/work_mesh.h"
@@ -31,19 +30,6 @@ double longest_piece(const Mesh& mesh, const Partition& partition, const std::ve
     longest = std::max(longest, mesh.edge_length(e) / pieces[e] / std::sqrt(std::min(area[p], area[q])));
   }
   return longest;
-}
-
-TEST(BorderPieces, TheCoarserTheMeshTheFiner) {
-  // Mean angle defects of 4 pi / 2,562 and of more than 1.
-  const auto smooth = test::make_mesh(test::icosphere(4));
-  const auto city = test::make_mesh(test::block_city(20, 20, 1));
-  for (const auto& [mesh, finest, coarsest] :
-       {std::tuple{smooth, 0.05, 0.1}, std::tuple{city, 0.015, 0.03}}) {
-    const Partition partition = partition_of(*mesh);
-    const double longest = longest_piece(*mesh, partition, pieces_of_edges(*mesh, partition));
-    EXPECT_LE(longest, coarsest * (1.0 + 1e-9));
-    EXPECT_GE(longest, finest);
-  }
 }
 
 TEST(BorderPieces, TablesKeepToTheirShare) {

@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <queue>
 
 #include "exact/exact_solver.h"
-#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -82,82 +80,6 @@ TEST(BoundaryDijkstra, InThePlaneUnfoldingGivesStraightLines) {
   EXPECT_LT(found.with_unfolding.mean, 5e-4);
   EXPECT_LT(found.with_unfolding.p99, 5e-3);
   EXPECT_GT(found.with_unfolding.least, -2e-3);
-}
-
-TEST(BoundaryDijkstra, OnCurvedSurfacesUnfoldingIsBetterThanSums) {
-  for (const test::Soup& soup :
-       test::one_under_sanitizers<test::Soup>({test::icosphere(4), test::random_sphere(2000, 3),
-                                               test::hills(45, 0.12), test::torus(70, 34, 2.0, 0.8)})) {
-    const Comparison found = compare(*test::make_index(soup, 4, 4), 0.02);
-    EXPECT_GT(found.without.least, -rounding);
-    EXPECT_LT(found.with_unfolding.mean, 0.7 * found.without.mean);
-    EXPECT_LT(found.with_unfolding.mean, 5e-4);
-    EXPECT_LT(found.with_unfolding.p99, 5e-3);
-    EXPECT_GT(found.with_unfolding.least, -0.01);
-  }
-}
-
-TEST(BoundaryDijkstra, ASecondSearchForgetsTheFirst) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  const PatchLayer& layer = index->data().second;
-  BoundaryDijkstra used(layer);
-  BoundaryDijkstra fresh(layer);
-  used.reset();
-  used.add(5, 0.25);
-  used.add(layer.node_count() - 1, 0.0);
-  used.run();
-  used.reset();
-  EXPECT_TRUE(used.reached().empty());
-  EXPECT_EQ(used.distance(5), unreachable);
-  for (BoundaryDijkstra* search : {&used, &fresh}) {
-    if (search == &fresh) search->reset();
-    search->add(3, 0.5);
-    search->run();
-  }
-  for (Index node = 0; node < layer.node_count(); ++node)
-    EXPECT_EQ(used.distance(node), fresh.distance(node));
-  EXPECT_EQ(static_cast<Index>(used.reached().size()), layer.node_count());
-  EXPECT_EQ(used.distance(3), 0.5);
-}
-
-TEST(BoundaryDijkstra, TheNearestOfSeveralStartsCounts) {
-  const auto index = test::make_index(test::plane_grid(30, 30, 1.0, 1.0).soup, 3, 4);
-  const PatchLayer& layer = index->data().second;
-  BoundaryDijkstra search(layer);
-  const std::array<Index, 3> seeds{1, layer.node_count() / 2, layer.node_count() - 2};
-  std::vector<double> least(layer.node_count(), unreachable);
-  for (Index seed : seeds) {
-    search.reset();
-    search.add(seed, 0.0);
-    search.run();
-    for (Index node = 0; node < layer.node_count(); ++node) {
-      least[node] = std::min(least[node], search.distance(node));
-    }
-  }
-  search.reset();
-  for (Index seed : seeds) search.add(seed, 0.0);
-  search.run();
-  for (Index node = 0; node < layer.node_count(); ++node) {
-    EXPECT_NEAR(search.distance(node), least[node], 2e-3 * least[node] + 1e-9) << "node " << node;
-  }
-  for (Index seed : seeds) EXPECT_EQ(search.distance(seed), 0.0);
-}
-
-TEST(BoundaryDijkstra, StaysInTheAllowedPatches) {
-  const auto index = test::make_index(test::icosphere(4), 4, 4);
-  const PatchLayer& layer = index->data().second;
-  std::vector<std::uint8_t> allowed(layer.patch_count, 0);
-  for (Index p = 0; p < layer.patch_count / 2; ++p) allowed[p] = 1;
-  const Index seed = layer.nodes(0)[0];
-  BoundaryDijkstra search(layer);
-  search.reset();
-  search.add(seed, 0.0);
-  search.run(allowed);
-  const auto plain = plain_sums(layer, seed, allowed);
-  for (Index node = 0; node < layer.node_count(); ++node) {
-    EXPECT_EQ(search.distance(node) == unreachable, plain[node] == unreachable) << "node " << node;
-    EXPECT_LE(search.distance(node), plain[node] * (1.0 + rounding));
-  }
 }
 
 TEST(BoundaryDijkstra, WithinABoundAsWithoutOne) {

@@ -101,15 +101,6 @@ TEST(GeodesicIndex, FacePatchesOfBothLayers) {
   }
 }
 
-TEST(GeodesicIndex, EveryWorkVertexHasAHome) {
-  const auto index = test::make_index(test::two_components(test::hills(20, 0.2), test::icosphere(2)), 3, 4);
-  const IndexData& data = index->data();
-  for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
-    ASSERT_NE(data.home_patch[v], no_index);
-    EXPECT_EQ(data.second.members(data.home_patch[v])[data.home_column[v]], v);
-  }
-}
-
 TEST(GeodesicIndex, Refusals) {
   auto refusal = [](const Soup& soup, const IndexOptions& options) -> std::string {
     try {

@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "exact/exact_solver.h"
-#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -51,67 +48,6 @@ TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
   EXPECT_GT(found.count, 5000U);
   EXPECT_LT(found.greatest, 1e-6);
   EXPECT_GT(found.least, -1e-6);
-}
-
-TEST(LocalTables, OnCurvedSurfacesSeldomOffByMoreThanMergedWindows) {
-  // Merging makes distances too short by some 1e-4 of an edge, so those of a few edges by up to 2.5e-4.
-  // On the torus a patch may reach far around the tube: a few pairs then have a shorter path outside.
-  struct Case {
-    Soup soup;
-    double p99;
-  };
-  for (const Case& one :
-       test::one_under_sanitizers<Case>({{test::book_of_three_pages(14, 2.0, 1.0).soup, 2e-4},
-                                         {test::icosphere(4), 2e-4},
-                                         {test::hills(40, 0.15), 2e-4},
-                                         {test::random_sphere(1500, 6), 2e-4},
-                                         {test::torus(50, 24, 2.0, 0.8), 0.02}})) {
-    const auto errors = table_errors(index_of(one.soup)->data());
-    EXPECT_EQ(errors.contradictions, 0U);
-    const auto found = errors.statistics();
-    EXPECT_GT(found.least, -5e-4);
-    EXPECT_LT(found.mean, 2e-3);
-    EXPECT_LT(found.p99, one.p99) << "hardly any path leaves the halo";
-  }
-}
-
-TEST(LocalTables, NoDistanceIsLongerThanTwoOverABorderNode) {
-  for (const Soup& soup : {test::torus(50, 24, 2.0, 0.8), test::hills(36, 0.2)}) {
-    const auto index = index_of(soup);
-    const PatchLayer& second = index->data().second;
-    for (Index p = 0; p < second.patch_count; ++p) {
-      const double rounding = 2.0 * second.scale[p].unit();
-      for (Index a = 0; a < second.border_size(p); ++a) {
-        for (Index b = 0; b < second.border_size(p); ++b) {
-          for (Index column = 0; column < second.member_count(p); column += 3) {
-            ASSERT_LE(second.distance(p, a, column),
-                      second.distance(p, a, b) + second.distance(p, b, column) + rounding);
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(LocalTables, TheSameWhateverTheThreads) {
-  const auto one = index_of(test::hills(30, 0.2), 1);
-  for (int threads : {2, 5})
-    EXPECT_EQ(index_of(test::hills(30, 0.2), threads)->data().second.table, one->data().second.table);
-}
-
-TEST(LocalTables, WhatAPatchDoesNotReachIsUnreachable) {
-  // One patch over both spheres cannot be, but a patch may have vertices that only its halo joins: all finite
-  // here.
-  const auto index = index_of(test::two_components(test::icosphere(3), test::icosphere(2)));
-  const PatchLayer& second = index->data().second;
-  for (Index p = 0; p < second.patch_count; ++p) {
-    EXPECT_EQ(second.complete[p], 1);
-    for (Index row = 0; row < second.border_size(p); ++row) {
-      for (Index column = 0; column < second.member_count(p); ++column) {
-        EXPECT_LT(second.distance(p, row, column), 4.0f);
-      }
-    }
-  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include "exact/exact_solver.h"
@@ -78,40 +77,6 @@ TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
       static_cast<std::int64_t>(std::ceil(static_cast<double>(c.build(0, 0.05)->statistics().bytes) / mib));
   EXPECT_EQ(c.build(least, 0.05)->statistics().form, IndexForm::graph);
   EXPECT_NE(c.refusal(least - 1, 0.05).find("takes"), std::string::npos);
-}
-
-TEST(MemoryBudget, BothFormsAnswerAlike) {
-  for (const test::Soup& soup : test::one_under_sanitizers<test::Soup>(
-           {test::hills(30, 0.12), test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7)),
-            test::book_of_three_pages(14, 2.0, 1.0).soup})) {
-    const auto mesh = test::make_mesh(soup);
-    GeodesicQuery tables(test::make_index(soup, 5, 4));
-    GeodesicQuery graph(test::make_graph_index(soup, 5, 4));
-    GeodesicQuery pruned(test::make_graph_index(soup, 5, 4, 0.01));
-    ASSERT_EQ(graph.index().statistics().form, IndexForm::graph);
-    std::array<test::ErrorCollector, 3> errors;
-    for (Index source : test::random_vertices(mesh->vertex_count(), 3, 3)) {
-      const auto exact = exact_distance_field(mesh, std::array{source});
-      const auto field = tables.distance_field(std::array{source});
-      const auto other = graph.distance_field(std::array{source});
-      for (Index v = 0; v < mesh->vertex_count(); ++v) {
-        ASSERT_EQ(field[v] == unreachable, other[v] == unreachable);
-        if (other[v] < unreachable) {
-          EXPECT_NEAR(other[v], exact[v], 0.05 * exact[v]);
-        }
-      }
-      for (Index target : test::random_vertices(mesh->vertex_count(), 60, 5)) {
-        errors[0].add(tables.distance(source, target), exact[target]);
-        errors[1].add(graph.distance(source, target), exact[target]);
-        errors[2].add(pruned.distance(source, target), exact[target]);
-        EXPECT_EQ(graph.distance(source, target), graph.distance(target, source));
-      }
-    }
-    for (const auto& form : errors) EXPECT_EQ(form.contradictions, 0U);
-    EXPECT_LT(errors[0].statistics().mean, 1e-3);
-    EXPECT_LT(errors[1].statistics().mean, 1e-3);
-    EXPECT_LT(errors[2].statistics().mean, 1e-3 + 0.01);
-  }
 }
 
 TEST(MemoryBudget, CountsWhatOfATransitTableIsInNoFile) {

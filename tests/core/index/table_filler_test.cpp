@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "index/local_tables.h"
-#include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -76,36 +75,6 @@ TEST(TableFiller, EveryGroupIsRunOnceAndTheWaveIsNarrow) {
   EXPECT_LT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 3))
       << "a wave over 12 x 12 patches from a corner is at most some 25 of them long";
   EXPECT_GT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 144));
-}
-
-TEST(TableFiller, PartsThatAreThereAreKept) {
-  PatchLayer layer = squares(12, 3);
-  const std::vector<Index> groups = group_by_patches(layer, 4);
-  std::vector<std::uint16_t> entries(layer.table_begin.back());
-  std::vector<PartRecord> records(layer.patch_count);
-  const TableRoom room(entries, records, nullptr);
-  const int count = static_cast<int>(groups.size()) - 1;
-  {
-    TableFiller stopped(layer, room, groups, TableFiller::Closure::symmetric, 1, {});
-    EXPECT_EQ(run(stopped, layer, groups, count / 2), count / 2);
-  }
-  const auto filled = std::ranges::count(records, 1, &PartRecord::filled);
-  EXPECT_GT(filled, 0);
-  EXPECT_LT(filled, layer.patch_count);
-  {
-    TableFiller rest(layer, room, groups, TableFiller::Closure::symmetric, 1, {});
-    EXPECT_LT(rest.left().size(), groups.size() - 1);
-    run(rest, layer, groups, -1);
-    expect_filled(layer);
-  }
-  TableFiller nothing(layer, room, groups, TableFiller::Closure::symmetric, 1, {});
-  EXPECT_TRUE(nothing.left().empty());
-  entries[layer.table_begin[4]] ^= 1;
-  const TableFiller damaged(layer, room, groups, TableFiller::Closure::symmetric, 1, {});
-  EXPECT_FALSE(damaged.left().empty());
-  for (Index group : damaged.left()) {
-    EXPECT_NE(layer.row_of(groups[group], 4), no_index) << "only what the damaged patch needs";
-  }
 }
 
 }  // namespace

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "exact/exact_solver.h"
 #include "support/indexes.h"
 #include "support/near.h"
-#include "support/ply.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -88,39 +86,6 @@ TEST(WorkMesh, TheSameSurface) {
     const Made made = make(soup, 3, 4);
     expect_sound(made);
     expect_same_distances(made, 1e-9);
-  }
-}
-
-TEST(WorkMesh, LongBorderEdgesAreSplitAndShortOnesAreNot) {
-  // 3 x 3 squares, one patch for each of a few faces: all borders are long for their patches.
-  const Made coarse = make(test::plane_grid(3, 3, 3.0, 3.0).soup, 2, 2);
-  EXPECT_GT(coarse.work.mesh->vertex_count(), coarse.mesh->vertex_count());
-  expect_sound(coarse);
-  const auto shape = test::plane_grid(3, 3, 3.0, 3.0);
-  for (Index a = 0; a < 16; ++a) {
-    const auto field = exact_distance_field(coarse.work.mesh, std::array{coarse.work.work_vertex[a]});
-    for (Index b = 0; b < 16; ++b) {
-      EXPECT_NEAR(field[coarse.work.work_vertex[b]], shape.vertex_distance(a, b), 1e-12);
-    }
-  }
-  const Made fine = make(test::icosphere(4), 2, 2);  // 640 vertices a patch
-  EXPECT_EQ(fine.work.mesh->vertex_count(), fine.mesh->vertex_count());
-  EXPECT_EQ(fine.work.mesh->face_count(), fine.mesh->face_count());
-}
-
-TEST(WorkMesh, OnePatchIsOnlyRenumbered) {
-  const Made made = make(test::random_sphere(200, 1), 1, 1);
-  expect_sound(made);
-  EXPECT_EQ(made.work.mesh->vertex_count(), 200);
-  EXPECT_EQ(made.work.mesh->face_count(), 396);
-}
-
-TEST(WorkMesh, RealMeshes) {
-  for (const char* name : {"casting", "office_chair", "spot"}) {
-    VOROGEO_READ_OR_SKIP(soup, name);
-    const Made made = make(soup, 0, 0);
-    expect_sound(made);
-    expect_same_distances(made, 1e-8);
   }
 }
 

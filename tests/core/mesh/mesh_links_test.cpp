@@ -12,20 +12,6 @@ namespace {
 using test::make_mesh;
 using test::Soup;
 
-TEST(MeshLinks, RepeatedAndDuplicateFacesAreLeftOut) {
-  const Soup clean = test::icosphere(0);
-  const auto mesh = make_mesh(test::with_duplicate_face(test::with_repeated_vertex_face(clean, 2), 7));
-  EXPECT_EQ(mesh->face_count(), 20);
-  for (Index f = 0; f < 20; ++f) EXPECT_EQ(mesh->input_face(f), f);
-
-  Soup first_bad = clean;
-  first_bad.faces.insert(first_bad.faces.begin(), {3, 3, 4});
-  const auto shifted = make_mesh(first_bad);
-  EXPECT_EQ(shifted->face_count(), 20);
-  EXPECT_EQ(shifted->input_face(0), 1);
-  EXPECT_EQ(shifted->face_vertices(0), clean.faces[0]);
-}
-
 TEST(MeshLinks, EdgesOfALargePlane) {
   constexpr Index columns = 300, rows = 180;
   const auto mesh = make_mesh(test::plane_grid(columns, rows, columns, rows).soup);

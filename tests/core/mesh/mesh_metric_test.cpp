@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 
 #include "exact/exact_solver.h"
@@ -77,20 +76,6 @@ TEST(MeshMetric, ForgottenPositionsMakeNoDifference) {
   }
 }
 
-TEST(MeshMetric, CornersOfAFaceHaveItsSides) {
-  for (const std::array<double, 3>& side :
-       {std::array{3.0, 4.0, 5.0}, std::array{1.0, 1.0, 1e-9}, std::array{1.0, 1e-9, 1.0 - 1e-9},
-        std::array{2.0, 1.0, 1.0}, std::array{0.0, 1.0, 1.0}, std::array{1e40, 1e40, 1e25}}) {
-    const Mesh mesh(std::vector<Point>(3, no_position), {{0, 1, 2}}, {side});
-    const auto corner = mesh.face_corners(0);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(distance_between(corner[(i + 1) % 3], corner[(i + 2) % 3]), side[i],
-                  2e-16 * (side[0] + side[1]));
-    }
-    EXPECT_EQ(mesh.side_lengths(0), side);
-  }
-}
-
 TEST(MeshMetric, LengthsOfStraightLinesAreBounded) {
   const test::Soup soup = test::plane_grid(6, 5, 3.0, 2.0, 0.2).soup;
   const Mesh stretched(soup.positions, soup.faces, sides_in_space(soup, 3.0));
@@ -101,22 +86,6 @@ TEST(MeshMetric, LengthsOfStraightLinesAreBounded) {
   EXPECT_EQ(nowhere(soup)->straight_scale(), 0.0);
   EXPECT_EQ(nowhere(soup)->straight_bound(no_position, no_position), 0.0);
   EXPECT_EQ(test::make_mesh(soup)->straight_scale(), 1.0);
-}
-
-TEST(MeshMetric, CorridorsUseBoundsThatHold) {
-  const test::Soup soup = test::plane_grid(20, 20, 1.0, 1.0, 0.2).soup;
-  const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces, sides_in_space(soup, 0.3));
-  ExactSolver solver(mesh);
-  for (const Index target : {20, 250, 440}) {
-    const Point& p = soup.positions[target];
-    const double exact = std::hypot(0.3 * p[0], p[1]);
-    ExactLimits limits;
-    limits.max_distance = exact * (1.0 + 1e-9);
-    limits.corridor_target = target;
-    const ExactSource source{SurfacePoint::at_vertex(0)};
-    solver.run(std::span(&source, 1), limits);
-    EXPECT_NEAR(solver.distance(target), exact, 1e-12);
-  }
 }
 
 TEST(MeshMetric, FacesMayDisagreeWhereItJumps) {

@@ -102,23 +102,5 @@ TEST(BorderCut, PagesOfABookMakeARing) {
   for (Index patch : {0, 1, 2}) EXPECT_GT(std::ranges::count(label, patch), 1000) << patch;
 }
 
-TEST(BorderCut, OtherFacesKeepTheirLabels) {
-  const auto mesh = test::make_mesh(test::plane_grid(20, 20, 20.0, 20.0).soup);
-  auto label = grid_labels(*mesh, 20, [](Index i, Index j) { return i < 10 + (j / 2 % 2 == 0 ? 1 : -1); });
-  const auto before = label;
-  std::vector<Index> faces;
-  for (Index f = 0; f < mesh->face_count() / 2; ++f) faces.push_back(f);
-  BorderCut cut(*mesh);
-  cut.shorten(faces, 2, 400.0, {}, label);
-  EXPECT_TRUE(std::equal(before.begin() + mesh->face_count() / 2, before.end(),
-                         label.begin() + mesh->face_count() / 2));
-  EXPECT_FALSE(std::equal(before.begin(), before.begin() + mesh->face_count() / 2, label.begin()));
-  // Used again, for the other half.
-  faces.clear();
-  for (Index f = mesh->face_count() / 2; f < mesh->face_count(); ++f) faces.push_back(f);
-  cut.shorten(faces, 2, 400.0, {}, label);
-  EXPECT_LE(border_of(*mesh, label).edges, 22);
-}
-
 }  // namespace
 }  // namespace vorogeo

@@ -5,56 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 
 #include "support/indexes.h"
-#include "support/parallel.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
-
-using test::Soup;
-
-TEST(Halo, MarksThePatchesAndARimAroundThem) {
-  const auto index = test::make_index(test::icosphere(4), 3, 4);
-  const IndexData& data = index->data();
-  Halo halo(*data.work.mesh, data.first_face);
-  std::vector<std::vector<Index>> choices;
-  for (Index p = 0; p < data.second.patch_count; ++p) choices.push_back({p});
-  choices.push_back({0, 1});
-  choices.push_back({2, 7, 9});
-  for (const auto& patches : choices) {
-    halo.surround(patches);
-    const std::set<Index> marked(halo.faces().begin(), halo.faces().end());
-    EXPECT_EQ(marked.size(), halo.faces().size()) << "each face once";
-    std::size_t own = 0;
-    for (Index f = 0; f < data.work.mesh->face_count(); ++f) {
-      EXPECT_EQ(halo.mask()[f] != 0, marked.contains(f));
-      const bool inside =
-          std::find(patches.begin(), patches.end(), data.work.second_layer[f]) != patches.end();
-      own += inside;
-      EXPECT_TRUE(!inside || marked.contains(f)) << "a face of the patch is missing";
-    }
-    // At least one ring of faces, not much more than the patches themselves.
-    EXPECT_GT(marked.size(), own + own / 5);
-    EXPECT_LT(marked.size(), 3 * own);
-  }
-}
-
-TEST(Halo, StopsWhereTheMeshEnds) {
-  const auto index = test::make_index(test::two_components(test::icosphere(1), test::icosphere(1)), 3, 4);
-  const IndexData& data = index->data();
-  Halo halo(*data.work.mesh, data.first_face);
-  std::vector<Index> all(data.second.patch_count);
-  for (Index p = 0; p < data.second.patch_count; ++p) all[p] = p;
-  halo.surround(all);
-  EXPECT_EQ(static_cast<Index>(halo.faces().size()), data.work.mesh->face_count());
-  halo.surround(std::vector<Index>{});
-  EXPECT_TRUE(halo.faces().empty());
-  EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), data.work.mesh->face_count());
-}
 
 TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);
@@ -98,31 +55,6 @@ TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
   EXPECT_EQ(halo.faces().size(), 300U);
   EXPECT_EQ(least, 1900);
   EXPECT_EQ(greatest, 2199);
-}
-
-TEST(Halo, TakesAllPagesOfABookOnce) {
-  constexpr Index pages = 20'000;
-  const auto mesh = test::make_mesh(test::book_of_pages(pages));
-  const std::array<Index, 4> first_face{0, 100, 200, pages};
-  Halo halo(*mesh, first_face);
-  const auto start = thread_seconds();
-  halo.surround(std::array{Index{1}}, 1000.0);
-  EXPECT_EQ(halo.faces().size(), static_cast<std::size_t>(pages));
-  // Quadratic work would take half a second.
-  EXPECT_LT(thread_seconds() - start, 0.1);
-}
-
-TEST(Halo, TakesTheFacesOfPatchesInAnyOrder) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  const IndexData& data = index->data();
-  const UnsplitSurface surface(data.mesh, data.work, data.partition);
-  Halo by_order(*data.mesh, surface.first_face, surface.faces);
-  for (Index p = 0; p < data.second.patch_count; ++p) {
-    by_order.surround(std::array{p}, 0.0);
-    for (Index f = 0; f < data.mesh->face_count(); ++f) {
-      EXPECT_EQ(by_order.mask()[f] != 0, data.partition.second_layer[f] == p);
-    }
-  }
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <numeric>
-#include <set>
 
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -43,23 +41,6 @@ std::vector<int> edge_counts_from(const Mesh& mesh, const std::vector<Index>& st
   return edge_count;
 }
 
-TEST(Sampling, AsManyDifferentVerticesAsAskedFor) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
-  const auto vertices = all_vertices(*mesh);
-  for (Index count : {1, 2, 7, 40, 300}) {
-    const auto samples = Sampler(*mesh).spread({vertices, {}}, count, 3);
-    EXPECT_EQ(static_cast<Index>(samples.size()), count);
-    EXPECT_EQ(std::set<Index>(samples.begin(), samples.end()).size(), samples.size());
-  }
-}
-
-TEST(Sampling, AtMostOnePerVertex) {
-  const auto mesh = test::make_mesh(test::icosphere(0));
-  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 50, 0);
-  EXPECT_EQ(std::set<Index>(samples.begin(), samples.end()).size(), 12U);
-  EXPECT_EQ(samples.size(), 12U);
-}
-
 TEST(Sampling, TheSameForASeedAndAnotherForAnother) {
   const auto mesh = test::make_mesh(test::hills(30, 0.2));
   const auto vertices = all_vertices(*mesh);
@@ -89,36 +70,6 @@ TEST(Sampling, EachPieceGetsASample) {
   EXPECT_EQ(samples.size(), 10U);
   const auto edge_count = edge_counts_from(*mesh, samples);
   for (Index v : all_vertices(*mesh)) EXPECT_GE(edge_count[v], 0) << "no sample reaches vertex " << v;
-}
-
-TEST(Sampling, OnlyInThePart) {
-  const auto mesh = test::make_mesh(test::plane_grid(20, 20, 1.0, 1.0).soup);
-  // Two strips that the rest of the mesh separates.
-  std::vector<std::uint8_t> allowed(mesh->face_count(), 0);
-  std::set<Index> in_part;
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    const Index row = f / 40;
-    if (row > 3 && row < 16) continue;
-    allowed[f] = 1;
-    for (Index v : mesh->face_vertices(f)) in_part.insert(v);
-  }
-  const std::vector<Index> vertices(in_part.begin(), in_part.end());
-  for (Index count : {1, 8}) {
-    const auto samples = Sampler(*mesh).spread({vertices, allowed}, count, 2);
-    EXPECT_EQ(static_cast<Index>(samples.size()), std::max<Index>(count, 2)) << "one for each strip";
-    int low = 0;
-    for (Index v : samples) {
-      EXPECT_TRUE(in_part.contains(v));
-      low += v < 21 * 10;
-    }
-    EXPECT_GT(low, 0);
-    EXPECT_LT(low, static_cast<int>(samples.size()));
-  }
-}
-
-TEST(Sampling, NothingFromNothing) {
-  const auto mesh = test::make_mesh(test::icosphere(0));
-  EXPECT_TRUE(Sampler(*mesh).spread({}, 5, 0).empty());
 }
 
 }  // namespace

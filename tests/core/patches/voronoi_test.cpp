@@ -1,10 +1,8 @@
 // Voronoi labels of faces: nearest samples by formula, short borders, only the faces asked for.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numeric>
 #include <queue>
-#include <set>
 
 #include "patches/sampling.h"
 #include "support/indexes.h"
@@ -75,33 +73,6 @@ double border_length(const Mesh& mesh, const std::vector<Index>& label) {
   return sum;
 }
 
-TEST(Voronoi, FacesInsideACellHaveItsLabel) {
-  const test::Shape plane = test::plane_grid(30, 24, 1.25, 1.0, 0.2);
-  const auto mesh = test::make_mesh(plane.soup);
-  const std::vector<Index> samples{60, 200, 333, 501, 640, 720};
-  const auto label = voronoi_labels(mesh, samples);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    ASSERT_GE(label[f], 0);
-    ASSERT_LT(label[f], static_cast<Index>(samples.size()));
-    // A face whose corners and the corners of its neighbours are all nearest to one sample is not near a
-    // border.
-    std::set<Index> nearest;
-    for (Index v : mesh->face_vertices(f)) {
-      for (Index corner : mesh->corners(v)) {
-        for (Index u : mesh->face_vertices(Mesh::face_of(corner))) {
-          Index best = 0;
-          for (Index i = 1; i < static_cast<Index>(samples.size()); ++i) {
-            if (plane.vertex_distance(u, samples[i]) < plane.vertex_distance(u, samples[best])) best = i;
-          }
-          nearest.insert(best);
-        }
-      }
-    }
-    if (nearest.size() != 1) continue;
-    EXPECT_EQ(label[f], *nearest.begin()) << "face " << f;
-  }
-}
-
 TEST(Voronoi, BordersAreNotLongerThanThoseOfPatchesGrownAlongEdges) {
   std::vector<std::pair<std::string, test::Soup>> meshes{{"icosphere", test::icosphere(4)},
                                                          {"random sphere", test::random_sphere(1500, 3)},
@@ -131,33 +102,6 @@ TEST(Voronoi, NoFaceStandsAloneBetweenTwoNeighboursThatAgree) {
     }
     EXPECT_GE(agreeing, 1) << "face " << f;
   }
-}
-
-TEST(Voronoi, OtherFacesKeepTheirLabels) {
-  const auto mesh = test::make_mesh(test::plane_grid(16, 16, 1.0, 1.0).soup);
-  std::vector<std::uint8_t> allowed(mesh->face_count(), 0);
-  std::vector<Index> faces;
-  for (Index f = 0; f < mesh->face_count() / 2; ++f) {
-    allowed[f] = 1;
-    faces.push_back(f);
-  }
-  std::vector<Index> vertices(9 * 17);
-  std::iota(vertices.begin(), vertices.end(), 0);
-  Front front(*mesh);
-  std::vector<Index> label(mesh->face_count(), 77);
-  label_voronoi_faces(front, *mesh, {vertices, allowed}, faces, std::vector<Index>{2, 100, 140}, {}, label);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    if (allowed[f]) {
-      EXPECT_LT(label[f], 3);
-    } else {
-      EXPECT_EQ(label[f], 77);
-    }
-  }
-}
-
-TEST(Voronoi, OneSampleTakesAll) {
-  const auto mesh = test::make_mesh(test::icosphere(1));
-  for (Index label : voronoi_labels(mesh, {7})) EXPECT_EQ(label, 0);
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 #include "support/error.h"
@@ -30,47 +28,6 @@ std::vector<Soup> surfaces() {
           test::bow_tie(9).soup, test::with_isolated_vertex(two, {7, 7, 7})};
 }
 
-TEST(GeodesicQuery, SymmetricToTheLastBitAndZeroForEqualPoints) {
-  for (const Soup& soup : surfaces()) {
-    GeodesicQuery query(test::make_index(soup, 3, 4));
-    const auto vertices = test::random_vertices(static_cast<Index>(soup.positions.size()), 40, 6);
-    for (Index a : vertices) {
-      EXPECT_EQ(query.distance(a, a), 0.0);
-      for (Index b : vertices) EXPECT_EQ(query.distance(a, b), query.distance(b, a)) << a << ", " << b;
-    }
-  }
-}
-
-TEST(GeodesicQuery, WhatWasAskedBeforeHasNoInfluence) {
-  for (const Soup& soup : surfaces()) {
-    const auto index = test::make_index(soup, 5, 3);
-    const auto n = static_cast<Index>(soup.positions.size());
-    GeodesicQuery used(index, 1);
-    for (Index a : test::random_vertices(n, 6, 16)) {
-      // With one end in common, the side of that end is reused.
-      for (Index b : test::random_vertices(n, 25, 17)) {
-        const double again = used.distance(a, b);
-        EXPECT_EQ(GeodesicQuery(index, 1).distance(a, b), again) << a << ", " << b;
-      }
-    }
-  }
-}
-
-TEST(GeodesicQuery, PositiveAndAtLeastTheStraightLineInSpaceUpToItsError) {
-  for (const Soup& soup : surfaces()) {
-    GeodesicQuery query(test::make_index(soup, 3, 4));
-    const auto vertices = test::random_vertices(static_cast<Index>(soup.positions.size()), 40, 8);
-    for (Index a : vertices) {
-      for (Index b : vertices) {
-        const Point& p = soup.positions[a];
-        const Point& q = soup.positions[b];
-        const double straight = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-        EXPECT_GE(query.distance(a, b), straight * 0.99);
-      }
-    }
-  }
-}
-
 TEST(GeodesicQuery, TriangleInequalityUpToItsError) {
   for (const Soup& soup : test::one_under_sanitizers(surfaces())) {
     GeodesicQuery query(test::make_index(soup, 3, 4));
@@ -87,24 +44,6 @@ TEST(GeodesicQuery, TriangleInequalityUpToItsError) {
   }
 }
 
-TEST(GeodesicQuery, InfiniteBetweenComponentsAndForVerticesWithoutAFace) {
-  const Soup soup =
-      test::with_isolated_vertex(test::two_components(test::icosphere(2), test::icosphere(1)), {9, 0, 0});
-  GeodesicQuery query(test::make_index(soup, 3, 2));
-  const Index isolated = 162 + 42;
-  EXPECT_EQ(query.distance(3, 170), unreachable);
-  EXPECT_EQ(query.distance(170, 3), unreachable);
-  EXPECT_EQ(query.distance(3, isolated), unreachable);
-  EXPECT_EQ(query.distance(isolated, 3), unreachable);
-  EXPECT_EQ(query.distance(isolated, isolated), 0.0);
-  const auto from_first = field(query, {3});
-  for (Index v = 0; v <= isolated; ++v) EXPECT_EQ(from_first[v] == unreachable, v >= 162);
-  const auto from_isolated = field(query, {isolated});
-  for (Index v = 0; v <= isolated; ++v) EXPECT_EQ(from_isolated[v], v == isolated ? 0.0 : unreachable);
-  const auto from_all = field(query, {isolated, 3, 170});
-  for (double distance : from_all) EXPECT_LT(distance, 4.0);
-}
-
 TEST(GeodesicQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
   GeodesicQuery query(test::make_index(test::icosphere(3), 3, 4));
   const auto once = field(query, {5, 300, 77});
@@ -118,52 +57,6 @@ TEST(GeodesicQuery, EveryVertexASource) {
   std::vector<Index> all(642);
   for (Index v = 0; v < 642; ++v) all[v] = v;
   for (double distance : field(query, all)) EXPECT_EQ(distance, 0.0);
-}
-
-TEST(GeodesicQuery, WithinAGreatestDistance) {
-  for (const Soup& soup : {test::hills(40, 0.15), test::icosphere(4)}) {
-    GeodesicQuery query(test::make_index(soup, 3, 4));
-    const auto whole = field(query, {7});
-    for (double bound : {0.0, 0.05, 0.3, 0.7, 100.0}) {
-      const auto bounded = field(query, {7}, bound);
-      EXPECT_EQ(bounded[7], 0.0);
-      for (std::size_t v = 0; v < whole.size(); ++v) {
-        if (whole[v] > bound * 1.001) {
-          EXPECT_EQ(bounded[v], unreachable) << "bound " << bound << ", vertex " << v;
-        } else if (whole[v] < bound * 0.999) {
-          EXPECT_NEAR(bounded[v], whole[v], 1e-3 * whole[v]) << "bound " << bound << ", vertex " << v;
-        }
-        EXPECT_TRUE(bounded[v] == unreachable || bounded[v] <= bound) << bounded[v];
-      }
-    }
-    EXPECT_EQ(field(query, {7}), whole) << "a bounded field leaves nothing behind";
-  }
-}
-
-TEST(GeodesicQuery, TheSameFieldToTheLastBitWhateverTheThreads) {
-  const auto index = test::make_index(test::hills(40, 0.15), 4, 4);
-  GeodesicQuery one(index, 1);
-  const auto expected = field(one, {3, 900});
-  for (int threads : {2, 3, 8}) {
-    GeodesicQuery query(index, threads);
-    EXPECT_EQ(field(query, {3, 900}), expected) << threads << " threads";
-  }
-}
-
-TEST(GeodesicQuery, TheSameAnswersInAnyOrderAndFromAMovedQuery) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  GeodesicQuery fresh(index);
-  const auto expected = field(fresh, {40});
-  const double pair = fresh.distance(1, 600);
-  GeodesicQuery used(index);
-  for (Index v = 0; v < 642; v += 37) {
-    used.distance(v, 641 - v);
-    field(used, {v, 3}, 0.4);
-  }
-  GeodesicQuery moved(std::move(used));
-  EXPECT_EQ(field(moved, {40}), expected);
-  EXPECT_EQ(moved.distance(1, 600), pair);
-  EXPECT_EQ(&moved.index(), index.get());
 }
 
 TEST(GeodesicQuery, TwoQueriesOnOneIndexInTwoThreads) {
@@ -212,28 +105,6 @@ TEST(GeodesicQuery, ThreeHundredComponents) {
   }
   EXPECT_NEAR(query.distance(4, 7), std::sqrt(2.0), 1e-12);
   EXPECT_EQ(query.distance(4, 8), unreachable);
-}
-
-TEST(GeodesicQuery, RefusalsNameTheElementAndLeaveTheQueryAsItWas) {
-  GeodesicQuery query(test::make_index(test::icosphere(3), 3, 4));
-  const auto expected = field(query, {40});
-  auto refusal = [](auto&& call) -> std::string {
-    try {
-      call();
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "not refused";
-  };
-  const std::string range = " does not exist: the mesh has vertices 0 to 641.";
-  EXPECT_EQ(refusal([&] { query.distance(-1, 0); }), "Source vertex -1" + range);
-  EXPECT_EQ(refusal([&] { query.distance(0, 642); }), "Target vertex 642" + range);
-  EXPECT_EQ(refusal([&] { query.distance(642, 642); }), "Source vertex 642" + range);
-  EXPECT_EQ(refusal([&] { field(query, {40, 300, 900}); }), "Source vertex 900" + range);
-  EXPECT_EQ(refusal([&] { field(query, {}); }), "There is no source; give at least one.");
-  EXPECT_NE(refusal([&] { field(query, {1}, -0.5); }), "not refused");
-  EXPECT_NE(refusal([&] { field(query, {1}, std::numeric_limits<double>::quiet_NaN()); }), "not refused");
-  EXPECT_EQ(field(query, {40}), expected);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
 #include "support/heavy.h"
 #include "support/indexes.h"
@@ -85,21 +84,6 @@ TEST(GraphRouter, NonManifoldMeshesAsByDijkstra) {
   expect_shortest(*test::make_graph_index(test::bow_tie(12).soup, 3, 4), 20, 40);
 }
 
-TEST(GraphRouter, ARouteIsTheSameBackwards) {
-  const auto index = test::make_graph_index(test::icosphere(4), 5, 4);
-  const IndexData& data = index->data();
-  GraphRouter router(data);
-  for (Index source : test::random_vertices(2562, 10, 1)) {
-    for (Index target : test::random_vertices(2562, 10, 2)) {
-      const double there =
-          test::graph_route(router, test::route_end(data, source), test::route_end(data, target)).length;
-      const double back =
-          test::graph_route(router, test::route_end(data, target), test::route_end(data, source)).length;
-      EXPECT_NEAR(there, back, 1e-12 * there);
-    }
-  }
-}
-
 /// Nodes that plain Dijkstra from one end settles until it takes the target: those nearer than the length.
 std::size_t settled_without_guidance(const IndexData& data, const RouteEnd& from, const RouteEnd& to,
                                      double length) {
@@ -131,81 +115,6 @@ TEST(GraphRouter, GuidanceSavesWork) {
   // Two searches without guidance meet after two half discs, half of one disc; guided ones stay between the
   // ends.
   EXPECT_LT(4 * settled, unguided) << "settled " << settled << ", by a search from one end " << unguided;
-}
-
-TEST(GraphRouter, WaysForFirstLayerArcsConnectAndAreHardlyLonger) {
-  for (const Soup& soup : {test::hills(40, 0.15), test::book_of_three_pages(12, 2.0, 1.0).soup}) {
-    for (double delta : {0.0, 0.02}) {
-      const auto index = test::make_graph_index(soup, 6, 5, delta);
-      const IndexData& data = index->data();
-      GraphRouter router(data);
-      double stated = 0.0;
-      double walked = 0.0;
-      for (Index source : test::random_vertices(data.work.mesh->vertex_count(), 12, 1)) {
-        for (Index target : test::random_vertices(data.work.mesh->vertex_count(), 12, 2)) {
-          const RouteEnd from = test::route_end(data, source);
-          const RouteEnd to = test::route_end(data, target);
-          GraphRoute route;
-          router.route(from, to, route);
-          ASSERT_EQ(route.nodes.size(), route.legs.size() + 1);
-          for (std::size_t i = 0; i < route.legs.size(); ++i) {
-            double step = unreachable;
-            for (const Arc& arc : data.graph.arcs(route.nodes[i])) {
-              if (arc.target == route.nodes[i + 1] && arc.leg == route.legs[i]) step = arc.length;
-            }
-            ASSERT_LT(step, unreachable) << "no second-layer arc";
-            walked += step;
-          }
-          auto seed = [](const RouteEnd& end, Index node) {
-            double least = unreachable;
-            for (const auto& at : end.seeds) {
-              if (at.node == node) least = std::min(least, at.distance);
-            }
-            return least;
-          };
-          walked += seed(from, route.nodes.front()) + seed(to, route.nodes.back());
-          stated += route.length;
-        }
-      }
-      EXPECT_GT(walked, 0.999 * stated);
-      EXPECT_LT(walked, (1.01 + delta) * stated);
-    }
-  }
-}
-
-TEST(RouteEnd, StartsAreTheBorderOfTheHomePatchWithTableDistances) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  const IndexData& data = index->data();
-  for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
-    const RouteEnd end = test::route_end(data, v);
-    const auto patches = test::patches_at(*data.work.mesh, data.work.second_layer, v);
-    std::set<Index> parents;
-    for (Index p : patches) parents.insert(data.partition.parent[p]);
-    EXPECT_EQ(std::set<Index>(end.parents.begin(), end.parents.end()), parents);
-    EXPECT_EQ(end.parents.size(), parents.size());
-    if (data.second.vertex_node[v] != no_index) {
-      ASSERT_EQ(end.seeds.size(), 1U);
-      EXPECT_EQ(end.patch, no_index);
-      EXPECT_EQ(end.seeds[0].node, data.second.vertex_node[v]);
-      EXPECT_EQ(end.seeds[0].distance, 0.0);
-      continue;
-    }
-    EXPECT_EQ(end.patch, *patches.begin());
-    ASSERT_EQ(static_cast<Index>(end.seeds.size()), data.second.border_size(end.patch));
-    for (Index row = 0; row < data.second.border_size(end.patch); ++row) {
-      EXPECT_EQ(end.seeds[row].node, data.second.nodes(end.patch)[row]);
-      EXPECT_EQ(end.seeds[row].distance,
-                data.second.distance(end.patch, static_cast<Index>(row), data.home_column[v]));
-    }
-  }
-}
-
-TEST(RouteEnd, AMeshOfOnePatchHasNoStarts) {
-  const auto index = test::make_index(test::icosphere(1), 1, 1);
-  const RouteEnd end = test::route_end(index->data(), 5);
-  EXPECT_TRUE(end.seeds.empty());
-  GraphRouter router(index->data());
-  EXPECT_EQ(test::graph_route(router, end, test::route_end(index->data(), 7)).length, unreachable);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "query/border_field.h"
-#include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -57,28 +56,6 @@ TEST(LongBorderEdges, NotWhereTwoWavesMeet) {
   EXPECT_EQ(
       middle_edge(sources).across(unreachable, [&](Index row) { return apart(target, nodes[row]); }).row,
       no_index);
-}
-
-TEST(LongBorderEdges, FoundWhereBothEndsBelongToOneWave) {
-  const auto index = test::make_index(test::icosphere(3), 1, 4);
-  const PatchLayer& layer = index->data().second;
-  std::vector<LongBorderEdge> found;
-  const auto one = [](Index) { return 1.0; };
-  const auto own_source = [](Index node) { return BoundaryDijkstra::source_name(node); };
-  const auto same_source = [](Index) { return BoundaryDijkstra::source_name(0); };
-  find_long_border_edges(layer, 0, 0.0, one, same_source, found);
-  EXPECT_GE(static_cast<Index>(found.size()), layer.border_size(0)) << "a border is a cycle";
-  for (const LongBorderEdge& edge : found) {
-    EXPECT_NE(edge.end[0].beside, edge.end[1].row);
-    EXPECT_NE(edge.end[0].beside, no_index);
-  }
-  find_long_border_edges(layer, 0, 0.0, one, own_source, found);
-  EXPECT_TRUE(found.empty());
-  find_long_border_edges(
-      layer, 0, 0.0, [](Index) { return unreachable; }, same_source, found);
-  EXPECT_TRUE(found.empty());
-  find_long_border_edges(layer, 0, 10.0, one, same_source, found);
-  EXPECT_TRUE(found.empty()) << "all edges are shorter than the sphere is wide";
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "exact/exact_geometry.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/parallel.h"
@@ -17,44 +16,6 @@ namespace {
 
 MeshPathQuery query_on(const std::shared_ptr<const Mesh>& mesh) {
   return MeshPathQuery(std::make_shared<const LocalGeometry>(mesh));
-}
-
-void expect_shortest(MeshPathQuery& query, const test::Shape& shape, const SurfacePoint& a,
-                     const SurfacePoint& b) {
-  const auto mesh = test::make_mesh(shape.soup);
-  const ExactPath found = query.exact_path(a, b);
-  EXPECT_TRUE(found.certified);
-  EXPECT_NEAR(found.path.length, shape.distance(a, b), 1e-9);
-  EXPECT_EQ(test::path_fault(*mesh, found.path, a, b), "");
-}
-
-TEST(MeshPath, IsTheStraightLineOnShapesWithAFormula) {
-  for (const test::Shape& shape :
-       {test::plane_grid(12, 10, 3.0, 2.0, 0.2), test::box({1.0, 2.0, 1.5}, 4), test::plane_with_slit(3),
-        test::book_of_three_pages(4, 1.0, 1.0), test::bow_tie(3)}) {
-    const auto mesh = test::make_mesh(shape.soup);
-    MeshPathQuery query = query_on(mesh);
-    const Index last = mesh->vertex_count() - 1;
-    for (const Index v : {1, last / 3, last / 2, last}) {
-      expect_shortest(query, shape, SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(v));
-    }
-    const auto inside = SurfacePoint::in_face(mesh->face_count() - 2, {0.5, 0.2, 0.3});
-    expect_shortest(query, shape, inside, SurfacePoint::in_face(0, {0.1, 0.6, 0.3}));
-    expect_shortest(query, shape, inside, SurfacePoint::in_face(mesh->face_count() - 2, {0.1, 0.6, 0.3}));
-    expect_shortest(query, shape, inside, inside);
-    expect_shortest(query, shape, SurfacePoint::at_vertex(2), inside);
-  }
-}
-
-TEST(MeshPath, IsAsLongAsTheExactFieldSaysOnHills) {
-  const auto mesh = test::make_mesh(test::hills(24, 0.5));
-  MeshPathQuery query = query_on(mesh);
-  const auto field = exact_distance_field(mesh, std::vector<Index>{40});
-  for (const Index v : test::random_vertices(mesh->vertex_count(), 12, 5)) {
-    const ExactPath found = query.exact_path(SurfacePoint::at_vertex(40), SurfacePoint::at_vertex(v));
-    EXPECT_TRUE(found.certified);
-    EXPECT_NEAR(found.path.length, field[v], 1e-9);
-  }
 }
 
 TEST(MeshPath, IsTheSameFromAPropagationThatServesManyTargets) {
@@ -98,35 +59,6 @@ TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
     EXPECT_FALSE(query.exact_path(from_source, SurfacePoint::at_vertex(v)).certified) << v;
     EXPECT_FALSE(query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(v)).certified) << v;
   }
-}
-
-TEST(MeshPath, IsAsLongAsTheMetricSays) {
-  const test::Shape plane = test::plane_grid(9, 9, 1.0, 1.0, 0.2);
-  const auto flat = test::make_mesh(plane.soup);
-  SideLengths sides;
-  for (Index f = 0; f < flat->face_count(); ++f) {
-    sides.push_back(flat->side_lengths(f));
-    for (double& side : sides.back()) side *= 2.5;
-  }
-  const auto mesh = std::make_shared<const Mesh>(plane.soup.positions, plane.soup.faces, sides);
-  MeshPathQuery query = query_on(mesh);
-  const auto inside = SurfacePoint::in_face(100, {0.5, 0.2, 0.3});
-  const ExactPath found = query.exact_path(SurfacePoint::at_vertex(3), inside);
-  EXPECT_TRUE(found.certified);
-  EXPECT_NEAR(found.path.length, 2.5 * plane.distance(SurfacePoint::at_vertex(3), inside), 1e-9);
-}
-
-TEST(MeshPath, HasNoPointsBetweenComponentsAndRefusesWhatIsNoPoint) {
-  const auto two = test::make_mesh(test::with_isolated_vertex(
-      test::two_components(test::icosphere(1), test::icosphere(1)), {5.0, 0.0, 0.0}));
-  MeshPathQuery query = query_on(two);
-  for (const Index other : {two->vertex_count() - 2, two->vertex_count() - 1}) {
-    const ExactPath none = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(other));
-    EXPECT_TRUE(none.path.points.empty());
-    EXPECT_EQ(none.path.length, unreachable);
-    EXPECT_TRUE(none.certified);
-  }
-  EXPECT_THROW(query.exact_path(SurfacePoint::at_vertex(-1), SurfacePoint::at_vertex(0)), InvalidInput);
 }
 
 TEST(MeshPath, NothingIsProvenBesideEdgesWithoutDigits) {

@@ -4,30 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "support/path_check.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
-
-TEST(PathRefine, ItsPointsLieOnTheStraightLine) {
-  const auto mesh = test::make_mesh(test::cone(8, 1, 2.0 * std::numbers::pi, 1.0).soup);
-  const ExactGeometry geometry(mesh);
-  const auto corners = mesh->corners(0);
-  FaceStrip strip;
-  strip.faces.push_back(Mesh::face_of(corners[0]));
-  ASSERT_TRUE(turn_around(*mesh, strip, 0, Mesh::face_of(corners[3])));
-  strip.source = SurfacePoint::in_face(strip.faces.front(), {0.2, 0.4, 0.4});
-  strip.target = SurfacePoint::in_face(strip.faces.back(), {0.2, 0.4, 0.4});
-  PathRefiner refiner(geometry);
-  const double length = refiner.refine(strip);
-  const Point a = position_of(*mesh, strip.source);
-  const Point b = position_of(*mesh, strip.target);
-  EXPECT_NEAR(length, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12);
-  EXPECT_EQ(test::path_fault(*mesh, refiner.path(), strip.source, strip.target), "");
-}
 
 TEST(PathRefine, ALineAcrossAnEdgeOfNoLengthPassesItsPlace) {
   // Two triangles that meet tip to tip, joined by two faces without area: the only path leads through the

@@ -81,52 +81,5 @@ TEST(TableRouter, FromTheTipOfALimb) {
   expect_least_sums(test::make_index(test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup, 3, 3)->data(), 40, 20);
 }
 
-TEST(TableRouter, RoutesAreAsLongAsTheirParts) {
-  const auto index = test::make_index(test::torus(40, 20, 2.0, 0.7), 5, 4);
-  const IndexData& data = index->data();
-  TableRouter router(data);
-  for (Index source : test::random_vertices(800, 12, 3)) {
-    for (Index target : test::random_vertices(800, 12, 4)) {
-      const RouteEnd from = test::route_end(data, source);
-      const RouteEnd to = test::route_end(data, target);
-      GraphRoute route;
-      router.route(from, to, route);
-      ASSERT_FALSE(route.nodes.empty());
-      ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
-      auto at_end = [](const RouteEnd& end, Index node) {
-        double least = unreachable;
-        for (const auto& seed : end.seeds) {
-          if (seed.node == node) least = std::min(least, seed.distance);
-        }
-        return least;
-      };
-      double length = at_end(from, route.nodes.front()) + at_end(to, route.nodes.back());
-      for (std::size_t i = 0; i < route.legs.size(); ++i) {
-        const Index a = route.nodes[i];
-        const Index b = route.nodes[i + 1];
-        const Index first_a = data.first.vertex_node[data.second.node_vertex[a]];
-        const Index first_b = data.first.vertex_node[data.second.node_vertex[b]];
-        if (route.legs[i] == Leg::by_transit_table()) {
-          ASSERT_NE(first_a, no_index);
-          ASSERT_NE(first_b, no_index);
-          length += data.transit_table.distance(first_a, first_b);
-          continue;
-        }
-        ASSERT_TRUE(route.legs[i].in_first_layer());
-        const Index parent = route.legs[i].patch();
-        double step = unreachable;
-        for (Index row = 0; row < data.first.border_size(parent); ++row) {
-          if (data.first.nodes(parent)[row] == first_a)
-            step = std::min(step, through_patch(data, parent, row, b));
-          if (data.first.nodes(parent)[row] == first_b)
-            step = std::min(step, through_patch(data, parent, row, a));
-        }
-        length += step;
-      }
-      EXPECT_NEAR(length, route.length, 1e-5 * route.length + 1e-9) << source << " to " << target;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace vorogeo
