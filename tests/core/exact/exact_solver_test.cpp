@@ -1,4 +1,4 @@
-// Exact solver: distances against closed forms, several sources, unreachable places, errors.
+// Exact solver: closed forms, limits, points on edges, and meshes with defects.
 #include "exact/exact_solver.h"
 
 #include <gtest/gtest.h>
@@ -7,14 +7,23 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
 
 #include "support/error.h"
+#include "support/exhaustive.h"
+#include "support/hostile_meshes.h"
+#include "support/indexes.h"
 #include "support/near.h"
 #include "support/ply.h"
+#include "support/progress.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
+
+// Exact solver: distances against closed forms, several sources, unreachable places, errors.
 
 using test::expect_near;
 using test::Shape;
@@ -165,6 +174,430 @@ TEST(ExactSolver, RealMeshesObeyTheTriangleInequalityAlongEdgesAndSymmetry) {
       }
     }
   }
+}
+
+// Limits of the exact solver: bounded distance, targets, allowed faces.
+
+TEST(ExactLimits, BoundSavesWork) {
+  const auto mesh = test::make_mesh(test::plane_grid(60, 60, 2.0, 2.0, 0.2).soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{30 * 61 + 30});
+  const std::size_t all = solver.window_count();
+  ExactLimits limits;
+  limits.max_distance = 0.2;
+  solver.run_from_vertices(std::array<Index, 1>{30 * 61 + 30}, limits);
+  EXPECT_LT(solver.window_count(), all / 10);
+}
+
+TEST(ExactLimits, TargetsAreExactOthersUpperBounds) {
+  const Shape shape = test::cone(14, 12, 2.5 * pi, 2.0);
+  const auto mesh = test::make_mesh(shape.soup);
+  ExactSolver solver(mesh);
+  for (Index source : {1, 60, 160}) {
+    const std::array<Index, 3> targets{source + 1, 75, 20};
+    ExactLimits limits;
+    limits.targets = targets;
+    solver.run_from_vertices(std::array{source}, limits);
+    for (Index v : targets) {
+      expect_near(solver.distance(v), shape.vertex_distance(source, v), *mesh, 1e-11,
+                  "target " + std::to_string(v));
+    }
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_GE(solver.distance(v), shape.vertex_distance(source, v) - 1e-11);
+    }
+  }
+}
+
+TEST(ExactLimits, UnreachableTargetsEndTheRun) {
+  const auto mesh = test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(0)));
+  ExactSolver solver(mesh);
+  const std::array<Index, 2> targets{50, 7};
+  ExactLimits limits;
+  limits.targets = targets;
+  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  EXPECT_EQ(solver.distance(50), unreachable);
+  EXPECT_LT(solver.distance(7), 4.0);
+}
+
+TEST(ExactLimits, OnlyAllowedFacesAreEntered) {
+  // Against brute force on a mesh that has only the allowed faces.
+  for (unsigned seed : {1U, 2U, 3U}) {
+    const Soup soup = test::random_sphere(60, seed);
+    std::mt19937 random(seed);
+    Soup part{soup.positions, {}};
+    std::vector<std::uint8_t> allowed;
+    for (const auto& face : soup.faces) {
+      allowed.push_back(random() % 4 != 0);
+      if (allowed.back()) part.faces.push_back(face);
+    }
+    const auto part_mesh = test::make_mesh(part);
+    const test::ExhaustiveGeodesics exact(*part_mesh);
+    ExactSolver solver(test::make_mesh(soup));
+    ExactLimits limits;
+    limits.face_allowed = allowed;
+    for (Index source : {0, 20, 59}) {
+      solver.run_from_vertices(std::array{source}, limits);
+      for (Index v = 0; v < 60; ++v) {
+        if (exact.distance(source, v) == unreachable) {
+          EXPECT_EQ(solver.distance(v), unreachable) << source << ", " << v;
+        } else {
+          EXPECT_NEAR(solver.distance(v), exact.distance(source, v), 1e-11) << source << ", " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExactLimits, CorridorKeepsTheDistanceOfItsTarget) {
+  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(40, 20, 2.0, 0.8)}) {
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver whole(mesh);
+    ExactSolver corridor(mesh);
+    std::mt19937 random(7);
+    for (int i = 0; i < 40; ++i) {
+      const Index source = static_cast<Index>(random() % mesh->vertex_count());
+      const Index target = static_cast<Index>(random() % mesh->vertex_count());
+      whole.run_from_vertices(std::array{source});
+      const double exact = whole.distance(target);
+      for (double slack : {1.0, 1.01, 1.3}) {
+        ExactLimits limits;
+        limits.targets = std::span(&target, 1);
+        limits.corridor_target = target;
+        limits.max_distance = slack * exact * (1.0 + 1e-12);
+        corridor.run_from_vertices(std::array{source}, limits);
+        expect_near(corridor.distance(target), exact, *mesh, 1e-11, "slack " + std::to_string(slack));
+      }
+    }
+  }
+}
+
+TEST(ExactLimits, CorridorSavesWork) {
+  const auto mesh = test::make_mesh(test::plane_grid(60, 60, 2.0, 2.0, 0.2).soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{0});
+  const std::size_t all = solver.window_count();
+  ExactLimits limits;
+  limits.corridor_target = mesh->vertex_count() - 1;
+  limits.max_distance = solver.distance(limits.corridor_target) * (1.0 + 1e-6);
+  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  EXPECT_LT(solver.window_count(), all / 5);
+}
+
+TEST(ExactLimits, DistancesUpToTheBarrierAreThoseOfTheWholeMesh) {
+  const auto mesh = test::make_mesh(test::hills(40, 0.2));
+  ExactSolver whole(mesh);
+  ExactSolver masked(mesh);
+  std::mt19937 random(3);
+  for (int i = 0; i < 20; ++i) {
+    const Index source = static_cast<Index>(random() % mesh->vertex_count());
+    std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
+    const Index hole = static_cast<Index>(random() % mesh->face_count());
+    for (Index f = hole; f < std::min(hole + 200, mesh->face_count()); ++f) allowed[f] = 0;
+    ExactLimits limits;
+    limits.face_allowed = allowed;
+    whole.run_from_vertices(std::array{source});
+    masked.run_from_vertices(std::array{source}, limits);
+    const double certain = std::min(masked.settled_distance(), masked.barrier_distance());
+    ASSERT_LT(certain, unreachable);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (masked.distance(v) > certain) continue;
+      expect_near(masked.distance(v), whole.distance(v), *mesh, 1e-11, "vertex " + std::to_string(v));
+    }
+  }
+}
+
+TEST(ExactLimits, ARunWithoutAProgressIsCancelledAtACheckpoint) {
+  ExactSolver solver(test::make_mesh(test::icosphere(5)));
+  const Watch watch([] { throw Cancelled(); });
+  EXPECT_THROW(solver.run_from_vertices(std::array<Index, 1>{0}), Cancelled);
+}
+
+TEST(ExactLimits, LengthsBeyondTheRangeOfProductsAreRefused) {
+  for (double scale : {1e-100, 1e100}) {
+    Soup soup = test::icosphere(1);
+    for (Point& position : soup.positions) {
+      for (double& coordinate : position) coordinate *= scale;
+    }
+    try {
+      ExactSolver solver(test::make_mesh(soup));
+      FAIL() << "accepted at scale " << scale;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("scale the mesh"), std::string::npos) << error.what();
+    }
+  }
+}
+
+// Sources and targets inside edges: distances read from the windows of the edge, and runs that stop when
+// these are final.
+
+SurfacePoint on_surface(const Mesh& mesh, const EdgePoint& point) {
+  const Index h = mesh.edge_halfedge(point.edge);
+  const double along = point.position / mesh.edge_length(point.edge);
+  std::array<double, 3> weights{};
+  const bool forward = mesh.tail(h) == mesh.edge_vertices(point.edge)[0];
+  weights[h % 3] = forward ? 1.0 - along : along;
+  weights[Mesh::next_in_face(h) % 3] = forward ? along : 1.0 - along;
+  return SurfacePoint::in_face(Mesh::face_of(h), weights);
+}
+
+std::vector<EdgePoint> spread_edge_points(const Mesh& mesh) {
+  std::vector<EdgePoint> points;
+  for (Index e = 0; e < mesh.edge_count(); e += 1 + mesh.edge_count() / 60) {
+    for (double part : {0.02, 0.5, 0.7}) points.push_back({e, part * mesh.edge_length(e)});
+  }
+  return points;
+}
+
+TEST(EdgePoints, StraightLinesInThePlane) {
+  const test::Shape shape = test::plane_grid(12, 9, 4.0, 3.0, 0.2);
+  const auto mesh = test::make_mesh(shape.soup);
+  const auto points = spread_edge_points(*mesh);
+  ExactSolver solver(mesh);
+  for (std::size_t i = 0; i < points.size(); i += 7) {
+    const ExactSource source{on_surface(*mesh, points[i])};
+    solver.run(std::span(&source, 1));
+    for (const EdgePoint& target : points) {
+      const double expected = shape.distance(source.point, on_surface(*mesh, target));
+      test::expect_near(solver.distance(target), expected, *mesh, 1e-10,
+                        "edge " + std::to_string(target.edge));
+    }
+  }
+}
+
+TEST(EdgePoints, ARunStopsOnlyWhenTheyAreFinal) {
+  const auto mesh = test::make_mesh(test::gear(10, 16, 2.0));
+  ExactSolver whole(mesh);
+  ExactSolver stopped(mesh);
+  const auto points = spread_edge_points(*mesh);
+  const Index source = 0;
+  whole.run_from_vertices(std::span(&source, 1));
+  for (const EdgePoint& point : points) {
+    // The vertices alone would let the run stop at the source.
+    ExactLimits limits;
+    limits.targets = std::span(&source, 1);
+    limits.edge_targets = std::span(&point, 1);
+    stopped.run_from_vertices(std::span(&source, 1), limits);
+    EXPECT_DOUBLE_EQ(stopped.distance(point), whole.distance(point)) << "edge " << point.edge;
+  }
+}
+
+// Exact solver where no formula holds or the mesh has defects: against brute-force unfolding and against the
+// plane.
+
+/// Compares the fields of all vertices and of points in some faces with brute force.
+void expect_exhaustive(const Soup& soup, double tolerance = 1e-11) {
+  const auto mesh = test::make_mesh(soup);
+  const test::ExhaustiveGeodesics exact(*mesh);
+  ExactSolver solver(mesh);
+  auto compare = [&](const SurfacePoint& source, const std::string& from) {
+    const auto field = exact.field(source);
+    const std::array sources{ExactSource{source}};
+    solver.run(sources);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (field[v] == unreachable) {
+        ASSERT_EQ(solver.distance(v), unreachable) << from << ", vertex " << v;
+      } else {
+        expect_near(solver.distance(v), field[v], *mesh, tolerance, from + ", vertex " + std::to_string(v));
+      }
+    }
+  };
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    compare(SurfacePoint::at_vertex(v), "vertex " + std::to_string(v));
+  }
+  for (Index f = 0; f < mesh->face_count(); f += 3) {
+    compare(SurfacePoint::in_face(f, {0.1, 0.2, 0.7}), "inside face " + std::to_string(f));
+    compare(SurfacePoint::in_face(f, {0.4, 0.6, 0.0}), "on an edge of face " + std::to_string(f));
+  }
+}
+
+TEST(ExactDefects, CurvedSurfacesAgreeWithBruteForce) {
+  expect_exhaustive(test::icosphere(1));
+  expect_exhaustive(test::random_sphere(70, 1));
+  expect_exhaustive(test::random_sphere(40, 2));
+  expect_exhaustive(test::torus(9, 6, 2.0, 0.8));
+}
+
+TEST(ExactDefects, RoughSurfacesAgreeWithBruteForce) {
+  for (unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> height(0.0, 0.4);
+    Soup terrain = test::plane_grid(7, 7, 7.0, 7.0, 0.2, seed).soup;
+    for (Point& p : terrain.positions) p[2] = height(random);
+    expect_exhaustive(terrain);
+    Soup star = test::random_sphere(50, seed);
+    for (Point& p : star.positions) {
+      const double scale = std::exp(height(random));
+      for (double& x : p) x *= scale;
+    }
+    expect_exhaustive(star);
+  }
+}
+
+TEST(ExactDefects, NonManifoldMeshesAgreeWithBruteForce) {
+  for (unsigned seed : {1U, 2U, 3U, 4U}) {
+    std::mt19937 random(seed);
+    Soup soup = test::random_sphere(30, seed);
+    // Fins over edges of the surface, some of them with further fins, and faces across it.
+    for (int fin = 0; fin < 6; ++fin) {
+      const auto face = soup.faces[random() % soup.faces.size()];
+      Point tip = soup.positions[face[random() % 3]];
+      for (double& x : tip) x *= 1.4;
+      soup.positions.push_back(tip);
+      soup.faces.push_back({face[0], face[1], static_cast<Index>(soup.positions.size() - 1)});
+    }
+    for (int i = 0; i < 2; ++i) {
+      const auto& face = soup.faces[random() % soup.faces.size()];
+      const auto far = static_cast<Index>(random() % 30);
+      if (far != face[0] && far != face[1]) soup.faces.push_back({face[0], face[1], far});
+    }
+    expect_exhaustive(soup);
+    expect_exhaustive(test::with_flipped_faces(soup, seed));
+  }
+}
+
+TEST(ExactDefects, FlippedFacesChangeNothing) {
+  Shape shape = test::plane_grid(10, 8, 3.0, 2.0, 0.2);
+  // Turning a face swaps two of its corners, so points in faces change their meaning: vertices only.
+  shape.soup = test::with_flipped_faces(shape.soup, 11);
+  const auto mesh = test::make_mesh(shape.soup);
+  for (Index source : {0, 40, 98}) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      expect_near(field[v], shape.vertex_distance(source, v), *mesh, 1e-12, "vertex " + std::to_string(v));
+    }
+  }
+}
+
+/// A mesh that is a part of the plane in spite of its defects: straight lines between all its vertices.
+void expect_distances_of_the_plane(const std::shared_ptr<const Mesh>& mesh) {
+  for (Index source = 0; source < mesh->vertex_count(); ++source) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Point& p = mesh->position(source);
+      const Point& q = mesh->position(v);
+      expect_near(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), *mesh, 1e-12,
+                  "vertices " + std::to_string(source) + ", " + std::to_string(v));
+    }
+  }
+}
+
+TEST(ExactDefects, ZeroAreaCapsChangeNothing) {
+  const Shape plane = test::plane_grid(8, 8, 8.0, 8.0);
+  Soup soup = plane.soup;
+  for (Index f : {5, 30, 47, 70, 101}) soup = test::with_zero_area_cap(soup, f, f % 3);
+  const auto mesh = test::make_mesh(soup);
+  expect_distances_of_the_plane(mesh);
+}
+
+TEST(ExactDefects, CapsOnRoundedCoordinatesCostNothing) {
+  // Their lengths would determine the heights of such caps only to 1e-8 of their width; positions do better.
+  const Shape plane = test::plane_grid(6, 6, 1.0, 1.0, 0.2, 5);
+  Soup soup = plane.soup;
+  for (Index f : {5, 30, 47}) soup = test::with_zero_area_cap(soup, f, f % 3);
+  const auto mesh = test::make_mesh(soup);
+  for (Index source : {0, 24, 48, 50}) {
+    const auto field = exact_distance_field(mesh, std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const Point& p = mesh->position(source);
+      const Point& q = mesh->position(v);
+      EXPECT_NEAR(field[v], std::hypot(p[0] - q[0], p[1] - q[1]), 1e-12);
+    }
+  }
+}
+
+TEST(ExactDefects, CoincidentVerticesJoinedByFacesWithoutWidth) {
+  // Two halves of a plane whose seam vertices are doubled and joined by faces with a side of length zero.
+  Soup soup = test::plane_grid(3, 6, 3.0, 6.0).soup;
+  const auto count = static_cast<Index>(soup.positions.size());
+  const auto faces = soup.faces.size();
+  for (Index v = 0; v < count; ++v) {
+    Point p = soup.positions[v];
+    p[0] += 3.0;
+    soup.positions.push_back(p);
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    auto face = soup.faces[f];
+    for (Index& v : face) v += count;
+    soup.faces.push_back(face);
+  }
+  for (Index row = 0; row < 6; ++row) {
+    const Index a = 4 * row + 3;
+    const Index b = count + 4 * row;
+    soup.faces.push_back({a, b, b + 4});
+    soup.faces.push_back({a, b + 4, a + 4});
+  }
+  const auto mesh = test::make_mesh(soup);
+  expect_distances_of_the_plane(mesh);
+}
+
+TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
+  // The pulled vertex is the last of its edges in one numbering and the first in the other.
+  for (const bool reversed : {false, true}) {
+    for (const double lift : {1e4, 1e8, 1e10, 1e11, 1e12}) {
+      Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
+      soup.positions[9 * 4 + 4][2] = lift;
+      if (reversed) {
+        std::ranges::reverse(soup.positions);
+        for (auto& face : soup.faces) {
+          for (Index& v : face) v = 80 - v;
+        }
+      }
+      const auto mesh = test::make_mesh(soup);
+      ExactSolver solver(mesh);
+      for (const Index source : {Index{9}, Index{30}, Index{50}}) {
+        solver.run_from_vertices(std::array{source});
+        const Point& p = mesh->position(source);
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          const Point& q = mesh->position(v);
+          // In the plane the outlier leaves a hole between 3 and 5: straight lines beside it are the shortest
+          // paths.
+          const bool beside = (p[1] <= 3.0 && q[1] <= 3.0) || (p[1] >= 5.0 && q[1] >= 5.0);
+          if (!beside || v == source) continue;
+          const double straight = std::hypot(p[0] - q[0], p[1] - q[1]);
+          ASSERT_NEAR(solver.distance(v), straight, 1e-9 * straight) << lift << ", " << source << " to " << v;
+          const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
+          ASSERT_NEAR(path.length, straight, 1e-9 * straight) << lift << ", " << source << " to " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(ExactDefects, HowFarOutOutliersAreChangesNothing) {
+  // Beside a spike, faces hardly change when it is ten thousand times longer.
+  const Soup hills = test::hills(40, 2.0);
+  const auto n = static_cast<Index>(hills.positions.size());
+  const double edge = test::make_mesh(hills)->typical_edge_length();
+  std::vector<Index> outliers;
+  for (Index v : test::random_vertices(n, 40, 2)) outliers.push_back(v);
+  auto with_outliers_at = [&](double edges) {
+    Soup soup = hills;
+    for (Index v : outliers) soup.positions[v][2] -= edges * edge;
+    return test::make_mesh(soup);
+  };
+  ExactSolver near_out(with_outliers_at(1e8));
+  for (const double edges : {1e10, 1e12, 1e13}) {
+    ExactSolver far_out(with_outliers_at(edges));
+    for (Index source = 3; source < n; source += 211) {
+      if (std::ranges::find(outliers, source) != outliers.end()) continue;
+      near_out.run_from_vertices(std::array{source});
+      far_out.run_from_vertices(std::array{source});
+      for (Index v = 0; v < n; ++v) {
+        if (std::ranges::find(outliers, v) != outliers.end()) continue;
+        const double expected = near_out.distance(v);
+        ASSERT_NEAR(far_out.distance(v), expected, 1e-7 * expected) << edges << ", " << source << " to " << v;
+      }
+    }
+  }
+}
+
+TEST(ExactDefects, OverEdgesOfElevenOrdersBothDirectionsAgree) {
+  const auto mesh = test::make_mesh(test::hostile_mesh(7242, 200).soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{26});
+  const double there = solver.distance(17);
+  solver.run_from_vertices(std::array<Index, 1>{17});
+  EXPECT_NEAR(there, solver.distance(26), 1e-9 * there);
 }
 
 }  // namespace

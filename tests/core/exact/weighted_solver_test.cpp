@@ -1,11 +1,13 @@
-// Costs and tensors that jump at edges: Snell's law, critical paths along edges, layers, holes; convergence.
+// Metrics that jump at edges: against formulas, with limits, over faces without width.
 #include "exact/weighted_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 
 #include "mesh/metric.h"
@@ -15,6 +17,8 @@
 
 namespace vorogeo {
 namespace {
+
+// Costs and tensors that jump at edges: Snell's law, critical paths along edges, layers, holes; convergence.
 
 using test::Layers;
 using test::least_of;
@@ -141,6 +145,287 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     EXPECT_GE(solver.distance(v), 0.999 * distance_between(soup.positions[5], soup.positions[v])) << v;
     EXPECT_LT(solver.distance(v), unreachable);
+  }
+}
+
+// Paths that refract and run along edges: their lengths are those of real paths, and the least up to little.
+
+TEST(WeightedPath, RefractsAndRunsAlongTheBorderOfTwoHalfPlanes) {
+  const Layers layers(
+      24, [](double, double y) { return y > 0.0 ? 1.0 : 3.0; }, 0.1);
+  WeightedSolver solver = layers.solver();
+  const Index source = layers.nearest(0.4, -0.4);
+  solver.run_from_vertices(std::array{source});
+  for (const auto& [x, y] : {std::array{1.6, 0.7}, std::array{1.7, -0.2}, std::array{0.5, -0.9}}) {
+    const Index target = layers.nearest(x, y);
+    const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(target));
+    const double length =
+        test::two_half_planes(layers.soup.positions[source], layers.soup.positions[target], 1.0, 3.0);
+    EXPECT_NEAR(path.length, length, 1e-3 * length);
+    EXPECT_GE(path.length, length * (1.0 - 1e-9));
+    EXPECT_EQ(path.points.front().vertex, target);
+    EXPECT_EQ(path.points.back().vertex, source);
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+      const Point a = position_of(*layers.mesh, path.points[i]);
+      const Point b = position_of(*layers.mesh, path.points[i + 1]);
+      sum += (a[1] + b[1] > -1e-12 ? 1.0 : 3.0) * distance_between(a, b);
+    }
+    EXPECT_NEAR(sum, path.length, 1e-9 * length);
+  }
+}
+
+/// The grid cut open along x = 1 and closed again by faces without width: `seam` by pairs of them between
+/// vertices in one place, otherwise by caps under vertices added to the edges of one side.
+test::Soup cut_and_closed(int cells, bool seam) {
+  test::Soup soup = test::plane_grid(cells, cells, 2.0, 2.0).soup;
+  auto at_cut = [&](Index v) { return std::abs(soup.positions[v][0] - 1.0) < 1e-9; };
+  std::map<Index, Index> copy;
+  std::vector<std::array<Index, 3>> added;
+  auto copy_of = [&](Index v) {
+    const auto [place, is_new] = copy.try_emplace(v, static_cast<Index>(soup.positions.size()));
+    if (is_new) soup.positions.push_back(Point(soup.positions[v]));
+    return place->second;
+  };
+  for (auto& face : soup.faces) {
+    double middle = 0.0;
+    for (const Index v : face) middle += soup.positions[v][0] / 3.0;
+    if (middle < 1.0) continue;
+    for (int i = 0; i < 3; ++i) {
+      const Index a = face[i];
+      const Index b = face[(i + 1) % 3];
+      if (!at_cut(a) || !at_cut(b)) continue;
+      if (seam) {
+        added.insert(added.end(), {{a, b, copy_of(b)}, {a, copy_of(b), copy_of(a)}});
+        continue;
+      }
+      const auto m = static_cast<Index>(soup.positions.size());
+      soup.positions.push_back({1.0, 0.5 * (soup.positions[a][1] + soup.positions[b][1]), 0.0});
+      const Index apex = face[(i + 2) % 3];
+      added.insert(added.end(), {{m, b, apex}, {a, b, m}});
+      face = {a, m, apex};
+      break;
+    }
+    if (!seam) continue;
+    for (Index& v : face) {
+      if (at_cut(v)) v = copy_of(v);
+    }
+  }
+  soup.faces.insert(soup.faces.end(), added.begin(), added.end());
+  return soup;
+}
+
+TEST(WeightedPath, CrossesFacesWithoutWidth) {
+  for (const bool seam : {true, false}) {
+    const test::Soup soup = cut_and_closed(8, seam);
+    const std::vector<double> cost(soup.faces.size(), 2.0);
+    const auto mesh = std::make_shared<const Mesh>(
+        soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+    for (const Index source : {0, 25}) {
+      solver.run_from_vertices(std::array{source});
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        const double exact = 2.0 * distance_between(soup.positions[source], soup.positions[v]);
+        EXPECT_NEAR(solver.path_to_source(SurfacePoint::at_vertex(v)).length, exact, 1e-6)
+            << (seam ? "seam " : "caps ") << source << " " << v;
+      }
+    }
+  }
+}
+
+// What limits leave out changes nothing of what is asked for.
+
+/// Costs without order: neighbours on an edge differ much.
+double mosaic(double x, double y) { return std::fmod(1e3 * (x + 7.0 * y + 9.0), 2.0) < 1.0 ? 1.0 : 30.0; }
+
+TEST(WeightedLimits, LimitsDoNotChangeWhatLiesWithin) {
+  for (const Index points : {1, 6}) {
+    const Layers layers(8, mosaic, 0.3);
+    WeightedSolver without = layers.solver(points);
+    WeightedSolver with = layers.solver(points);
+    const std::array<Index, 1> from{40};
+    without.run_from_vertices(from);
+    for (Index farthest = 0; farthest < layers.mesh->vertex_count(); farthest += 4) {
+      const double limit = without.distance(farthest) * (1.0 + 1e-9);
+      with.run_from_vertices(from, {.max_distance = limit});
+      for (Index v = 0; v < layers.mesh->vertex_count(); ++v) {
+        const double exact = without.distance(v);
+        if (exact > limit) {
+          EXPECT_EQ(with.distance(v), unreachable);
+        } else {
+          EXPECT_NEAR(with.distance(v), exact, 1e-10 * exact);
+        }
+      }
+    }
+  }
+}
+
+TEST(WeightedLimits, TargetsAndCorridorsAreAsWithoutLimits) {
+  const Layers layers(8, mosaic, 0.3);
+  WeightedSolver without = layers.solver();
+  WeightedSolver with = layers.solver();
+  const std::array<Index, 1> from{40};
+  without.run_from_vertices(from);
+  for (Index target = 0; target < layers.mesh->vertex_count(); target += 7) {
+    const double exact = without.distance(target);
+    with.run_from_vertices(from, {.targets = std::span(&target, 1)});
+    EXPECT_NEAR(with.distance(target), exact, 1e-10 * exact);
+    EXPECT_GE(with.settled_distance(), exact * (1.0 - 1e-10));
+    with.run_from_vertices(from, {.max_distance = exact * (1.0 + 1e-9), .corridor_target = target});
+    EXPECT_NEAR(with.distance(target), exact, 1e-9 * exact);
+  }
+  const Index edge = 30;
+  const EdgePoint point{edge, 0.3 * layers.weighted()->edge_length(edge)};
+  const std::array<Index, 1> end{layers.weighted()->edge_vertices(edge)[0]};
+  with.run_from_vertices(from, {.targets = end, .edge_targets = std::span(&point, 1)});
+  EXPECT_NEAR(with.distance(point), without.distance(point), 1e-10);
+}
+
+TEST(WeightedLimits, PointsOfEdgesWithoutLength) {
+  const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {1, 0, 0}, {2, 0.5, 0}},
+                        {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}}};
+  const std::vector<double> cost{2.0, 3.0, 2.0};
+  const auto mesh = std::make_shared<const Mesh>(
+      soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  const std::array<Index, 1> target{1};
+  for (Index edge = 0; edge < mesh->edge_count(); ++edge) {
+    if (mesh->edge_length(edge) > 0.0) continue;
+    const EdgePoint point{edge, 0.0};
+    solver.run_from_vertices(std::array<Index, 1>{0},
+                             {.targets = target, .edge_targets = std::span(&point, 1)});
+    EXPECT_NEAR(solver.distance(point), 2.0, 1e-12);
+  }
+}
+
+TEST(WeightedLimits, TheBarrierIsWhereFacesMayNotBeEntered) {
+  const Layers layers(8, [](double, double) { return 1.0; });
+  WeightedSolver solver = layers.solver();
+  std::vector<std::uint8_t> left(layers.mesh->face_count());
+  for (Index f = 0; f < layers.mesh->face_count(); ++f) {
+    left[f] = std::ranges::all_of(layers.mesh->face_vertices(f),
+                                  [&](Index v) { return layers.soup.positions[v][0] < 1.01; });
+  }
+  const std::array from{layers.nearest(0.25, 0.0)};
+  solver.run_from_vertices(from, {.face_allowed = left});
+  EXPECT_NEAR(solver.barrier_distance(), 0.75, 1e-9);
+  EXPECT_EQ(solver.distance(layers.nearest(1.5, 0.0)), unreachable);
+}
+
+// Fans of faces without width, where paths run along the cheapest of the sides that lie on each other, and of
+// needles.
+
+struct FlatFan {
+  explicit FlatFan(int count, double height = 0.0) {
+    positions.push_back({-1, 0, 0});
+    for (int i = 0; i < count; ++i) {
+      positions.push_back({3.0 * i / count + 0.01 * (i % 3), height * (i * 7 % 5), 0});
+    }
+    positions.push_back({1, 2, 0});
+    std::mt19937 random(1);
+    for (int i = 0; i + 1 < count; ++i) {
+      faces.push_back({0, i + 1, i + 2});
+      faces.push_back({count + 1, i + 2, i + 1});
+    }
+    for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(1.0 + 4.0 * (random() / 4294967296.0));
+  }
+  WeightedSolver solved() const {
+    auto mesh =
+        std::make_shared<const Mesh>(positions, faces, FaceSides{sides_by_face_cost(positions, faces, cost)});
+    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+    solver.run_from_vertices(std::array<Index, 1>{0});
+    return solver;
+  }
+  std::vector<Point> positions;
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<double> cost;
+};
+
+TEST(WeightedThin, FansAreCrossedAlongTheirCheapSides) {
+  const FlatFan fan(40);
+  const WeightedSolver solver = fan.solved();
+  // The line is covered by the sides from vertex 0 to all that lie beyond, and a side between two neighbours;
+  // any of them is reached at no cost from any other.
+  const Mesh& mesh = solver.mesh();
+  auto cheapest_at = [&](double x) {
+    double least = unreachable;
+    for (Index e = 0; e < mesh.edge_count(); ++e) {
+      const auto [a, b] = mesh.edge_vertices(e);
+      const double low = std::min(fan.positions[a][0], fan.positions[b][0]);
+      const double high = std::max(fan.positions[a][0], fan.positions[b][0]);
+      if (b == 41 || x < low || x > high || !(high > low)) continue;
+      least = std::min(least, mesh.edge_length(e) / (high - low));
+    }
+    return least;
+  };
+  for (const Index v : {1, 13, 27, 40}) {
+    const double length = fan.positions[v][0] + 1.0;
+    double sum = 0.0;
+    constexpr int steps = 4000;
+    for (int i = 0; i < steps; ++i) sum += cheapest_at(-1.0 + length * (i + 0.5) / steps) * length / steps;
+    EXPECT_GE(solver.distance(v), sum * 0.999) << v;
+    EXPECT_LE(solver.distance(v), sum * 1.25) << v;
+  }
+}
+
+TEST(WeightedThin, FansOfNeedlesEnd) {
+  for (const double height : {0.0, 1e-6, 1e-4, 1e-2}) {
+    const FlatFan fan(150, height);
+    const WeightedSolver solver = fan.solved();
+    for (Index v = 1; v < solver.mesh().vertex_count(); ++v) {
+      EXPECT_GE(solver.distance(v), distance_between(fan.positions[0], fan.positions[v]) * (1.0 - 1e-3));
+    }
+  }
+}
+
+/// Six cells beside twelve: between them, faces without width close the T-junctions.
+TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
+  std::vector<Point> positions;
+  std::vector<std::array<Index, 3>> faces;
+  auto rows = [&](Index cells, double low) {
+    const auto first = static_cast<Index>(positions.size());
+    for (Index j = 0; j <= cells; ++j) {
+      for (Index i = 0; i <= cells; ++i) {
+        positions.push_back({static_cast<double>(i) / cells, low + 0.5 * j / cells, 0});
+      }
+    }
+    for (Index j = 0; j < cells; ++j) {
+      for (Index i = 0; i < cells; ++i) {
+        const Index at = first + j * (cells + 1) + i;
+        faces.push_back({at, at + 1, at + cells + 2});
+        faces.push_back({at, at + cells + 2, at + cells + 1});
+      }
+    }
+    return first;
+  };
+  const Index below = rows(6, 0.0) + 6 * 7;
+  const Index above = rows(12, 0.5);
+  for (auto& face : faces) {
+    for (Index& v : face) {
+      if (v >= above && v <= above + 12 && (v - above) % 2 == 0) v = below + (v - above) / 2;
+    }
+  }
+  for (Index i = 0; i < 6; ++i) faces.push_back({below + i, above + 2 * i + 1, below + i + 1});
+  std::mt19937 random(1);
+  std::vector<double> cost;
+  for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
+  auto solved = [&](Index points) {
+    const FaceSides sides{sides_by_face_cost(positions, faces, cost), points};
+    auto mesh = std::make_shared<const Mesh>(positions, faces, sides);
+    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
+    solver.run_from_vertices(std::array<Index, 1>{8});
+    return solver;
+  };
+  const WeightedSolver solver = solved(6);
+  const WeightedSolver finer = solved(40);
+  for (Index v = 0; v < static_cast<Index>(positions.size()); ++v) {
+    if (solver.mesh().fan(v) == Mesh::Fan::isolated) continue;
+    const double length = solver.path_to_source(SurfacePoint::at_vertex(v)).length;
+    const double known = std::min(length, finer.path_to_source(SurfacePoint::at_vertex(v)).length);
+    EXPECT_LT(known, unreachable) << v;
+    EXPECT_LE(length, 1.02 * known) << v;
+    EXPECT_NEAR(solver.distance(v), known, 0.1 * known) << v;
+    EXPECT_GE(solver.distance(v), 0.99 * known) << v;
   }
 }
 

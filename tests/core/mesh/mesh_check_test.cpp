@@ -1,18 +1,26 @@
-// The mesh report: every finding counted and named, nothing found in a clean mesh, nothing thrown.
+// The mesh report: every finding counted, named and said in a sentence, nothing found in a clean mesh.
 #include "mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <set>
 #include <tuple>
 
+#include "mesh/mesh.h"
+#include "mesh/outliers.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/ply.h"
+#include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
+
+// The mesh report: every finding counted and named, nothing found in a clean mesh, nothing thrown.
 
 using test::Soup;
 
@@ -209,6 +217,352 @@ TEST(MeshCheck, SaysWhatAGapWouldJoin) {
             "Bridging gaps of up to 0.04 joins 2 borders of 2 and leaves 1 component.");
   EXPECT_EQ(check(test::exploded(test::icosphere(0)).soup).gap_to_join_all, 0.0);
   EXPECT_THROW(check_mesh(plates.positions, plates.faces, {-1.0}), InvalidInput);
+}
+
+// The words of the report: components, gaps, scale, and the summary.
+
+TEST(MeshSentences, Summary) {
+  EXPECT_EQ(check({}).summary(), "0 vertices, 0 faces, 0 components, 0 border loops.");
+  EXPECT_EQ(check(test::icosphere(0)).summary(), "12 vertices, 20 faces, 1 component, 0 border loops.");
+  EXPECT_EQ(check(test::plane_grid(4, 3, 4.0, 3.0).soup).summary(),
+            "20 vertices, 24 faces, 1 component, 1 border loop (14 edges, 14 long, at vertex 0).");
+  EXPECT_EQ(check(test::plane_with_slit(1).soup).summary().substr(0, 66),
+            "48 vertices, 64 faces, 1 component, 2 border loops (the longest: 2");
+}
+
+TEST(MeshSentences, Components) {
+  Soup soup = test::icosphere(0);
+  for (int i = 1; i < 7; ++i) {
+    Soup next = test::icosphere(0);
+    for (Point& p : next.positions) p[0] += 5.0 * i;
+    soup = test::two_components(soup, next);
+    const auto sentences = check(soup).sentences();
+    ASSERT_EQ(sentences.size(), 1U);
+    if (i == 1) {
+      EXPECT_EQ(
+          sentences[0],
+          "2 components, of 12 and 12 vertices (the first of each: 0 and 12); no path leads from one to "
+          "another.");
+    }
+    if (i == 6) {
+      EXPECT_EQ(
+          sentences[0],
+          "7 components, of 12, 12, 12, 12, 12 and 2 more vertices (the first of each: 0, 12, 24, 36, 48 "
+          "and 2 more); no path leads from one to another.");
+    }
+  }
+}
+
+TEST(MeshSentences, Gaps) {
+  Soup second = test::plane_grid(2, 1, 2.0, 1.0).soup;
+  for (Point& p : second.positions) p[1] += 1.001;
+  const auto sentences =
+      check(test::two_components(test::plane_grid(2, 1, 2.0, 1.0).soup, second)).sentences();
+  ASSERT_EQ(sentences.size(), 3U);
+  EXPECT_EQ(sentences[1], "Bridging gaps of up to 0.001 would make the components one.");
+  EXPECT_EQ(
+      sentences[2],
+      "6 border vertices lie close to others that no short path leads to (the closest: vertices 3 and 6, "
+      "0.001 apart; the farthest: 0.001); paths cross such gaps only if they are bridged, or the vertices "
+      "merged.");
+}
+
+TEST(MeshSentences, Scale) {
+  const auto large = check(test::plane_grid(1, 1, 1e30, 1e30).soup).sentences();
+  ASSERT_EQ(large.size(), 1U);
+  // Four edges of 1 and a diagonal of sqrt 2: the mean is (4 + sqrt 2) / 5 = 1.083.
+  EXPECT_EQ(
+      large[0],
+      "Edges are 1.083e+30 long on average and up to 1.414e+30, but an index takes mean lengths of at least "
+      "1e-28 and edges of at most 1e+28: multiply the coordinates, for example by 1e-30, and divide the "
+      "distances by it.");
+  const auto small = check(test::plane_grid(1, 1, 1e-300, 1e-300).soup).sentences();
+  ASSERT_EQ(small.size(), 1U);
+  EXPECT_NE(small[0].find("but distances take mean lengths of at least 1e-60"), std::string::npos);
+  EXPECT_NE(small[0].find("for example by 1e+300"), std::string::npos);
+}
+
+TEST(MeshSentences, SayHowFarOutliersLie) {
+  test::Soup soup = test::plane_grid(20, 20, 20.0, 20.0).soup;
+  for (Index v : {100, 150, 300}) soup.positions[v][2] = 1500.0;
+  const MeshReport report = check(soup);
+  EXPECT_EQ(report.outliers.count, 3);
+  EXPECT_EQ(report.outliers.first, 100);
+  const auto sentences = report.sentences();
+  ASSERT_FALSE(sentences.empty());
+  EXPECT_EQ(
+      sentences[0].find("3 vertices lie 1,000 times farther out than the rest (the first: vertex 100); "),
+      0U);
+  soup.positions[300][2] = soup.positions[150][2] = 0.0;
+  EXPECT_EQ(
+      check(soup).sentences()[0].find("1 vertex lies 1,000 times farther out than the rest (vertex 100); "),
+      0U);
+}
+
+// Border loops counted and measured on shapes where that is known; near borders found only where there is a
+// gap.
+
+using test::make_mesh;
+
+/// Two plates of 6 x 4 cells of width 1 side by side, `gap` apart.
+Soup two_plates(double gap) {
+  Soup second = test::plane_grid(6, 4, 6.0, 4.0).soup;
+  for (Point& p : second.positions) p[0] += 6.0 + gap;
+  return test::two_components(test::plane_grid(6, 4, 6.0, 4.0).soup, second);
+}
+
+TEST(BorderCheck, LoopsAreCountedAndMeasured) {
+  EXPECT_EQ(find_border_loops(*make_mesh(test::icosphere(1))).count, 0);
+  const BorderLoops plate = find_border_loops(*make_mesh(test::plane_grid(6, 4, 6.0, 4.0).soup));
+  EXPECT_EQ(plate.count, 1);
+  EXPECT_EQ(plate.longest_edges, 20);
+  EXPECT_EQ(plate.longest_vertex, 0);
+  EXPECT_NEAR(plate.longest_length, 20.0, 1e-12);
+  EXPECT_EQ(find_border_loops(*make_mesh(test::prism(5, 2, 3, 1.0, 1.0).soup)).count, 2);
+  const BorderLoops slit = find_border_loops(*make_mesh(test::plane_with_slit(2).soup));
+  EXPECT_EQ(slit.count, 2);
+  EXPECT_NEAR(slit.longest_length, 12.0, 1e-12) << "the slit has 4";
+}
+
+TEST(BorderCheck, LoopsThatTouchAtAVertexFollowTheirFaces) {
+  const auto mesh = make_mesh(test::bow_tie(3).soup);
+  const BorderLoops loops = find_border_loops(*mesh);
+  EXPECT_EQ(loops.count, 2);
+  EXPECT_EQ(loops.longest_edges, 12);
+  EXPECT_NEAR(loops.longest_length, 4.0, 1e-12);
+  // Two triangular holes that meet at a vertex and divide its faces into two groups: the border follows the
+  // faces, from one hole into the other and back.
+  Soup soup = test::icosphere(1);
+  std::vector<Index> around;
+  for (Index f = 0; f < static_cast<Index>(soup.faces.size()); ++f) {
+    if (std::ranges::count(soup.faces[f], 12) == 1) around.push_back(f);
+  }
+  ASSERT_EQ(around.size(), 6U);
+  const auto shares_edge = [&](Index f, Index g) {
+    return std::ranges::count_if(soup.faces[f],
+                                 [&](Index v) { return std::ranges::count(soup.faces[g], v) > 0; }) == 2;
+  };
+  Index other = no_index;
+  for (Index f : around) {
+    const bool next = f == around[0] || shares_edge(around[0], f);
+    if (!next && other == no_index) other = f;
+  }
+  ASSERT_NE(other, no_index);
+  soup.faces.erase(soup.faces.begin() + other);
+  soup.faces.erase(soup.faces.begin() + around[0]);
+  const BorderLoops holes = find_border_loops(*make_mesh(soup));
+  EXPECT_EQ(holes.count, 1);
+  EXPECT_EQ(holes.longest_edges, 6);
+}
+
+TEST(BorderCheck, GapsBetweenComponentsAreFoundWithTheirWidth) {
+  for (double gap : {0.0, 1e-9, 1e-3, 0.05}) {
+    const NearBorders found = find_near_borders(*make_mesh(two_plates(gap)));
+    EXPECT_EQ(found.count, 10) << gap;
+    EXPECT_EQ(found.first, 6) << gap;
+    EXPECT_NEAR(found.least, gap, 1e-12);
+    EXPECT_NEAR(found.greatest, gap, 1e-12);
+  }
+  EXPECT_EQ(find_near_borders(*make_mesh(two_plates(0.2))).count, 0);
+}
+
+TEST(BorderCheck, BothSidesOfASlitAreFound) {
+  // Four cells of half a unit on each side: three vertices of each side have one across.
+  const NearBorders found = find_near_borders(*make_mesh(test::plane_with_slit(1).soup));
+  EXPECT_EQ(found.count, 6);
+  EXPECT_EQ(found.least, 0.0);
+  EXPECT_EQ(found.greatest, 0.0);
+}
+
+TEST(BorderCheck, NoGapInWholeSurfaces) {
+  EXPECT_EQ(find_near_borders(*make_mesh(test::icosphere(2))).count, 0);
+  EXPECT_EQ(find_near_borders(*make_mesh(test::plane_grid(9, 7, 9.0, 7.0, 0.25).soup)).count, 0);
+  // A strip so narrow that its two borders are near each other: edges join them.
+  EXPECT_EQ(find_near_borders(*make_mesh(test::plane_grid(40, 1, 40.0, 0.01).soup)).count, 0);
+  EXPECT_EQ(find_near_borders(*make_mesh(test::prism(6, 1, 1, 1.0, 0.01).soup)).count, 0);
+  EXPECT_EQ(find_near_borders(*make_mesh(test::cone(300, 1, 3.0, 1.0).soup)).count, 0);
+}
+
+TEST(BorderCheck, HeapsOfLooseFacesCostNoMoreThanTheirNumber) {
+  // Triangles that share a point of space but no vertex; each pair of them is near there.
+  Soup soup;
+  const int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    const auto first = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back({0.0, 0.0, 0.0});
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 0.0});
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 1.0});
+    soup.faces.push_back({first, first + 1, first + 2});
+  }
+  const NearBorders found = find_near_borders(*make_mesh(soup));
+  EXPECT_EQ(found.count, 3 * count);
+  EXPECT_EQ(found.least, 0.0);
+  EXPECT_EQ(find_border_loops(*make_mesh(soup)).count, count);
+}
+
+TEST(BorderCheck, GroupsOfFaces) {
+  const auto tie = make_mesh(test::bow_tie(2).soup);
+  const std::vector<Index> group = face_groups(*tie, 0);
+  EXPECT_EQ(std::set<Index>(group.begin(), group.end()).size(), 2U);
+  const auto sphere = make_mesh(test::icosphere(0));
+  const std::vector<Index> whole = face_groups(*sphere, 3);
+  EXPECT_EQ(whole, std::vector<Index>(5, whole[0]));
+}
+
+// T-junctions: found where a crack was made, at any place and scale, and nowhere else.
+
+/// Two squares side by side; the right one has two faces on the common side, which meet at vertex 4.
+Soup cracked(double at = 0.5) {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, at, 0}, {2, 0, 0}, {2, 1, 0}},
+          {{0, 1, 2}, {0, 2, 3}, {1, 5, 4}, {5, 6, 4}, {4, 6, 2}}};
+}
+
+TEST(TJunctions, AreFoundWithTheEdgeTheyLieIn) {
+  const TJunctions found = find_t_junctions(*make_mesh(cracked()));
+  EXPECT_EQ(found.count, 1);
+  EXPECT_EQ(found.first, 4);
+  EXPECT_EQ(found.first_edge, (std::array<Index, 2>{1, 2}));
+}
+
+TEST(TJunctions, AreFoundAtAnyScaleAndInSinglePrecision) {
+  for (const double scale : {1e-20, 1.0, 1e20}) {
+    Soup soup = cracked(1.0 / 3.0);
+    for (Point& p : soup.positions) {
+      p = {scale * (0.6 * p[0] - 0.8 * p[1] + 50.0), scale * (0.8 * p[0] + 0.6 * p[1]), scale * 0.1 * p[0]};
+      for (double& x : p) x = static_cast<float>(x);
+    }
+    EXPECT_EQ(find_t_junctions(*make_mesh(soup)).count, 1) << scale;
+  }
+}
+
+TEST(TJunctions, WhatOnlyTouchesIsNone) {
+  for (const Soup& soup :
+       {test::plane_grid(6, 4, 6.0, 4.0).soup, test::icosphere(1), test::plane_with_slit(3).soup,
+        test::bow_tie(3).soup, test::with_zero_area_cap(test::plane_grid(4, 4, 1.0, 1.0).soup, 7, 1),
+        Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {0, 3, 1}}}}) {
+    EXPECT_EQ(find_t_junctions(*make_mesh(soup)).count, 0);
+  }
+  // A vertex a hundredth beside the edge is a gap, no T-junction.
+  Soup beside = cracked();
+  beside.positions[4][0] += 0.01;
+  EXPECT_EQ(find_t_junctions(*make_mesh(beside)).count, 0);
+}
+
+TEST(TJunctions, AlongALongEdgeEachIsCounted) {
+  // A strip of 500 narrow cells beside a single wide one.
+  Soup soup = test::plane_grid(500, 1, 500.0, 1.0).soup;
+  const auto first = static_cast<Index>(soup.positions.size());
+  soup.positions.insert(soup.positions.end(), {{0, 0, 0}, {500, 0, 0}, {0, -1, 0}});
+  soup.faces.push_back({first, first + 1, first + 2});
+  EXPECT_EQ(find_t_junctions(*make_mesh(soup)).count, 499);
+}
+
+TEST(TJunctions, AreReported) {
+  const Soup soup = cracked();
+  const MeshReport report = check_mesh(soup.positions, soup.faces);
+  EXPECT_EQ(report.t_junctions.count, 1);
+  const auto sentences = report.sentences();
+  EXPECT_TRUE(std::ranges::find(
+                  sentences,
+                  "1 vertex lies inside a border edge of another face (vertex 4, on the edge between "
+                  "vertices 1 and 2); no path crosses such a T-junction: split the edge at the vertex if "
+                  "the surface should be joined.") != sentences.end());
+}
+
+// Which vertices are outliers, and the typical edge length, which they do not change.
+
+/// A flat grid of unit cells; vertex (i, j) is 21 j + i.
+test::Soup grid() { return test::plane_grid(20, 20, 20.0, 20.0).soup; }
+
+TEST(Outliers, AnOrdinaryMeshHasNone) {
+  const Outliers found = find_outliers(*test::make_mesh(grid()));
+  EXPECT_EQ(found.count, 0);
+  EXPECT_EQ(found.first, no_index);
+  EXPECT_FALSE(found.is_outlier(0));
+}
+
+TEST(Outliers, AreCountedAndGroupedByTheirEdges) {
+  test::Soup soup = grid();
+  for (Index v : {100, 101, 300}) soup.positions[v][2] = 1e4;
+  const auto mesh = test::make_mesh(soup);
+  const Outliers found = find_outliers(*mesh);
+  EXPECT_EQ(found.count, 3);
+  EXPECT_EQ(found.first, 100);
+  EXPECT_EQ(found.group_of(100), found.group_of(101));
+  EXPECT_NE(found.group_of(100), found.group_of(300));
+  EXPECT_EQ(found.group_size[found.group_of(101)], 2);
+  EXPECT_EQ(found.group_size[found.group_of(300)], 1);
+  EXPECT_FALSE(found.is_outlier(99));
+  EXPECT_NEAR(found.least_ratio * mesh->typical_edge_length(), 1e4, 1.0);
+}
+
+TEST(Outliers, TwoHalvesJoinedByLongEdgesAreNone) {
+  test::Soup soup = test::box({1.0, 1.0, 1.0}, 1).soup;
+  for (Point& p : soup.positions) p[2] *= 1e4;
+  EXPECT_EQ(find_outliers(*test::make_mesh(soup)).count, 0);
+}
+
+TEST(Outliers, EachComponentHasItsOwn) {
+  test::Soup far = grid();
+  for (Point& p : far.positions) p[0] += 1e6;
+  test::Soup soup = test::two_components(grid(), far);
+  EXPECT_EQ(find_outliers(*test::make_mesh(soup)).count, 0);
+  soup.positions.back()[0] += 1e6;
+  const Outliers found = find_outliers(*test::make_mesh(soup));
+  EXPECT_EQ(found.count, 1);
+  EXPECT_EQ(found.first, static_cast<Index>(soup.positions.size()) - 1);
+}
+
+TEST(Outliers, LeaveTheTypicalEdgeAsItIs) {
+  test::Soup soup = grid();
+  const double before = test::make_mesh(soup)->typical_edge_length();
+  EXPECT_DOUBLE_EQ(before, test::make_mesh(soup)->mean_edge_length());
+  soup.positions[200][2] = 1e12;
+  EXPECT_NEAR(test::make_mesh(soup)->typical_edge_length(), before, 0.01 * before);
+  // Half of the vertices in one point: the edges that have a length are the scale.
+  test::Soup collapsed = grid();
+  for (std::size_t v = 0; v < collapsed.positions.size() / 2; ++v) collapsed.positions[v] = {};
+  EXPECT_GT(test::make_mesh(collapsed)->typical_edge_length(), 0.1);
+}
+
+// Limits of edge lengths: what passes, what is refused, and that the advised factor helps.
+
+TEST(LengthLimits, PointsAndOrdinaryMeshesPass) {
+  EXPECT_TRUE(index_lengths.allow(0.0, 0.0));
+  EXPECT_TRUE(index_lengths.allow(1.0, 2.0));
+  EXPECT_FALSE(index_lengths.allow(1.0, 1e29));
+  EXPECT_FALSE(index_lengths.allow(1e-29, 1e-28));
+  EXPECT_TRUE(exact_lengths.allow(1e-29, 1e29));
+  EXPECT_FALSE(exact_lengths.allow(0.0, 1e-320)) << "a mean that underflows";
+  EXPECT_FALSE(exact_lengths.allow(std::numeric_limits<double>::infinity(), unreachable));
+}
+
+TEST(LengthLimits, RefusalsSayBothLengthsAndAFactor) {
+  test::Soup soup = test::plane_grid(2, 2, 2e70, 2e70).soup;
+  try {
+    require_lengths(*test::make_mesh(soup), "exact distances take", exact_lengths.least_mean,
+                    exact_lengths.greatest);
+    FAIL() << "taken";
+  } catch (const InvalidInput& error) {
+    // 12 edges of length 1e70 and 4 diagonals: the mean is (12 + 4 sqrt 2) / 16 = 1.10355.
+    EXPECT_EQ(
+        std::string(error.what()),
+        "The mesh has a mean edge length of 1.10355e+70 and a longest edge of 1.41421e+70; exact distances "
+        "take lengths between 1e-60 and 1e+60: scale the mesh, for example by 1e-70.");
+  }
+}
+
+TEST(LengthLimits, TheFactorIsFiniteAndHelpsWheneverOneCan) {
+  for (double mean : {5e-324, 1e-300, 1e-100, 1e-29, 1.0, 1e29, 1e100, 1e300, 1.7e308}) {
+    for (double ratio : {1.0, 1e3, 1e20}) {
+      const double factor = factor_to_unit(mean, mean * ratio);
+      EXPECT_TRUE(std::isfinite(factor) && factor > 0.0);
+      if (std::isfinite(mean * ratio)) {
+        EXPECT_TRUE(index_lengths.allow(mean * factor, mean * ratio * factor)) << mean << " " << ratio;
+      }
+    }
+  }
 }
 
 }  // namespace

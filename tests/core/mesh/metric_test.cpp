@@ -1,19 +1,31 @@
-// Lengths by costs and tensors, against integrals and straight lines; repaired triangles; refusals.
+// Metrics: lengths against integrals, splits of faces, points on edges, refusals.
 #include "mesh/metric.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "exact/exact_solver.h"
+#include "exact/surface_path.h"
+#include "mesh/edge_points.h"
+#include "mesh/fingerprint.h"
+#include "mesh/given_points.h"
+#include "mesh/mesh.h"
+#include "mesh/surface_locator.h"
 #include "support/error.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
+
+// Lengths by costs and tensors, against integrals and straight lines; repaired triangles; refusals.
 
 std::string refusal(const std::function<void()>& act) {
   try {
@@ -125,6 +137,411 @@ TEST(Metric, RefusesWhatIsNoMetric) {
       {1 + 1e6 * c * c, 1e6 * c * s, 0, 1e6 * c * s, 1 + 1e6 * s * s, 0, 0, 0, 1}};
   EXPECT_EQ(refusal([&] { sides_by_face_tensor(line, face, along); }), "accepted");
   EXPECT_NE(tensor({1, NAN, 0, NAN, 1, 0, 0, 0, 1}).find("not finite"), std::string::npos);
+}
+
+// Meshes with given edge lengths: equal to positions where those are forgotten, refusals, straight lines.
+
+SideLengths sides_in_space(const test::Soup& soup, double stretch_x = 1.0) {
+  SideLengths sides;
+  for (const auto& face : soup.faces) {
+    std::array<double, 3> side{};
+    for (int i = 0; i < 3; ++i) {
+      Point a = soup.positions[face[(i + 1) % 3]];
+      Point b = soup.positions[face[(i + 2) % 3]];
+      a[0] *= stretch_x;
+      b[0] *= stretch_x;
+      side[i] = distance_between(a, b);
+    }
+    sides.push_back(side);
+  }
+  return sides;
+}
+
+std::shared_ptr<const Mesh> nowhere(const test::Soup& soup) {
+  return std::make_shared<const Mesh>(std::vector<Point>(soup.positions.size(), no_position), soup.faces,
+                                      sides_in_space(soup));
+}
+
+TEST(MeshMetric, ForgottenPositionsMakeNoDifference) {
+  const test::Soup soup = test::icosphere(3);
+  const auto in_space = test::make_mesh(soup);
+  const auto mesh = nowhere(soup);
+  EXPECT_FALSE(mesh->has_positions());
+  for (Index h = 0; h < 3 * mesh->face_count(); ++h) {
+    EXPECT_NEAR(mesh->corner_angle(h), in_space->corner_angle(h), 1e-13);
+  }
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    EXPECT_NEAR(mesh->face_area(f) / in_space->face_area(f), 1.0, 1e-13);
+  }
+  const std::array sources{ExactSource{SurfacePoint::at_vertex(0)},
+                           ExactSource{SurfacePoint::in_face(77, {0.2, 0.3, 0.5})}};
+  ExactSolver by_lengths(mesh);
+  ExactSolver by_positions(in_space);
+  for (const ExactSource& source : sources) {
+    by_lengths.run(std::span(&source, 1));
+    by_positions.run(std::span(&source, 1));
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_NEAR(by_lengths.distance(v), by_positions.distance(v), 1e-12);
+    }
+    const auto target = SurfacePoint::in_face(400, {0.6, 0.1, 0.3});
+    EXPECT_NEAR(by_lengths.distance(target), by_positions.distance(target), 1e-12);
+    const SurfacePath path = by_lengths.path_to_source(target);
+    EXPECT_TRUE(is_path(*mesh, path, target, source.point, by_positions.distance(target)));
+    EXPECT_TRUE(std::isnan(position_of(*mesh, path.points.front())[0]));
+  }
+}
+
+TEST(MeshMetric, LengthsOfStraightLinesAreBounded) {
+  const test::Soup soup = test::plane_grid(6, 5, 3.0, 2.0, 0.2).soup;
+  const Mesh stretched(soup.positions, soup.faces, sides_in_space(soup, 3.0));
+  EXPECT_NEAR(stretched.straight_scale(), 1.0, 2e-6);
+  const Mesh pressed(soup.positions, soup.faces, sides_in_space(soup, 0.25));
+  EXPECT_NEAR(pressed.straight_scale(), 0.25, 1e-6);
+  EXPECT_LE(pressed.straight_scale(), 0.25);
+  EXPECT_EQ(nowhere(soup)->straight_scale(), 0.0);
+  EXPECT_EQ(nowhere(soup)->straight_bound(no_position, no_position), 0.0);
+  EXPECT_EQ(test::make_mesh(soup)->straight_scale(), 1.0);
+}
+
+TEST(MeshMetric, FacesMayDisagreeWhereItJumps) {
+  const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  const SideLengths sides{{3, 4, 5}, {1, 1, 1.5}};
+  const Mesh mesh(soup.positions, soup.faces, FaceSides{sides, 4});
+  EXPECT_TRUE(mesh.metric_jumps());
+  EXPECT_EQ(mesh.points_per_edge(), 4);
+  for (Index f = 0; f < 2; ++f) EXPECT_EQ(mesh.side_lengths(f), sides[f]);
+  const Index shared = mesh.edge_of(1);  // from vertex 1 to 2: side 0 of face 0, side 2 of face 1
+  EXPECT_EQ(mesh.edge_length(shared), 1.5);
+  EXPECT_EQ(mesh.side_length(1), 3.0);
+  // A step along the edge costs what the cheaper face asks.
+  const auto along = std::array{SurfacePoint::at_vertex(1), SurfacePoint::in_face(0, {0, 0.5, 0.5})};
+  EXPECT_NEAR(measured_length(mesh, along).length, 0.75, 1e-14);
+  EXPECT_NEAR(distances_in_face(mesh, SurfacePoint::in_face(0, {0, 0.5, 0.5}))[1], 1.5, 1e-14);
+  // Face 0 is 3 to 5 times as large as in space, face 1 as large in its worst direction as its height is.
+  EXPECT_GT(mesh.straight_scale(), 0.0);
+  EXPECT_LE(mesh.straight_scale(), 1.0);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, sides), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{{{1, 1, 3}, {1, 1, 1}}, 4}), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{sides, 0}), InvalidInput);
+  EXPECT_THROW(Mesh(soup.positions, soup.faces, FaceSides{sides, 1001}), InvalidInput);
+  EXPECT_THROW(require_agreeing_faces(mesh, "Windows"), InvalidInput);
+  const auto other = mesh_in_metric_of(mesh, soup.positions, soup.faces, {{1, 1, 1}, {2, 2, 2}});
+  EXPECT_EQ(other->points_per_edge(), 4);
+  EXPECT_NE(fingerprint_of(mesh), fingerprint_of(*other));
+  EXPECT_NE(fingerprint_of(mesh), fingerprint_of(Mesh(soup.positions, soup.faces, FaceSides{sides, 5})));
+}
+
+TEST(MeshMetric, RefusesLengthsThatAreNone) {
+  const std::vector<Point> four(4, no_position);
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {2, 1, 3}};
+  auto with = [&](const SideLengths& sides) { return refusal([&] { Mesh(four, faces, sides); }); };
+  EXPECT_EQ(with({{1, 1, 1}, {1, 1, 1}}), "accepted");
+  EXPECT_EQ(
+      with({{1, 1, 1}, {1, 1, 2.5}}),
+      "Face 1 has the side lengths 1, 1, 2.5, which break the triangle inequality: no side may be longer "
+      "than the other two together.");
+  EXPECT_EQ(
+      with({{1, 1, 1}, {1, 1, 1.5}}),
+      "Faces 0 and 1 disagree on the length of their edge from vertex 1 to 2: their side lengths are 1, 1, "
+      "1 and 1, 1, 1.5; give the same length in both (each side stands opposite its corner).");
+  EXPECT_EQ(with({{1, -1, 1}, {1, 1, 1}}),
+            "Face 0 has the side lengths 1, -1, 1; lengths must be finite and not negative.");
+  EXPECT_NE(with({{1, std::nan(""), 1}, {1, 1, 1}}).find("Face 0"), std::string::npos);
+  EXPECT_EQ(with({{1, 1, 1}}),
+            "Face 1 has no side lengths: there are 1 rows of lengths; give one row of three for each face.");
+}
+
+TEST(MeshMetric, IsPartOfTheFingerprint) {
+  const test::Soup soup = test::plane_grid(3, 3, 1.0, 1.0).soup;
+  const Mesh plain(soup.positions, soup.faces);
+  const Mesh same(soup.positions, soup.faces, sides_in_space(soup));
+  const Mesh wide(soup.positions, soup.faces, sides_in_space(soup, 1.0 + 1e-15));
+  EXPECT_FALSE(fingerprint_of(plain) == fingerprint_of(same));
+  EXPECT_FALSE(fingerprint_of(same) == fingerprint_of(wide));
+  EXPECT_EQ(fingerprint_of(wide),
+            fingerprint_of(Mesh(soup.positions, soup.faces, sides_in_space(soup, 1.0 + 1e-15))));
+}
+
+TEST(MeshMetric, PointsInSpaceNeedPositions) {
+  EXPECT_NE(refusal([] { SurfaceLocator(nowhere(test::icosphere(0))); }).find("no positions"),
+            std::string::npos);
+}
+
+// Slopes of tilted planes, and the directions of a cylinder.
+
+TEST(ShapeMetrics, CostOfASlopeIsThatOfItsSine) {
+  test::Soup soup = test::plane_grid(4, 3, 2.0, 1.0).soup;
+  for (Point& p : soup.positions) p[2] = 0.75 * p[0];  // the sine is 0.6
+  for (const double cost : slope_cost(soup.positions, soup.faces, {0, 0, 2}, 5.0))
+    EXPECT_NEAR(cost, 4.0, 1e-14);
+  for (const double cost : slope_cost(soup.positions, soup.faces, {-0.75, 0, 1}, 5.0))
+    EXPECT_NEAR(cost, 1.0, 1e-7);
+  EXPECT_THROW(slope_cost(soup.positions, soup.faces, {0, 0, 1}, -1.0), InvalidInput);
+  EXPECT_THROW(slope_cost(soup.positions, soup.faces, {0, 0, 0}, 1.0), InvalidInput);
+}
+
+TEST(ShapeMetrics, CylindersHaveADirection) {
+  const test::Soup soup = test::prism(24, 1, 12, 0.25, 3.0).soup;
+  for (const double weight : {3.0, -3.0}) {
+    const auto tensors = curvature_tensors(soup.positions, soup.faces, weight);
+    for (std::size_t v = 0; v < tensors.size(); ++v) {
+      const Point& p = soup.positions[v];
+      if (p[2] < 0.5 || p[2] > 2.5) continue;  // at the border, there are bends on one side only
+      const double along_axis = tensors[v][8];
+      const double radius = std::hypot(p[0], p[1]);
+      const Point around{-p[1] / radius, p[0] / radius, 0};
+      double square = 0.0;
+      for (int i = 0; i < 9; ++i) square += around[i / 3] * tensors[v][i] * around[i % 3];
+      EXPECT_NEAR(square, weight > 0.0 ? 4.0 : 1.0, 0.05);
+      EXPECT_NEAR(along_axis, weight > 0.0 ? 1.0 : 4.0, 0.05);
+    }
+  }
+}
+
+TEST(ShapeMetrics, PlanesHaveNone) {
+  test::Soup soup = test::plane_grid(4, 3, 2.0, 1.0).soup;
+  // Faces that name a vertex twice, and faces that come again, bend nothing.
+  for (std::size_t f = soup.faces.size(); f-- > 0;) {
+    soup.faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][1]});
+    soup.faces.push_back({soup.faces[f][2], soup.faces[f][1], soup.faces[f][0]});
+  }
+  const Tensor unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (const Tensor& tensor : curvature_tensors(soup.positions, soup.faces, 7.0)) EXPECT_EQ(tensor, unit);
+  EXPECT_THROW(curvature_tensors(soup.positions, soup.faces, INFINITY), InvalidInput);
+}
+
+// Stretches against the eigenvalues that tensors were made with; points chosen, and refusals.
+
+/// Lengths times `stretch` in the direction (cos, sin), times 1 across.
+Tensor stretched(double angle, double stretch) {
+  const double x = std::cos(angle);
+  const double y = std::sin(angle);
+  const double more = stretch * stretch - 1.0;
+  return {1 + more * x * x, more * x * y, 0, more * x * y, 1 + more * y * y, 0, 0, 0, 1};
+}
+
+TEST(EdgePoints, StretchIsThatOfTheTensor) {
+  const std::vector<Point> positions{{0, 0, 0}, {1, 0.2, 0}, {0.3, 0.7, 0}};
+  const std::vector<std::array<Index, 3>> face{{0, 1, 2}};
+  const std::array<double, 3> in_space{distance_between(positions[1], positions[2]),
+                                       distance_between(positions[2], positions[0]),
+                                       distance_between(positions[0], positions[1])};
+  for (const double stretch : {1.0, 1.5, 10.0, 1000.0}) {
+    for (double angle = 0.1; angle < 3.0; angle += 0.4) {
+      const auto sides = sides_by_face_tensor(positions, face, std::vector{stretched(angle, stretch)});
+      EXPECT_NEAR(stretch_of(sides[0], in_space), stretch, 1e-6 * stretch);
+      const std::array<double, 3> dear{7 * sides[0][0], 7 * sides[0][1], 7 * sides[0][2]};
+      EXPECT_NEAR(stretch_of(dear, in_space), stretch, 1e-6 * stretch);
+    }
+  }
+  EXPECT_EQ(stretch_of({2, 1, 1}, {2, 1, 1}), 1.0);
+}
+
+/// Right angles along the directions of the tensor. What is left of the area is rounding.
+TEST(EdgePoints, StretchesBeyondDoublesAreNotSmall) {
+  const std::array<double, 3> in_space{std::numbers::sqrt2, 1, 1};
+  for (const double stretch : {3e7, 1e8, 1e10, 1e20}) {
+    const double found = stretch_of({std::hypot(1.0, stretch), 1, stretch}, in_space);
+    EXPECT_GE(found, 5e6);
+    EXPECT_LE(found, stretch);
+  }
+  // A needle that four times the length leaves thinner than rounding, and one that is so in space.
+  EXPECT_LE(stretch_of({4, 2, 2}, {1, 0.5, 0.5 + 1e-13}), 4.0);
+  EXPECT_EQ(stretch_of({5, 4, 3}, {2, 1, 1}), 1.0);
+}
+
+/// Points chosen on a grid for a direction and a stretch of each face. `repeats`: all faces come again, with
+/// one vertex named twice.
+template <class TensorOf>
+Index chosen(const TensorOf& tensor_of, bool repeats = false) {
+  test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
+  for (std::size_t f = 0, count = soup.faces.size(); repeats && f < count; ++f) {
+    soup.faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][1]});
+  }
+  std::vector<Tensor> tensors;
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) tensors.push_back(tensor_of(f));
+  return edge_points_for(soup.positions, soup.faces,
+                         sides_by_face_tensor(soup.positions, soup.faces, tensors));
+}
+
+TEST(EdgePoints, MoreWhereFacesStretchInDifferentDirections) {
+  std::mt19937 random(1);
+  auto angle = [&] { return std::numbers::pi * random() / 4294967296.0; };
+  EXPECT_EQ(chosen([](std::size_t) { return stretched(0.3, 100.0); }), 6);
+  EXPECT_EQ(chosen([&](std::size_t f) { return stretched(f == 7 ? angle() : 0.3, 1000.0); }), 6);
+  EXPECT_EQ(chosen([&](std::size_t) { return stretched(angle(), 2.0); }), 6);
+  EXPECT_NEAR(chosen([&](std::size_t) { return stretched(angle(), 10.0); }), 25, 1);
+  EXPECT_NEAR(chosen([&](std::size_t) { return stretched(angle(), 100.0); }), 250, 1);
+}
+
+TEST(EdgePoints, FacesThatNameAVertexTwiceAreNoNeighbours) {
+  EXPECT_EQ(chosen([](std::size_t) { return stretched(0.3, 10.0); }, true), 6);
+  EXPECT_EQ(chosen([](std::size_t) { return stretched(0.3, 400.0); }, true), 6);
+  std::mt19937 random(1);
+  EXPECT_NEAR(chosen([&](std::size_t) { return stretched(random() / 1e9, 10.0); }, true), 25, 1);
+}
+
+TEST(EdgePoints, FacesOverTheSameVerticesAsEarlierOnesAreNoNeighbours) {
+  test::Soup soup = test::plane_grid(8, 8, 1.0, 1.0).soup;
+  const std::size_t count = soup.faces.size();
+  for (std::size_t f = 0; f < count; ++f)
+    soup.faces.push_back({soup.faces[f][1], soup.faces[f][2], soup.faces[f][0]});
+  std::vector<Tensor> tensors;
+  for (std::size_t f = 0; f < 2 * count; ++f) tensors.push_back(stretched(f < count ? 0.3 : 1.8, 400.0));
+  EXPECT_EQ(
+      edge_points_for(soup.positions, soup.faces, sides_by_face_tensor(soup.positions, soup.faces, tensors)),
+      6);
+}
+
+TEST(EdgePoints, TooManyAreRefusedHoweverMany) {
+  for (const double stretch : {1e3, 1e6, 1e7, 3e7}) {
+    std::mt19937 random(1);
+    EXPECT_THROW(chosen([&](std::size_t) { return stretched(random() / 1e9, stretch); }), InvalidInput)
+        << stretch;
+  }
+}
+
+TEST(EdgePoints, TooManyAreRefusedWithTheFace) {
+  std::mt19937 random(1);
+  try {
+    chosen([&](std::size_t) { return stretched(random() / 1e9, 1000.0); });
+    FAIL() << "accepted";
+  } catch (const InvalidInput& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("The tensor of face "), std::string::npos) << text;
+    EXPECT_NE(text.find("stretches lengths 1000 times"), std::string::npos) << text;
+    EXPECT_NE(text.find("`points`"), std::string::npos) << text;
+  }
+}
+
+// Faces whose longest side is longer than the two others together, against integrals along lines.
+
+using test::plane_grid;
+using test::Soup;
+
+Tensor along(double angle, double square) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {1 + (square - 1) * c * c,
+          (square - 1) * c * s,
+          0,
+          (square - 1) * c * s,
+          1 + (square - 1) * s * s,
+          0,
+          0,
+          0,
+          1};
+}
+
+TEST(FaceSplits, ADearSideIsSplitInItsMiddleInBothOfItsFaces) {
+  const std::vector<Point> position{{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {1, -1, 0}};
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {1, 0, 3}};
+  const auto found = lengths_by_cost(position, faces, std::vector<double>{5, 5, 2, 5});
+  EXPECT_EQ(found.split_faces, 1);
+  EXPECT_EQ(found.shortened_edges, 0);
+  const FaceSplits& splits = found.splits;
+  ASSERT_EQ(splits.middle_of, (std::vector<std::array<Index, 2>>{{0, 1}}));
+  EXPECT_EQ(splits.given_face, (std::vector<Index>{0, 0, 1, 1}));
+  for (std::size_t f = 0; f < splits.faces.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(splits.faces[f][(i + 1) % 3], splits.faces[f][(i + 2) % 3]);
+      // Cost 5 along the side, and 3.5 in the mean from it to the cheap corner; elsewhere 5 again.
+      if (b != 4) continue;
+      EXPECT_DOUBLE_EQ(splits.sides[f][i], a == 2 ? 3.5 * 0.5 : 5.0);
+    }
+  }
+}
+
+TEST(FaceSplits, FacesThatTheirNeighboursSplitAreCountedIfTheyBreakTheInequality) {
+  const std::vector<Point> position{{0, 0, 0}, {1, 0, 0}, {0.5, 0.3, 0}, {0.5, -0.3, 0}};
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {1, 0, 3}};
+  // The common side costs 100, the others 50.5 * 0.583 = 29.4 each, or 100 * 0.583 with the dear corner.
+  EXPECT_EQ(lengths_by_cost(position, faces, std::vector<double>{100, 100, 1, 1}).split_faces, 2);
+  EXPECT_EQ(lengths_by_cost(position, faces, std::vector<double>{100, 100, 1, 100}).split_faces, 1);
+}
+
+TEST(FaceSplits, NothingIsSplitWhereTheMetricIsEven) {
+  const Soup grid = plane_grid(6, 6, 1.0, 1.0, 0.3, 1).soup;
+  const std::vector<Tensor> tensors(grid.positions.size(), along(0.4, 1e4));
+  const auto found = lengths_by_tensor(grid.positions, grid.faces, tensors);
+  EXPECT_EQ(found.split_faces, 0);
+  EXPECT_TRUE(found.splits.empty());
+}
+
+TEST(FaceSplits, PartsBringTheMetricOfTheFacesCloser) {
+  const Soup grid = plane_grid(11, 11, 1.0, 1.0).soup;
+  std::vector<double> cost;
+  for (const Point& p : grid.positions) {
+    cost.push_back(1.0 + 1e4 * std::exp(-(std::pow(p[0] - 0.5, 2) + std::pow(p[1] - 0.5, 2)) / 0.02));
+  }
+  const auto found = lengths_by_cost(grid.positions, grid.faces, cost);
+  ASSERT_GT(found.split_faces, 0);
+  EXPECT_LE(found.shortened_edges, 5);
+  for (const auto& side : found.splits.sides) EXPECT_FALSE(breaks_triangle(side, 1e-9));
+  // The integral of the squared cost, which is linear over each face.
+  const Mesh space(grid.positions, grid.faces);
+  double area = 0.0;
+  for (Index f = 0; f < space.face_count(); ++f) {
+    const auto& [a, b, c] = grid.faces[f];
+    area += space.face_area(f) / 12.0 *
+            (std::pow(cost[a] + cost[b] + cost[c], 2) + cost[a] * cost[a] + cost[b] * cost[b] +
+             cost[c] * cost[c]);
+  }
+  auto area_of = [](const Mesh& mesh) {
+    double sum = 0.0;
+    for (Index f = 0; f < mesh.face_count(); ++f) sum += mesh.face_area(f);
+    return sum;
+  };
+  const double shortened = area_of(Mesh(grid.positions, grid.faces, found.sides));
+  const double split = area_of(Mesh(grid.positions, grid.faces, found.splits));
+  EXPECT_LT(std::abs(split - area), std::abs(shortened - area));
+}
+
+TEST(FaceSplits, TensorsWithoutOrderEndInFacesThatHold) {
+  const Soup grid = plane_grid(10, 10, 1.0, 1.0, 0.2, 7).soup;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(0.0, 3.14);
+  for (const double square : {1e2, 1e6, 1e12}) {
+    std::vector<Tensor> tensors;
+    for (std::size_t v = 0; v < grid.positions.size(); ++v) tensors.push_back(along(angle(random), square));
+    const auto found = lengths_by_tensor(grid.positions, grid.faces, tensors);
+    EXPECT_GT(found.split_faces, 0) << square;
+    const Mesh mesh(grid.positions, grid.faces, found.splits);  // refuses faces that do not hold
+    EXPECT_LT(mesh.face_count(), 20 * static_cast<Index>(grid.faces.size())) << square;
+  }
+}
+
+TEST(FaceSplits, FacesWithoutWidthAreShortenedInstead) {
+  const std::vector<Point> position{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}};
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}};
+  const auto found = lengths_by_cost(position, faces, std::vector<double>{5, 5, 1});
+  EXPECT_EQ(found.split_faces, 0);
+  EXPECT_EQ(found.shortened_edges, 1);
+  EXPECT_DOUBLE_EQ(found.sides[0][2], 6.0);
+}
+
+// Points of faces that are split: where they lie in space does not depend on how they are named.
+
+struct SplitGrid {
+  SplitGrid() {
+    for (const Point& p : grid.positions)
+      cost.push_back(1.0 + 1e4 * std::exp(-40.0 * (p[0] * p[0] + p[1] * p[1])));
+    const auto found = lengths_by_cost(grid.positions, grid.faces, cost);
+    mesh = std::make_unique<Mesh>(grid.positions, grid.faces, found.splits);
+  }
+  test::Soup grid = test::plane_grid(8, 8, 1.0, 1.0, 0.3, 5).soup;
+  std::vector<double> cost;
+  std::unique_ptr<Mesh> mesh;
+};
+
+TEST(GivenPoints, LinearValuesStayLinear) {
+  const SplitGrid split;
+  std::vector<double> values;
+  for (const Point& p : split.grid.positions) values.push_back(3.0 * p[0] - p[1]);
+  const auto all = with_middles(*split.mesh, values);
+  for (Index v = 0; v < split.mesh->vertex_count(); ++v) {
+    EXPECT_NEAR(all[v], 3.0 * split.mesh->position(v)[0] - split.mesh->position(v)[1], 1e-14);
+  }
 }
 
 }  // namespace

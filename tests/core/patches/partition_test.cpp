@@ -1,11 +1,18 @@
-// Two layers of patches: counts, nesting, determinism, defects, refusals.
+// Patches: samples, regions, two layers of them, their halos and colours.
 #include "patches/partition.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
+#include <numeric>
+#include <queue>
 #include <set>
+#include <vector>
 
+#include "patches/halo.h"
+#include "patches/sampling.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/ply.h"
@@ -13,6 +20,164 @@
 
 namespace vorogeo {
 namespace {
+
+// Sample vertices: how many, how far apart, one in each piece, the same for a seed.
+
+std::vector<Index> all_vertices(const Mesh& mesh) {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (!mesh.corners(v).empty()) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+/// Edges from the nearest of some vertices, by breadth-first search; -1 where none reaches.
+std::vector<int> edge_counts_from(const Mesh& mesh, const std::vector<Index>& starts) {
+  std::vector<int> edge_count(mesh.vertex_count(), -1);
+  std::deque<Index> queue;
+  for (Index v : starts) {
+    edge_count[v] = 0;
+    queue.push_back(v);
+  }
+  for (; !queue.empty(); queue.pop_front()) {
+    const Index v = queue.front();
+    for (Index corner : mesh.corners(v)) {
+      for (Index u : {mesh.head(corner), mesh.apex(corner)}) {
+        if (edge_count[u] >= 0) continue;
+        edge_count[u] = edge_count[v] + 1;
+        queue.push_back(u);
+      }
+    }
+  }
+  return edge_count;
+}
+
+TEST(Sampling, TheSameForASeedAndAnotherForAnother) {
+  const auto mesh = test::make_mesh(test::hills(30, 0.2));
+  const auto vertices = all_vertices(*mesh);
+  const auto first = Sampler(*mesh).spread({vertices, {}}, 12, 5);
+  EXPECT_EQ(Sampler(*mesh).spread({vertices, {}}, 12, 5), first);
+  EXPECT_NE(Sampler(*mesh).spread({vertices, {}}, 12, 6), first);
+}
+
+TEST(Sampling, WellSpread) {
+  // On a grid of 41 x 41 vertices, 16 samples: a square of 10 x 10 cells for each. No vertex is farther from
+  // the nearest sample than twice the side, no two samples nearer than a third of it.
+  const auto mesh = test::make_mesh(test::plane_grid(40, 40, 1.0, 1.0).soup);
+  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 16, 0);
+  const auto edge_count = edge_counts_from(*mesh, samples);
+  EXPECT_LE(*std::max_element(edge_count.begin(), edge_count.end()), 20);
+  for (Index a : samples) {
+    const auto from_a = edge_counts_from(*mesh, {a});
+    for (Index b : samples) EXPECT_TRUE(a == b || from_a[b] >= 3) << a << " and " << b;
+  }
+}
+
+TEST(Sampling, EachPieceGetsASample) {
+  test::Soup soup = test::icosphere(1);
+  for (int i = 0; i < 9; ++i) soup = test::two_components(soup, test::icosphere(i % 2));
+  const auto mesh = test::make_mesh(test::with_isolated_vertex(soup, {9, 9, 9}));
+  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 3, 1);
+  EXPECT_EQ(samples.size(), 10U);
+  const auto edge_count = edge_counts_from(*mesh, samples);
+  for (Index v : all_vertices(*mesh)) EXPECT_GE(edge_count[v], 0) << "no sample reaches vertex " << v;
+}
+
+// Voronoi labels of faces: nearest samples by formula, short borders, only the faces asked for.
+
+std::vector<Index> all_faces(const Mesh& mesh) {
+  std::vector<Index> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
+}
+
+std::vector<Index> voronoi_labels(const std::shared_ptr<const Mesh>& mesh,
+                                  const std::vector<Index>& samples) {
+  Front front(*mesh);
+  std::vector<Index> label(mesh->face_count(), no_index);
+  label_voronoi_faces(front, *mesh, {}, all_faces(*mesh), samples, {}, label);
+  return label;
+}
+
+/// Labels as others make them: vertices by Dijkstra over the edges, a face like two of its corners.
+std::vector<Index> edge_graph_labels(const Mesh& mesh, const std::vector<Index>& samples) {
+  std::vector<double> distance(mesh.vertex_count(), unreachable);
+  std::vector<Index> nearest(mesh.vertex_count(), no_index);
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    distance[samples[i]] = 0.0;
+    nearest[samples[i]] = static_cast<Index>(i);
+    queue.emplace(0.0, samples[i]);
+  }
+  while (!queue.empty()) {
+    const auto [key, v] = queue.top();
+    queue.pop();
+    if (key > distance[v]) continue;
+    for (Index corner : mesh.corners(v)) {
+      for (Index h : {corner, Mesh::previous_in_face(corner)}) {
+        const Index u = mesh.tail(h) == v ? mesh.head(h) : mesh.tail(h);
+        const double through = key + mesh.edge_length(mesh.edge_of(h));
+        if (through >= distance[u]) continue;
+        distance[u] = through;
+        nearest[u] = nearest[v];
+        queue.emplace(through, u);
+      }
+    }
+  }
+  std::vector<Index> label(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto [a, b, c] = mesh.face_vertices(f);
+    label[f] = nearest[b] == nearest[c] ? nearest[b] : nearest[a];
+  }
+  return label;
+}
+
+double border_length(const Mesh& mesh, const std::vector<Index>& label) {
+  double sum = 0.0;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index first = mesh.edge_halfedge(e);
+    bool border = false;
+    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      border |= label[Mesh::face_of(h)] != label[Mesh::face_of(first)];
+    }
+    if (border) sum += mesh.edge_length(e);
+  }
+  return sum;
+}
+
+TEST(Voronoi, BordersAreNotLongerThanThoseOfPatchesGrownAlongEdges) {
+  std::vector<std::pair<std::string, test::Soup>> meshes{{"icosphere", test::icosphere(4)},
+                                                         {"random sphere", test::random_sphere(1500, 3)},
+                                                         {"hills", test::hills(40, 0.15)}};
+  for (const char* name : {"spot", "fandisk"}) {
+    if (const auto file = test::test_mesh_file(name)) meshes.emplace_back(name, test::read_ply(*file));
+  }
+  for (const auto& [name, soup] : meshes) {
+    const auto mesh = test::make_mesh(soup);
+    std::vector<Index> vertices(mesh->vertex_count());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    const auto samples = Sampler(*mesh).spread({vertices, {}}, 12, 4);
+    const double short_border = border_length(*mesh, voronoi_labels(mesh, samples));
+    const double along_edges = border_length(*mesh, edge_graph_labels(*mesh, samples));
+    EXPECT_GT(short_border, 0.0);
+    EXPECT_LE(short_border, 1.03 * along_edges) << name;
+  }
+}
+
+TEST(Voronoi, NoFaceStandsAloneBetweenTwoNeighboursThatAgree) {
+  const auto mesh = test::make_mesh(test::random_sphere(1200, 8));
+  const auto label = voronoi_labels(mesh, {3, 300, 600, 900, 1100});
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    int agreeing = 0;
+    for (int i = 0; i < 3; ++i) {
+      agreeing += label[Mesh::face_of(mesh->next_around_edge(3 * f + i))] == label[f];
+    }
+    EXPECT_GE(agreeing, 1) << "face " << f;
+  }
+}
+
+// Two layers of patches: counts, nesting, determinism, defects, refusals.
 
 using test::Soup;
 
@@ -178,6 +343,114 @@ TEST(Partition, CancelledAtAnyReport) {
         partition_of(soup, {}, Progress([&](double, const std::string&) { return seen++ < allowed; })),
         Cancelled);
   }
+}
+
+// The rim around patches: what is marked, where it ends, and that marks are cleared.
+
+TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
+  const auto index = test::make_index(test::icosphere(3), 3, 4);
+  const IndexData& data = index->data();
+  const Mesh& mesh = *data.work.mesh;
+  Halo halo(mesh, data.first_face);
+  const std::vector<Index> patch{0};
+  const auto all_faces = static_cast<std::size_t>(mesh.face_count());
+  // Next to the patch, inside it, and where the second of three rings is too many.
+  for (const auto& [seed, most] : {std::pair(mesh.face_count() - 1, all_faces),
+                                   std::pair(Index{0}, all_faces), std::pair(Index{0}, std::size_t{14})}) {
+    halo.surround(patch);
+    std::set<Index> expected(halo.faces().begin(), halo.faces().end());
+    std::set<Index> rings{seed};
+    for (int k = 0; k < 3 && rings.size() < most; ++k) {
+      std::set<Index> next = rings;
+      for (Index f : rings) {
+        for (Index v : mesh.face_vertices(f)) {
+          for (Index corner : mesh.corners(v)) next.insert(Mesh::face_of(corner));
+        }
+      }
+      rings.swap(next);
+    }
+    expected.insert(rings.begin(), rings.end());
+    halo.widen(std::array{seed}, 3, most);
+    EXPECT_EQ(std::set<Index>(halo.faces().begin(), halo.faces().end()), expected);
+    EXPECT_EQ(halo.faces().size(), expected.size()) << "each face once";
+  }
+  halo.surround(std::vector<Index>{});
+  EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
+}
+
+TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
+  // Face i of the disc lies between the rim's vertices i and i + 1.
+  constexpr Index needles = 5000;
+  const auto mesh = test::make_mesh(test::needle_disc(needles));
+  const std::array<Index, 4> first_face{0, 2000, 2100, needles};
+  Halo halo(*mesh, first_face);
+  halo.surround(std::array{Index{1}}, 3.0);
+  const auto [least, greatest] = std::ranges::minmax(halo.faces());
+  EXPECT_EQ(halo.faces().size(), 300U);
+  EXPECT_EQ(least, 1900);
+  EXPECT_EQ(greatest, 2199);
+}
+
+// Colours of patches: neighbours differ, few colours suffice where few are needed, more are made where they
+// are.
+
+/// Fails for each vertex at which two patches have one colour.
+void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, const PatchColoring& colors) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    std::set<Index> patches;
+    std::set<Rgb> seen;
+    for (const Index corner : mesh.corners(v)) {
+      const Index here = patch[Mesh::face_of(corner)];
+      patches.insert(here);
+      seen.insert(colors.palette.at(colors.color_of_patch.at(here)));
+    }
+    EXPECT_EQ(patches.size(), seen.size()) << "at vertex " << v;
+  }
+}
+
+TEST(PatchColoring, BlocksOfAGridNeedFourColorsAndGetThem) {
+  // Blocks of 4 x 4 cells: four meet at each inner corner, so fewer than four colours are not enough.
+  const auto mesh = test::make_mesh(test::plane_grid(16, 16, 1.0, 1.0).soup);
+  std::vector<Index> patch;
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const Index cell = f / 2;
+    patch.push_back(cell / 16 / 4 * 4 + cell % 16 / 4);
+  }
+  const PatchColoring colors = color_neighbors_differently(*mesh, patch);
+  expect_neighbors_differ(*mesh, patch, colors);
+  EXPECT_EQ(colors.palette.size(), 8U);
+  EXPECT_GE(colors.colors_used, 4);
+}
+
+TEST(PatchColoring, AFanWithElevenPatchesGetsElevenColors) {
+  // All faces meet at the apex, so all patches are neighbours of one another.
+  const auto mesh = test::make_mesh(test::cone(11, 1, 5.0, 1.0).soup);
+  std::vector<Index> patch;
+  for (Index f = 0; f < mesh->face_count(); ++f) patch.push_back(f);
+  ASSERT_EQ(patch.size(), 11U);
+  const PatchColoring colors = color_neighbors_differently(*mesh, patch);
+  expect_neighbors_differ(*mesh, patch, colors);
+  EXPECT_EQ(colors.colors_used, 11);
+  EXPECT_EQ(std::set<Rgb>(colors.palette.begin(), colors.palette.end()).size(), 11U);
+}
+
+TEST(PatchColoring, PatchesThatDoNotTouchShareTheWorkOfThePalette) {
+  test::Soup soup = test::icosphere(0);
+  for (int i = 0; i < 15; ++i) soup = test::two_components(soup, test::icosphere(0));
+  const auto mesh = test::make_mesh(soup);
+  std::vector<Index> patch;
+  for (Index f = 0; f < mesh->face_count(); ++f) patch.push_back(f / 20);
+  const PatchColoring colors = color_neighbors_differently(*mesh, patch);
+  std::vector<int> uses(colors.palette.size(), 0);
+  for (const int color : colors.color_of_patch) ++uses[color];
+  for (const int count : uses) EXPECT_EQ(count, 2);  // 16 patches, 8 colours
+}
+
+TEST(PatchColoring, WithoutFacesThereIsNothingToColour) {
+  const Mesh empty({}, {});
+  const PatchColoring colors = color_neighbors_differently(empty, {});
+  EXPECT_TRUE(colors.color_of_patch.empty());
+  EXPECT_EQ(colors.colors_used, 0);
 }
 
 }  // namespace

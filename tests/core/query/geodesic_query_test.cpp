@@ -1,18 +1,27 @@
-// Queries: laws of distances, several sources, limits, components, threads and refusals.
+// Queries of an index: laws of distances, and the errors that docs/accuracy.md states.
 #include "query/geodesic_query.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <thread>
 
+#include "exact/exact_solver.h"
+#include "mesh/surface_locator.h"
+#include "query/source_field.h"
 #include "support/error.h"
 #include "support/heavy.h"
+#include "support/hostile_meshes.h"
 #include "support/indexes.h"
+#include "support/ply.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
+
+// Queries: laws of distances, several sources, limits, components, threads and refusals.
 
 using test::Soup;
 
@@ -105,6 +114,251 @@ TEST(GeodesicQuery, ThreeHundredComponents) {
   }
   EXPECT_NEAR(query.distance(4, 7), std::sqrt(2.0), 1e-12);
   EXPECT_EQ(query.distance(4, 8), unreachable);
+}
+
+// Fields from points anywhere, with offsets and labels, against the exact solver; and snapping to a surface.
+
+/// Points in a corner of a face, each standing for a vertex.
+std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& vertices) {
+  std::vector<ExactSource> sources;
+  for (Index v : vertices) {
+    const Index corner = *mesh.corners(v).begin();
+    std::array<double, 3> weights{};
+    weights[corner % 3] = 1.0;
+    sources.push_back({SurfacePoint::in_face(Mesh::face_of(corner), weights), 0.0});
+  }
+  return sources;
+}
+
+TEST(SourceField, OnePipelineWhateverIsAsked) {
+  for (const test::Soup& soup : {test::icosphere(4), test::hills(34, 0.3), test::bow_tie(9).soup}) {
+    for (const auto& index : {test::make_index(soup, 5, 4), test::make_graph_index(soup, 5, 4)}) {
+      const Mesh& mesh = *index->mesh();
+      GeodesicQuery query(index, 2);
+      std::vector<SurfacePoint> targets;
+      for (Index v = 0; v < mesh.vertex_count(); ++v) targets.push_back(SurfacePoint::at_vertex(v));
+      for (const auto& vertices : {std::vector<Index>{7}, test::random_vertices(mesh.vertex_count(), 4, 3)}) {
+        for (const double most : {unreachable, 0.6}) {
+          const auto field = query.distance_field(vertices, most);
+          const auto points = in_corners(mesh, vertices);
+          EXPECT_EQ(query.distance_field(points, most), field) << "corners of faces";
+          const LabelledField labelled = query.labelled_field(points, most);
+          EXPECT_EQ(labelled.distance, field) << "labels and offsets of 0";
+          EXPECT_EQ(query.distances(points, targets, most), field) << "at points that are vertices";
+          auto mixed = targets;
+          mixed.push_back(SurfacePoint::in_face(0, {0.2, 0.3, 0.5}));
+          auto at_points = query.distances(points, mixed, most);
+          at_points.pop_back();
+          EXPECT_EQ(at_points, field) << "beside points in faces";
+          for (Index v = 0; v < mesh.vertex_count(); ++v) {
+            EXPECT_EQ(labelled.source[v] == no_index, field[v] == unreachable) << v;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Queries against exact distances: near the source, on shapes like scans and like CAD, on real meshes, with
+// defects.
+
+using test::HostileBase;
+
+std::vector<double> whole_field(GeodesicQuery& query, std::vector<Index> sources) {
+  return query.distance_field(sources, unreachable);
+}
+
+/// Relative errors of a mesh, in percent as docs/figures.md gives them.
+struct Documented {
+  double mean, p99, greatest;
+};
+
+/// Fields and pairs with default settings, against twice what is documented.
+void expect_accurate(const Soup& soup, const Documented& documented, int sources) {
+  VOROGEO_HEAVY_TEST();
+  const auto index = test::make_index(soup);
+  GeodesicQuery query(index);
+  ExactSolver solver(index->mesh());
+  test::ErrorCollector fields;
+  test::ErrorCollector pairs;
+  const Index n = index->mesh()->vertex_count();
+  for (Index source : test::random_vertices(n, sources, 1)) {
+    solver.run_from_vertices(std::array{source});
+    const auto distances = whole_field(query, {source});
+    for (Index v = 0; v < n; ++v) fields.add(distances[v], solver.distance(v));
+    for (Index v : test::random_vertices(n, 100, 100 + source))
+      pairs.add(query.distance(source, v), solver.distance(v));
+  }
+  const double twice_percent = 2.0 / 100.0;
+  for (const test::ErrorCollector& errors : {fields, pairs}) {
+    EXPECT_EQ(errors.contradictions, 0U);
+    const auto found = errors.statistics();
+    EXPECT_LE(found.mean, twice_percent * documented.mean);
+    EXPECT_LE(found.p99, twice_percent * documented.p99);
+    EXPECT_LE(found.greatest, twice_percent * documented.greatest);
+    EXPECT_GE(found.least, -twice_percent * documented.greatest);
+  }
+}
+
+void expect_accurate(const char* name, const Documented& documented) {
+  VOROGEO_READ_OR_SKIP(soup, name);
+  expect_accurate(soup, documented, 10);
+}
+
+/// One of the shapes that the generator of hostile meshes starts from, without its defects.
+void expect_accurate(HostileBase base, const Documented& documented) {
+  test::HostileRandom random(5);
+  const test::HostileMesh mesh = test::hostile_base(base, 3000, random);
+  SCOPED_TRACE(mesh.sentence());
+  expect_accurate(mesh.soup, documented, 6);
+}
+
+// A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
+// rough, with long thin faces, of high genus (docs/accuracy.md).
+TEST(GeodesicQueryAccuracy, DrilledPlate) {
+  expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0060, 0.069, 0.32}, 6);
+}
+TEST(GeodesicQueryAccuracy, PlateWithDeepHoles) {
+  expect_accurate(test::drilled_plate(8, 8, 3.0, 2), {0.0207, 0.125, 1.02}, 4);
+}
+TEST(GeodesicQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {1e-7, 1e-7, 1e-7}, 6); }
+TEST(GeodesicQueryAccuracy, CoarseSphere) {
+  expect_accurate(test::random_sphere(1500, 2), {0.0205, 0.144, 0.49}, 6);
+}
+TEST(GeodesicQueryAccuracy, BlockCity) {
+  expect_accurate(test::block_city(20, 20, 1), {0.0065, 0.071, 0.22}, 6);
+}
+TEST(GeodesicQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0083, 0.059, 0.46}); }
+TEST(GeodesicQueryAccuracy, CoarseExtrusion) {
+  expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16});
+}
+TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
+TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0016, 0.023, 0.06}); }
+
+// Real meshes, if they are next to the repository: docs/accuracy.md.
+TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
+TEST(GeodesicQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0123, 0.096, 1.25}); }
+TEST(GeodesicQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 0.093, 0.55}); }
+TEST(GeodesicQueryAccuracy, Casting) { expect_accurate("casting", {0.011, 0.105, 0.93}); }
+TEST(GeodesicQueryAccuracy, Gears) { expect_accurate("gears", {0.0544, 0.609, 0.82}); }
+
+TEST(GeodesicQueryAccuracy, NearPairsAreExact) {
+  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::random_sphere(1500, 2)}) {
+    const auto index = test::make_index(soup, 3, 4);
+    GeodesicQuery query(index);
+    ExactSolver solver(index->mesh());
+    const auto label = index->face_patches(2);
+    for (Index source : test::random_vertices(index->mesh()->vertex_count(), 6, 2)) {
+      solver.run_from_vertices(std::array{source});
+      const auto distances = whole_field(query, {source});
+      const auto own = test::patches_at(*index->mesh(), label, source);
+      for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
+        const auto there = test::patches_at(*index->mesh(), label, v);
+        if (std::ranges::none_of(there, [&](Index p) { return own.contains(p); })) continue;
+        const double exact = solver.distance(v);
+        ASSERT_NEAR(query.distance(source, v), exact, 1e-6 * exact) << source << " to " << v;
+        ASSERT_NEAR(distances[v], exact, 1e-6 * exact) << source << " to " << v;
+      }
+    }
+  }
+}
+
+TEST(GeodesicQueryAccuracy, PairsInTouchingPatchesAreExact) {
+  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(60, 30, 2.0, 0.8)}) {
+    const auto index = test::make_index(soup, 3, 6);
+    GeodesicQuery query(index);
+    const Mesh& mesh = *index->mesh();
+    ExactSolver solver(index->mesh());
+    const auto label = index->face_patches(2);
+    for (Index source : test::random_vertices(mesh.vertex_count(), 4, 5)) {
+      // The patches of the source and all that share a vertex with one of them.
+      const auto own = test::patches_at(mesh, label, source);
+      auto near = own;
+      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        const auto there = test::patches_at(mesh, label, v);
+        if (std::ranges::any_of(there, [&](Index p) { return own.contains(p); }))
+          near.insert(there.begin(), there.end());
+      }
+      solver.run_from_vertices(std::array{source});
+      for (Index v : test::random_vertices(mesh.vertex_count(), 200, 6)) {
+        const auto there = test::patches_at(mesh, label, v);
+        if (std::ranges::none_of(there, [&](Index p) { return near.contains(p); })) continue;
+        const double exact = solver.distance(v);
+        ASSERT_NEAR(query.distance(source, v), exact, 1e-9 * exact) << source << " to " << v;
+      }
+    }
+  }
+}
+
+TEST(GeodesicQueryAccuracy, SeveralSourcesAgainstExactAndAgainstOneByOne) {
+  const auto index = test::make_index(test::hills(40, 0.15), 3, 4);
+  GeodesicQuery query(index);
+  const Index n = index->mesh()->vertex_count();
+  const auto sources = test::random_vertices(n, 5, 11);
+  const auto all = whole_field(query, sources);
+  const auto exact = exact_distance_field(index->mesh(), sources);
+  std::vector<double> least(n, unreachable);
+  for (Index source : sources) {
+    EXPECT_EQ(all[source], 0.0);
+    const auto one = whole_field(query, {source});
+    for (Index v = 0; v < n; ++v) least[v] = std::min(least[v], one[v]);
+  }
+  test::ErrorCollector errors;
+  for (Index v = 0; v < n; ++v) {
+    errors.add(all[v], exact[v]);
+    EXPECT_NEAR(all[v], least[v], 0.02 * least[v]) << "vertex " << v;
+  }
+  EXPECT_EQ(errors.contradictions, 0U);
+  EXPECT_LT(errors.statistics().mean, 5e-4);
+  EXPECT_LT(errors.statistics().p99, 0.01);
+}
+
+TEST(GeodesicQueryAccuracy, TinyMeshes) {
+  const Soup triangle{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+  const Soup square{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
+  const Soup tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  for (const Soup& soup : {triangle, square, tetrahedron, test::icosphere(0)}) {
+    const auto faces = static_cast<Index>(soup.faces.size());
+    for (Index n1 : {0, 1, faces}) {
+      for (Index n2 : {0, 1, faces}) {
+        const auto index = test::make_index(soup, n1, n2);
+        GeodesicQuery query(index);
+        for (Index a = 0; a < static_cast<Index>(soup.positions.size()); ++a) {
+          const auto exact = exact_distance_field(index->mesh(), std::array{a});
+          const auto distances = whole_field(query, {a});
+          for (std::size_t b = 0; b < exact.size(); ++b) {
+            EXPECT_NEAR(distances[b], exact[b], 0.03 * exact[b]);
+            EXPECT_NEAR(query.distance(a, static_cast<Index>(b)), exact[b], 0.03 * exact[b]);
+          }
+        }
+      }
+    }
+  }
+  GeodesicQuery query(test::make_index(triangle));
+  EXPECT_DOUBLE_EQ(query.distance(1, 2), 5.0);
+}
+
+TEST(GeodesicQueryAccuracy, DefectsAgainstExact) {
+  const Soup hills = test::hills(26, 0.2);
+  for (const Soup& soup :
+       {test::with_flipped_faces(hills, 4), test::with_duplicate_face(hills, 100),
+        test::with_repeated_vertex_face(hills, 50), test::with_zero_area_cap(hills, 333, 2),
+        test::book_of_three_pages(12, 2.0, 1.0).soup, test::plane_with_slit(6).soup}) {
+    const auto index = test::make_index(soup, 3, 3);
+    GeodesicQuery query(index);
+    test::ErrorCollector errors;
+    for (Index source : test::random_vertices(index->mesh()->vertex_count(), 6, 5)) {
+      const auto exact = exact_distance_field(index->mesh(), std::array{source});
+      const auto distances = whole_field(query, {source});
+      for (std::size_t v = 0; v < exact.size(); ++v) errors.add(distances[v], exact[v]);
+    }
+    EXPECT_EQ(errors.contradictions, 0U);
+    // No worse than rough scans without defects.
+    EXPECT_LT(errors.statistics().mean, 1.5e-4);
+    EXPECT_LT(errors.statistics().greatest, 0.01);
+    EXPECT_GT(errors.statistics().least, -0.01);
+  }
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Strips whose shortest lines are known, and walks around vertices.
+// Kernels of paths: strips of faces, the funnel, the shortest line in a strip, and lines pulled tight.
 #include "query/path_line.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,86 @@
 
 namespace vorogeo {
 namespace {
+
+// Strings through gates whose bends are known.
+
+TEST(Funnel, BendsAtTheGatesInTheWay) {
+  Funnel funnel;
+  // Upwards, through a gate to the right, one to the left, and out straight.
+  funnel.reset({0.0, 0.0}, 3);
+  funnel.add_left({1.0, 1.0}, 0);
+  funnel.add_right({3.0, 1.0}, 0);
+  funnel.add_left({-3.0, 2.0}, 1);
+  funnel.add_right({-1.0, 2.0}, 1);
+  funnel.add_left({-9.0, 3.0}, 2);
+  funnel.add_right({9.0, 3.0}, 2);
+  const auto& bends = funnel.finish({0.0, 9.0});
+  ASSERT_EQ(bends.size(), 2U);
+  EXPECT_EQ(bends[0].gate, 0);
+  EXPECT_TRUE(bends[0].left);
+  EXPECT_EQ(bends[1].gate, 1);
+  EXPECT_FALSE(bends[1].left);
+}
+
+TEST(Funnel, GoesStraightWhereItCan) {
+  Funnel funnel;
+  funnel.reset({0.0, 0.0}, 2);
+  for (Index gate : {0, 1}) {
+    funnel.add_left({-1.0, 1.0 + gate}, gate);
+    funnel.add_right({1.0, 1.0 + gate}, gate);
+  }
+  EXPECT_TRUE(funnel.finish({0.5, 3.0}).empty());
+}
+
+// Strips around vertices and without detours.
+
+TEST(PathStrip, TurnsAroundAVertexOnTheSideOfTheSmallerAngle) {
+  const auto mesh = test::make_mesh(test::cone(8, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const auto corners = mesh->corners(0);
+  for (const int steps : {1, 3, 5, 7}) {
+    FaceStrip strip;
+    strip.faces.push_back(Mesh::face_of(corners[0]));
+    ASSERT_TRUE(turn_around(*mesh, strip, 0, Mesh::face_of(corners[steps])));
+    EXPECT_EQ(strip.faces.size(), static_cast<std::size_t>(std::min(steps, 8 - steps)) + 1);
+    EXPECT_EQ(strip.faces.back(), Mesh::face_of(corners[steps]));
+    for (std::size_t i = 0; i + 1 < strip.faces.size(); ++i) {
+      EXPECT_EQ(Mesh::face_of(strip.exit[i]), strip.faces[i]);
+      EXPECT_EQ(Mesh::face_of(strip.entry[i]), strip.faces[i + 1]);
+      EXPECT_EQ(mesh->edge_of(strip.exit[i]), mesh->edge_of(strip.entry[i]));
+    }
+  }
+}
+
+TEST(PathStrip, ThereIsNoWayPastABorderButTheOther) {
+  // The corner of a square: two faces of its fan are joined on one side only.
+  const auto mesh = test::make_mesh(test::plane_grid(2, 2, 2.0, 2.0).soup);
+  const auto corners = mesh->corners(1);
+  ASSERT_EQ(mesh->fan(1), Mesh::Fan::open);
+  FaceStrip strip;
+  strip.faces.push_back(Mesh::face_of(corners.front()));
+  ASSERT_TRUE(turn_around(*mesh, strip, 1, Mesh::face_of(corners.back())));
+  EXPECT_EQ(strip.faces.size(), corners.size());
+  std::vector<HalfedgePair> passed;
+  EXPECT_FALSE(other_side(*mesh, 1, strip.exit.front(), strip.faces.back(), passed));
+}
+
+TEST(PathStrip, TidyTakesOutFacesLeftAtOnce) {
+  const auto mesh = test::make_mesh(test::cone(8, 1, 2.0 * std::numbers::pi, 1.0).soup);
+  const auto corners = mesh->corners(0);
+  FaceStrip strip;
+  strip.source = SurfacePoint::in_face(Mesh::face_of(corners[0]), {0.3, 0.3, 0.4});
+  strip.target = SurfacePoint::in_face(Mesh::face_of(corners[1]), {0.3, 0.3, 0.4});
+  strip.faces.push_back(Mesh::face_of(corners[0]));
+  // On to the fourth face and back to the second one.
+  ASSERT_TRUE(turn_around(*mesh, strip, 0, Mesh::face_of(corners[3])));
+  ASSERT_TRUE(turn_around(*mesh, strip, 0, Mesh::face_of(corners[1])));
+  ASSERT_EQ(strip.faces.size(), 6U);
+  tidy(*mesh, strip);
+  EXPECT_EQ(strip.faces.size(), 2U);
+  EXPECT_EQ(strip.faces.back(), strip.target.face);
+}
+
+// Strips whose shortest lines are known, and walks around vertices.
 
 /// The strip of faces around the apex of a cone, from the vertex at the rim of sector 0 on.
 FaceStrip strip_around(const Mesh& mesh, Index apex, int faces) {
@@ -133,6 +214,26 @@ TEST(PathLine, IsNotRoughOnUsualFaces) {
   PathLine line(geometry);
   line.assign(strip);
   EXPECT_FALSE(line.is_rough());
+}
+
+// Refined paths: points on the line pulled tight, and paths that pass edges of no length.
+
+TEST(PathRefine, ALineAcrossAnEdgeOfNoLengthPassesItsPlace) {
+  // Two triangles that meet tip to tip, joined by two faces without area: the only path leads through the
+  // tip.
+  test::Soup soup;
+  soup.positions = {{-1.0, -1.0, 0.0}, {-1.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {1.0, 0.5, 0.0}};
+  soup.faces = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}};
+  const auto mesh = test::make_mesh(soup);
+  const ExactGeometry geometry(mesh);
+  FaceStrip strip;
+  strip.source = SurfacePoint::at_vertex(0);
+  strip.target = SurfacePoint::at_vertex(4);
+  strip.faces.push_back(0);
+  for (const Index face : {1, 2}) ASSERT_TRUE(turn_around(*mesh, strip, 2, face));
+  PathRefiner refiner(geometry);
+  EXPECT_NEAR(refiner.refine(strip), std::sqrt(2.0) + std::hypot(1.0, 0.5), 1e-12);
+  EXPECT_EQ(test::path_fault(*mesh, refiner.path(), strip.source, strip.target), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Threads: every item once, workers exclusive, progress from the caller, exceptions and cancelling.
+// Threads, checkpoints, progress, clocks and limits of memory.
 #include "support/parallel.h"
 
 #include <gtest/gtest.h>
@@ -6,13 +6,20 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "support/memory.h"
+#include "support/progress.h"
+
 namespace vorogeo {
 namespace {
+
+// Threads: every item once, workers exclusive, progress from the caller, exceptions and cancelling.
 
 TEST(Parallel, ThreadCount) {
   EXPECT_EQ(resolve_thread_count(3), 3);
@@ -150,6 +157,198 @@ TEST(Parallel, RefusedAtItsStartRunsNothing) {
   const Progress refusing([](double, const std::string&) { return false; });
   EXPECT_THROW(parallel_for(2, 1, refusing, "work", [&](std::size_t, int) { ++run; }), Cancelled);
   EXPECT_EQ(run, 0);
+}
+
+// Checkpoints: who is told, how often, and how workers leave.
+
+using namespace std::chrono_literals;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(Checkpoint, NothingOutsideAWatch) { EXPECT_NO_THROW(checkpoint()); }
+
+TEST(Checkpoint, ReportsAtOnceWhenDueAndAtEachFraction) {
+  std::vector<double> seen;
+  const Progress progress([&](double fraction, const std::string& activity) {
+    EXPECT_EQ(activity, "Waiting");
+    seen.push_back(fraction);
+    return true;
+  });
+  Watch watch(progress.part(0.5, 1.0), "Waiting");
+  checkpoint();
+  EXPECT_EQ(seen, (std::vector<double>{0.5})) << "not due yet";
+  std::this_thread::sleep_for(50ms);
+  checkpoint();
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_GT(seen[1], 0.5) << "something was done";
+  EXPECT_LT(seen[1], 0.51);
+  watch.reach(0.5);
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[2], 0.75);
+  for (int i = 0; i < 3000; ++i) watch.reach(0.5);
+  EXPECT_EQ(seen.back(), 0.75) << "what is said to be reached decides";
+}
+
+TEST(Checkpoint, ASilentWatchLeavesItToTheOneAround) {
+  int reports = 0;
+  const Watch outer(Progress([&](double, const std::string&) { return ++reports < 2; }), "Outer");
+  const Watch inner(Progress(), "Inner");
+  std::this_thread::sleep_for(50ms);
+  EXPECT_THROW(checkpoint(), Cancelled);
+  EXPECT_EQ(reports, 2);
+}
+
+TEST(Checkpoint, LongItemsOfAllThreadsLeaveWhenCancelled) {
+  // Each item would run forever without its checkpoints.
+  for (int threads : {1, 3}) {
+    int reports = 0;
+    std::chrono::steady_clock::time_point refused;
+    const Progress progress([&](double, const std::string&) {
+      refused = std::chrono::steady_clock::now();
+      return ++reports < 3;
+    });
+    auto run = [&] {
+      parallel_for(8, threads, progress, "Waiting", [](std::size_t, int) {
+        for (;;) {
+          checkpoint();
+          std::this_thread::sleep_for(1ms);
+        }
+      });
+    };
+    EXPECT_THROW(run(), Cancelled);
+    EXPECT_LT(seconds_since(refused), 0.2);
+  }
+}
+
+TEST(Checkpoint, AFailureOfOneThreadIsWhatTheOthersLeaveFor) {
+  for (int round = 0; round < 20; ++round) {
+    auto run = [] {
+      parallel_for(4, 4, Progress([](double, const std::string&) { return true; }), "Waiting",
+                   [](std::size_t item, int) {
+                     if (item == 3) throw InvalidInput("item 3");
+                     for (;;) checkpoint();
+                   });
+    };
+    EXPECT_THROW(run(), InvalidInput);
+  }
+}
+
+// Progress: spans within spans, cancelling.
+
+TEST(Progress, WithoutFunctionNothingHappens) {
+  const Progress none;
+  EXPECT_NO_THROW(none.report(0.5, "work"));
+  EXPECT_NO_THROW(none.part(0.0, 0.5).report(1.0, "work"));
+}
+
+TEST(Progress, PartsMapIntoTheWhole) {
+  std::vector<double> seen;
+  std::string activity;
+  const Progress whole([&](double fraction, const std::string& what) {
+    seen.push_back(fraction);
+    activity = what;
+    return true;
+  });
+  whole.report(0.125, "begin");
+  EXPECT_EQ(activity, "begin");
+  const Progress second_half = whole.part(0.5, 1.0);
+  second_half.report(0.0, "middle");
+  second_half.report(0.5, "middle");
+  const Progress last_eighth = second_half.part(0.75, 1.0);
+  last_eighth.report(0.0, "late");
+  last_eighth.report(1.0, "end");
+  EXPECT_EQ(seen, (std::vector<double>{0.125, 0.5, 0.75, 0.875, 1.0}));
+  EXPECT_EQ(activity, "end");
+}
+
+TEST(Progress, FalseCancels) {
+  const Progress refusing([](double fraction, const std::string&) { return fraction < 0.5; });
+  EXPECT_NO_THROW(refusing.report(0.25, "work"));
+  EXPECT_THROW(refusing.report(0.5, "work"), Cancelled);
+  EXPECT_THROW(refusing.part(0.9, 1.0).report(0.0, "work"), Cancelled);
+  try {
+    refusing.report(1.0, "work");
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "Cancelled: nothing was changed.");
+  }
+}
+
+TEST(Progress, WarningsPassThroughPartsAndMayCancel) {
+  std::vector<std::string> seen;
+  const Progress whole({}, [&](const std::string& sentence) {
+    seen.push_back(sentence);
+    return sentence != "stop";
+  });
+  whole.warn("first");
+  whole.part(0.25, 0.5).part(0.0, 0.1).warn("second");
+  EXPECT_THROW(whole.part(0.5, 1.0).warn("stop"), Cancelled);
+  EXPECT_EQ(seen, (std::vector<std::string>{"first", "second", "stop"}));
+  EXPECT_NO_THROW(Progress().warn("to nobody"));
+}
+
+// The clock of a thread goes on while it works, and neither while it sleeps nor while another one works.
+
+/// Works until the clock of the calling thread has moved.
+void work(double seconds) {
+  const double start = thread_seconds();
+  while (thread_seconds() - start < seconds) {
+  }
+}
+
+TEST(ThreadClock, CountsOwnWorkOnly) {
+  const double start = thread_seconds();
+  const auto on_the_wall = std::chrono::steady_clock::now();
+  work(0.02);
+  EXPECT_GE(std::chrono::steady_clock::now() - on_the_wall, std::chrono::milliseconds(15));
+  std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  std::jthread([] { work(0.04); }).join();
+  const double worked = thread_seconds() - start;
+  EXPECT_GE(worked, 0.02);
+  EXPECT_LT(worked, 0.04);
+}
+
+// Memory limits: what fits passes, what does not is refused with both sizes, and the system's own figure.
+
+constexpr double mib = 1 << 20;
+
+std::string refusal(double needed, std::int64_t max_bytes) {
+  try {
+    require_memory(needed, max_bytes, "The matrix of 5 x 5 distances", "Give fewer points.");
+  } catch (const NotEnoughMemory& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Memory, WhatFitsPasses) {
+  EXPECT_EQ(refusal(0.0, 1), "");
+  EXPECT_EQ(refusal(200.0, 200), "");
+  EXPECT_EQ(refusal(8.0 * 25, 0), "");
+}
+
+TEST(Memory, ARefusalNamesBothSizesAndWhatToDo) {
+  EXPECT_EQ(refusal(3.5 * mib, 2 << 20),
+            "The matrix of 5 x 5 distances takes 3.5 MiB, more than the 2 MiB allowed. Give fewer points.");
+  EXPECT_EQ(refusal(1536.0 * mib, 1 << 30),
+            "The matrix of 5 x 5 distances takes 1.5 GiB, more than the 1 GiB allowed. Give fewer points.");
+}
+
+TEST(Memory, WithoutALimitWhatIsAvailableCounts) {
+  const std::string text = refusal(1e30, 0);
+  EXPECT_NE(text.find("of memory available. Give fewer points."), std::string::npos) << text;
+}
+
+TEST(Memory, AvailableIsNoMoreThanTheMachineHas) {
+  const std::int64_t available = available_memory_bytes();
+  EXPECT_GT(available, 0);
+  std::ifstream in("/proc/meminfo");
+  std::string name;
+  std::int64_t kilobytes = 0;
+  if (in >> name >> kilobytes && name == "MemTotal:") {
+    EXPECT_LE(available, kilobytes * 1024);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,359 @@
+// Exact paths: traced, from one point to many, bounded by landmarks; and what is a path.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "exact/exact_landmarks.h"
+#include "exact/exact_solver.h"
+#include "exact/paths_from_point.h"
+#include "exact/surface_path.h"
+#include "mesh/metric.h"
+#include "query/path_query.h"
+#include "support/error.h"
+#include "support/gaps.h"
+#include "support/near.h"
+#include "support/path_check.h"
+#include "support/ply.h"
+#include "support/shapes.h"
+#include "tasks/distance_matrix.h"
+
+namespace vorogeo {
+namespace {
+
+// Shortest paths: connected over faces, on the right ends, as long as the distance.
+
+using test::Shape;
+using test::Soup;
+using test::spread_points;
+constexpr double pi = std::numbers::pi;
+
+/// Paths from the targets to their nearest source, none of which has an offset.
+void expect_paths(ExactSolver& solver, const std::vector<SurfacePoint>& sources,
+                  const std::vector<SurfacePoint>& targets, double tolerance = 1e-10) {
+  const Mesh& mesh = solver.mesh();
+  std::vector<ExactSource> starts;
+  for (const auto& source : sources) starts.push_back({source});
+  solver.run(starts);
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const std::string where = "target " + std::to_string(t);
+    const double distance = solver.distance(targets[t]);
+    const SurfacePath path = solver.path_to_source(targets[t]);
+    if (distance == unreachable) {
+      EXPECT_TRUE(path.points.empty()) << where;
+      continue;
+    }
+    ASSERT_NEAR(path.length, distance, tolerance * (distance + mesh.longest_edge_length())) << where;
+    // With several sources: one of them has to be the end.
+    std::string fault = "no source";
+    for (const auto& source : sources) {
+      fault = test::path_fault(mesh, path, targets[t], source);
+      if (fault.empty()) break;
+    }
+    ASSERT_EQ(fault, "") << where << (sources.size() > 1 ? " (of the last source)" : "");
+  }
+}
+
+/// All vertices, and a point inside and one on an edge of each face.
+std::vector<SurfacePoint> many_targets(const Mesh& mesh, Index step) {
+  std::vector<SurfacePoint> targets;
+  for (Index v = 0; v < mesh.vertex_count(); v += step) targets.push_back(SurfacePoint::at_vertex(v));
+  for (Index f = 0; f < mesh.face_count(); f += step) {
+    targets.push_back(SurfacePoint::in_face(f, {0.5, 0.2, 0.3}));
+    targets.push_back(SurfacePoint::in_face(f, {0.7, 0.0, 0.3}));
+  }
+  return targets;
+}
+
+void expect_paths_everywhere(const Soup& soup) {
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver solver(mesh);
+  const auto sources = spread_points(soup);
+  const auto targets = many_targets(*mesh, 1);
+  for (const auto& source : sources) expect_paths(solver, {source}, targets);
+  expect_paths(solver, sources, targets);
+}
+TEST(PathTracing, CurvedSurfaces) {
+  expect_paths_everywhere(test::icosphere(2));
+  expect_paths_everywhere(test::random_sphere(150, 3));
+  expect_paths_everywhere(test::torus(12, 8, 2.0, 0.8));
+  expect_paths_everywhere(test::with_flipped_faces(test::torus(12, 8, 2.0, 0.8), 2));
+}
+TEST(PathTracing, ZeroAreaCaps) {
+  Soup soup = test::plane_grid(6, 6, 6.0, 6.0).soup;
+  for (Index f : {5, 30, 47}) soup = test::with_zero_area_cap(soup, f, f % 3);
+  expect_paths_everywhere(soup);
+}
+
+TEST(PathTracing, APathOnASaddleConePassesTheApex) {
+  const Shape shape = test::cone(12, 4, 3.0 * pi, 2.0);
+  const auto mesh = test::make_mesh(shape.soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{13});
+  const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(19));  // 1.5 pi away
+  EXPECT_NEAR(path.length, 2.0, 1e-12);
+  EXPECT_TRUE(std::any_of(path.points.begin(), path.points.end(),
+                          [](const SurfacePoint& p) { return p.is_vertex() && p.vertex == 0; }));
+}
+
+TEST(PathTracing, RealMeshes) {
+  for (const char* name : {"cow", "office_chair", "fandisk", "gears"}) {
+    VOROGEO_READ_OR_SKIP(soup, name);
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver solver(mesh);
+    SCOPED_TRACE(name);
+    expect_paths(solver, {spread_points(soup)[1]}, many_targets(*mesh, 37), 1e-9);
+  }
+}
+
+TEST(PathTracing, AlongARimABillionthAsLongAsItsSpokes) {
+  // A flat sector of needles; every other vertex of the rim lies nearer to the hub, so that shortest paths
+  // touch only those and cross the spokes to the others next to their ends.
+  constexpr Index rim = 40;
+  constexpr double width = 4e-10;
+  constexpr double height = 2e-10;
+  test::Soup soup;
+  soup.positions.push_back({0.0, 100.0, 0.0});
+  for (Index i = 0; i <= rim; ++i) soup.positions.push_back({width * i, i % 2 == 0 ? height : 0.0, 0.0});
+  for (Index i = 1; i <= rim; ++i) soup.faces.push_back({0, i, i + 1});
+  soup = test::two_components(soup, test::plane_grid(4, 4, 400.0, 400.0).soup);
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::array<Index, 1>{1});
+  for (Index v = 2; v <= rim + 1; ++v) {
+    const double length = v % 2 == 1 ? width * (v - 1) : width * (v - 2) + std::hypot(width, height);
+    EXPECT_NEAR(solver.distance(v), length, 1e-9 * length) << v;
+    EXPECT_NEAR(solver.path_to_source(SurfacePoint::at_vertex(v)).length, length, 1e-9 * length) << v;
+  }
+}
+
+// Paths from one point to many: closed forms, independence of the order of targets, other components.
+
+TEST(PathsFromPoint, CancelledAndBadPoints) {
+  const auto mesh = test::make_mesh(test::plane_grid(60, 60, 1.0, 1.0).soup);
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
+  EXPECT_THROW(paths.reset(SurfacePoint::at_vertex(-3)), InvalidInput);
+  paths.reset(SurfacePoint::at_vertex(0));
+  const SurfacePoint corner = SurfacePoint::at_vertex(mesh->vertex_count() - 1);
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(paths.path_to(corner, stop), Cancelled);
+  EXPECT_NEAR(paths.path_to(corner).length, std::sqrt(2.0), 1e-12);
+}
+
+TEST(PathsFromPoint, DearFaceFartherThanAllVertices) {
+  const auto grid = test::plane_grid(6, 6, 1.0, 1.0).soup;
+  const auto dear = static_cast<Index>(grid.faces.size() / 2);
+  std::vector<double> cost(grid.faces.size(), 1.0);
+  cost[dear] = 100.0;
+  const auto mesh = std::make_shared<const Mesh>(
+      grid.positions, grid.faces, FaceSides{sides_by_face_cost(grid.positions, grid.faces, cost)});
+  PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
+  const SurfacePoint centre = SurfacePoint::in_face(dear, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+  paths.reset(SurfacePoint::at_vertex(0));
+  const double there = paths.path_to(centre).length;
+  paths.reset(centre);
+  EXPECT_NEAR(there, paths.path_to(SurfacePoint::at_vertex(0)).length, 1e-3 * there);
+}
+
+// Lengths along points, which points are the same, and what is not a path.
+
+TEST(SurfacePath, ItsLengthIsTheSumOfTheStepsInFaces) {
+  const auto mesh = test::make_mesh(test::plane_grid(2, 1, 2.0, 1.0).soup);
+  // Along the lower side, then across the second cell.
+  const std::array points{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(1)};
+  EXPECT_DOUBLE_EQ(measured_length(*mesh, points).length, 1.0);
+  // Vertex 0 and vertex 5 share no face.
+  EXPECT_EQ(measured_length(*mesh, std::array{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(5)}).length,
+            unreachable);
+  EXPECT_EQ(measured_length(*mesh, std::span<const SurfacePoint>{}).length, unreachable);
+  const std::array middle{SurfacePoint::at_vertex(mesh->face_vertices(0)[0]),
+                          SurfacePoint::in_face(0, {0.0, 0.5, 0.5})};
+  const Point a = position_of(*mesh, middle[0]);
+  const Point b = position_of(*mesh, middle[1]);
+  EXPECT_NEAR(measured_length(*mesh, middle).length, std::hypot(a[0] - b[0], a[1] - b[1]), 1e-15);
+}
+
+TEST(SurfacePath, TheSamePointOnAnEdgeMayBeGivenByEitherFace) {
+  const auto mesh = test::make_mesh(test::plane_grid(1, 1, 1.0, 1.0).soup);
+  const Index halfedge = [&] {
+    for (Index h = 0; h < 3; ++h) {
+      if (mesh->next_around_edge(h) != h) return h;
+    }
+    return no_index;
+  }();
+  std::array<double, 3> weights{};
+  weights[halfedge % 3] = 0.25;
+  weights[Mesh::next_in_face(halfedge) % 3] = 0.75;
+  const auto here = SurfacePoint::in_face(0, weights);
+  std::array<double, 3> there{};
+  ASSERT_TRUE(weights_in_face(*mesh, here, 1, there));
+  EXPECT_TRUE(is_same_point(*mesh, here, SurfacePoint::in_face(1, there)));
+  EXPECT_FALSE(is_same_point(*mesh, here, SurfacePoint::at_vertex(mesh->face_vertices(0)[0])));
+}
+
+TEST(SurfacePath, PointsAtOnePlaceOnTwoSidesOfASlitAreTwo) {
+  const test::Soup soup = test::plane_with_slit(2).soup;
+  const auto mesh = test::make_mesh(soup);
+  int pairs = 0;
+  for (Index a = 0; a < mesh->vertex_count(); ++a) {
+    for (Index b = a + 1; b < mesh->vertex_count(); ++b) {
+      if (mesh->position(a) != mesh->position(b)) continue;
+      ++pairs;
+      EXPECT_FALSE(is_same_point(*mesh, SurfacePoint::at_vertex(a), SurfacePoint::at_vertex(b)));
+      const SurfacePath jump{{SurfacePoint::at_vertex(a), SurfacePoint::at_vertex(b)}, 0.0};
+      EXPECT_FALSE(is_path(*mesh, jump, jump.points.front(), jump.points.back(), 0.0));
+    }
+  }
+  EXPECT_EQ(pairs, 7);
+}
+
+TEST(SurfacePath, IsOneOnlyOfTheLengthItSays) {
+  const auto mesh = test::make_mesh(test::plane_grid(1, 1, 3.0, 4.0).soup);
+  const auto a = SurfacePoint::at_vertex(0);
+  const auto b = SurfacePoint::at_vertex(1);
+  EXPECT_TRUE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, b, a, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0 + 1e-8));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0 + 1e-8}, a, b, 3.0));
+  EXPECT_FALSE(is_path(*mesh, {{}, 0.0}, a, b, 0.0));
+  // What no propagation has reached is as long as nothing.
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, unreachable));
+  EXPECT_FALSE(is_path(*mesh, {{a, b}, unreachable}, a, b, 3.0));
+}
+
+TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {
+  // Whatever the corner at which a face begins, a step at its short side is measured from there.
+  for (int turn = 0; turn < 3; ++turn) {
+    test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e12, 0}}, {{0, 1, 2}}};
+    std::rotate(soup.faces[0].begin(), soup.faces[0].begin() + turn, soup.faces[0].end());
+    const auto mesh = test::make_mesh(soup);
+    auto at = [&](double first, double second, double far) {
+      std::array<double, 3> weights{first, second, far};
+      std::rotate(weights.begin(), weights.begin() + turn, weights.end());
+      return SurfacePoint::in_face(0, weights);
+    };
+    const double height = 1e-13;
+    const std::array points{at(1.0 - height, 0.0, height), at(0.0, 1.0 - height, height)};
+    const MeasuredLength measured = measured_length(*mesh, points);
+    EXPECT_NEAR(measured.length, 1.0, 1e-12);
+    EXPECT_LT(measured.rounding, 1e-13);
+  }
+}
+
+TEST(SurfacePath, StepsOverGapsAreMarked) {
+  const test::Soup soup = test::two_plates(1, 1, 0.1).soup;
+  GapBridges bridges;
+  bridges.faces = {{1, 4, 3}, {4, 6, 3}};
+  const Mesh mesh(soup.positions, soup.faces, bridges);
+  const std::array points{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(1), SurfacePoint::at_vertex(4),
+                          SurfacePoint::at_vertex(6)};
+  EXPECT_EQ(steps_over_gaps(mesh, points), (std::vector<bool>{false, true, false, false}));
+  EXPECT_EQ(steps_over_gaps(Mesh(soup.positions, soup.faces), points), std::vector<bool>(4, false));
+}
+
+// Bounds by landmarks: never above the exact distance, close to it behind a landmark, harmless elsewhere.
+
+std::shared_ptr<const Mesh> ring() { return test::make_mesh(test::torus(60, 40, 2.0, 0.8)); }
+
+std::shared_ptr<const Mesh> two_spheres(int subdivisions) {
+  return test::make_mesh(test::two_components(test::icosphere(subdivisions), test::icosphere(subdivisions)));
+}
+
+TEST(ExactLandmarks, BoundsAreNeverAboveTheDistance) {
+  const auto mesh = ring();
+  std::vector<std::vector<double>> fields;
+  for (const Index v : {0, 700, 1400}) fields.push_back(exact_distance_field(mesh, std::array{v}));
+  const ExactLandmarks landmarks(fields);
+  EXPECT_EQ(landmarks.count(), 3);
+  std::mt19937 random(5);
+  ExactSolver solver(mesh);
+  for (int i = 0; i < 20; ++i) {
+    const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
+    const SurfacePoint point = i % 2 == 0 ? SurfacePoint::at_vertex(mesh->face_vertices(face)[1])
+                                          : SurfacePoint::in_face(face, {0.2, 0.5, 0.3});
+    const ExactSource source{point};
+    solver.run(std::span(&source, 1));
+    const auto seen = landmarks.seen_from(*mesh, point);
+    for (Index v = 0; v < mesh->vertex_count(); v += 7) {
+      EXPECT_LE(landmarks.least_distance(v, seen), solver.distance(v) * (1.0 + 1e-12));
+    }
+    // At a landmark the bound is its own distance, up to the width of a face.
+    const double width = point.is_vertex() ? 1e-5 : mesh->mean_edge_length();
+    EXPECT_GE(landmarks.least_distance(700, seen), solver.distance(700) - width);
+  }
+}
+
+TEST(ExactLandmarks, ExactPathsKeepTheirLengthAndFollowFewerWindows) {
+  const auto mesh = ring();
+  const auto fields = std::vector{exact_distance_field(mesh, std::array<Index, 1>{0}),
+                                  exact_distance_field(mesh, std::array<Index, 1>{900})};
+  const ExactLandmarks landmarks(fields);
+  std::mt19937 random(3);
+  ExactSolver solver(mesh);
+  std::size_t plain = 0;
+  std::size_t bounded = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto target = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count()));
+    const auto source = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count()));
+    const double exact = exact_distance_field(mesh, std::array{source})[target];
+    ExactLimits limits;
+    limits.corridor_target = target;
+    limits.max_distance = exact * (1.0 + 1e-9);
+    solver.run_from_vertices(std::array{source}, limits);
+    EXPECT_NEAR(solver.distance(target), exact, 1e-11 * exact);
+    plain += solver.window_count();
+    limits.landmarks = &landmarks;
+    solver.run_from_vertices(std::array{source}, limits);
+    EXPECT_NEAR(solver.distance(target), exact, 1e-11 * exact);
+    bounded += solver.window_count();
+  }
+  EXPECT_LT(bounded, plain);
+}
+
+TEST(ExactLandmarks, WithAnIndexPathsStayExactAndCertified) {
+  const auto mesh = ring();
+  const auto index = GeodesicIndex::build(mesh, {});
+  PathQuery plain(index);
+  PathQuery query(index);
+  query.use_landmarks(landmarks_of(index, 6, 2));
+  std::mt19937 random(8);
+  for (int i = 0; i < 60; ++i) {
+    const auto a =
+        SurfacePoint::at_vertex(static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count())));
+    const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
+    const auto b = SurfacePoint::in_face(face, {0.1, 0.2, 0.7});
+    const ExactPath found = query.exact_path(a, b);
+    EXPECT_TRUE(found.certified);
+    const double expected = plain.exact_path(a, b).path.length;
+    EXPECT_NEAR(found.path.length, expected, 1e-9 * expected);
+  }
+}
+
+TEST(ExactLandmarks, OtherComponentsAreNotHarmed) {
+  const auto mesh = two_spheres(2);
+  const auto index = GeodesicIndex::build(mesh, {});
+  PathQuery query(index);
+  query.use_landmarks(landmarks_of(index, 4, 1));
+  for (const Index target : {1, 30, 100}) {
+    for (const Index shift : {Index{0}, mesh->vertex_count() / 2}) {
+      const auto a = SurfacePoint::at_vertex(shift);
+      const auto b = SurfacePoint::at_vertex(shift + target);
+      const double exact = exact_distance_field(mesh, std::array{shift})[shift + target];
+      EXPECT_NEAR(query.exact_path(a, b).path.length, exact, 1e-9 * exact);
+    }
+  }
+}
+
+TEST(ExactLandmarks, TheirNumberIsChecked) {
+  const auto index = GeodesicIndex::build(two_spheres(1), {});
+  EXPECT_THROW(landmarks_of(index, 0), InvalidInput);
+  EXPECT_THROW(landmarks_of(index, ExactLandmarks::max_count + 1), InvalidInput);
+  EXPECT_THROW(ExactLandmarks(std::span<const std::vector<double>>{}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,319 @@
+// Windows: geometry, propagation across faces of every shape, and merging.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "exact/envelope.h"
+#include "exact/exact_geometry.h"
+#include "exact/exact_solver.h"
+#include "exact/path_tracing.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+#include "support/small_copy.h"
+
+namespace vorogeo {
+namespace {
+
+// Windows: distances by Pythagoras, and where a vertex overtakes.
+
+Window window(double begin, double end, double source_x, double source_y, double offset) {
+  Window w{};
+  w.begin = begin;
+  w.end = end;
+  w.source_x = source_x;
+  w.source_y = source_y;
+  w.offset = offset;
+  return w;
+}
+
+TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(0.05, 3.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double source_x = number(random);
+    const double source_y = number(random);
+    const double offset = number(random);
+    const double to_vertex = offset + std::hypot(source_x, source_y);
+    // Nearer than over the window at position 0, farther than the window's asymptote: there is one crossing.
+    const double from_vertex =
+        offset - source_x + (to_vertex - offset + source_x) * (0.02 + 0.3 * number(random));
+    const double x = vertex_takeover(from_vertex, offset, source_x, source_y);
+    const double over_window = offset + std::hypot(x - source_x, source_y);
+    EXPECT_NEAR(from_vertex + x, over_window, 1e-9 * (1.0 + std::abs(over_window)));
+    EXPECT_EQ(x > 0.0, from_vertex < to_vertex);
+  }
+}
+
+// Faces unfolded next to their edges, and the corners around vertices.
+
+using std::numbers::pi;
+
+TEST(ExactGeometry, PathsBendAtSaddlesBordersAndNonManifoldVertices) {
+  auto bends = [](const test::Soup& soup, Index vertex) {
+    return ExactGeometry(test::make_mesh(soup)).can_bend[vertex] != 0;
+  };
+  EXPECT_FALSE(bends(test::cone(8, 2, 1.5 * pi, 1.0).soup, 0));
+  EXPECT_TRUE(bends(test::cone(8, 2, 2.5 * pi, 1.0).soup, 0));
+  EXPECT_FALSE(bends(test::icosphere(1), 3));
+  EXPECT_TRUE(bends(test::plane_grid(4, 4, 1.0, 1.0).soup, 0));
+  EXPECT_TRUE(bends(test::plane_grid(4, 4, 1.0, 1.0).soup, 12)) << "a flat vertex counts as a saddle";
+  EXPECT_FALSE(bends(test::with_isolated_vertex(test::icosphere(0), {0, 0, 0}), 12));
+  const test::Soup bow = test::bow_tie(2).soup;
+  const auto mesh = test::make_mesh(bow);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (mesh->fan(v) != Mesh::Fan::non_manifold) continue;
+    EXPECT_TRUE(bends(bow, v));
+  }
+}
+
+TEST(ExactGeometry, PositionsCountFromTheEndThatIsNoOutlier) {
+  // Two outliers next to each other, whose common edge is shorter than those of all others.
+  test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
+  for (const Index v : {40, 41}) soup.positions[v][2] = 1e12;
+  soup.positions[40][0] = soup.positions[41][0] - 0.25;
+  const auto mesh = test::make_mesh(soup);
+  const ExactGeometry geometry(mesh);
+  int long_edges = 0;
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    if (!geometry.is_long(e)) continue;
+    ++long_edges;
+    EXPECT_TRUE(geometry.ends(e)[0] != 40 && geometry.ends(e)[0] != 41) << e;
+    EXPECT_DOUBLE_EQ(geometry.fineness[e], 1.0);
+  }
+  EXPECT_EQ(long_edges, 10);
+}
+
+// Where windows begin: sectors behind bends, and vertices that lie on an edge.
+
+TEST(Emission, AVertexInTheMiddleOfAnEdgeOfAFaceWithoutAreaLightsAllOfIt) {
+  // The source in a plane sees everything by straight lines. A vertex on such a line is the middle of the
+  // long side of a face without area, and a raised neighbour makes it a saddle: what lies behind it is
+  // reached by its own windows, which leave through that face.
+  test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0).soup;
+  for (const Index face : {40, 41, 60, 61}) soup = test::with_zero_area_cap(soup, face, face % 3);
+  soup.positions[30][2] = 2.0;
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver solver(mesh);
+  for (const Index source : {0, 12, 49, 77}) {
+    solver.run_from_vertices(std::array{source});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      // No distance is longer than a neighbour's and the edge between: the least that windows must do; and no
+      // traced path is of another length.
+      for (const Index corner : mesh->corners(v)) {
+        const double edge = mesh->edge_length(mesh->edge_of(corner));
+        EXPECT_LE(solver.distance(v), solver.distance(mesh->head(corner)) + edge + 1e-12);
+      }
+      const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
+      EXPECT_TRUE(is_path(*mesh, path, SurfacePoint::at_vertex(v), SurfacePoint::at_vertex(source),
+                          solver.distance(v)))
+          << source << " to " << v;
+    }
+  }
+}
+
+// Windows across faces of every shape: in a plane all distances are straight lines.
+
+TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
+  for (const double width : {1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    // A column of cells squeezed to `width` between two wide ones.
+    test::Soup soup = test::plane_grid(5, 5, 5.0, 5.0).soup;
+    for (Point& p : soup.positions) {
+      if (p[0] > 2.5) p[0] += width - 1.0;
+    }
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver solver(mesh);
+    for (const Index source : {0, 2, 3, 14}) {
+      solver.run_from_vertices(std::array{source});
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        const Point& p = mesh->position(source);
+        const Point& q = mesh->position(v);
+        EXPECT_NEAR(solver.distance(v), std::hypot(p[0] - q[0], p[1] - q[1]), 1e-13) << width << ", " << v;
+      }
+    }
+  }
+}
+
+TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
+  // Vertex 2 lies on the edge 0-1, joined to it by a face without width. Of the rays from vertex 3 that end
+  // left of it, there is no face above the edge: vertex 5 lies in its shadow, behind the face 0-1-4, whose
+  // apex lies in the shadow as well.
+  for (const bool mirrored : {false, true}) {
+    for (const double lifted : {0.0, 1e-17, 1e-14, 1e-12}) {
+      test::Soup soup;
+      soup.positions = {{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0},   {0.0, lifted, 0.0},
+                        {1.0, 0.5, 0.0},  {-0.9, -0.1, 0.0}, {-1.0, -0.3, 0.0}};
+      soup.faces = {{0, 2, 1}, {2, 1, 3}, {0, 1, 4}, {4, 1, 5}};
+      if (mirrored) {
+        for (Point& p : soup.positions) p[0] = -p[0];
+        for (auto& face : soup.faces) {
+          for (Index& v : face) v = v < 2 ? 1 - v : v;
+        }
+        std::swap(soup.positions[0], soup.positions[1]);
+      }
+      ExactSolver solver(test::make_mesh(soup));
+      solver.run_from_vertices(std::array<Index, 1>{3});
+      EXPECT_NEAR(solver.distance(5), std::hypot(1.0, 0.5) + std::hypot(1.0, 0.3), 1e-11) << lifted;
+      solver.run_from_vertices(std::array<Index, 1>{5});
+      EXPECT_NEAR(solver.distance(3), std::hypot(1.0, 0.5) + std::hypot(1.0, 0.3), 1e-11) << lifted;
+    }
+  }
+}
+
+TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
+  // A wall of two columns of faces with a gap at the top: the path leads round its end.
+  const auto mesh = test::make_mesh(test::plane_grid(4, 4, 4.0, 4.0).soup);
+  std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    double x = 0.0;
+    double y = 0.0;
+    for (const Index v : mesh->face_vertices(f)) {
+      x += mesh->position(v)[0] / 3.0;
+      y += mesh->position(v)[1] / 3.0;
+    }
+    if (x > 1.0 && x < 3.0 && y < 3.0) allowed[f] = 0;
+  }
+  ExactSolver solver(mesh);
+  ExactLimits limits;
+  limits.face_allowed = allowed;
+  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  // From (0, 0) by (1, 3) and (3, 3) to (4, 0).
+  EXPECT_NEAR(solver.distance(4), 2.0 * std::hypot(1.0, 3.0) + 2.0, 1e-12);
+  EXPECT_LE(solver.barrier_distance(), solver.distance(4));
+}
+
+TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
+  // In a flat fan of needles, some edges are split into many pieces: behind such an edge a wave comes in as
+  // many windows, all of them with one source.
+  const auto index = test::make_index(test::needle_disc(2000), 2, 3);
+  ASSERT_GT(index->data().work.edge_points.size(), 50U);
+  ExactSolver whole(index->mesh());
+  ExactSolver split(index->data().geometry->windows);
+  whole.run_from_vertices(std::array<Index, 1>{1});
+  split.run_from_vertices(std::array{index->data().work.work_vertex[1]});
+  for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
+    EXPECT_NEAR(split.distance(index->data().work.work_vertex[v]), whole.distance(v), 1e-13);
+  }
+  EXPECT_LT(split.window_count(), 4 * whole.window_count());
+}
+
+// Distances at points of faces that have no area, and the step back from them.
+
+TEST(BackStep, DistancesInFacesWithoutArea) {
+  // A fan of the point (0, 0) over a line, with a face whose first two corners are at the same place.
+  test::Soup soup;
+  soup.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 0.0, 0.0}};
+  soup.faces = {{0, 1, 3}, {1, 2, 3}, {2, 4, 3}};
+  for (int rotation = 0; rotation < 3; ++rotation) {
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver solver(mesh);
+    solver.run_from_vertices(std::array<Index, 1>{0});
+    for (const auto& weights :
+         {std::array{0.2, 0.3, 0.5}, std::array{0.5, 0.5, 0.0}, std::array{0.0, 0.5, 0.5}}) {
+      const auto point = SurfacePoint::in_face(1, weights);
+      const Point p = position_of(*mesh, point);
+      EXPECT_NEAR(solver.distance(point), std::hypot(p[0], p[1]), 1e-15) << rotation;
+    }
+    EXPECT_NEAR(solver.distance(4), 2.0, 1e-15);
+    auto& face = soup.faces[1];
+    face = {face[1], face[2], face[0]};
+  }
+}
+
+TEST(BackStep, PointsCloseToTheSourceSeeIt) {
+  const auto mesh = test::make_mesh(test::plane_grid(3, 3, 3.0, 3.0).soup);
+  ExactSolver solver(mesh);
+  const std::array sources{ExactSource{SurfacePoint::in_face(4, {0.25, 0.25, 0.5}), 0.5}};
+  solver.run(sources);
+  const auto target = SurfacePoint::in_face(4, {0.5, 0.25, 0.25});
+  const Point p = position_of(*mesh, sources[0].point);
+  const Point q = position_of(*mesh, target);
+  EXPECT_NEAR(solver.distance(target), 0.5 + std::hypot(p[0] - q[0], p[1] - q[1]), 1e-15);
+}
+
+// Runs in which neighbouring windows are merged: how far they deviate, and what they save.
+
+struct Merged {
+  double least = 0.0;     ///< largest amount by which a distance is too short, in mean edges
+  double greatest = 0.0;  ///< and too long
+  double windows = 0.0;   ///< relative to those of the exact run
+};
+
+Merged merged(const test::Soup& soup, double tolerance) {
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver exact(mesh);
+  ExactSolver solver(mesh);
+  Merged result;
+  std::size_t made = 0;
+  std::size_t made_exactly = 0;
+  ExactLimits limits;
+  limits.merge_tolerance = tolerance;
+  for (Index source : test::random_vertices(mesh->vertex_count(), 5, 3)) {
+    exact.run_from_vertices(std::array{source});
+    solver.run_from_vertices(std::array{source}, limits);
+    made += solver.window_count();
+    made_exactly += exact.window_count();
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const double difference = (solver.distance(v) - exact.distance(v)) / mesh->mean_edge_length();
+      result.least = std::min(result.least, difference);
+      result.greatest = std::max(result.greatest, difference);
+    }
+  }
+  result.windows = static_cast<double>(made) / static_cast<double>(made_exactly);
+  return result;
+}
+
+TEST(WindowMerging, InThePlaneItChangesNextToNothing) {
+  const Merged found = merged(test::plane_grid(30, 30, 1.0, 1.0, 0.2).soup, 1e-3);
+  EXPECT_GT(found.least, -1e-5);
+  EXPECT_LT(found.greatest, 1e-5);
+}
+
+TEST(WindowMerging, SavesWindowsAndErrsByLittleMoreThanItsTolerance) {
+  // A path crosses dozens of edges; what their windows deviate by adds up in part.
+  constexpr double tolerance = 2e-4;
+  for (const test::Soup& soup : {test::icosphere(4), test::hills(40, 0.12), test::random_sphere(2000, 4)}) {
+    const Merged found = merged(soup, tolerance);
+    EXPECT_GT(found.least, -20.0 * tolerance);
+    EXPECT_LT(found.greatest, 20.0 * tolerance);
+    EXPECT_LT(found.windows, 0.9);
+  }
+}
+
+TEST(WindowMerging, DistancesInASmallPartAreAsRightAsOthers) {
+  // The needles that join the parts have edges a million times as long as distances in the small part.
+  constexpr double tolerance = 2e-4;
+  const test::Soup soup = test::with_small_copy(test::plane_grid(12, 12, 1.0, 1.0, 0.2).soup, 1e-7);
+  const auto mesh = test::make_mesh(soup);
+  ExactSolver exact(mesh);
+  ExactSolver solver(mesh);
+  ExactLimits limits;
+  limits.merge_tolerance = tolerance;
+  for (Index source : test::random_vertices(mesh->vertex_count(), 20, 3)) {
+    exact.run_from_vertices(std::array{source});
+    solver.run_from_vertices(std::array{source}, limits);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      EXPECT_NEAR(solver.distance(v), exact.distance(v), 20.0 * tolerance * exact.distance(v));
+    }
+  }
+}
+
+TEST(WindowMerging, DoesNotBringWindowsRoundAFarOutlierNearer) {
+  // High up, each time round an outlier takes less than the rounding of distances there: the run had no end.
+  test::Soup soup = test::hills(60, 2.0);
+  const double height = 1e12 * test::make_mesh(soup)->typical_edge_length();
+  for (const Index v : test::random_vertices(static_cast<Index>(soup.positions.size()), 100, 1)) {
+    soup.positions[v][2] -= height;
+  }
+  ExactSolver solver(test::make_mesh(soup));
+  solver.run_from_vertices(std::array<Index, 1>{912}, {.merge_tolerance = 2e-4});
+  EXPECT_LT(solver.window_count(), 100000U);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,500 @@
+// Building an index: options, statistics, estimates, memory budgets, patches, progress, refusals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/border_pieces.h"
+#include "index/build_estimate.h"
+#include "index/geodesic_index.h"
+#include "index/index_data.h"
+#include "index/index_partition.h"
+#include "index/memory_budget.h"
+#include "patches/partition.h"
+#include "query/geodesic_query.h"
+#include "support/error.h"
+#include "support/heavy.h"
+#include "support/indexes.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+// Building an index: options, statistics, determinism, progress and cancelling, defects, refusals.
+
+using test::Soup;
+
+bool same_contents(const IndexData& a, const IndexData& b) {
+  auto same_arcs = [](const Arc& x, const Arc& y) {
+    return x.target == y.target && x.length == y.length && x.leg == y.leg;
+  };
+  return a.partition.first_layer == b.partition.first_layer &&
+         a.partition.second_layer == b.partition.second_layer && a.second.table == b.second.table &&
+         a.first.table == b.first.table && a.graph.arc_begin == b.graph.arc_begin &&
+         std::ranges::equal(a.graph.arc, b.graph.arc, same_arcs) &&
+         a.graph.landmark_distance == b.graph.landmark_distance && a.home_patch == b.home_patch &&
+         a.home_column == b.home_column;
+}
+
+TEST(GeodesicIndex, TheSameWhateverTheThreadsAnotherForAnotherSeed) {
+  const auto mesh = test::make_mesh(test::hills(36, 0.15));
+  IndexOptions options;
+  options.first_layer_patches = 4;
+  options.second_layer_patches = 4;
+  options.delta = 0.005;
+  options.seed = 3;
+  options.threads = 1;
+  const auto one = GeodesicIndex::build(mesh, options);
+  for (int threads : {2, 4}) {
+    options.threads = threads;
+    EXPECT_TRUE(same_contents(GeodesicIndex::build(mesh, options)->data(), one->data()))
+        << threads << " threads";
+  }
+  options.seed = 4;
+  EXPECT_FALSE(same_contents(GeodesicIndex::build(mesh, options)->data(), one->data()));
+}
+
+TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
+  const Soup soup = test::with_isolated_vertex(test::icosphere(3), {5, 5, 5});
+  const auto index = test::make_index(soup, 3, 5, 0.01);
+  const auto& statistics = index->statistics();
+  EXPECT_EQ(statistics.vertices, 643);
+  EXPECT_EQ(statistics.faces, 1280);
+  EXPECT_EQ(statistics.components, 2);
+  EXPECT_EQ(statistics.first_layer_patches, 3);
+  EXPECT_EQ(statistics.second_layer_patches, 15);
+  EXPECT_EQ(statistics.delta, 0.01);
+  EXPECT_EQ(statistics.seed, 0U);
+  EXPECT_GT(statistics.seconds, 0.0);
+  EXPECT_GT(statistics.arcs, 0);
+  EXPECT_LT(statistics.arcs, statistics.arcs_before_pruning);
+  EXPECT_EQ(statistics.arcs, static_cast<std::int64_t>(index->data().graph.arc.size() / 2));
+  const auto tables = static_cast<std::int64_t>(
+      sizeof(std::uint16_t) * (index->data().first.table.size() + index->data().second.table.size()));
+  EXPECT_EQ(statistics.form, IndexForm::graph) << "asked for by delta";
+  EXPECT_GT(statistics.bytes, tables);
+  EXPECT_LT(statistics.bytes, 8 * tables);
+  // Border vertices by definition: vertices of the work mesh in two or more patches.
+  const IndexData& data = index->data();
+  Index first = 0;
+  Index second = 0;
+  for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
+    const auto patches = test::patches_at(*data.work.mesh, data.work.second_layer, v);
+    std::set<Index> parents;
+    for (Index p : patches) parents.insert(data.partition.parent[p]);
+    first += parents.size() > 1;
+    second += patches.size() > 1;
+  }
+  EXPECT_EQ(statistics.first_layer_border_vertices, first);
+  EXPECT_EQ(statistics.second_layer_border_vertices, second);
+}
+
+TEST(GeodesicIndex, FacePatchesOfBothLayers) {
+  const auto index = test::make_index(test::icosphere(3), 3, 5);
+  for (int layer : {1, 2}) {
+    const auto patches = index->face_patches(layer);
+    EXPECT_EQ(patches.size(), 1280U);
+    EXPECT_EQ(*std::ranges::min_element(patches), 0);
+    EXPECT_EQ(*std::ranges::max_element(patches), layer == 1 ? 2 : 14);
+  }
+  try {
+    index->face_patches(3);
+    FAIL() << "not refused";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "Layer 3 does not exist: layers are 1 (large patches) and 2.");
+  }
+}
+
+TEST(GeodesicIndex, Refusals) {
+  auto refusal = [](const Soup& soup, const IndexOptions& options) -> std::string {
+    try {
+      GeodesicIndex::build(test::make_mesh(soup), options);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  IndexOptions options;
+  for (double delta : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN(), unreachable}) {
+    options.delta = delta;
+    EXPECT_EQ(refusal(test::icosphere(0), options),
+              "delta is " + std::to_string(delta) + "; it must be at least 0 (nothing lost) and below 1.");
+  }
+  options = {};
+  EXPECT_EQ(refusal({}, options), "The mesh has no face; geodesic distances need a surface.");
+  Soup huge = test::icosphere(0);
+  for (Point& p : huge.positions) {
+    for (double& x : p) x *= 1e40;
+  }
+  const std::string range =
+      "; an index takes lengths between 1e-28 and 1e+28: scale the mesh, for example by ";
+  EXPECT_EQ(
+      refusal(huge, options),
+      "The mesh has a mean edge length of 1.05146e+40 and a longest edge of 1.05146e+40" + range + "1e-40.");
+  for (Point& p : huge.positions) {
+    for (double& x : p) x *= 1e-80;
+  }
+  EXPECT_EQ(
+      refusal(huge, options),
+      "The mesh has a mean edge length of 1.05146e-40 and a longest edge of 1.05146e-40" + range + "1e+40.");
+  options.first_layer_patches = -3;
+  EXPECT_EQ(refusal(test::icosphere(0), options),
+            "The number of first-layer patches, n1, is -3; give one from 0 (automatic) to 20, the number of "
+            "faces.");
+}
+
+TEST(GeodesicIndex, TinyMeshesAndAsManyPatchesAsFaces) {
+  const Soup triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(test::make_index(triangle)->statistics().second_layer_border_vertices, 0);
+  const Soup all = test::icosphere(0);
+  for (Index n1 : {1, 20}) {
+    for (Index n2 : {1, 20}) {
+      const auto index = test::make_index(all, n1, n2);
+      EXPECT_GE(index->statistics().second_layer_patches, 1);
+    }
+  }
+}
+
+/// Builds with a report that is recorded; returns the number of reports.
+int reports_of(const std::shared_ptr<const Mesh>& mesh, int allowed, std::vector<double>* seen = nullptr) {
+  int reports = 0;
+  IndexOptions options;
+  options.first_layer_patches = 3;
+  options.second_layer_patches = 4;
+  GeodesicIndex::build(mesh, options, Progress([&](double fraction, const std::string& activity) {
+                         EXPECT_FALSE(activity.empty());
+                         if (seen) seen->push_back(fraction);
+                         return reports++ < allowed;
+                       }));
+  return reports;
+}
+
+TEST(GeodesicIndex, ProgressOnlyGrowsAndEndsAtOne) {
+  std::vector<double> seen;
+  reports_of(test::make_mesh(test::icosphere(3)), 1 << 30, &seen);
+  ASSERT_GE(seen.size(), 6U);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_GE(seen.front(), 0.0);
+  EXPECT_EQ(seen.back(), 1.0);
+}
+
+TEST(GeodesicIndex, CancelledAtAnyReport) {
+  const auto mesh = test::make_mesh(test::icosphere(2));
+  const int reports = reports_of(mesh, 1 << 30);
+  for (int allowed = 0; allowed < reports; ++allowed) {
+    // A slower run may report more often, a faster one never less than the fixed reports.
+    try {
+      const int made = reports_of(mesh, allowed);
+      EXPECT_LE(made, allowed);
+    } catch (const Cancelled& error) {
+      EXPECT_STREQ(error.what(), "Cancelled: nothing was changed.");
+    }
+  }
+  EXPECT_THROW(reports_of(mesh, 0), Cancelled);
+  EXPECT_THROW(reports_of(mesh, 3), Cancelled);
+}
+
+/// A surface of many parts, each of several patches: a field stays in one part, the tables are of all.
+Soup many_tori(int count) {
+  const Soup part = test::torus(60, 30, 2.0, 0.7);
+  Soup all = part;
+  for (int i = 1; i < count; ++i) all = test::two_components(all, part);
+  return all;
+}
+
+TEST(GeodesicIndex, WarnsWithFiguresBeforeABuildThatHardlyPays) {
+  std::vector<std::string> warnings;
+  double reached = 0.0;
+  const Progress progress(
+      [&](double fraction, const std::string&) {
+        reached = fraction;
+        return true;
+      },
+      [&](const std::string& sentence) {
+        warnings.push_back(sentence);
+        return false;
+      });
+  const auto mesh = test::make_mesh(many_tori(24));
+  EXPECT_THROW(GeodesicIndex::build(mesh, {}, progress), Cancelled);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_LE(reached, 0.115) << "before the tables";
+  std::smatch figures;
+  ASSERT_TRUE(std::regex_search(
+      warnings[0], figures, std::regex("about ([0-9.]+) s of one core, as long as ([0-9]+) exact fields")))
+      << warnings[0];
+  EXPECT_GE(std::stod(figures[1]), 1.0);
+  EXPECT_GE(std::stod(figures[2]), fields_to_warn);
+}
+
+TEST(GeodesicIndex, DoesNotWarnOfAnIndexThatPays) {
+  const Progress progress([](double, const std::string&) { return true; },
+                          [](const std::string& sentence) {
+                            ADD_FAILURE() << sentence;
+                            return true;
+                          });
+  const auto index = GeodesicIndex::build(test::make_mesh(test::icosphere(4)), {}, progress);
+  EXPECT_EQ(index->statistics().expected_fields, 0.0);
+}
+
+// Estimates of a build, against the index that is then built.
+
+TEST(BuildEstimate, SaysWhatTheIndexWillHold) {
+  for (const test::Soup& soup :
+       {test::icosphere(4), test::drilled_plate(5, 4, 0.2, 3), test::hills(50, 0.3)}) {
+    const auto index = test::make_index(soup);
+    const BuildEstimate estimate = estimate_build(test::make_mesh(soup));
+    EXPECT_GT(estimate.bytes, 0.5 * index->statistics().bytes);
+    EXPECT_LT(estimate.bytes, 2.0 * index->statistics().bytes);
+    EXPECT_EQ(estimate.form, IndexForm::tables);
+    EXPECT_GT(estimate.build_seconds, 0.0);
+    EXPECT_GE(estimate.core_seconds, estimate.build_seconds);
+    EXPECT_GT(estimate.exact_field_seconds, 0.0);
+    EXPECT_GT(estimate.field_seconds, 0.0);
+  }
+}
+
+TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
+  // Fewer faces than make a large mesh, and more, of the same surface.
+  const BuildEstimate whole = estimate_build(test::make_mesh(test::torus(240, 120, 3.0, 1.0)), {}, false);
+  const BuildEstimate parts = estimate_build(test::make_mesh(test::torus(480, 240, 3.0, 1.0)), {}, false);
+  EXPECT_GT(parts.bytes, 2.5 * whole.bytes);
+  EXPECT_LT(parts.bytes, 9.0 * whole.bytes);
+  EXPECT_EQ(parts.exact_field_seconds, 0.0);
+}
+
+TEST(BuildEstimate, KeepsToThePatchesAskedFor) {
+  IndexOptions options;
+  options.first_layer_patches = 30;
+  options.second_layer_patches = 6;
+  const test::Soup soup = test::icosphere(4);
+  const double held = test::make_index(soup, 30, 6)->statistics().bytes;
+  const double estimated = estimate_build(test::make_mesh(soup), options, false).bytes;
+  EXPECT_NEAR(estimated, held, 0.3 * held);
+  const double of_usual_patches = estimate_build(test::make_mesh(soup), {}, false).bytes;
+  EXPECT_GT(estimated, 1.5 * of_usual_patches);
+}
+
+/// With so many patches (0: chosen), the estimate has about the bytes of an index of tables, which all follow
+/// from the layout.
+void expect_bytes_laid_out(const std::shared_ptr<const Mesh>& mesh, Index first, Index second) {
+  IndexData data;
+  data.mesh = mesh;
+  data.partition = make_partition(*data.mesh, {first, second}, {});
+  data.lay_out(2, {});
+  const double held = static_cast<double>(data.bytes() + table_bytes(data.second) + table_bytes(data.first) +
+                                          transit_bytes(data.first, false) + access_bounds_bytes(data));
+  IndexOptions options;
+  options.first_layer_patches = first;
+  options.second_layer_patches = second;
+  EXPECT_NEAR(estimate_build(mesh, options, false).bytes, held, 0.3 * held);
+}
+
+TEST(BuildEstimate, PartsOfALargeMeshHaveTheirShareOfThePatchesAskedFor) {
+  expect_bytes_laid_out(test::make_mesh(test::torus(300, 150, 3.0, 1.0)), 60, 5);
+}
+
+TEST(BuildEstimate, LargeMeshesWhoseComponentsAreFirstLayerPatchesHaveNoBordersThere) {
+  test::Soup many = test::torus(60, 30, 3.0, 1.0);
+  while (many.faces.size() < 80000) many = test::two_components(many, many);
+  expect_bytes_laid_out(test::make_mesh(many), 0, 0);
+}
+
+TEST(BuildEstimate, ALargeMeshOfOneFirstLayerPatchHasNoBordersThere) {
+  expect_bytes_laid_out(test::make_mesh(test::torus(240, 150, 3.0, 1.0)), 1, 100);
+}
+
+TEST(BuildEstimate, ChoosesTheFormByTheMemoryBudget) {
+  IndexOptions options;
+  options.memory_budget = 1;
+  EXPECT_EQ(estimate_build(test::make_mesh(test::icosphere(5)), options, false).form, IndexForm::graph);
+}
+
+TEST(BuildEstimate, RefusesAMeshWithoutFacesAndIsCancelled) {
+  EXPECT_THROW(estimate_build(test::make_mesh({{{0.0, 0.0, 0.0}}, {}})), InvalidInput);
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(estimate_build(test::make_mesh(test::icosphere(3)), {}, true, stop), Cancelled);
+}
+
+// The two forms: which is chosen, that both answer everything, and the refusal of a budget that is too small.
+
+constexpr double mib = 1 << 20;
+
+struct Case {
+  std::shared_ptr<const Mesh> mesh = test::make_mesh(test::hills(56, 0.1));
+  IndexOptions options;
+  Case() {
+    options.first_layer_patches = 12;
+    options.second_layer_patches = 3;
+  }
+  std::shared_ptr<const GeodesicIndex> build(std::int64_t budget, double delta = 0.0) {
+    options.memory_budget = budget;
+    options.delta = delta;
+    return GeodesicIndex::build(mesh, options);
+  }
+  std::string refusal(std::int64_t budget, double delta = 0.0) {
+    try {
+      build(budget, delta);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "not refused";
+  }
+};
+
+TEST(MemoryBudget, ChoosesTheForm) {
+  Case c;
+  const auto tables = c.build(0);
+  EXPECT_EQ(tables->statistics().form, IndexForm::tables);
+  EXPECT_GT(tables->data().transit_table.count, 0);
+  const auto graph = c.build(0, 0.05);
+  EXPECT_EQ(graph->statistics().form, IndexForm::graph) << "asked for by delta";
+  EXPECT_EQ(graph->data().transit_table.count, 0);
+  EXPECT_TRUE(graph->data().first.table.empty());
+  EXPECT_LT(graph->statistics().arcs, tables->statistics().arcs);
+  EXPECT_LT(graph->statistics().bytes, tables->statistics().bytes);
+
+  // A budget of exactly what the tables take holds them; the predicted sizes are the actual ones.
+  const auto needed =
+      static_cast<std::int64_t>(std::ceil(static_cast<double>(tables->statistics().bytes) / mib));
+  EXPECT_EQ(c.build(needed)->statistics().form, IndexForm::tables);
+}
+
+TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
+  Case c;
+  c.options.form = IndexForm::tables;
+  const std::string tables = c.refusal(1);
+  const auto bytes = static_cast<double>(c.build(0)->statistics().bytes);
+  EXPECT_EQ(tables, "The memory budget is 1 MiB, but the index of this mesh takes at least " +
+                        std::to_string(static_cast<int>(std::ceil(bytes / mib))) +
+                        " MiB: give a larger memory budget.");
+  c.options.form = IndexForm::automatic;
+  const std::string early = c.refusal(1, 0.05);
+  EXPECT_TRUE(early.starts_with("The memory budget is 1 MiB, but the index of this mesh takes more than "))
+      << early;
+  EXPECT_TRUE(early.ends_with(" MiB in its smallest form: give a larger memory budget or a larger delta."))
+      << early;
+  EXPECT_EQ(c.refusal(-1), "The memory budget is -1 MiB; give a positive number, or 0 for 4096 MiB.");
+  // The least figure suffices, and one less does not.
+  const auto least =
+      static_cast<std::int64_t>(std::ceil(static_cast<double>(c.build(0, 0.05)->statistics().bytes) / mib));
+  EXPECT_EQ(c.build(least, 0.05)->statistics().form, IndexForm::graph);
+  EXPECT_NE(c.refusal(least - 1, 0.05).find("takes"), std::string::npos);
+}
+
+TEST(MemoryBudget, CountsWhatOfATransitTableIsInNoFile) {
+  const auto index = test::make_index(test::hills(30, 0.12), 5, 4);
+  const TransitTable& table = index->data().transit_table;
+  const std::int64_t rest =
+      sizeof(float) * table.least.size() + sizeof(Index) * (table.group_begin.size() + table.group_of.size());
+  EXPECT_EQ(transit_bytes(index->data().first, true), rest);
+  EXPECT_EQ(transit_bytes(index->data().first, false), rest + 2 * std::int64_t{table.count} * table.count);
+}
+
+TEST(MemoryBudget, NamesOfForms) {
+  EXPECT_STREQ(to_string(IndexForm::tables), "tables");
+  EXPECT_STREQ(to_string(IndexForm::graph), "graph");
+}
+
+// Patches of an index: the usual ones, better ones where tables would be large, one for each component where
+// tables have no room, those that were asked for.
+
+TEST(IndexPartition, UsualMeshesKeepTheirPatches) {
+  const auto mesh = test::make_mesh(test::icosphere(4));
+  const PartitionOptions options{0, 0, 3, 1};
+  const Partition usual = make_partition(*mesh, options, {});
+  const Partition found = partition_for_index(*mesh, options, {});
+  EXPECT_GT(found.second_layer_count, 1);
+  EXPECT_EQ(found.second_layer, usual.second_layer);
+}
+
+TEST(IndexPartition, PatchesOfAPlateWithDeepHolesGoThroughIt) {
+  // By distance, the patches of both sides of the plate have borders around each hole between them.
+  const auto mesh = test::make_mesh(test::drilled_plate(8, 8, 3.0, 2));
+  const PartitionOptions options{0, 0, 1, 1};
+  const Partition usual = make_partition(*mesh, options, {});
+  const Partition found = partition_for_index(*mesh, options, {});
+  ASSERT_GT(found.second_layer_count, 1);
+  EXPECT_LT(wanted_entries(*mesh, found), 0.7 * wanted_entries(*mesh, usual));
+  // Every patch has faces on both sides.
+  std::vector<std::array<bool, 2>> has(found.second_layer_count, {false, false});
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    for (Index v : mesh->face_vertices(f))
+      has[found.second_layer[f]][mesh->position(v)[2] > 1.5 ? 1 : 0] = true;
+  }
+  for (const auto& sides : has) EXPECT_TRUE(sides[0] && sides[1]);
+}
+
+TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {
+  const auto mesh = test::make_mesh(test::gear(40, 16, 8.0));
+  const Partition found = partition_for_index(*mesh, {0, 0, 0, 1}, {});
+  EXPECT_EQ(found.second_layer_count, 1);
+  EXPECT_EQ(found.first_layer_count, 1);
+  EXPECT_GT(partition_for_index(*mesh, {0, 3, 0, 1}, {}).second_layer_count, 1) << "asked for";
+}
+
+TEST(IndexPartition, AFanOfThousandsOfNeedlesIsNotDivided) {
+  const test::Soup disc = test::needle_disc(12000);
+  EXPECT_EQ(partition_for_index(*test::make_mesh(disc), {0, 0, 0, 1}, {}).second_layer_count, 1);
+  const auto index = test::make_index(disc);
+  EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
+  GeodesicQuery query(index, 1);
+  const auto field = query.distance_field(std::array{Index{5}});
+  for (Index v = 1; v < index->mesh()->vertex_count(); v += 7) {
+    const double chord = 2.0 * std::abs(std::sin(std::numbers::pi * (v - 5) / 12000));
+    EXPECT_NEAR(field[v], chord, 1e-9) << v;
+  }
+}
+
+TEST(IndexPartition, ASurfaceBesideAFanIsDividedWithoutIt) {
+  // Three quarters of the faces are needles.
+  const test::Soup sphere = test::icosphere(5);
+  const auto mesh = test::make_mesh(test::two_components(sphere, test::needle_disc(61500)));
+  const Partition found = partition_for_index(*mesh, {0, 0, 0, 1}, {});
+  const auto sphere_faces = static_cast<Index>(sphere.faces.size());
+  const Partition alone = make_partition(*test::make_mesh(sphere), {0, 0, 0, 1}, {});
+  EXPECT_GT(found.second_layer_count, alone.second_layer_count / 2);
+  std::vector<Index> faces_of(found.second_layer_count, 0);
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    ++faces_of[found.second_layer[f]];
+    EXPECT_EQ(found.parent[found.second_layer[f]], found.first_layer[f]);
+    EXPECT_EQ(found.second_layer[f] == found.second_layer[sphere_faces], f >= sphere_faces);
+  }
+  for (Index faces : faces_of) EXPECT_GT(faces, 0);
+  for (std::size_t p = 1; p < found.parent.size(); ++p) EXPECT_LE(found.parent[p - 1], found.parent[p]);
+}
+
+TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {
+  const auto wheels = test::two_components(test::gear(40, 16, 8.0), test::icosphere(1));
+  const auto index = test::make_index(wheels);
+  const Mesh& mesh = *index->mesh();
+  EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
+  EXPECT_LT(index->statistics().bytes, 700 * mesh.vertex_count());
+  GeodesicQuery query(index);
+  ExactSolver solver(index->mesh());
+  for (Index source : {7, 1000, mesh.vertex_count() - 1}) {
+    solver.run_from_vertices(std::array{source});
+    const auto field = query.distance_field(std::array{source});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double exact = solver.distance(v);
+      if (exact == unreachable) {
+        ASSERT_EQ(field[v], unreachable);
+        continue;
+      }
+      ASSERT_NEAR(field[v], exact, 1e-9 * exact);
+      if (v % 97 == 0) {
+        ASSERT_NEAR(query.distance(source, v), exact, 1e-6 * exact);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo

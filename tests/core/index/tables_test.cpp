@@ -1,0 +1,503 @@
+// Tables of an index: their distances, steps and sizes, on meshes with outliers and needles too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/border_pieces.h"
+#include "index/index_data.h"
+#include "index/local_tables.h"
+#include "index/patch_layer.h"
+#include "index/transit_table.h"
+#include "index/work_mesh.h"
+#include "mesh/outliers.h"
+#include "query/geodesic_query.h"
+#include "support/error.h"
+#include "support/indexes.h"
+#include "support/near.h"
+#include "support/shapes.h"
+#include "support/small_copy.h"
+
+namespace vorogeo {
+namespace {
+
+// Halo and local tables: the rim around patches, and distances against exact ones over the whole mesh.
+
+using test::Soup;
+
+/// Second layer of an index with filled tables.
+std::shared_ptr<const GeodesicIndex> index_of(const Soup& soup, int threads = 0) {
+  return test::make_index(soup, 3, 4, 0.0, threads);
+}
+
+/// Errors of the table entries of some nodes of the second layer.
+test::ErrorCollector table_errors(const IndexData& data) {
+  test::ErrorCollector errors;
+  ExactSolver solver(data.geometry->windows);
+  for (Index node : test::random_vertices(data.second.node_count(), 80, 3)) {
+    const Index source = data.second.node_vertex[node];
+    solver.run_from_vertices(std::array{source});
+    for (const PatchRow& at : data.second.patches_of(node)) {
+      const auto members = data.second.members(at.patch);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        // What rounding to the table's unit explains is not an error.
+        const double exact = solver.distance(members[i]);
+        const double entry = data.second.distance(at.patch, at.row, static_cast<Index>(i));
+        errors.add(std::abs(entry - exact) <= 0.51 * data.second.scale[at.patch].unit() ? exact : entry,
+                   exact);
+      }
+    }
+  }
+  return errors;
+}
+
+TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
+  const auto errors = table_errors(index_of(test::plane_grid(36, 36, 1.0, 1.0, 0.2).soup)->data());
+  EXPECT_EQ(errors.contradictions, 0U);
+  const auto found = errors.statistics();
+  EXPECT_GT(found.count, 5000U);
+  EXPECT_LT(found.greatest, 1e-6);
+  EXPECT_GT(found.least, -1e-6);
+}
+
+// Tables filled in a wave over the patches: every run once, few drafts at a time, and parts that are there
+// are kept.
+
+/// A plane of cells x cells cells in squares of `width` x `width` patches.
+PatchLayer squares(int cells, int width) {
+  const auto mesh = test::make_mesh(test::plane_grid(cells, cells, 1.0, 1.0).soup);
+  std::vector<Index> label(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    std::array<double, 2> middle{};
+    for (Index v : mesh->face_vertices(f)) {
+      for (int k = 0; k < 2; ++k) middle[k] += mesh->position(v)[k] / 3.0;
+    }
+    label[f] = static_cast<Index>(middle[0] * width) * width + static_cast<Index>(middle[1] * width);
+  }
+  return lay_out_patches(*mesh, label, width * width, {});
+}
+
+float distance_of(Index patch, Index row, Index column) {
+  return row == column ? 0.0f : static_cast<float>(100 * patch + row + column);
+}
+
+/// Runs groups until there are none left, or `most` were run. Returns how many were.
+int run(TableFiller& tables, const PatchLayer& layer, std::span<const Index> groups, int most) {
+  int count = 0;
+  for (Index group : tables.left()) {
+    if (count++ == most) return most;
+    tables.begin(group);
+    for (Index node = groups[group]; node < groups[group + 1]; ++node) {
+      for (const PatchRow& at : layer.patches_of(node)) {
+        TableDraft* draft = tables.draft(at.patch);
+        for (Index j = 0; draft != nullptr && j < layer.member_count(at.patch); ++j) {
+          draft->line(j)[at.row] = distance_of(at.patch, at.row, j);
+        }
+      }
+    }
+    tables.finish(group);
+  }
+  tables.hand_over();
+  return count;
+}
+
+void expect_filled(const PatchLayer& layer) {
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    EXPECT_EQ(layer.complete[p], 1);
+    for (Index i = 0; i < layer.border_size(p); ++i) {
+      for (Index j = 0; j < layer.member_count(p); ++j) {
+        EXPECT_NEAR(layer.distance(p, i, j), distance_of(p, i, j), 0.51 * layer.scale[p].unit());
+      }
+    }
+  }
+}
+
+TEST(TableFiller, EveryGroupIsRunOnceAndTheWaveIsNarrow) {
+  PatchLayer layer = squares(48, 12);
+  const std::vector<Index> groups = group_by_patches(layer, 4);
+  TableFiller tables(layer, TableRoom(layer.table_begin.back(), layer.patch_count), groups,
+                     TableFiller::Closure::symmetric, 1, {});
+  std::vector<Index> order(tables.left().begin(), tables.left().end());
+  EXPECT_EQ(run(tables, layer, groups, -1), static_cast<int>(groups.size()) - 1);
+  expect_filled(layer);
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], static_cast<Index>(i));
+  std::size_t all = 0;
+  for (Index p = 0; p < layer.patch_count; ++p) all += draft_bytes(layer, p);
+  EXPECT_LT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 3))
+      << "a wave over 12 x 12 patches from a corner is at most some 25 of them long";
+  EXPECT_GT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 144));
+}
+
+// Steps of the two scales, and distances inside parts that are much smaller than what they have grown
+// together with.
+
+TEST(TableScale, EvenStepsAreTheSameEverywhere) {
+  const TableScale scale = TableScale::even(3.0F, 32766);
+  EXPECT_FALSE(scale.is_graded());
+  EXPECT_EQ(scale.entry(3.0, 32766), 32766);
+  EXPECT_EQ(scale.entry(0.0, 32766), 0);
+  EXPECT_EQ(scale.entry(3.1, 32766), 32766);
+  for (double distance = 1e-4; distance <= 3.0; distance *= 1.1) {
+    EXPECT_NEAR(scale.distance(scale.entry(distance, 32766)), distance, 0.5001 * 3.0 / 32766.0);
+  }
+}
+
+TEST(TableScale, GradedStepsGrowWithTheRootOfTheRootOfTheCube) {
+  // A step at x^4 is 4 x^3 times a step of x, so relative errors are at most two steps of x over x.
+  for (double greatest : {1e-12, 3.0, 1e12}) {
+    const TableScale scale = TableScale::graded(static_cast<float>(greatest), 32766);
+    EXPECT_TRUE(scale.is_graded());
+    EXPECT_EQ(scale.entry(greatest, 32766), 32766);
+    EXPECT_EQ(scale.entry(0.0, 32766), 0);
+    EXPECT_EQ(scale.distance(0), 0.0F);
+    for (double part = 1.0; part >= 1e-12; part *= 0.7) {
+      const double distance = part * greatest;
+      EXPECT_NEAR(scale.distance(scale.entry(distance, 32766)), distance,
+                  2.01 / 32766.0 * std::pow(part, 0.75) * greatest + 1e-6 * distance);
+    }
+  }
+}
+
+TEST(TableScale, ATableOfOneDistanceZeroHasNoUnit) {
+  for (const TableScale scale : {TableScale::even(0.0F, 32766), TableScale::graded(0.0F, 32766)}) {
+    EXPECT_EQ(scale.entry(0.0, 32766), 0);
+    EXPECT_EQ(scale.distance(0), 0.0F);
+  }
+}
+
+TEST(TableScale, DistancesInASmallPartAreAsAccurateAsElsewhere) {
+  for (double ratio : {1e-4, 1e-7}) {
+    SCOPED_TRACE(ratio);
+    const auto index =
+        test::make_index(test::with_small_copy(test::plane_grid(20, 20, 1.0, 1.0, 0.2).soup, ratio), 3, 4);
+    const IndexData& data = index->data();
+    // Parts of the small copy lie in patches with parts of the large plane.
+    EXPECT_TRUE(std::ranges::any_of(data.second.scale, &TableScale::is_graded));
+    GeodesicQuery query(index, 1);
+    test::ErrorCollector fields;
+    test::ErrorCollector pairs;
+    const Index count = index->mesh()->vertex_count();
+    for (Index source : {3, 299, 500, 800}) {
+      const auto exact = exact_distance_field(index->mesh(), std::span(&source, 1));
+      const auto found = query.distance_field(std::span(&source, 1));
+      for (Index v = 0; v < count; ++v) {
+        fields.add(found[v], exact[v]);
+        if (v % 17 == 0) pairs.add(query.distance(source, v), exact[v]);
+      }
+    }
+    for (const test::ErrorCollector* errors : {&fields, &pairs}) {
+      EXPECT_EQ(errors->contradictions, 0U);
+      EXPECT_LT(errors->statistics().mean, 1e-3);
+      EXPECT_LT(errors->statistics().greatest, 0.05);
+      EXPECT_GT(errors->statistics().least, -0.05);
+    }
+  }
+}
+
+// The table of all first-layer nodes: symmetric, close to exact, left out where it would be too large.
+
+TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
+  // Flat squares, one 1e-8 as large: distances are straight lines.
+  const test::Soup soup =
+      test::two_components(test::plane_grid(8, 8, 1.0, 1.0).soup, test::plane_grid(8, 8, 1e-8, 1e-8).soup);
+  const auto index = test::make_index(soup, 6, 2);
+  const IndexData& data = index->data();
+  auto at = [&](Index node) { return data.work.mesh->position(data.first.node_vertex[node]); };
+  test::ErrorCollector errors;
+  for (Index a = 0; a < data.transit_table.count; ++a) {
+    for (Index b = 0; b < data.transit_table.count; ++b) {
+      const double found = data.transit_table.distance(a, b);
+      if (found == std::numeric_limits<float>::infinity()) continue;
+      errors.add(found, std::hypot(at(a)[0] - at(b)[0], at(a)[1] - at(b)[1]));
+    }
+  }
+  EXPECT_GT(errors.statistics().count, 1000U);
+  EXPECT_LT(errors.statistics().mean, 0.01);
+  EXPECT_GT(errors.statistics().least, -0.1);
+}
+
+// Bounds are never above what they bound, and close below it.
+
+TEST(AccessBounds, ToGroupsTheyAreTheLeastEntryRoundedDown) {
+  const auto index = test::make_index(test::hills(36, 0.15), 5, 4);
+  const IndexData& data = index->data();
+  const AccessBounds& bounds = data.access_bounds;
+  for (Index p = 0; p < data.second.patch_count; ++p) {
+    const Index parent = data.partition.parent[p];
+    const Index rows = data.second.border_size(p);
+    for (std::size_t g = 0; g < bounds.groups[parent].size(); ++g) {
+      const GroupRows& at = bounds.groups[parent][g];
+      for (Index row = 0; row < rows; ++row) {
+        const Index column = data.parent_column[data.second.border_begin[p] + row];
+        float least = std::numeric_limits<float>::max();
+        for (Index k = 0; k < data.transit_table.size(at.group); ++k) {
+          least = std::min(least, data.first.distance(parent, at.row + k, column));
+        }
+        const float unit = AccessBounds::unit(data.first.scale[parent]);
+        const float bound = unit * bounds.of_patch(p)[static_cast<Index>(g) * rows + row];
+        EXPECT_LE(bound, least * (1.0f + 1e-6f));
+        EXPECT_GT(bound + unit, least * (1.0f - 1e-6f));
+      }
+    }
+  }
+}
+
+TEST(AccessBounds, BetweenGroupsTheyAreBelowEveryDistanceOfTheTransitTable) {
+  const auto index = test::make_index(test::hills(36, 0.15), 5, 4);
+  const TransitTable& table = index->data().transit_table;
+  const AccessBounds& bounds = index->data().access_bounds;
+  for (Index q = 0; q < static_cast<Index>(bounds.groups.size()); ++q) {
+    for (Index p = 0; p <= q; ++p) {
+      for (std::size_t i = 0; i < bounds.groups[p].size(); ++i) {
+        const std::int16_t* row = bounds.between(p, q) + static_cast<Index>(i) * bounds.width(q);
+        for (std::size_t j = 0; j < bounds.groups[q].size(); ++j) {
+          const Index from = bounds.groups[p][i].group;
+          const Index to = bounds.groups[q][j].group;
+          const float bound = bounds.unit_between * static_cast<float>(row[j]);
+          float least = std::numeric_limits<float>::infinity();
+          for (Index a = table.group_begin[from]; a < table.group_begin[from + 1]; ++a) {
+            for (Index b = table.group_begin[to]; b < table.group_begin[to + 1]; ++b) {
+              least = std::min(least, table.distance(a, b));
+            }
+          }
+          EXPECT_LE(bound, least);
+          EXPECT_NEAR(bound, least, 1.01F * bounds.unit_between);
+        }
+      }
+    }
+  }
+}
+
+// Pieces of border edges: finer on coarser meshes, longer where tables have no room.
+
+Partition partition_of(const Mesh& mesh) { return make_partition(mesh, {0, 0, 0, 1}, {}); }
+
+/// Length of the longest piece, in roots of the area of the smaller patch beside it.
+double longest_piece(const Mesh& mesh, const Partition& partition, const std::vector<Index>& pieces) {
+  std::vector<double> area(partition.second_layer_count, 0.0);
+  for (Index f = 0; f < mesh.face_count(); ++f) area[partition.second_layer[f]] += mesh.face_area(f);
+  double longest = 0.0;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index p = partition.second_layer[Mesh::face_of(mesh.edge_halfedge(e))];
+    const Index q = partition.second_layer[Mesh::face_of(mesh.next_around_edge(mesh.edge_halfedge(e)))];
+    if (p == q) {
+      EXPECT_EQ(pieces[e], 1) << "edge " << e << " is inside a patch";
+      continue;
+    }
+    longest = std::max(longest, mesh.edge_length(e) / pieces[e] / std::sqrt(std::min(area[p], area[q])));
+  }
+  return longest;
+}
+
+TEST(BorderPieces, TablesKeepToTheirShare) {
+  // With the finest pieces the many needles of this wheel would take far more.
+  const auto mesh = test::make_mesh(test::gear(100, 32, 8.0));
+  const Partition partition = partition_of(*mesh);
+  const WorkMesh work = make_work_mesh(*mesh, partition);
+  const PatchLayer layer =
+      lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::lines);
+  EXPECT_GT(longest_piece(*mesh, partition, pieces_of_edges(*mesh, partition)), 0.03);
+  EXPECT_LE(static_cast<double>(layer.table_begin.back()), 1.02 * 360.0 * mesh->vertex_count());
+  EXPECT_GE(static_cast<double>(layer.table_begin.back()), 150.0 * mesh->vertex_count());
+}
+
+// The work mesh: the same surface as the user's, with points on patch borders only.
+
+struct Made {
+  std::shared_ptr<const Mesh> mesh;
+  Partition partition;
+  WorkMesh work;
+};
+
+Made make(const Soup& soup, Index n1, Index n2) {
+  Made made;
+  made.mesh = test::make_mesh(soup);
+  PartitionOptions options;
+  options.first_layer_patches = n1;
+  options.second_layer_patches = n2;
+  made.partition = make_partition(*made.mesh, options, {});
+  made.work = make_work_mesh(*made.mesh, made.partition);
+  return made;
+}
+
+void expect_sound(const Made& made) {
+  const auto& [mesh, partition, work] = made;
+  ASSERT_EQ(static_cast<Index>(work.second_layer.size()), work.mesh->face_count()) << "a face was left out";
+  EXPECT_TRUE(std::is_sorted(work.second_layer.begin(), work.second_layer.end()));
+  ASSERT_EQ(static_cast<Index>(work.work_vertex.size()), mesh->vertex_count());
+  ASSERT_EQ(static_cast<Index>(work.user_vertex.size()), work.mesh->vertex_count());
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    const Index w = work.work_vertex[v];
+    ASSERT_EQ(w == no_index, mesh->corners(v).empty()) << "vertex " << v;
+    if (w == no_index) continue;
+    EXPECT_EQ(work.user_vertex[w], v);
+    EXPECT_EQ(work.mesh->position(w), mesh->position(v));
+    EXPECT_EQ(test::patches_at(*work.mesh, work.second_layer, w),
+              test::patches_at(*mesh, partition.second_layer, v));
+  }
+  for (Index w = 0; w < work.mesh->vertex_count(); ++w) {
+    if (work.user_vertex[w] != no_index) continue;
+    EXPECT_GE(test::patches_at(*work.mesh, work.second_layer, w).size(), 2U) << "a new point inside a patch";
+  }
+  std::vector<double> area(partition.second_layer_count, 0.0);
+  std::vector<double> work_area(partition.second_layer_count, 0.0);
+  for (Index f = 0; f < mesh->face_count(); ++f) area[partition.second_layer[f]] += mesh->face_area(f);
+  for (Index f = 0; f < work.mesh->face_count(); ++f)
+    work_area[work.second_layer[f]] += work.mesh->face_area(f);
+  for (std::size_t p = 0; p < area.size(); ++p)
+    EXPECT_NEAR(work_area[p], area[p], 1e-9 * area[p]) << "patch " << p;
+}
+
+void expect_same_distances(const Made& made, double tolerance) {
+  for (Index source : test::random_vertices(made.mesh->vertex_count(), 3, 1)) {
+    if (made.work.work_vertex[source] == no_index) continue;
+    const auto expected = exact_distance_field(made.mesh, std::array{source});
+    const auto found = exact_distance_field(made.work.mesh, std::array{made.work.work_vertex[source]});
+    for (Index v = 0; v < made.mesh->vertex_count(); ++v) {
+      if (made.work.work_vertex[v] == no_index) continue;
+      const double distance = found[made.work.work_vertex[v]];
+      if (expected[v] == unreachable) {
+        ASSERT_EQ(distance, unreachable);
+      } else {
+        test::expect_near(distance, expected[v], *made.mesh, tolerance, "vertex " + std::to_string(v));
+      }
+    }
+  }
+}
+
+TEST(WorkMesh, TheSameSurface) {
+  const Soup two = test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7));
+  for (const Soup& soup :
+       {test::random_sphere(800, 2), test::hills(24, 0.2), test::with_flipped_faces(two, 3),
+        test::plane_grid(40, 3, 1.0, 1.0, 0.2).soup, test::book_of_three_pages(9, 2.0, 1.0).soup,
+        test::with_isolated_vertex(test::bow_tie(6).soup, {3, 3, 3})}) {
+    const Made made = make(soup, 3, 4);
+    expect_sound(made);
+    expect_same_distances(made, 1e-9);
+  }
+}
+
+TEST(WorkMesh, PatchesOfAFewNeedlesAddABoundedNumberOfPoints) {
+  Soup needles = test::plane_grid(17, 2, 1e-3, 1.0).soup;
+  const Made made = make(needles, 2, 2);
+  EXPECT_GT(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count());
+  EXPECT_LE(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count() + 128.0);
+  expect_sound(made);
+}
+
+// Vertices far outside the rest change neither the distances of others nor the time of a build; hubs, faces
+// without area and tables that contradict each other do not hold it up.
+
+struct Errors {
+  test::ErrorStatistics fields;    ///< of ordinary vertices from ordinary ones
+  test::ErrorStatistics pairs;     ///< the same for two points
+  test::ErrorStatistics outliers;  ///< fields of and from outliers
+};
+
+/// Errors against exact fields, from a few ordinary vertices and one outlier.
+Errors errors_of(const test::Soup& soup, const std::vector<Index>& outliers, Index n1 = 0, Index n2 = 0) {
+  const auto index = test::make_index(soup, n1, n2);
+  GeodesicQuery query(index, 1);
+  auto is_outlier = [&](Index v) { return std::ranges::find(outliers, v) != outliers.end(); };
+  const auto count = static_cast<Index>(soup.positions.size());
+  auto sources = test::random_vertices(count, 6, 4);
+  std::erase_if(sources, is_outlier);
+  if (!outliers.empty()) sources.push_back(outliers.front());
+  test::ErrorCollector fields;
+  test::ErrorCollector pairs;
+  test::ErrorCollector far;
+  for (Index source : sources) {
+    const auto exact = exact_distance_field(index->mesh(), std::span(&source, 1));
+    const auto found = query.distance_field(std::span(&source, 1));
+    for (Index v = 0; v < count; ++v) {
+      EXPECT_GE(found[v], 0.0) << v;
+      (is_outlier(v) || is_outlier(source) ? far : fields).add(found[v], exact[v]);
+      if (v % 17 == 0)
+        (is_outlier(v) || is_outlier(source) ? far : pairs).add(query.distance(source, v), exact[v]);
+    }
+  }
+  EXPECT_EQ(fields.contradictions + pairs.contradictions + far.contradictions, 0U);
+  return {fields.statistics(), pairs.statistics(), far.statistics()};
+}
+
+TEST(OutlierTables, OutliersChangeNoOtherDistance) {
+  const test::Soup plain = test::hills(32, 2.0);
+  const Errors before = errors_of(plain, {});
+  const auto outliers = test::random_vertices(static_cast<Index>(plain.positions.size()), 8, 9);
+  for (double edges : {1e2, 1e4, 1e7}) {
+    SCOPED_TRACE(edges);
+    test::Soup soup = plain;
+    const double edge = test::make_mesh(plain)->typical_edge_length();
+    for (Index v : outliers) soup.positions[v][2] -= edges * edge;
+    const Errors after = errors_of(soup, outliers);
+    EXPECT_LT(after.fields.mean, 2.0 * before.fields.mean);
+    EXPECT_LT(after.pairs.mean, 2.0 * before.pairs.mean + 1e-5);
+    EXPECT_LT(after.fields.greatest, 0.05);
+    EXPECT_GT(after.fields.least, -0.05);
+    EXPECT_LT(after.outliers.greatest, 0.01);
+    EXPECT_GT(after.outliers.least, -0.01);
+  }
+}
+
+TEST(OutlierTables, OutliersAreOnNoBorder) {
+  test::Soup soup = test::hills(32, 2.0);
+  for (Index v = 0; v < static_cast<Index>(soup.positions.size()); v += 37) soup.positions[v][2] += 1e6;
+  const auto index = test::make_index(soup, 4, 5);
+  const IndexData& data = index->data();
+  const Outliers outliers = find_outliers(*index->mesh());
+  ASSERT_GT(outliers.count, 25);
+  for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
+    if (!outliers.is_outlier(v)) continue;
+    EXPECT_EQ(data.second.vertex_node[data.work.work_vertex[v]], no_index) << v;
+  }
+  const float greatest = std::ranges::max(data.second.scale, {}, &TableScale::unit).unit();
+  EXPECT_LT(greatest * PatchLayer::greatest_entry, 100.0f * index->mesh()->typical_edge_length());
+}
+
+TEST(OutlierTables, ACornerFarAwayIsNoHurdle) {
+  const test::Soup plain = test::plane_grid(30, 30, 30.0, 30.0).soup;
+  for (double factor : {5e3, 1e4, 2e4, 1e12}) {
+    SCOPED_TRACE(factor);
+    test::Soup soup = plain;
+    for (double& coordinate : soup.positions.back()) coordinate *= factor;
+    const auto corner = static_cast<Index>(soup.positions.size()) - 1;
+    const Errors errors = errors_of(soup, {corner}, 4, 4);
+    EXPECT_LT(errors.fields.mean, 5e-4);
+    EXPECT_LT(errors.fields.greatest, 0.02);
+    EXPECT_GT(errors.fields.least, -0.02);
+  }
+}
+
+TEST(OutlierTables, ComponentsWithoutAreaAreBuiltAtOnce) {
+  // Quads with two sides and opposite diagonals.
+  const test::Soup quad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                        {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
+  test::Soup soup = quad;
+  for (int i = 0; i < 20; ++i) soup = test::two_components(soup, quad);
+  const auto index = test::make_index(soup);
+  GeodesicQuery query(index, 1);
+  EXPECT_NEAR(query.distance(0, 2), std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(query.distance(0, 4), unreachable);
+}
+
+TEST(OutlierTables, AFanOfNeedlesCostsItsFaces) {
+  // A flat disc: two points of the rim see each other along the chord, which the polygon cuts by less than
+  // 1e-6.
+  constexpr int needles = 4000;
+  auto angle = [](Index v) { return 2.0 * std::acos(-1.0) * (v - 1) / needles; };
+  const auto index = test::make_index(test::needle_disc(needles));
+  GeodesicQuery query(index, 1);
+  for (Index v : {2, 50, 700, 1999, 2500}) {
+    const double chord = 2.0 * std::sin(0.5 * (angle(v) - angle(1)));
+    EXPECT_NEAR(query.distance(1, v), chord, 0.01 * chord) << v;
+    EXPECT_NEAR(query.distance(0, v), 1.0, 1e-9) << v;
+  }
+}
+
+}  // namespace
+}  // namespace vorogeo

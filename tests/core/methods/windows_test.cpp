@@ -1,0 +1,234 @@
+// Methods by windows: exact ones, merged windows, virtual sources and the tree of windows.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "exact/virtual_sources.h"
+#include "methods/chen_han.h"
+#include "methods/window_methods.h"
+#include "support/indexes.h"
+#include "support/methods.h"
+#include "support/ply.h"
+
+namespace vorogeo {
+namespace {
+
+// The exact method on shapes with a closed form.
+
+TEST(MmpMethod, IsExactOnABoxAndOnASaddle) {
+  for (const test::Shape& shape :
+       {test::box({1.0, 1.7, 3.1}, 5), test::cone(12, 5, 2.6 * std::numbers::pi, 2.0),
+        test::plane_with_slit(3)}) {
+    const auto field = test::method_field("mmp", test::make_mesh(shape.soup), {11});
+    for (Index v = 0; v < static_cast<Index>(field.size()); ++v) {
+      EXPECT_NEAR(field[v], shape.vertex_distance(11, v), 1e-11) << v;
+    }
+  }
+}
+
+// CH and ICH are exact, and CH warns before large meshes.
+
+void expect_exact(const std::string& method, const test::Soup& soup, const MethodOptions& options = {}) {
+  const auto mesh = test::make_mesh(soup);
+  const auto exact = exact_distance_field(mesh, std::vector<Index>{11, 20});
+  const auto field = test::method_field(method, mesh, {11, 20}, options);
+  for (Index v = 0; v < mesh->vertex_count(); ++v)
+    ASSERT_NEAR(field[v], exact[v], 1e-9 * (1.0 + exact[v])) << v;
+}
+
+TEST(ChenHanMethods, AreExact) {
+  for (const test::Soup& soup :
+       {test::icosphere(2), test::hills(10, 0.6), test::drilled_plate(1, 1, 0.4, 3), test::gear(8, 8, 0.5),
+        test::with_flipped_faces(test::torus(12, 8, 2.0, 0.7), 3)}) {
+    expect_exact("ich", soup);
+    expect_exact("ich", soup, {{"order", 0.0}});
+  }
+  expect_exact("ch", test::icosphere(2));
+  expect_exact("ch", test::hills(8, 0.6));
+}
+
+TEST(ChenHanMethods, AreExactOnAScan) {
+  VOROGEO_READ_OR_SKIP(soup, "spot");
+  expect_exact("ich", soup);
+}
+
+TEST(ChenHanMethods, ChWarnsBeforeLargeMeshes) {
+  const auto& warning = method_named("ch").warning;
+  EXPECT_EQ(warning(*test::make_mesh(test::icosphere(3))), "");
+  EXPECT_NE(
+      warning(*test::make_mesh(test::icosphere(5))).find("up to 4.2e+08 windows on this mesh of 20480 faces"),
+      std::string::npos);
+}
+
+// Merged windows: the error that the method promises, and what the tolerance buys.
+
+/// Distances are off by no more than eps typical edges for each edge that the shortest path crosses.
+void expect_promise(const test::Soup& soup, double eps) {
+  const auto mesh = test::make_mesh(soup);
+  const auto field = test::method_field("ammp", mesh, {1}, {{"eps", eps}});
+  ExactSolver solver(mesh);
+  solver.run_from_vertices(std::vector<Index>{1});
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    const auto path = solver.path_to_source(SurfacePoint::at_vertex(v));
+    const double promised = eps * mesh->typical_edge_length() * static_cast<double>(path.points.size());
+    ASSERT_NEAR(field[v], solver.distance(v), promised + 1e-9) << v;
+  }
+}
+
+TEST(AmmpMethod, KeepsItsPromise) {
+  for (double eps : {1e-4, 1e-3, 1e-2}) {
+    expect_promise(test::icosphere(4), eps);
+    expect_promise(test::hills(40, 0.4), eps);
+    expect_promise(test::torus(40, 20, 2.0, 0.7), eps);
+    expect_promise(test::random_sphere(600, 3), eps);
+    expect_promise(test::drilled_plate(3, 2, 0.4, 5), eps);
+    expect_promise(test::gear(16, 10, 0.5), eps);
+  }
+}
+
+TEST(AmmpMethod, WithoutToleranceIsExact) {
+  const auto errors =
+      test::errors_against_exact("ammp", test::make_mesh(test::hills(30, 0.4)), 7, {{"eps", 0.0}});
+  EXPECT_EQ(errors.greatest, 0.0);
+}
+
+TEST(AmmpMethod, ReusesNothingForTheNextSource) {
+  // The weakness that the literature names: what a source costs is paid for every source.
+  WindowRuns runs(test::make_mesh(test::icosphere(4)), 3e-4);
+  runs.field(std::vector<Index>{7}, {});
+  const std::size_t windows = runs.window_count();
+  for (const Index source : {8, 100, 7}) {
+    runs.field(std::vector<Index>{source}, {});
+    EXPECT_GT(runs.window_count(), windows / 2) << source;
+  }
+  EXPECT_EQ(runs.window_count(), windows);
+}
+
+TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {
+  VOROGEO_READ_OR_SKIP(soup, "bunny");
+  const auto errors = test::errors_against_exact("ammp", test::make_mesh(soup), 5);
+  EXPECT_LT(errors.mean, 6e-5);
+  EXPECT_LT(errors.greatest, 3e-4);
+}
+
+// Virtual sources as a method: vertices in, distances out; what they are is tested with core/exact.
+
+TEST(GspMethod, GivesTheDistancesOfVirtualSources) {
+  const auto mesh = test::make_mesh(test::icosphere(3));
+  const auto field = test::method_field("gsp", mesh, {3, 100});
+  VirtualSources runs(mesh);
+  const std::vector<ExactSource> sources{{SurfacePoint::at_vertex(3)}, {SurfacePoint::at_vertex(100)}};
+  runs.run(sources);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_EQ(field[v], runs.distance(v));
+}
+
+TEST(GspMethod, GoesRoundAnEndOfASlit) {
+  const auto mesh = test::make_mesh(test::plane_with_slit(8).soup);
+  EXPECT_LT(test::errors_against_exact("gsp", mesh, 3).mean, 0.003);
+}
+
+// Fields and pairs by windows.
+
+TEST(WindowRuns, FieldsAndPairsOfAPlaneAreStraight) {
+  const auto shape = test::plane_grid(14, 11, 4.0, 3.0, 0.24, 7);
+  WindowRuns runs(test::make_mesh(shape.soup), 0.0);
+  const std::vector<Index> source{40};
+  const auto field = runs.field(source, {});
+  for (Index v = 0; v < static_cast<Index>(field.size()); ++v) {
+    EXPECT_NEAR(field[v], shape.vertex_distance(40, v), 1e-12);
+  }
+  EXPECT_NEAR(runs.pair(3, 100), shape.vertex_distance(3, 100), 1e-12);
+  EXPECT_GT(runs.bytes(), 1000u);
+}
+
+TEST(WindowRuns, MergingMakesFewerWindows) {
+  const auto mesh = test::make_mesh(test::icosphere(5));
+  WindowRuns exact(mesh, 0.0);
+  WindowRuns merged(mesh, 3e-4);
+  const std::vector<Index> source{0};
+  exact.field(source, {});
+  merged.field(source, {});
+  EXPECT_LT(2 * merged.window_count(), exact.window_count());
+}
+
+// The tree of windows against closed forms, and direct geodesics alone.
+
+WindowTree tree_on(const test::Soup& soup) {
+  return WindowTree(std::make_shared<const ExactGeometry>(test::make_mesh(soup)));
+}
+
+TEST(WindowTree, IsExactOnClosedForms) {
+  for (const test::Shape& shape :
+       {test::plane_grid(9, 7, 4.0, 3.0, 0.24, 7), test::box({1.0, 1.7, 3.1}, 4),
+        test::cone(9, 4, 1.5 * std::numbers::pi, 2.0), test::cone(12, 4, 2.6 * std::numbers::pi, 2.0),
+        test::book_of_three_pages(4, 2.0, 1.0), test::bow_tie(3), test::plane_with_slit(2)}) {
+    WindowTree tree = tree_on(shape.soup);
+    for (Index source : {0, 13}) {
+      tree.run({&source, 1}, {});
+      for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
+        ASSERT_NEAR(tree.distance(v), shape.vertex_distance(source, v), 1e-9) << source << " to " << v;
+      }
+    }
+  }
+}
+
+TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {
+  const test::Soup soup = test::torus(14, 9, 2.0, 0.8);
+  WindowTree tree = tree_on(soup);
+  const Index source = 5;
+  tree.run({&source, 1}, {});
+  std::vector<double> expected;
+  for (Index v = 0; v < static_cast<Index>(soup.positions.size()); ++v) expected.push_back(tree.distance(v));
+  const std::size_t fewest = tree.window_count();
+  for (const auto& [ordered, filtered] : {std::pair{true, false}, {false, true}, {false, false}}) {
+    TreeRules rules;
+    rules.ordered = ordered;
+    rules.filtered = filtered;
+    tree.run({&source, 1}, rules);
+    for (std::size_t v = 0; v < expected.size(); ++v) ASSERT_NEAR(tree.distance(v), expected[v], 1e-9);
+    EXPECT_GT(tree.window_count(), fewest);
+  }
+}
+
+TEST(WindowTree, WithoutBendsSeesOnlyWhatIsStraightAhead) {
+  // Behind the slit nothing is seen directly; round its ends there is.
+  const test::Shape shape = test::plane_with_slit(4);
+  WindowTree tree = tree_on(shape.soup);
+  TreeRules rules;
+  rules.bends = false;
+  Index source = no_index;
+  for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
+    const Point& p = shape.soup.positions[v];
+    if (std::hypot(p[0], p[1] - 0.5) < 1e-9) source = v;
+  }
+  ASSERT_NE(source, no_index);
+  tree.run({&source, 1}, rules);
+  for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
+    const Point& p = shape.soup.positions[v];
+    const double straight = distance_between(p, shape.soup.positions[source]);
+    const double true_distance = shape.vertex_distance(source, v);
+    if (true_distance > straight + 1e-9) {
+      EXPECT_EQ(tree.distance(v), unreachable) << p[0] << " " << p[1];
+    } else {
+      EXPECT_NEAR(tree.distance(v), straight, 1e-9);
+    }
+  }
+}
+
+TEST(WindowTree, EndsAtTheNearestVertices) {
+  const test::Shape shape = test::plane_grid(20, 20, 1.0, 1.0, 0.2);
+  WindowTree tree = tree_on(shape.soup);
+  TreeRules rules;
+  rules.bends = false;
+  rules.max_vertices = 30;
+  const Index source = 220;
+  tree.run({&source, 1}, rules);
+  ASSERT_EQ(tree.settled().size(), 31u);
+  std::vector<double> all;
+  for (Index v = 0; v < 441; ++v) all.push_back(shape.vertex_distance(source, v));
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < 31; ++i) EXPECT_NEAR(tree.distance(tree.settled()[i]), all[i], 1e-12);
+}
+
+}  // namespace
+}  // namespace vorogeo

@@ -1,0 +1,177 @@
+// Minimum cuts, and borders between patches after them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "patches/border_cut.h"
+#include "support/indexes.h"
+#include "support/parallel.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+// Minimum cuts: against all cuts of small graphs, and by the maximum flow through a grid.
+
+struct Edge {
+  Index a;
+  Index b;
+  std::int64_t capacity;
+};
+
+template <class BesideSource>
+std::int64_t capacity_of_cut(const std::vector<Edge>& edges, BesideSource&& beside_source) {
+  std::int64_t sum = 0;
+  for (const Edge& edge : edges) {
+    if (beside_source(edge.a) != beside_source(edge.b)) sum += edge.capacity;
+  }
+  return sum;
+}
+
+TEST(MinCut, NoOtherCutOfARandomGraphIsCheaper) {
+  MinCut cut;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::mt19937 random(seed);
+    constexpr unsigned nodes = 8;
+    std::vector<Edge> edges;
+    for (int i = 0; i < 16; ++i) {
+      const auto a = static_cast<Index>(random() % nodes);
+      const auto b = static_cast<Index>(random() % nodes);
+      if (a != b) edges.push_back({a, b, static_cast<std::int64_t>(random() % 10)});
+    }
+    cut.reset(nodes);
+    for (const Edge& edge : edges) cut.join(edge.a, edge.b, edge.capacity);
+    const std::int64_t found = cut.run();
+    EXPECT_TRUE(cut.beside_source(MinCut::source));
+    EXPECT_FALSE(cut.beside_source(MinCut::sink));
+    EXPECT_EQ(found, capacity_of_cut(edges, [&](Index node) { return cut.beside_source(node); }));
+    for (unsigned set = 0; set < 1U << nodes; ++set) {
+      if ((set & 1U) == 0 || (set & 2U) != 0) continue;
+      const auto other = capacity_of_cut(edges, [&](Index node) { return (set >> node & 1U) != 0; });
+      ASSERT_LE(found, other) << "seed " << seed;
+    }
+  }
+}
+
+TEST(MinCut, NothingPassesBetweenPartsThatAreNotJoined) {
+  MinCut cut;
+  cut.reset(4);
+  cut.join(MinCut::source, 2, 5);
+  cut.join(3, MinCut::sink, 5);
+  EXPECT_EQ(cut.run(), 0);
+  EXPECT_TRUE(cut.beside_source(2));
+  EXPECT_FALSE(cut.beside_source(3));
+}
+
+TEST(MinCut, AStripBreaksAtItsNarrowestPlace) {
+  // Node 2 + 10 i + j of a strip 40 long and 10 wide; in column 17 each arc is the cheapest by one.
+  constexpr Index length = 40;
+  constexpr Index width = 10;
+  MinCut cut;
+  cut.reset(2 + length * width);
+  auto node = [&](Index i, Index j) { return 2 + width * i + j; };
+  for (Index j = 0; j < width; ++j) {
+    cut.join(MinCut::source, node(0, j), 100);
+    cut.join(node(length - 1, j), MinCut::sink, 100);
+    for (Index i = 0; i + 1 < length; ++i) cut.join(node(i, j), node(i + 1, j), i == 17 ? 6 : 7);
+    for (Index i = 0; i < length && j + 1 < width; ++i) cut.join(node(i, j), node(i, j + 1), 9);
+  }
+  EXPECT_EQ(cut.run(), 6 * width);
+  for (Index i = 0; i < length; ++i) EXPECT_EQ(cut.beside_source(node(i, 3)), i <= 17);
+}
+
+// Borders after minimum cuts: their lengths by formula, round needles, only the faces asked for.
+
+std::vector<Index> all_faces(const Mesh& mesh) {
+  std::vector<Index> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
+}
+
+/// Edges between faces with different labels, and their length.
+struct Border {
+  int edges = 0;
+  double length = 0.0;
+};
+Border border_of(const Mesh& mesh, const std::vector<Index>& label) {
+  Border border;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.edge_halfedge(e);
+    const Index other = mesh.next_around_edge(h);
+    if (label[Mesh::face_of(h)] == label[Mesh::face_of(other)]) continue;
+    ++border.edges;
+    border.length += mesh.edge_length(e);
+  }
+  return border;
+}
+
+/// A label for each face of a grid, by the column and row of its cell.
+template <class LabelOf>
+std::vector<Index> grid_labels(const Mesh& mesh, Index columns, LabelOf&& label_of) {
+  std::vector<Index> label(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) label[f] = label_of(f / 2 % columns, f / 2 / columns);
+  return label;
+}
+
+TEST(BorderCut, ARaggedBorderOfAGridBecomesStraight) {
+  const auto mesh = test::make_mesh(test::plane_grid(20, 20, 20.0, 20.0).soup);
+  // Teeth of two cells: 20 + 18 edges and more where a tooth is wide.
+  auto label = grid_labels(*mesh, 20, [](Index i, Index j) { return i < 10 + (j / 2 % 2 == 0 ? 1 : -1); });
+  EXPECT_EQ(border_of(*mesh, label).edges, 20 + 2 * 9);
+  BorderCut(*mesh).shorten(all_faces(*mesh), 2, 400.0, {}, label);
+  EXPECT_EQ(border_of(*mesh, label).edges, 20);
+  EXPECT_DOUBLE_EQ(border_of(*mesh, label).length, 20.0);
+}
+
+TEST(BorderCut, ABorderGoesRoundNeedles) {
+  const auto mesh = test::make_mesh(test::plane_grid(4, 200, 200.0, 10.0).soup);
+  // All faces are needles, 50 long and 0.05 high. Along them a border needs 4 long edges; across, 200 short
+  // ones.
+  const Index rows = 200;
+  auto label = grid_labels(*mesh, 4, [&](Index i, Index j) { return j < rows / 2 + (i % 2 == 0 ? 5 : -5); });
+  const Border before = border_of(*mesh, label);
+  EXPECT_GT(before.edges, 30);
+  BorderCut(*mesh).shorten(all_faces(*mesh), 2, 800.0, {}, label);
+  // Diagonals are hardly longer.
+  EXPECT_EQ(border_of(*mesh, label).edges, 4);
+  EXPECT_NEAR(border_of(*mesh, label).length, 200.0, 1e-3);
+}
+
+TEST(BorderCut, NoPatchVanishesAndNoBorderBecomesDearer) {
+  const auto mesh = test::make_mesh(test::random_sphere(1500, 3));
+  std::vector<Index> label(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const Point& at = mesh->position(mesh->face_vertices(f)[0]);
+    label[f] = (at[0] > 0.0 ? 1 : 0) + (at[1] > 0.0 ? 2 : 0) + (at[2] > 0.9 ? 4 : 0);
+  }
+  const Border before = border_of(*mesh, label);
+  std::vector<Index> old_size(8, 0);
+  for (Index l : label) ++old_size[l];
+  BorderCut(*mesh).shorten(all_faces(*mesh), 8, 375.0, {}, label);
+  const Border after = border_of(*mesh, label);
+  EXPECT_LT(after.edges, 0.9 * before.edges);
+  EXPECT_LT(after.length, before.length);
+  std::vector<Index> size(8, 0);
+  for (Index l : label) ++size[l];
+  for (int l = 0; l < 8; ++l) EXPECT_GT(size[l], 0.3 * old_size[l]) << l;
+}
+
+TEST(BorderCut, PagesOfABookMakeARing) {
+  // Three patches one after the other, and a page of the first in the middle of the second.
+  constexpr Index pages = 20'000;
+  const auto mesh = test::make_mesh(test::book_of_pages(pages));
+  std::vector<Index> label(pages);
+  for (Index f = 0; f < pages; ++f) label[f] = f < 5000 || f == 8000 ? 0 : f < 12'000 ? 2 : 1;
+  const double start = thread_seconds();
+  BorderCut(*mesh).shorten(all_faces(*mesh), 3, 6000.0, {}, label);
+  // Quadratic work would take seconds.
+  EXPECT_LT(thread_seconds() - start, 0.5);
+  EXPECT_EQ(label[8000], 2);
+  for (Index patch : {0, 1, 2}) EXPECT_GT(std::ranges::count(label, patch), 1000) << patch;
+}
+
+}  // namespace
+}  // namespace vorogeo
