@@ -1,26 +1,22 @@
-// Exact paths: traced, from one point to many, bounded by landmarks; and what is a path.
+// Exact paths: traced, and from one point to many; and what is a path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
-#include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
 #include "exact/paths_from_point.h"
 #include "exact/surface_path.h"
 #include "mesh/metric.h"
-#include "query/path_query.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/near.h"
 #include "support/path_check.h"
 #include "support/ply.h"
 #include "support/shapes.h"
-#include "tasks/distance_matrix.h"
 
 namespace vorogeo {
 namespace {
@@ -253,106 +249,6 @@ TEST(SurfacePath, StepsOverGapsAreMarked) {
                           SurfacePoint::at_vertex(6)};
   EXPECT_EQ(steps_over_gaps(mesh, points), (std::vector<bool>{false, true, false, false}));
   EXPECT_EQ(steps_over_gaps(Mesh(soup.positions, soup.faces), points), std::vector<bool>(4, false));
-}
-
-// Bounds by landmarks: never above the exact distance, close to it behind a landmark, harmless elsewhere.
-
-std::shared_ptr<const Mesh> ring() { return test::make_mesh(test::torus(60, 40, 2.0, 0.8)); }
-
-std::shared_ptr<const Mesh> two_spheres(int subdivisions) {
-  return test::make_mesh(test::two_components(test::icosphere(subdivisions), test::icosphere(subdivisions)));
-}
-
-TEST(ExactLandmarks, BoundsAreNeverAboveTheDistance) {
-  const auto mesh = ring();
-  std::vector<std::vector<double>> fields;
-  for (const Index v : {0, 700, 1400}) fields.push_back(exact_distance_field(mesh, std::array{v}));
-  const ExactLandmarks landmarks(fields);
-  EXPECT_EQ(landmarks.count(), 3);
-  std::mt19937 random(5);
-  ExactSolver solver(mesh);
-  for (int i = 0; i < 20; ++i) {
-    const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
-    const SurfacePoint point = i % 2 == 0 ? SurfacePoint::at_vertex(mesh->face_vertices(face)[1])
-                                          : SurfacePoint::in_face(face, {0.2, 0.5, 0.3});
-    const ExactSource source{point};
-    solver.run(std::span(&source, 1));
-    const auto seen = landmarks.seen_from(*mesh, point);
-    for (Index v = 0; v < mesh->vertex_count(); v += 7) {
-      EXPECT_LE(landmarks.least_distance(v, seen), solver.distance(v) * (1.0 + 1e-12));
-    }
-    // At a landmark the bound is its own distance, up to the width of a face.
-    const double width = point.is_vertex() ? 1e-5 : mesh->mean_edge_length();
-    EXPECT_GE(landmarks.least_distance(700, seen), solver.distance(700) - width);
-  }
-}
-
-TEST(ExactLandmarks, ExactPathsKeepTheirLengthAndFollowFewerWindows) {
-  const auto mesh = ring();
-  const auto fields = std::vector{exact_distance_field(mesh, std::array<Index, 1>{0}),
-                                  exact_distance_field(mesh, std::array<Index, 1>{900})};
-  const ExactLandmarks landmarks(fields);
-  std::mt19937 random(3);
-  ExactSolver solver(mesh);
-  std::size_t plain = 0;
-  std::size_t bounded = 0;
-  for (int i = 0; i < 30; ++i) {
-    const auto target = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count()));
-    const auto source = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count()));
-    const double exact = exact_distance_field(mesh, std::array{source})[target];
-    ExactLimits limits;
-    limits.corridor_target = target;
-    limits.max_distance = exact * (1.0 + 1e-9);
-    solver.run_from_vertices(std::array{source}, limits);
-    EXPECT_NEAR(solver.distance(target), exact, 1e-11 * exact);
-    plain += solver.window_count();
-    limits.landmarks = &landmarks;
-    solver.run_from_vertices(std::array{source}, limits);
-    EXPECT_NEAR(solver.distance(target), exact, 1e-11 * exact);
-    bounded += solver.window_count();
-  }
-  EXPECT_LT(bounded, plain);
-}
-
-TEST(ExactLandmarks, WithAnIndexPathsStayExactAndCertified) {
-  const auto mesh = ring();
-  const auto index = GeodesicIndex::build(mesh, {});
-  PathQuery plain(index);
-  PathQuery query(index);
-  query.use_landmarks(landmarks_of(index, 6, 2));
-  std::mt19937 random(8);
-  for (int i = 0; i < 60; ++i) {
-    const auto a =
-        SurfacePoint::at_vertex(static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count())));
-    const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
-    const auto b = SurfacePoint::in_face(face, {0.1, 0.2, 0.7});
-    const ExactPath found = query.exact_path(a, b);
-    EXPECT_TRUE(found.certified);
-    const double expected = plain.exact_path(a, b).path.length;
-    EXPECT_NEAR(found.path.length, expected, 1e-9 * expected);
-  }
-}
-
-TEST(ExactLandmarks, OtherComponentsAreNotHarmed) {
-  const auto mesh = two_spheres(2);
-  const auto index = GeodesicIndex::build(mesh, {});
-  PathQuery query(index);
-  query.use_landmarks(landmarks_of(index, 4, 1));
-  for (const Index target : {1, 30, 100}) {
-    for (const Index shift : {Index{0}, mesh->vertex_count() / 2}) {
-      const auto a = SurfacePoint::at_vertex(shift);
-      const auto b = SurfacePoint::at_vertex(shift + target);
-      const double exact = exact_distance_field(mesh, std::array{shift})[shift + target];
-      EXPECT_NEAR(query.exact_path(a, b).path.length, exact, 1e-9 * exact);
-    }
-  }
-}
-
-TEST(ExactLandmarks, TheirNumberIsChecked) {
-  const auto index = GeodesicIndex::build(two_spheres(1), {});
-  EXPECT_THROW(landmarks_of(index, 0), InvalidInput);
-  EXPECT_THROW(landmarks_of(index, ExactLandmarks::max_count + 1), InvalidInput);
-  EXPECT_THROW(ExactLandmarks(std::span<const std::vector<double>>{}), InvalidInput);
 }
 
 }  // namespace
