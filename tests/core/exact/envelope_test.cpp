@@ -325,7 +325,7 @@ TEST(WindowEnvelope, WindowsThatTieInOnePartAreCutWhereTheyPartWherever) {
   }
 }
 
-// The memory of an envelope: lists grow, are dropped and cleared without affecting one another.
+// The memory of an envelope: what does not fit is refused.
 
 /// Adds the stretch [begin, end] of an edge seen from below its middle.
 void add(WindowEnvelope& envelope, Index edge, double begin, double end) {

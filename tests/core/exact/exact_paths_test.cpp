@@ -127,7 +127,7 @@ TEST(PathTracing, AlongARimABillionthAsLongAsItsSpokes) {
   }
 }
 
-// Paths from one point to many: closed forms, independence of the order of targets, other components.
+// Paths from one point to many: cancelled, from points that do not exist, and to dear faces.
 
 TEST(PathsFromPoint, CancelledAndBadPoints) {
   const auto mesh = test::make_mesh(test::plane_grid(60, 60, 1.0, 1.0).soup);

@@ -23,7 +23,7 @@
 namespace vorogeo {
 namespace {
 
-// Exact solver: distances against closed forms, several sources, unreachable places, errors.
+// Distances against closed forms, on real meshes, at other scales and in second runs.
 
 using test::expect_near;
 using test::Shape;
@@ -176,7 +176,7 @@ TEST(ExactSolver, RealMeshesObeyTheTriangleInequalityAlongEdgesAndSymmetry) {
   }
 }
 
-// Limits of the exact solver: bounded distance, targets, allowed faces.
+// Limits: bounded distance, targets, allowed faces, corridors.
 
 TEST(ExactLimits, BoundSavesWork) {
   const auto mesh = test::make_mesh(test::plane_grid(60, 60, 2.0, 2.0, 0.2).soup);

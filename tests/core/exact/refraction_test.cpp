@@ -201,7 +201,7 @@ TEST(WeightedCrossing, DistancesGrowWithTheMesh) {
   EXPECT_EQ(distances(soup, 0x1p180, costs), found);
 }
 
-// Layouts and points of faces with sides of their own.
+// Faces with sides of their own: lengths whose products leave the range of numbers.
 
 TEST(FaceNorms, RefusesLengthsThatProductsLeave) {
   auto norms = [](double side) {

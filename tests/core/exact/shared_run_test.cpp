@@ -161,7 +161,7 @@ TEST(SharedRun, IsCancelledAndReportsProgress) {
   EXPECT_EQ(solver.distance(1), farthest);
 }
 
-// Territories: every owner has its share, and whoever works beside a vertex is told its distance.
+// Territories: small parts are not divided, and books of thousands of pages are no hurdle.
 
 TEST(Territories, PartsMuchSmallerThanAnEdgeHaveOneOwner) {
   const test::Soup large = test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup;

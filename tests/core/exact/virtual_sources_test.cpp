@@ -1,4 +1,4 @@
-// Virtual sources: exact on a plane up to bends, good on curved surfaces, with sources of every kind.
+// Virtual sources: exact on a plane up to bends, good on curved surfaces.
 #include "exact/virtual_sources.h"
 
 #include <gtest/gtest.h>

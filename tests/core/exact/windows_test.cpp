@@ -20,17 +20,7 @@
 namespace vorogeo {
 namespace {
 
-// Windows: distances by Pythagoras, and where a vertex overtakes.
-
-Window window(double begin, double end, double source_x, double source_y, double offset) {
-  Window w{};
-  w.begin = begin;
-  w.end = end;
-  w.source_x = source_x;
-  w.source_y = source_y;
-  w.offset = offset;
-  return w;
-}
+// Where a vertex overtakes a window.
 
 TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
   std::mt19937 random(2);
@@ -50,7 +40,7 @@ TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
   }
 }
 
-// Faces unfolded next to their edges, and the corners around vertices.
+// Where paths bend, and from which end of an edge positions count.
 
 using std::numbers::pi;
 
@@ -89,7 +79,7 @@ TEST(ExactGeometry, PositionsCountFromTheEndThatIsNoOutlier) {
   EXPECT_EQ(long_edges, 10);
 }
 
-// Where windows begin: sectors behind bends, and vertices that lie on an edge.
+// Windows that begin at a vertex that lies on an edge.
 
 TEST(Emission, AVertexInTheMiddleOfAnEdgeOfAFaceWithoutAreaLightsAllOfIt) {
   // The source in a plane sees everything by straight lines. A vertex on such a line is the middle of the

@@ -28,7 +28,7 @@
 namespace vorogeo {
 namespace {
 
-// Building an index: options, statistics, determinism, progress and cancelling, defects, refusals.
+// Options, statistics, determinism, progress and cancelling, refusals.
 
 using test::Soup;
 
@@ -323,7 +323,7 @@ TEST(BuildEstimate, RefusesAMeshWithoutFacesAndIsCancelled) {
   EXPECT_THROW(estimate_build(test::make_mesh(test::icosphere(3)), {}, true, stop), Cancelled);
 }
 
-// The two forms: which is chosen, that both answer everything, and the refusal of a budget that is too small.
+// The two forms: which is chosen, and the refusal of a budget that is too small.
 
 constexpr double mib = 1 << 20;
 

@@ -25,7 +25,7 @@
 namespace vorogeo {
 namespace {
 
-// Halo and local tables: the rim around patches, and distances against exact ones over the whole mesh.
+// Local tables: in a plane, distances are straight lines.
 
 using test::Soup;
 
@@ -64,8 +64,7 @@ TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
   EXPECT_GT(found.least, -1e-6);
 }
 
-// Tables filled in a wave over the patches: every run once, few drafts at a time, and parts that are there
-// are kept.
+// Tables filled in a wave over the patches: every run once, few drafts at a time.
 
 /// A plane of cells x cells cells in squares of `width` x `width` patches.
 PatchLayer squares(int cells, int width) {
@@ -199,7 +198,7 @@ TEST(TableScale, DistancesInASmallPartAreAsAccurateAsElsewhere) {
   }
 }
 
-// The table of all first-layer nodes: symmetric, close to exact, left out where it would be too large.
+// The transit table: small parts keep their digits.
 
 TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
   // Flat squares, one 1e-8 as large: distances are straight lines.
@@ -273,7 +272,7 @@ TEST(AccessBounds, BetweenGroupsTheyAreBelowEveryDistanceOfTheTransitTable) {
   }
 }
 
-// Pieces of border edges: finer on coarser meshes, longer where tables have no room.
+// Pieces of border edges: as long as the share of the tables asks for.
 
 Partition partition_of(const Mesh& mesh) { return make_partition(mesh, {0, 0, 0, 1}, {}); }
 

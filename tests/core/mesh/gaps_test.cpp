@@ -1,11 +1,12 @@
 // Bridged gaps: distances as on the whole surface, nothing joined that the rule forbids.
+#include "mesh/gaps.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/exact_solver.h"
-#include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"

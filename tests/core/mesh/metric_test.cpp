@@ -520,7 +520,7 @@ TEST(FaceSplits, FacesWithoutWidthAreShortenedInstead) {
   EXPECT_DOUBLE_EQ(found.sides[0][2], 6.0);
 }
 
-// Points of faces that are split: where they lie in space does not depend on how they are named.
+// Values of vertices on faces that are split.
 
 struct SplitGrid {
   SplitGrid() {

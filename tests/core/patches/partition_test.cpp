@@ -21,7 +21,7 @@
 namespace vorogeo {
 namespace {
 
-// Sample vertices: how many, how far apart, one in each piece, the same for a seed.
+// Sample vertices: how far apart, one in each piece, the same for a seed.
 
 std::vector<Index> all_vertices(const Mesh& mesh) {
   std::vector<Index> vertices;
@@ -83,7 +83,7 @@ TEST(Sampling, EachPieceGetsASample) {
   for (Index v : all_vertices(*mesh)) EXPECT_GE(edge_count[v], 0) << "no sample reaches vertex " << v;
 }
 
-// Voronoi labels of faces: nearest samples by formula, short borders, only the faces asked for.
+// Voronoi labels of faces: short borders, and no face alone.
 
 std::vector<Index> all_faces(const Mesh& mesh) {
   std::vector<Index> faces(mesh.face_count());
@@ -345,7 +345,7 @@ TEST(Partition, CancelledAtAnyReport) {
   }
 }
 
-// The rim around patches: what is marked, where it ends, and that marks are cleared.
+// The rim around patches, widened on both sides.
 
 TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);

@@ -1,4 +1,4 @@
-// Queries of an index: laws of distances, and the errors that docs/accuracy.md states.
+// Queries of an index: laws of distances, and the documented errors.
 #include "query/geodesic_query.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 namespace vorogeo {
 namespace {
 
-// Queries: laws of distances, several sources, limits, components, threads and refusals.
+// Laws of distances, several sources, components, threads.
 
 using test::Soup;
 
@@ -116,7 +116,7 @@ TEST(GeodesicQuery, ThreeHundredComponents) {
   EXPECT_EQ(query.distance(4, 8), unreachable);
 }
 
-// Fields from points anywhere, with offsets and labels, against the exact solver; and snapping to a surface.
+// Fields are the same however they are asked for.
 
 /// Points in a corner of a face, each standing for a vertex.
 std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& vertices) {

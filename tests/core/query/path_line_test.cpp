@@ -216,7 +216,7 @@ TEST(PathLine, IsNotRoughOnUsualFaces) {
   EXPECT_FALSE(line.is_rough());
 }
 
-// Refined paths: points on the line pulled tight, and paths that pass edges of no length.
+// Lines pulled tight across edges of no length.
 
 TEST(PathRefine, ALineAcrossAnEdgeOfNoLengthPassesItsPlace) {
   // Two triangles that meet tip to tip, joined by two faces without area: the only path leads through the

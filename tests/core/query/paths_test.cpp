@@ -27,8 +27,7 @@
 namespace vorogeo {
 namespace {
 
-// Paths between two points: on the surface, of the stated length, never shorter than exact, exact where they
-// say.
+// Paths from an index: on real meshes never shorter than exact, and exact where they say.
 
 using test::Shape;
 using test::Soup;
@@ -161,7 +160,7 @@ TEST(PathQuery, RealMeshes) {
   }
 }
 
-// Exact paths without an index, against formulas and whole exact fields.
+// Exact paths without an index: many targets, many pages, and edges without digits.
 
 MeshPathQuery query_on(const std::shared_ptr<const Mesh>& mesh) {
   return MeshPathQuery(std::make_shared<const LocalGeometry>(mesh));

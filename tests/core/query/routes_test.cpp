@@ -16,7 +16,7 @@
 namespace vorogeo {
 namespace {
 
-// Bidirectional A*: equal to plain Dijkstra on the same graph; routes are connected and as long as stated.
+// Bidirectional A*: equal to plain Dijkstra on the same graph.
 
 using test::Soup;
 
@@ -123,7 +123,7 @@ TEST(GraphRouter, GuidanceSavesWork) {
   EXPECT_LT(4 * settled, unguided) << "settled " << settled << ", by a search from one end " << unguided;
 }
 
-// Routes read from the tables: equal to the least of all sums, and as long as their parts.
+// Routes read from the tables: equal to the least of all sums.
 
 /// Distance of a seed of an end from a row of a first-layer patch that holds it, by the table.
 double through_patch(const IndexData& data, Index parent, Index row, Index node) {
