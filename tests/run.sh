@@ -83,7 +83,7 @@ build() {
 # One process per core, each with its part of the tests: a start takes as long as many a test.
 # Usage: run_shard PROGRAM NAME SHARD [OPTIONS OF GOOGLETEST]
 run_shard() {
-  GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$3" timeout 900 "build/release/tests/$1" \
+  GTEST_TOTAL_SHARDS="$jobs" GTEST_SHARD_INDEX="$3" timeout 1800 "build/release/tests/$1" \
     "--gtest_output=xml:$results/$2-$3.xml" "${@:4}"
 }
 # Usage: cpp_suite PROGRAM NAME [OPTIONS OF GOOGLETEST]

@@ -214,7 +214,7 @@ void expect_accurate(HostileBase base, const Documented& documented) {
 }
 
 // A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
-// rough, with long thin faces, of high genus (docs/accuracy.md).
+// rough, with long thin faces, of high genus (docs/figures.md).
 TEST(GeodesicQueryAccuracy, DrilledPlate) {
   expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0060, 0.069, 0.32}, 6);
 }
@@ -235,7 +235,7 @@ TEST(GeodesicQueryAccuracy, CoarseExtrusion) {
 TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
 TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0016, 0.023, 0.06}); }
 
-// Real meshes, if they are next to the repository: docs/accuracy.md.
+// Real meshes, if they are next to the repository: docs/figures.md.
 TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
 TEST(GeodesicQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0123, 0.096, 1.25}); }
 TEST(GeodesicQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 0.093, 0.55}); }
