@@ -66,23 +66,6 @@ def test_pages_of_a_large_file_leave_the_process(index, tmp_path, monkeypatch):
     assert seen[-1] == 1
 
 
-def test_exact_results_are_those_of_the_plane(flat):
-    sources, targets = np.array([0, 17, 100, 7]), np.array([179, 18, 3])
-    close = {"rtol": 1e-12, "atol": 1e-14}
-    np.testing.assert_allclose(flat.distance_matrix(sources, method="exact"), APART[np.ix_(sources, sources)], **close)
-    wide = flat.distance_matrix(sources, targets, method="exact", entries="pairs")
-    np.testing.assert_allclose(wide, APART[np.ix_(sources, targets)], **close)
-    np.testing.assert_allclose(flat.fields(sources, method="exact"), APART[sources], **close)
-    np.testing.assert_allclose(
-        flat.distances(sources[:3], targets, method="exact"), APART[sources[:3], targets], **close
-    )
-    distances, positions = flat.nearest(targets, sources, k=2, method="exact")
-    np.testing.assert_allclose(distances, np.sort(APART[np.ix_(sources, targets)], axis=1)[:, :2], **close)
-    assert positions[0].tolist() == [2, 1]
-    sparse = flat.pairs_within(np.arange(180), 0.31, as_arrays=True, method="exact")
-    assert len(sparse.data) == ((APART <= 0.31) & (APART > 0)).sum()
-
-
 def test_exact_fields_take_every_kind_of_source(flat):
     middle = flat.snap([0.53, 0.41, 0.0])
     curve = vorogeo.EdgeCurve([0, 1, 2, 3], spacing=0.01)
@@ -102,26 +85,3 @@ def test_exact_fields_take_every_kind_of_source(flat):
     near, owner = flat.distance_field(179, max_distance=0.2, method="exact", return_labels=True)
     np.testing.assert_array_equal(np.isfinite(near), APART[179] <= 0.2)
     np.testing.assert_array_equal(owner, np.where(APART[179] <= 0.2, 0, -1))
-
-
-def test_exact_values_are_those_of_the_exact_field(index):
-    expected = vorogeo.exact_distance_field(*MESH, POINTS[0])
-    np.testing.assert_allclose(index.fields(POINTS[:1], method="exact")[0], expected, rtol=1e-12)
-    np.testing.assert_allclose(index.distance_field(POINTS[0], method="exact"), expected, rtol=1e-12)
-    pairs = index.distances(np.full(12, POINTS[0]), POINTS, method="exact")
-    np.testing.assert_allclose(pairs, expected[POINTS], rtol=1e-9)
-
-
-@pytest.mark.parametrize("real", [np.float32, np.float16, ">f8", np.int16])
-def test_input_of_any_real_type_is_taken(real):
-    vertices = FLAT[0].astype(real) if np.dtype(real).kind == "f" else (10 * FLAT[0]).round().astype(real)
-    assert vorogeo.GeodesicIndex(vertices, FLAT[1]).distance(0, 14) == pytest.approx(
-        np.linalg.norm(vertices[14].astype(float) - vertices[0]), rel=1e-6
-    )
-
-
-@pytest.mark.parametrize("dtype", ["int32", "float16", "complex128", "no type"])
-def test_other_types_of_results_are_refused(flat, dtype):
-    for call in (lambda: flat.fields([0], dtype=dtype), lambda: flat.distance_field(0, dtype=dtype)):
-        with pytest.raises(vorogeo.InvalidInput, match=r"dtype: .*give float32 or float64"):
-            call()

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import vorogeo
-from scipy.optimize import minimize, minimize_scalar
+from scipy.optimize import minimize
 
 from sample_meshes import bent_grid, plane_grid
 
@@ -22,34 +22,6 @@ def layered(borders, values, cells=40):
     vertices, faces = plane_grid(cells + 1, cells + 1)
     middle = vertices[faces].mean(axis=1)[:, 1]
     return vertices, faces, np.asarray(values)[np.searchsorted(borders, middle)]
-
-
-def test_two_half_planes_refract():
-    vertices, faces, cost = layered([0.5], [3.0, 1.0])
-    metric = vorogeo.FaceCost(cost)
-    field = vorogeo.exact_distance_field(vertices, faces, 4 * 41 + 6, metric=metric)  # (0.15, 0.1)
-    source = vertices[4 * 41 + 6]
-    above = vertices[:, 1] > 0.5
-    exact = np.array(
-        [
-            minimize_scalar(
-                lambda x, p=p: 3 * np.hypot(x - source[0], 0.5 - source[1]) + np.hypot(p[0] - x, p[1] - 0.5),
-                bounds=(0, 1),
-                method="bounded",
-                options={"xatol": 1e-10},
-            ).fun
-            for p in vertices[above]
-        ]
-    )
-    error = np.abs(field[above] - exact) / exact
-    assert error.mean() < 1e-3
-    assert error.max() < 5e-3
-    targets = np.flatnonzero(above)[[5, 300, 700]]
-    for path, length in zip(
-        vorogeo.exact_path(vertices, faces, [4 * 41 + 6] * 3, targets, metric=metric), exact[[5, 300, 700]], strict=True
-    ):
-        assert length * (1 - 1e-9) <= path.length <= length * (1 + 1e-3)
-        assert not path.certified
 
 
 def test_three_layers_of_tensors():
@@ -65,20 +37,6 @@ def test_three_layers_of_tensors():
     exact = minimize(length, [0.3, 0.6], method="Nelder-Mead", options={"xatol": 1e-10, "fatol": 1e-14}).fun
     assert path.length == pytest.approx(exact, rel=1e-3)
     assert path.length >= exact * (1 - 1e-9)
-
-
-def test_one_cost_is_the_length_in_space():
-    vertices, faces = bent_grid(30, 20)
-    exact = vorogeo.exact_distance_field(vertices, faces, 7)
-    field = vorogeo.exact_distance_field(vertices, faces, 7, metric=vorogeo.FaceCost(np.full(len(faces), 2.0)))
-    others = exact > 0
-    error = np.abs(field / 2 - exact)[others] / exact[others]
-    assert error.mean() < 1e-3
-    assert error.max() < 5e-3
-    plain = vorogeo.exact_path(vertices, faces, 7, 580)
-    assert plain.certified
-    assert plain.length == pytest.approx(exact[580], rel=1e-9)
-    assert np.linalg.norm(np.diff(plain.points, axis=0), axis=1).sum() == pytest.approx(plain.length, rel=1e-9)
 
 
 def test_random_costs_are_symmetric_and_refused_by_other_methods():
@@ -117,23 +75,6 @@ def test_an_index_answers_as_many_points_on_edges_do(mosaic):
         assert not path.certified
     near = index.path(17, 18)
     assert near.length == pytest.approx(exact[18], rel=1e-3)
-
-
-def test_tasks_answer_in_the_metric(mosaic):
-    vertices, faces, metric, index = mosaic
-    points = [0, 39, 600, 1199]
-    fields = np.array([vorogeo.exact_distance_field(vertices, faces, p, metric=metric) for p in points])
-    matrix = index.distance_matrix(points)
-    np.testing.assert_allclose(matrix, fields[:, points], rtol=1e-2, atol=1e-12)
-    np.testing.assert_allclose(index.distance_matrix(points, method="exact"), fields[:, points], rtol=5e-3, atol=1e-12)
-    regions = index.voronoi(points)
-    wrong = regions.vertex_region != fields.argmin(axis=0)
-    assert wrong.mean() < 0.02
-    assert len(index.isolines(fields[0], [fields[0].max() / 2]).edges)
-    spread = index.sample_farthest(6)
-    assert len(set(spread.vertices)) == 6
-    distances, _ = index.nearest(points, [5, 700], 2)
-    np.testing.assert_allclose(distances, np.sort(fields[:, [5, 700]], axis=0)[:2].T, rtol=1e-2)
 
 
 def test_a_surface_chooses_and_an_index_is_kept(mosaic, tmp_path):

@@ -17,46 +17,6 @@ def index():
     return vorogeo.GeodesicIndex(*MESH, patches=(5, 4))
 
 
-@pytest.mark.parametrize("method", ["automatic", "pairs", "fields"])
-def test_matrix_is_symmetric_and_near_the_exact_fields(index, method):
-    matrix = index.distance_matrix(ACROSS, entries=method)
-    assert matrix.dtype == np.float64
-    np.testing.assert_array_equal(matrix, matrix.T)
-    exact = np.array([vorogeo.exact_distance_field(*MESH, point)[ACROSS] for point in ACROSS])
-    np.testing.assert_array_equal(np.isinf(matrix), np.isinf(exact))
-    np.testing.assert_array_equal(matrix == 0, exact == 0)
-    np.testing.assert_allclose(matrix, exact, rtol=0.02)
-
-
-def test_matrix_by_pairs_equals_distance(index):
-    rows, columns = POINTS[:6], ACROSS
-    a, b = (part.ravel() for part in np.meshgrid(rows, columns, indexing="ij"))
-    expected = index.distance(a, b)
-    np.testing.assert_array_equal(index.distances(a, b), expected)
-    np.testing.assert_array_equal(index.distance_matrix(rows, columns, entries="pairs").ravel(), expected)
-
-
-def test_fields_equal_distance_field(index):
-    fields = index.fields(POINTS[:4], max_distance=0.5)
-    for row, source in zip(fields, POINTS[:4], strict=True):
-        np.testing.assert_array_equal(row, index.distance_field(source, max_distance=0.5))
-
-
-def test_pairs_within_equal_brute_force(index):
-    sparse = pytest.importorskip("scipy.sparse")
-    full = index.distance_matrix(ACROSS, entries="fields")
-    found = index.pairs_within(ACROSS, 0.6)
-    assert sparse.issparse(found)
-    assert found.format == "csr"
-    expected = (full <= 0.6) & ~np.eye(len(ACROSS), dtype=bool)
-    stored = found.tocoo()
-    assert set(zip(stored.row.tolist(), stored.col.tolist(), strict=True)) == set(
-        map(tuple, np.argwhere(expected).tolist())
-    )
-    # A field that ends at the radius and one over the whole mesh may differ within their errors.
-    np.testing.assert_allclose(stored.data, full[stored.row, stored.col], rtol=0.02)
-
-
 def test_pairs_within_as_arrays_and_between_two_lists(index):
     found = index.pairs_within(POINTS[:5], 0.4, others=ACROSS, as_arrays=True)
     assert isinstance(found, vorogeo.SparseDistances)
@@ -72,23 +32,6 @@ def test_pairs_within_without_scipy(index, monkeypatch):
     assert isinstance(index.pairs_within(POINTS, 0.3), vorogeo.SparseDistances)
 
 
-def test_nearest_are_the_least_of_the_fields(index):
-    for points, queries in [(POINTS, ACROSS), (ACROSS, np.arange(0, 1225, 9))]:
-        distances, positions = index.nearest(points, queries, k=3)
-        matrix = index.distance_matrix(points, queries, entries="fields").T
-        np.testing.assert_allclose(distances, np.sort(matrix, axis=1)[:, :3], rtol=0.02)
-        reached = positions >= 0
-        np.testing.assert_array_equal(reached, np.isfinite(distances))
-        rows = np.broadcast_to(np.arange(len(queries))[:, None], positions.shape)
-        np.testing.assert_allclose(distances[reached], matrix[rows[reached], positions[reached]], rtol=0.02)
-
-
-def test_nearest_with_k_above_the_size_of_the_set(index):
-    distances, positions = index.nearest([7, 1201], [7], k=4)
-    np.testing.assert_array_equal(positions, [[0, -1, -1, -1]])
-    np.testing.assert_array_equal(distances, [[0, np.inf, np.inf, np.inf]])
-
-
 def test_matrix_in_a_file_is_mapped(index, tmp_path):
     file = tmp_path / "matrix.npy"
     mapped = index.distance_matrix(POINTS, out=file)
@@ -99,14 +42,6 @@ def test_matrix_in_a_file_is_mapped(index, tmp_path):
     assert index.distance_matrix([], out=file).shape == (0, 0)
     assert np.load(file).shape == (0, 0)
     assert [path.name for path in tmp_path.iterdir()] == ["matrix.npy"]
-
-
-def test_matrix_in_an_array_of_the_caller(index):
-    out = np.empty((3, 3))
-    assert index.distance_matrix(POINTS[:3], out=out) is out
-    for bad in (np.empty((3, 2)), np.empty((3, 3), dtype=np.float16), np.empty((3, 3), order="F")):
-        with pytest.raises(vorogeo.InvalidInput, match="out"):
-            index.distance_matrix(POINTS[:3], out=bad)
 
 
 def test_memory_is_checked_before_it_is_taken(index):
@@ -132,16 +67,6 @@ def test_progress_ends_at_one(index):
     index.fields(POINTS, progress=lambda fraction, text: seen.append(fraction))
     assert seen == sorted(seen)
     assert seen[-1] == 1
-
-
-def test_nothing_asked_gives_empty_results(index):
-    assert index.distances([], []).shape == (0,)
-    assert index.distance_matrix([]).shape == (0, 0)
-    assert index.distance_matrix([], POINTS).shape == (0, 25)
-    assert index.fields([]).shape == (0, 1225)
-    assert index.pairs_within([], 1).shape == (0, 0)
-    assert index.pairs_within_bytes([], 1) == 0
-    assert index.nearest([], [1, 2])[1].tolist() == [[-1], [-1]]
 
 
 @pytest.mark.parametrize(

@@ -25,14 +25,6 @@ def straight(a, b):
     return np.linalg.norm(a[:, None] - b[None], axis=2)
 
 
-@pytest.mark.parametrize("method", ["automatic", "pairs", "fields"])
-def test_matrix_between_points_in_faces(plane, points, method):
-    matrix = plane.distance_matrix(points, entries=method)
-    np.testing.assert_array_equal(matrix, matrix.T)
-    np.testing.assert_array_equal(np.diag(matrix), 0)
-    np.testing.assert_allclose(matrix, straight(PLACES, PLACES), rtol=2e-3 if method != "pairs" else 1e-9, atol=1e-12)
-
-
 def test_points_are_given_alike_everywhere(plane, points):
     mixed = [points[:3], 17, [5, 40], points[3]]
     places = np.vstack([PLACES[:3], PLANE[0][[17, 5, 40]], PLACES[3:4]])
@@ -59,64 +51,6 @@ def test_corners_are_vertices_and_edges_have_two_faces(plane):
     middle = vorogeo.SurfacePoints(np.array([0, 600]), np.array(sides))
     np.testing.assert_array_equal(plane.distance_matrix(middle, entries="fields"), np.zeros((2, 2)))
     assert plane.nearest(middle, 5)[1].tolist() == [[0]]
-
-
-def test_pairs_within_and_nearest(plane, points):
-    full = straight(PLACES, PLACES)
-    found = plane.pairs_within(points, 0.8, as_arrays=True)
-    rows = np.repeat(np.arange(14), np.diff(found.indptr))
-    expected = (full <= 0.8) & ~np.eye(14, dtype=bool)
-    assert set(zip(rows.tolist(), found.indices.tolist(), strict=True)) == set(map(tuple, np.argwhere(expected)))
-    np.testing.assert_allclose(found.data, full[rows, found.indices], rtol=2e-3)
-    assert plane.pairs_within_bytes(points, 0.8) == 28 * (full <= 0.8).sum()
-    distances, places = plane.nearest(points, [3, points[0]], k=4)
-    queries = np.vstack([PLANE[0][3:4], PLACES[:1]])
-    np.testing.assert_allclose(distances, np.sort(straight(queries, PLACES))[:, :4], rtol=2e-3, atol=1e-12)
-    np.testing.assert_array_equal(places, np.argsort(straight(queries, PLACES))[:, :4])
-
-
-@pytest.mark.parametrize("exact", [True, False])
-def test_voronoi_regions_of_points_in_faces(plane, points, exact):
-    regions = plane.voronoi(points, method="exact" if exact else None)
-    full = straight(PLANE[0], PLACES)
-    np.testing.assert_allclose(regions.distance, full.min(axis=1), rtol=1e-9 if exact else 2e-2)
-    clear = np.ptp(np.sort(full)[:, :2], axis=1) > 0.01
-    np.testing.assert_array_equal(regions.vertex_region[clear], full.argmin(axis=1)[clear])
-    assert regions.area.sum() == pytest.approx(6.0, rel=1e-9)
-    if exact:
-        pairs = PLACES[regions.border_regions]
-        middle = regions.borders.points[regions.borders.edges].mean(axis=1)
-        np.testing.assert_allclose(*np.linalg.norm(pairs - middle[:, None], axis=2).T, rtol=1e-9)
-
-
-def test_samplings_begin_anywhere(plane, points):
-    samples = plane.sample_farthest(count=8, start=[points[0], 5, points[1]])
-    assert samples.vertices[:3].tolist() == [-1, 5, -1]
-    places = samples.points.positions(*PLANE)
-    np.testing.assert_allclose(places[[0, 2]], PLACES[:2], atol=1e-12)
-    gaps = straight(places, places)
-    least = [gaps[i, :i].min() for i in range(1, 8)]
-    np.testing.assert_allclose(samples.radius[1:], least, rtol=2e-2)
-    np.testing.assert_allclose(samples.covering_radius, straight(PLANE[0], places).min(axis=1).max(), rtol=2e-2)
-
-
-def test_relaxation_begins_anywhere(plane, points):
-    relaxed = plane.relax(points[:5], rounds=4)
-    assert relaxed.energy[-1] < relaxed.energy[0]
-    moved = relaxed.vertices >= 0
-    assert moved.any()
-    np.testing.assert_allclose(relaxed.points.positions(*PLANE)[moved], PLANE[0][relaxed.vertices[moved]], atol=1e-12)
-    still = plane.relax(points[:5], rounds=0)
-    assert (still.vertices == -1).all()
-    np.testing.assert_allclose(still.points.positions(*PLANE), PLACES[:5], atol=1e-12)
-
-
-def test_disk_around_points_and_curves(plane, points):
-    disk = plane.disk([points[2], 7], 0.4, method="exact")
-    full = np.minimum(straight(PLANE[0], PLACES[2:3]), straight(PLANE[0], PLANE[0][7:8])).ravel()
-    np.testing.assert_array_equal(disk.vertices, np.flatnonzero(full <= 0.4))
-    around = plane.disk(vorogeo.EdgeCurve(np.arange(31)), 0.25)  # along the lower side
-    np.testing.assert_array_equal(around.vertices, np.flatnonzero(PLANE[0][:, 1] <= 0.25))
 
 
 def test_a_curve_is_one_source_with_one_offset(plane):

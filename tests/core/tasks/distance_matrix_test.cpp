@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "query/geodesic_query.h"
 #include "support/error.h"
@@ -30,26 +29,6 @@ Case two_sheets() {
          test::random_vertices(static_cast<Index>(soup.positions.size()), 25, 3)};
   c.points.push_back(c.points[4]);
   return c;
-}
-
-TEST(DistanceMatrix, ByPairsHoldsTheDistancesOfTheQuery) {
-  const Case c = two_sheets();
-  Surface surface(c.index, 2);
-  GeodesicQuery query(c.index, 1);
-  const std::size_t k = c.points.size();
-  std::vector<double> square(k * k, -1.0);
-  distance_matrix(surface, c.points, MatrixMethod::pairs, square, by_index);
-  const std::span<const Index> rows(c.points.data(), 7);
-  std::vector<double> wide(7 * k, -1.0);
-  distance_matrix(surface, rows, c.points, MatrixMethod::pairs, wide, by_index);
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = 0; j < k; ++j) {
-      EXPECT_EQ(square[i * k + j], query.distance(c.points[i], c.points[j]));
-      if (i < 7) {
-        EXPECT_EQ(wide[i * k + j], square[i * k + j]);
-      }
-    }
-  }
 }
 
 TEST(DistanceMatrix, ByFieldsHoldsTheFieldOfTheSmallerVertex) {
@@ -84,35 +63,6 @@ TEST(DistanceMatrix, TallAndWideMatricesAreFieldsOfTheShorterList) {
       EXPECT_EQ(tall[j * 3 + i], wide[i * k + j]);
     }
   }
-}
-
-TEST(DistanceMatrix, ExactOnThePlane) {
-  const test::Shape plane = test::plane_grid(12, 9, 4.0, 3.0, 0.2);
-  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
-  const auto points = test::random_vertices(130, 20, 2);
-  std::vector<double> matrix(400);
-  for (MatrixMethod method : {MatrixMethod::automatic, MatrixMethod::pairs, MatrixMethod::fields}) {
-    distance_matrix(surface, points, method, matrix, {.by = AnswerMethod::exact});
-    for (int i = 0; i < 20; ++i) {
-      for (int j = 0; j < 20; ++j) {
-        EXPECT_NEAR(matrix[20 * i + j], plane.vertex_distance(points[i], points[j]), 1e-12);
-      }
-    }
-  }
-}
-
-TEST(DistanceMatrix, UnreachableIsInfinityAndEmptyListsAreEmptyMatrices) {
-  const Case c = two_sheets();
-  Surface surface(c.index, 1);
-  const Index ends[] = {0, c.index->mesh()->vertex_count() - 1};
-  std::vector<double> matrix(4);
-  distance_matrix(surface, ends, MatrixMethod::automatic, matrix, by_index);
-  EXPECT_EQ(matrix, (std::vector<double>{0.0, unreachable, unreachable, 0.0}));
-  EXPECT_NO_THROW(
-      distance_matrix(surface, std::span<const Index>(), MatrixMethod::automatic, std::span<double>()));
-  EXPECT_NO_THROW(
-      distance_matrix(surface, ends, std::span<const Index>(), MatrixMethod::fields, std::span<double>()));
-  EXPECT_NO_THROW(distance_fields(surface, {}, unreachable, std::span<double>()));
 }
 
 TEST(DistanceMatrix, FieldsAreThoseOfTheQueryAndRespectTheLimit) {

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "support/error.h"
 #include "support/shapes.h"
@@ -24,53 +22,6 @@ std::vector<double> distances() {
   return field;
 }
 
-double from_source(const Point& p) {
-  const Point& s = plane.soup.positions[source];
-  return std::hypot(p[0] - s[0], p[1] - s[1]);
-}
-
-/// How many segments meet at each point.
-std::vector<int> degrees(const SurfaceLines& lines) {
-  std::vector<int> degree(lines.points.size(), 0);
-  for (const auto& [a, b] : lines.segments) {
-    ++degree[a];
-    ++degree[b];
-  }
-  return degree;
-}
-
-TEST(Isolines, OfADistanceOnThePlaneAreCircles) {
-  const auto mesh = test::make_mesh(plane.soup);
-  const std::vector<double> levels{1.4, 0.5, 1.0};
-  const Isolines found = isolines(*mesh, distances(), levels, Interpolation::distance);
-  ASSERT_EQ(found.level_of_point.size(), found.lines.points.size());
-  ASSERT_EQ(found.level_of_segment.size(), found.lines.segments.size());
-  for (std::size_t i = 0; i < found.lines.points.size(); ++i) {
-    EXPECT_NEAR(from_source(found.lines.points[i]), levels[found.level_of_point[i]], 1e-12);
-  }
-  for (int degree : degrees(found.lines)) EXPECT_EQ(degree, 2);
-  for (std::size_t i = 0; i < found.lines.segments.size(); ++i) {
-    for (Index end : found.lines.segments[i]) {
-      EXPECT_EQ(found.level_of_point[end], found.level_of_segment[i]);
-    }
-  }
-  // A polygon in a circle with chords of at most h is shorter by at most h^2 / (24 r^2) of its length.
-  const double circles = 2.0 * std::numbers::pi * (1.4 + 0.5 + 1.0);
-  EXPECT_LE(found.lines.length(), circles);
-  EXPECT_GE(found.lines.length(), circles * (1.0 - 0.3 * 0.3 / (24 * 0.25)));
-}
-
-TEST(Isolines, LinearInterpolationIsExactForALinearField) {
-  const auto mesh = test::make_mesh(plane.soup);
-  std::vector<double> field;
-  for (const Point& p : plane.soup.positions) field.push_back(100.0 * p[0] - 40.0 * p[1]);
-  const Isolines found = isolines(*mesh, field, std::vector<double>{63.0}, Interpolation::linear);
-  EXPECT_GT(found.lines.points.size(), 20U);
-  for (const Point& p : found.lines.points) EXPECT_NEAR(100.0 * p[0] - 40.0 * p[1], 63.0, 1e-10);
-  // From (0.63, 0) to (2.23, 4).
-  EXPECT_NEAR(found.lines.length(), std::hypot(1.6, 4.0), 1e-10);
-}
-
 TEST(Isolines, LevelsAtVerticesAndOutsideTheFieldMakeNoLooseEnds) {
   const test::Shape grid = test::plane_grid(4, 4, 4.0, 4.0);
   const auto mesh = test::make_mesh(grid.soup);
@@ -80,17 +31,6 @@ TEST(Isolines, LevelsAtVerticesAndOutsideTheFieldMakeNoLooseEnds) {
   EXPECT_EQ(found.lines.points.size(), 5U);
   EXPECT_EQ(found.lines.segments.size(), 4U);
   EXPECT_NEAR(found.lines.length(), 4.0, 1e-12);
-}
-
-TEST(Isolines, FacesWithUnreachableCornersHoldNone) {
-  const auto mesh = test::make_mesh(plane.soup);
-  auto field = distances();
-  for (double& value : field) {
-    if (value > 1.2) value = unreachable;
-  }
-  const Isolines found = isolines(*mesh, field, std::vector<double>{0.8, 3.0}, Interpolation::distance);
-  for (Index level : found.level_of_segment) EXPECT_EQ(level, 0);
-  for (int degree : degrees(found.lines)) EXPECT_EQ(degree, 2);
 }
 
 TEST(Isolines, CrossingOfTheDistanceFromAPointBesideTheEdge) {

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "support/error.h"
-#include "support/indexes.h"
 #include "support/shapes.h"
 #include "tasks/spread_points.h"
 
@@ -42,18 +40,6 @@ TEST(RelaxPoints, TwoPointsShareARectangle) {
   std::ranges::sort(x);
   EXPECT_NEAR(x[0], 0.5, 0.11);
   EXPECT_NEAR(x[1], 1.5, 0.11);
-}
-
-TEST(RelaxPoints, LowersTheEnergyRoundByRound) {
-  const test::Soup soup = test::hills(20, 0.2);
-  Surface surface(test::make_mesh(soup), {.threads = 2});
-  const Index together[] = {0, 1, 2, 21, 22, 23, 42, 43};
-  const RelaxedPoints found = relax_points(surface, together, 12, {.by = AnswerMethod::exact});
-  ASSERT_GE(found.energy.size(), 3U);
-  for (std::size_t i = 1; i < found.energy.size(); ++i) {
-    EXPECT_LE(found.energy[i], found.energy[i - 1] * (1.0 + 1e-12));
-  }
-  EXPECT_LT(found.energy.back(), 0.2 * found.energy.front());
 }
 
 TEST(RelaxPoints, WithoutRoundsOnlyTheEnergyIsMeasured) {
