@@ -119,12 +119,12 @@ void ExactGeometry::find_long_edges() {
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
   const double typical = mesh->typical_edge_length();
-  // Outliers may be close to each other, too: positions count from the end at which most of the mesh is, and
-  // on all edges of a group from the same side, or windows would come back from it changed by rounding.
-  const Outliers outliers = find_outliers(*mesh);
+  // Vertices far out may be close to each other, too: positions count from the end at which most of the mesh
+  // is, and on all edges of a group from the same side, or windows would come back from it changed by
+  // rounding.
+  const std::vector<Index> size = find_outliers(*mesh).piece_size;
   auto counts_from_second = [&](Index a, Index b) {
-    const bool away = outliers.is_outlier(a);
-    return away == outliers.is_outlier(b) ? shortest[b] < shortest[a] : away;
+    return size.empty() || size[a] == size[b] ? shortest[b] < shortest[a] : size[b] > size[a];
   };
   for (Index e = 0; e < mesh->edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();

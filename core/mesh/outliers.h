@@ -29,8 +29,10 @@ struct Outliers {
   /// Outliers that share an edge are in one group.
   std::vector<Index> group;
   std::vector<Index> group_size;
-  Index count = 0;           ///< outliers
-  Index first = no_index;    ///< the first of them
+  Index count = 0;         ///< outliers
+  Index first = no_index;  ///< the first of them
+  /// By vertex: how many vertices are connected to it by edges that are not far longer; empty if none is.
+  std::vector<Index> piece_size;
   double least_ratio = 0.0;  ///< shortest edge between outliers and others, in typical edges
 
   bool is_outlier(Index vertex) const { return !group.empty() && group[vertex] != no_index; }

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
                                          Seed{1003017, 2500, {1422}}, Seed{1001791, 600, {535}},
                                          Seed{1008881, 600, {192}}, Seed{600099, 4000, {3240}},
                                          Seed{70000160, 600, {16}}, Seed{90001776, 2500, {4856}},
-                                         Seed{110003504, 200, {20}}),
+                                         Seed{110003504, 200, {20}}, Seed{110006741, 200, {127}}),
                          [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
