@@ -129,7 +129,7 @@ def test_path_and_regions_in_the_metric():
     assert field(ms).max() == pytest.approx(found["length"], rel=1e-9)  # along the path
     ms.set_current_mesh(0)
     regions = ms.apply_filter(VORONOI, surface_points="0; 220", borders=False, exact=True, **chosen)
-    np.testing.assert_allclose(regions["areas"], index.voronoi([0, 220], exact=True).area, rtol=1e-9)
+    np.testing.assert_allclose(regions["areas"], index.voronoi([0, 220], method="exact").area, rtol=1e-9)
     kept = ms.current_mesh().vertex_custom_scalar_attribute_array("metric_cost")
     np.testing.assert_array_equal(kept, cost.cost)
 
