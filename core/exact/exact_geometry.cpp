@@ -120,11 +120,13 @@ void ExactGeometry::find_long_edges() {
   }
   const double typical = mesh->typical_edge_length();
   // Vertices far out may be close to each other, too: positions count from the end at which most of the mesh
-  // is, and on all edges of a group from the same side, or windows would come back from it changed by
+  // is, and on all edges between two pieces from the same side, or windows would come back changed by
   // rounding.
-  const std::vector<Index> size = find_outliers(*mesh).piece_size;
+  const Outliers outliers = find_outliers(*mesh);
   auto counts_from_second = [&](Index a, Index b) {
-    return size.empty() || size[a] == size[b] ? shortest[b] < shortest[a] : size[b] > size[a];
+    if (outliers.piece.empty() || outliers.piece[a] == outliers.piece[b]) return shortest[b] < shortest[a];
+    return std::pair(outliers.piece_size[b], outliers.piece[b]) >
+           std::pair(outliers.piece_size[a], outliers.piece[a]);
   };
   for (Index e = 0; e < mesh->edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();

@@ -13,7 +13,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Length of a step in typical edge lengths, if there is enough to do: longer ones make more windows come
+/// Length of a step in widths of a bucket, if there is enough to do: longer ones make more windows come
 /// late, shorter ones make threads wait for one another more often.
 constexpr double least_step = 2.0;
 
@@ -144,7 +144,8 @@ void SharedRun::begin_next_step() {
   const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
   step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least_step_length_, 0.5 * step_length_);
   front_ = front;
-  end_of_step_ = std::max(end_of_step_, front) + step_length_;
+  // After a step that was cut off, the others must not run ahead of what was left.
+  end_of_step_ = (items < most_items ? std::max(end_of_step_, front) : front) + step_length_;
   std::size_t reached = 0;
   for (const auto* state : all_) reached += state->touched_vertices.size();
   reached_ = std::min(1.0, static_cast<double>(reached) / all_.front()->mesh.vertex_count());

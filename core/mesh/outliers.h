@@ -31,7 +31,9 @@ struct Outliers {
   std::vector<Index> group_size;
   Index count = 0;         ///< outliers
   Index first = no_index;  ///< the first of them
-  /// By vertex: how many vertices are connected to it by edges that are not far longer; empty if none is.
+  /// By vertex: the first of the vertices that are connected to it by edges that are not far longer, and how
+  /// many these are; empty if no edge is.
+  std::vector<Index> piece;
   std::vector<Index> piece_size;
   double least_ratio = 0.0;  ///< shortest edge between outliers and others, in typical edges
 
