@@ -207,7 +207,7 @@ struct MeshReport {
   std::string summary;                 ///< sizes, components and borders
   std::vector<std::string> sentences;  ///< one for each kind of finding, naming its first element
 };
-/// Looks at a mesh before a Surface is made of it. Takes any arrays. 	hrow InvalidInput for a bad gap.
+/// Looks at a mesh before a Surface is made of it. Takes any arrays. \throw InvalidInput for a bad gap.
 VOROGEO_API MeshReport check_mesh(const std::vector<Point>& positions,
                                   const std::vector<std::array<int, 3>>& faces, double gap = 0.0);
 

@@ -12,7 +12,6 @@
 namespace vorogeo {
 
 // ---- The plane geometry of a mesh that the exact solver needs
-// mesh
 
 /// A face unfolded next to one of its edges: the edge on the x axis from its first vertex, the face below it.
 struct FaceFrame {

@@ -11,7 +11,6 @@
 namespace vorogeo {
 
 // ---- Nearly Dijkstra's order over points of edges
-// crossed
 
 namespace {
 

@@ -13,7 +13,6 @@
 namespace vorogeo {
 
 // ---- Distances of the border nodes of a layer, by Dijkstra's algorithm over the patch tables
-// unfolding at border edges
 
 /// Nodes are settled in buckets of distance about as wide as half a border edge. Nearly all arcs are longer
 /// than that, so nearly every node is settled once, with its final distance; a node that is relaxed later is
@@ -175,7 +174,6 @@ class FollowerSweep {
 };
 
 // ---- Searches from a few sources close to each other
-// its neighbours can lead
 
 /// Distances from a *leader* to all nodes, by a full search; and from the others, its *followers*, in one
 /// sweep over what the leader's distances leave possible (FollowerSweep). All but about one in a million of

@@ -25,7 +25,6 @@
 namespace vorogeo {
 
 // ---- Parts of a table are marked as written after their contents are
-// that is half-made; checksums find what a failing system has lost
 
 namespace {
 

@@ -18,7 +18,6 @@
 namespace vorogeo {
 
 // ---- Room for a large table while an index is built, in memory or in a file
-// are filled
 
 /// What is kept of a part of a table once it is filled. In a file it outlives the process, so the next build
 /// can go on from there.

@@ -184,7 +184,6 @@ class PatchNeighbours {
 };
 
 // ---- One layer of patches: their members, border nodes and tables
-// members
 
 /// A border node as seen from one of its patches: `row` counts the border nodes of the patch.
 struct PatchRow {

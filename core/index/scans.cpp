@@ -541,7 +541,6 @@ void short_sums_within(const std::int16_t* between, const std::int16_t* column_b
 }
 
 // ---- The formulas of unfolding.h without branches
-// target's distance
 
 namespace {
 

@@ -89,8 +89,6 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
                                 const Progress& progress);
 
 // ---- Least distances between pieces of patch borders
-// first: with them, two points need to read only a small part of the first-layer tables and of the transit
-// table
 
 struct IndexData;
 

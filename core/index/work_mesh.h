@@ -37,7 +37,6 @@ struct WorkMesh {
 WorkMesh make_work_mesh(const Mesh& mesh, const Partition& partition);
 
 // ---- The surface on which tables are solved
-// edges as points
 
 /// Splitting an edge in the work mesh turns the adjacent faces into fans of needles, which every run would
 /// have to cross. Here the faces are whole, and the vertices that the work mesh adds are points on edges.
@@ -57,7 +56,6 @@ TableSurface make_table_surface(const Mesh& mesh, const WorkMesh& work,
                                 const std::shared_ptr<const LocalGeometry>& work_geometry);
 
 // ---- The surface of exact runs between two points
-// mesh adds
 
 /// Splitting an edge in the work mesh turns the faces at it into needles, and where a mesh consists of
 /// needles itself, each run would cross hundreds of windows where a few are enough.

@@ -160,7 +160,6 @@ bool BorderSides::continues(Index first, Index second, const Point& across, bool
 }
 
 // ---- Rows of triangles between borders, narrowest gaps first
-// shorter edge
 
 namespace {
 
@@ -343,7 +342,6 @@ void GapZipper::fill_holes() {
 }
 
 // ---- Equal positions, then rows of triangles from the closest sides on, then single triangles
-// components would stay apart
 
 namespace {
 

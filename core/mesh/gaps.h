@@ -96,7 +96,6 @@ class BorderSides {
 };
 
 // ---- Bridges over the gaps of a mesh: faces between borders that lie near each other
-// other
 
 /// Which gaps are bridged.
 struct GapLimit {

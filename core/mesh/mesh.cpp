@@ -21,7 +21,6 @@
 namespace vorogeo {
 
 // ---- Construction of the flat half-edge mesh, and what is refused
-// components
 
 namespace {
 
@@ -442,7 +441,6 @@ void require_lengths(const Mesh& mesh, const std::string& what, double least_mea
 }
 
 // ---- A mesh whose edges have other lengths than in space
-// positions
 
 namespace {
 
@@ -647,7 +645,6 @@ const std::array<Index, 3>& Mesh::given_corners(Index face) const {
 }
 
 // ---- A mesh whose gaps are closed by bridges
-// bridges follow them
 
 namespace {
 

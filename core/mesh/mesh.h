@@ -286,7 +286,6 @@ void require_agreeing_faces(const Mesh& mesh, const std::string& what);
 void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
 
 // ---- Which edge lengths the core can compute with, and the scale that is advised for others
-// this range
 
 /// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.
 struct LengthLimits {

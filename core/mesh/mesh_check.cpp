@@ -16,7 +16,6 @@
 namespace vorogeo {
 
 // ---- Loops of border edges, and borders near each other
-// vertices and short walks along edges
 
 namespace {
 
@@ -289,7 +288,6 @@ TJunctions find_t_junctions(const Mesh& mesh) {
 }
 
 // ---- The report on a triangle soup: the raw arrays first, then how the faces are connected
-// usable faces
 
 namespace {
 

@@ -11,7 +11,6 @@
 namespace vorogeo {
 
 // ---- Borders of a mesh: closed loops, and borders that nearly touch
-// joins them
 
 /// The closed loops of border edges. Where borders meet at a vertex, each continues along the faces it
 /// bounds.

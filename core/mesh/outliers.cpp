@@ -29,7 +29,6 @@ LargestComponent largest_component(const Mesh& mesh) {
 }
 
 // ---- Pieces of a component that are connected by short edges
-// outliers
 
 namespace {
 

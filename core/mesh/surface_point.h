@@ -12,7 +12,6 @@
 namespace vorogeo {
 
 // ---- A point on the surface: a vertex, or a place in a face by barycentric coordinates
-// included)
 
 /// Where a point lies: exactly one of `vertex`, or `face` with `barycentric`, is set.
 struct SurfacePoint {

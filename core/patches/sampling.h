@@ -13,7 +13,6 @@
 namespace vorogeo {
 
 // ---- Approximate distances from many sources, in time proportional to the vertices reached
-// the cells of patches
 
 /// What makes a vertex near to a source. Counted in edges, a tunnel with long thin walls is short, and cells
 /// have about as many vertices each even where edges differ much in length.

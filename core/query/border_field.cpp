@@ -11,7 +11,6 @@
 namespace vorogeo {
 
 // ---- Columns are processed 32 at a time: least sums in integers, then distances at the crossings
-// single precision
 
 namespace {
 

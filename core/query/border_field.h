@@ -147,7 +147,6 @@ class FieldSweep {
 };
 
 // ---- Distances of all second-layer border nodes from some seeds
-// table, otherwise by search
 
 /// One object belongs to one caller; fill() may run on several threads, for different patches.
 ///

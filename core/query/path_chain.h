@@ -73,7 +73,6 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
                          Index source_patch = no_index, Index target_patch = no_index);
 
 // ---- A strip of faces along a chain of border vertices
-// hold
 
 /// Follows every step of the chain through its patch: from one end towards the other, which is a border
 /// vertex, down the distances of that vertex. In each face the distances of two vertices place the goal in

@@ -129,6 +129,11 @@ void Surface::pay(double seconds) {
   spent_.pay(seconds);
 }
 
+std::optional<double> Surface::field_seconds() const {
+  const std::lock_guard lock(mutex_);
+  return field_seconds_;
+}
+
 void Surface::pay_for_fields(double seconds, double reach) {
   // What an index would not answer faster does not make one pay.
   if (reach > short_reach) pay(seconds);
@@ -211,14 +216,15 @@ AnswerMethod Surface::at_once(bool is_field) const {
 AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, const Progress& progress) {
   const auto start = Clock::now();
   const bool is_long = whole_fields >= many_fields;
+  if (spent().has_given_up()) return AnswerMethod::exact;
   try {
-    double next = 0.0;
-    if (is_long || spent().wants_price()) {
+    if (is_long ? !field_seconds() : spent().wants_price()) {
       const BuildEstimate estimate = estimate_build(mesh_, options_, is_long, progress.part(0.0, 0.0));
-      next = whole_fields * estimate.exact_field_seconds / threads_;
       const std::lock_guard lock(mutex_);
       spent_.set_price(estimate.build_seconds);
+      if (is_long) field_seconds_ = estimate.exact_field_seconds;
     }
+    const double next = is_long ? whole_fields * *field_seconds() / threads_ : 0.0;
     if (!spent().should_buy(next)) return AnswerMethod::exact;
     build_index(progress.part(0.0, 0.9));
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
@@ -256,6 +262,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
                              Answered& answered, const Progress& progress) {
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   require_limit(max_distance);
+  validated(*mesh_, sources);
   answered = {};
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
   const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
@@ -287,12 +294,14 @@ AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, 
 
 ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                         const PathOptions& options, Answered& answered, const Progress& progress) {
+  const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
+  const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
   answered = {};
   answered.by = choose_for_pairs(method, answered, progress);
   const Stopwatch watch;
   const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Shortest path");
-  ExactPath found = lend(
-      [&](Query& query) { return query.path(source, target, answered.by, options.exact, options.certify); });
+  ExactPath found =
+      lend([&](Query& query) { return query.path(from, to, answered.by, options.exact, options.certify); });
   answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
   return found;
@@ -300,11 +309,13 @@ ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, 
 
 double Surface::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                          Answered& answered, const Progress& progress) {
+  const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
+  const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
   answered = {};
   answered.by = choose_for_pairs(method, answered, progress);
   const Stopwatch watch;
   const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Distance");
-  const double found = lend([&](Query& query) { return query.distance(source, target, answered.by); });
+  const double found = lend([&](Query& query) { return query.distance(from, to, answered.by); });
   answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
   return found;
@@ -396,16 +407,15 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
   std::vector<ExactPath> found(pairs.sources.size());
   Progress rest = progress;
   const bool is_proof = options.exact && options.certify && method != AnswerMethod::exact;
-  double index_seconds = 0.0;
+  Answered first;
   double landmark_seconds = 0.0;
-  if (is_proof && found.size() >= pairs_worth_landmarks && !landmarks()) {
-    Answered first;
+  // Where the metric jumps, nothing bounds a path.
+  if (is_proof && found.size() >= pairs_worth_landmarks && !landmarks() && !mesh_->metric_jumps()) {
     if (choose_for_pairs(method, first, progress.part(0.0, 0.5)) == AnswerMethod::index) {
       const Stopwatch watch;
       const double from = first.index_seconds > 0.0 ? 0.45 : 0.0;
       use_landmarks(landmarks_of(index(), ExactLandmarks::max_count, threads_, progress.part(from, 0.5)));
       landmark_seconds = watch.seconds();
-      index_seconds = first.index_seconds;
     }
     rest = progress.part(0.5, 1.0);
   }
@@ -424,7 +434,8 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
                                    [&](std::size_t i, ExactPath path) { found[block[i]] = std::move(path); });
                });
   answered.seconds += landmark_seconds;
-  answered.index_seconds += index_seconds;
+  answered.index_seconds += first.index_seconds;
+  if (answered.remark.empty()) answered.remark = first.remark;
   return found;
 }
 

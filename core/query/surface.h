@@ -123,6 +123,7 @@ class Surface {
   AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, const Progress& progress);
   AnswerMethod rent_or_build(double whole_fields, Answered& answered, const Progress& progress);
   void pay(double seconds);
+  std::optional<double> field_seconds() const;
   template <class Answer>
   void answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, bool shares,
                     Answered& answered, const Progress& progress, Answer&& answer);
@@ -138,6 +139,7 @@ class Surface {
   std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
   std::shared_ptr<const ExactLandmarks> landmarks_;
   std::optional<double> area_;
+  std::optional<double> field_seconds_;       ///< of an exact field, once it was estimated
   std::vector<std::unique_ptr<Query>> idle_;  ///< that no thread uses now
 };
 

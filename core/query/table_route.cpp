@@ -167,8 +167,7 @@ Index AccessDistances::seed_of(std::size_t group, Index row) {
   return best;
 }
 
-// ---- First bounds for all cells between two first-layer borders, then the cells that these leave
-// do not exclude
+// ---- First bounds for all cells between two first-layer borders, then what these do not exclude
 
 namespace {
 

@@ -11,7 +11,6 @@
 namespace vorogeo {
 
 // ---- Access distances: those of one point from the border of its first-layer patch
-// asked for
 
 /// One end of a route and one of its first-layer patches: lower bounds for the groups of border nodes at
 /// once, the distances of a group when it is asked for. One object belongs to one thread.
@@ -84,7 +83,6 @@ class AccessDistances {
 };
 
 // ---- Routes between far points, read from the tables
-// at either end
 
 /// Reads routes of an index that has a transit table. One object belongs to one thread.
 class TableRouter {

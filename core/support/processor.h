@@ -2,7 +2,6 @@
 #pragma once
 
 // ---- Marks a function to be compiled for several instruction sets
-// machine
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(VOROGEO_NO_CLONES)

@@ -186,7 +186,6 @@ FilterRow distance_from_border_row() {
 }
 
 // ---- Filters: distance from the points or lines of another layer, or from selected edges
-// curve
 
 namespace {
 

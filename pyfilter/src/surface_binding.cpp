@@ -174,7 +174,10 @@ std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progres
   ProgressBridge bridge(progress);
   return bridge.run([&](const Progress& report) {
     Surface& surface = *self.surface;
-    auto made = landmarks_of(surface.build_index(), count, surface.threads(), report);
+    const bool builds = surface.index() == nullptr;
+    const auto index = surface.build_index(report.part(0.0, 0.8));
+    const Progress rest = builds ? report.part(0.8, 1.0) : report;
+    auto made = landmarks_of(index, count, surface.threads(), rest);
     const std::size_t bytes = made->memory_bytes();
     surface.use_landmarks(std::move(made));
     return bytes;

@@ -116,7 +116,7 @@ def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
     if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
-        array = np.clip(array, _INT32.min, _INT32.max).astype(np.int64)
+        array = np.clip(array, -(2.0**62), 2.0**62).astype(np.int64)
     _integers(name, array, wanted)
     bad = (array < 0) | (array >= vertex_count)
     if bad.any():

@@ -93,7 +93,7 @@ def exact_path(
     vertices, faces, mask, gap, bridge_folds
         As for `exact_distance_field`.
     source, target : a point, or k points
-        Vertex ids, `SurfacePoints` or lists of both; both of the same length.
+        Vertex ids, `SurfacePoints` or lists of both; one point goes with each of k.
     metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
         What paths cost; None is their length in space. With values of faces, the edges that a path crosses are found by
         points on edges, and its crossings are then moved to where it is shortest.

@@ -21,12 +21,12 @@ class SurfacePoints:
     Attributes
     ----------
     faces : ndarray of int32, shape (k,)
-        The face of each point: a row of the faces for which the index was built.
+        The face of each point: a row of the faces of the surface.
     barycentric : ndarray of float64, shape (k, 3)
         Weights of the three corners: not negative, with sum 1; deviations of at most 1e-6, as in single precision, are
         treated as rounding. A point with one zero weight is on an edge, with two at a vertex.
     snap_distance : ndarray of float64, shape (k,), or None
-        How far the original points were from the surface, for points from `GeodesicIndex.snap`.
+        How far the original points were from the surface, for points from `Surface.snap`.
     """
 
     faces: NDArray[np.int32]
@@ -54,7 +54,7 @@ class SurfacePoints:
         ----------
         vertices : array_like, shape (n, 3)
         faces : array_like of int, shape (m, 3)
-            Arrays of the mesh for which the index was built.
+            Arrays of the mesh of the surface.
 
         Returns
         -------

@@ -86,6 +86,15 @@ class Surface(Tasks):
         self._input, self._threads, self._budget, self._handle = given, threads, budget, handle
         self.last = None
 
+    def __copy__(self) -> Surface:
+        # What answers is shared, as it never changes but for an index, which all may use; `last` is each one's own.
+        other = type(self).__new__(type(self))
+        other._adopt(self._input, self._threads, self._budget, self._handle)
+        return other
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Surface:
+        return self.__copy__()
+
     def __reduce__(self) -> tuple[Any, ...]:
         index = _saved(self._handle) if self._handle.has_index() else None
         return _restored, (type(self), self._input, self._threads, self._budget, index)
@@ -363,7 +372,8 @@ class Surface(Tasks):
         """Make all later certified paths faster, by exact distance fields from a few vertices.
 
         The differences of these distances are lower bounds of those of all pairs, on a curved surface much closer ones
-        than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields.
+        than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields,
+        and the build of the index if there is none.
 
         Parameters
         ----------
@@ -415,7 +425,7 @@ class GeodesicIndex(Surface):
 
     A `Surface` that has its index from the beginning, and answers from it unless `method` says otherwise.
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
-    exists. The index is immutable and may be used by several threads at once; long computations release the GIL. It
+    exists. It may be used by several threads at once; long computations release the GIL. It
     can be pickled, and works in processes that were forked, spawned or served.
 
     Parameters
@@ -556,12 +566,6 @@ class GeodesicIndex(Surface):
         index = cls.__new__(cls)
         index._adopt(given, workers, 0, handle)
         return index
-
-    def __copy__(self) -> GeodesicIndex:
-        return self  # immutable
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> GeodesicIndex:
-        return self
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.

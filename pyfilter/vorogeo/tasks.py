@@ -146,13 +146,13 @@ class Tasks(OnMesh):
             As for `distance_matrix`.
         """
         rows, limit = point_lists.rows("sources", sources, self._vertex_count), check.max_distance(max_distance)
+        by = self._method(method)
         with (
             matrix(len(rows[0]), self._vertex_count, out, max_bytes, dtype) as result,
             reporter(progress) as told,
         ):
             if result.size:
                 report = releasing(result, told)
-                by = self._method(method)
                 self._note(_core.fill_fields(self._handle, _core.Points(*rows), limit, by, result, report))
         return _reopened(result, out)
 

@@ -41,9 +41,12 @@ def test_large_parts_are_handed_over_without_a_copy(index):
     np.testing.assert_array_equal(matrix_of(pickle.loads(head, buffers=buffers)), matrix_of(index))
 
 
-def test_a_copy_is_the_immutable_index_itself(index):
-    assert copy.copy(index) is index
-    assert copy.deepcopy([index])[0] is index
+def test_a_copy_shares_what_answers_and_remembers_its_own_last_answer(index):
+    for other in (copy.copy(index), copy.deepcopy([index])[0]):
+        assert type(other) is vorogeo.GeodesicIndex
+        assert other.vertices is index.vertices
+        assert other.last is None
+        np.testing.assert_array_equal(other.distance_field(3), index.distance_field(3))
 
 
 def test_the_mesh_can_be_asked_for_and_not_changed(index):
