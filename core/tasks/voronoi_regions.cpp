@@ -399,7 +399,10 @@ VoronoiRegions voronoi_regions(Surface& surface, const PointList& given, const T
   for (Index i = 0; i < static_cast<Index>(sites.size()); ++i) {
     if (seen.try_emplace(sites[i], i).second) owners.push_back(i);
   }
-  Workers workers(surface, options, static_cast<double>(owners.size()), reach_of_regions(owners.size()));
+  // One field over the whole surface, then one for each region.
+  const auto count = static_cast<double>(owners.size());
+  const double reach = (1.0 + count * reach_of_regions(count)) / (1.0 + count);
+  Workers workers(surface, options, 1.0 + count, reach);
   const Progress& progress = workers.progress();
   double radius = 0.0;
   const bool jumps = mesh.metric_jumps();
