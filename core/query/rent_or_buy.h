@@ -28,7 +28,6 @@ class RentOrBuy {
   /// The index cannot be had: rent for ever.
   void give_up();
   bool has_given_up() const { return has_price_ && price_ == unreachable; }
-  bool has_price() const { return has_price_; }
   /// Whether an index should be built instead of the next exact answers, which take so many seconds; 0: of
   /// one more.
   bool should_buy(double next_seconds = 0.0) const {

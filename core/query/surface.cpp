@@ -296,40 +296,43 @@ AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, 
   return choose(method, 1.0, 1.0, answered, progress);
 }
 
-ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
-                        const PathOptions& options, Answered& answered, const Progress& progress) {
+/// ask(query, method, from, to) for one pair, in canonical form.
+template <class Ask>
+auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+                          const char* activity, Answered& answered, const Progress& progress, Ask&& ask) {
   const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
   const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
   answered = {};
   answered.by = choose_for_pairs(method, answered, progress);
   const Stopwatch watch;
-  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Shortest path");
-  ExactPath found =
-      lend([&](Query& query) { return query.path(from, to, answered.by, options.exact, options.certify); });
+  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, activity);
+  auto found = lend([&](Query& query) { return ask(query, answered.by, from, to); });
   answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
   return found;
+}
+
+ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+                        const PathOptions& options, Answered& answered, const Progress& progress) {
+  return answer_pair(source, target, method, "Shortest path", answered, progress,
+                     [&](Query& query, AnswerMethod by, const SurfacePoint& from, const SurfacePoint& to) {
+                       return query.path(from, to, by, options.exact, options.certify);
+                     });
 }
 
 double Surface::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                          Answered& answered, const Progress& progress) {
-  const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
-  const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
-  answered = {};
-  answered.by = choose_for_pairs(method, answered, progress);
-  const Stopwatch watch;
-  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, "Distance");
-  const double found = lend([&](Query& query) { return query.distance(from, to, answered.by); });
-  answered.seconds = watch.seconds();
-  if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
-  return found;
+  return answer_pair(source, target, method, "Distance", answered, progress,
+                     [](Query& query, AnswerMethod by, const SurfacePoint& from, const SurfacePoint& to) {
+                       return query.distance(from, to, by);
+                     });
 }
 
-/// Calls answer(query, method, pairs) for blocks of pairs, on all threads. `at_once`: pairs of a block; where
-/// `shares`, all targets of one source are a block if one propagation serves them.
-template <class Answer>
-void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, bool shares,
-                           Answered& answered, const Progress& progress, Answer&& answer) {
+/// On all threads, for each pair: answer(query, method, pair), or take(pair, path) where one propagation
+/// serves all targets of a source. `at_once`: pairs that a thread takes at a time.
+template <class Answer, class Take>
+void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once,
+                           Answered& answered, const Progress& progress, Answer&& answer, Take&& take) {
   const auto& [sources, targets] = pairs;
   const std::size_t count = sources.size();
   std::vector<std::size_t> order(count);
@@ -337,7 +340,8 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
   answered = {};
   std::optional<AnswerMethod> ordered_for;
   // Exact answers come in rounds, as after each of them an index may pay.
-  for (std::size_t done = 0; done < count || done == 0;) {
+  std::size_t done = 0;
+  do {
     auto fraction = [&](std::size_t pair) {
       return count == 0 ? 1.0 : static_cast<double>(pair) / static_cast<double>(count);
     };
@@ -364,8 +368,7 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
       std::size_t same = end + 1;
       while (same < rest.size() && sources[rest[same]] == sources[rest[end]]) ++same;
       // Where the metric jumps, there are no bounds that make a corridor.
-      const bool together =
-          shares && !by_index && (mesh_->metric_jumps() || same - end >= targets_worth_propagation);
+      const bool together = !by_index && (mesh_->metric_jumps() || same - end >= targets_worth_propagation);
       const std::size_t next = together ? same : std::min(rest.size(), end + at_once);
       blocks.push_back({rest.subspan(end, next - end), together});
       end = next;
@@ -373,17 +376,24 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
     const Stopwatch watch;
     const double from = now.index_seconds > 0.0 ? std::lerp(fraction(done), 1.0, 0.9) : fraction(done);
     const Progress of_round = progress.part(from, fraction(done + end));
-    parallel_for(blocks.size(), threads_, of_round, "Pairs", [&](std::size_t block, int) {
+    parallel_for(blocks.size(), threads_, of_round, "Pairs", [&](std::size_t item, int) {
+      const Block& block = blocks[item];
       lend([&](Query& query) {
-        answer(query, now.by, blocks[block].pairs, blocks[block].is_shared);
+        if (!block.is_shared) {
+          for (const std::size_t i : block.pairs) answer(query, now.by, i);
+          return true;
+        }
+        std::vector<SurfacePoint> ends;
+        for (const std::size_t i : block.pairs) ends.push_back(targets[i]);
+        query.exact_paths(sources[block.pairs.front()], ends,
+                          [&](std::size_t i, ExactPath path) { take(block.pairs[i], std::move(path)); });
         return true;
       });
     });
     answered.seconds += watch.seconds();
     if (now.by == AnswerMethod::exact) pay(watch.rent(threads_));
     done += end;
-    if (count == 0) break;
-  }
+  } while (done < count);
 }
 
 namespace {
@@ -423,20 +433,12 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
     }
     rest = progress.part(0.5, 1.0);
   }
-  answer_pairs(pairs.pairs(), method, paths_at_once, true, answered, rest,
-               [&](Query& query, AnswerMethod by, std::span<const std::size_t> block, bool is_shared) {
-                 if (!is_shared) {
-                   for (const std::size_t i : block) {
-                     found[i] =
-                         query.path(pairs.sources[i], pairs.targets[i], by, options.exact, options.certify);
-                   }
-                   return;
-                 }
-                 std::vector<SurfacePoint> targets;
-                 for (const std::size_t i : block) targets.push_back(pairs.targets[i]);
-                 query.exact_paths(pairs.sources[block.front()], targets,
-                                   [&](std::size_t i, ExactPath path) { found[block[i]] = std::move(path); });
-               });
+  answer_pairs(
+      pairs.pairs(), method, paths_at_once, answered, rest,
+      [&](Query& query, AnswerMethod by, std::size_t i) {
+        found[i] = query.path(pairs.sources[i], pairs.targets[i], by, options.exact, options.certify);
+      },
+      [&](std::size_t i, ExactPath path) { found[i] = std::move(path); });
   answered.seconds += landmark_seconds;
   answered.index_seconds += first.index_seconds;
   if (answered.remark.empty()) answered.remark = first.remark;
@@ -448,20 +450,12 @@ std::vector<double> Surface::distances(const PointPairs& given, AnswerMethod met
   refuse_quick(method);
   const CheckedPairs pairs(*mesh_, given);
   std::vector<double> found(pairs.sources.size());
-  answer_pairs(pairs.pairs(), method, distances_at_once, true, answered, progress,
-               [&](Query& query, AnswerMethod by, std::span<const std::size_t> block, bool is_shared) {
-                 if (!is_shared) {
-                   for (const std::size_t i : block) {
-                     found[i] = query.distance(pairs.sources[i], pairs.targets[i], by);
-                   }
-                   return;
-                 }
-                 std::vector<SurfacePoint> targets;
-                 for (const std::size_t i : block) targets.push_back(pairs.targets[i]);
-                 query.exact_paths(
-                     pairs.sources[block.front()], targets,
-                     [&](std::size_t i, const ExactPath& path) { found[block[i]] = path.path.length; });
-               });
+  answer_pairs(
+      pairs.pairs(), method, distances_at_once, answered, progress,
+      [&](Query& query, AnswerMethod by, std::size_t i) {
+        found[i] = query.distance(pairs.sources[i], pairs.targets[i], by);
+      },
+      [&](std::size_t i, const ExactPath& path) { found[i] = path.path.length; });
   return found;
 }
 

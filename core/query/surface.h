@@ -124,9 +124,12 @@ class Surface {
   AnswerMethod rent_or_build(double whole_fields, Answered& answered, const Progress& progress);
   void pay(double seconds);
   std::optional<double> field_seconds() const;
-  template <class Answer>
-  void answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, bool shares,
-                    Answered& answered, const Progress& progress, Answer&& answer);
+  template <class Ask>
+  auto answer_pair(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+                   const char* activity, Answered& answered, const Progress& progress, Ask&& ask);
+  template <class Answer, class Take>
+  void answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, Answered& answered,
+                    const Progress& progress, Answer&& answer, Take&& take);
 
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
