@@ -2,10 +2,10 @@
 #include "methods/fast_marching.h"
 
 #include <cmath>
-#include <queue>
 #include <utility>
 
 #include "methods/method.h"
+#include "methods/vertex_search.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -126,15 +126,14 @@ double arrival(double low, double high, double to_low, double to_high, double co
   return std::fmin(low + t, along_edges);
 }
 
-/// The value that a triangle gives its corner, by the accepted ones of its other vertices.
-double through(const MarchingTriangle& t, const std::vector<double>& value,
-               const std::vector<std::uint8_t>& accepted) {
-  if (accepted[t.first] == 0) return value[t.second] + t.to_second;
-  if (accepted[t.second] == 0) return value[t.first] + t.to_first;
-  if (value[t.first] <= value[t.second]) {
-    return arrival(value[t.first], value[t.second], t.to_first, t.to_second, t.cosine);
-  }
-  return arrival(value[t.second], value[t.first], t.to_second, t.to_first, t.cosine);
+/// The value that a triangle gives its corner, by those of its other vertices that are settled.
+double through(const MarchingTriangle& t, const VertexSearch& search) {
+  const double first = search.distance(t.first);
+  const double second = search.distance(t.second);
+  if (!search.is_settled(t.first)) return second + t.to_second;
+  if (!search.is_settled(t.second)) return first + t.to_first;
+  if (first <= second) return arrival(first, second, t.to_first, t.to_second, t.cosine);
+  return arrival(second, first, t.to_second, t.to_first, t.cosine);
 }
 
 }  // namespace
@@ -158,37 +157,19 @@ FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh)
 
 std::vector<double> FastMarching::field(std::span<const Index> sources, const Progress& progress) {
   const Watch watch(progress, "Fast marching");
-  std::vector<double> value(vertices_, unreachable);
-  std::vector<std::uint8_t> accepted(vertices_, 0);
-  using Item = std::pair<double, Index>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  for (Index source : sources) {
-    value[source] = 0.0;
-    queue.push({0.0, source});
-  }
-  Index taken = 0;
-  while (!queue.empty()) {
-    const Index vertex = queue.top().second;
-    queue.pop();
-    if (accepted[vertex] != 0) continue;
-    accepted[vertex] = 1;
-    if (++taken % elements_per_checkpoint == 0) checkpoint();
-    for (std::size_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
+  VertexSearch search(vertices_, sources);
+  for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
+    for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) {
       const MarchingTriangle& t = triangles_[seen_from_[i]];
-      if (accepted[t.vertex] != 0) continue;
-      const double found = through(t, value, accepted);
-      if (found < value[t.vertex]) {
-        value[t.vertex] = found;
-        queue.push({found, t.vertex});
-      }
+      if (!search.is_settled(t.vertex)) search.lower(t.vertex, through(t, search));
     }
   }
-  return value;
+  return search.distances();
 }
 
 std::size_t FastMarching::bytes() const {
   return bytes_of(triangles_) + bytes_of(begin_) + bytes_of(seen_from_) +
-         static_cast<std::size_t>(vertices_) * (sizeof(double) + 1);
+         static_cast<std::size_t>(vertices_) * VertexSearch::bytes_per_vertex;
 }
 
 MethodEntry fast_marching_entry() {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 #include "exact/exact_geometry.h"
@@ -42,29 +41,11 @@ DistanceGraph::DistanceGraph(std::vector<std::vector<GraphArc>> arcs_of) {
 }
 
 std::vector<double> DistanceGraph::field(std::span<const Index> sources, Index target) const {
-  std::vector<double> distance(begin_.size() - 1, unreachable);
-  using Item = std::pair<double, Index>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  for (Index source : sources) {
-    distance[source] = 0.0;
-    queue.push({0.0, source});
+  VertexSearch search(static_cast<Index>(begin_.size() - 1), sources);
+  for (Index v = search.settle_next(); v != no_index && v != target; v = search.settle_next()) {
+    for (const GraphArc& arc : arcs(v)) search.lower(arc.target, search.distance(v) + arc.length);
   }
-  Index taken = 0;
-  while (!queue.empty()) {
-    const auto [length, vertex] = queue.top();
-    queue.pop();
-    if (length > distance[vertex]) continue;
-    if (vertex == target) break;
-    if (++taken % elements_per_checkpoint == 0) checkpoint();
-    for (const GraphArc& arc : arcs(vertex)) {
-      const double longer = length + arc.length;
-      if (longer < distance[arc.target]) {
-        distance[arc.target] = longer;
-        queue.push({longer, arc.target});
-      }
-    }
-  }
-  return distance;
+  return search.distances();
 }
 
 // ---- A graph of direct geodesics: a search around each vertex
@@ -273,43 +254,28 @@ class ShortTermVectors final : public GeodesicMethod {
 
   std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
     const Watch watch(progress, "Short-term vector Dijkstra");
-    const auto count = static_cast<std::size_t>(mesh_->vertex_count());
-    std::vector<double> distance(count, unreachable);
+    VertexSearch search(mesh_->vertex_count(), sources);
     // The spoke by which a vertex is reached from the one before: no_spoke at sources.
-    std::vector<std::size_t> reached_by(count, no_spoke);
-    std::vector<Index> before(count, no_index);
-    std::vector<std::uint8_t> accepted(count, 0);
-    using Item = std::pair<double, Index>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    for (Index source : sources) {
-      distance[source] = 0.0;
-      queue.push({0.0, source});
-    }
-    Index taken = 0;
-    while (!queue.empty()) {
-      const Index v = queue.top().second;
-      queue.pop();
-      if (accepted[v] != 0) continue;
-      accepted[v] = 1;
-      if (++taken % elements_per_checkpoint == 0) checkpoint();
+    std::vector<std::size_t> reached_by(is_disk_.size(), no_spoke);
+    std::vector<Index> before(is_disk_.size(), no_index);
+    for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
       for (std::size_t s = begin_[v]; s < begin_[v + 1]; ++s) {
         const Index w = spokes_[s].target;
-        if (accepted[w] != 0) continue;
-        const double found = over(v, spokes_[s], distance, before, reached_by);
+        if (search.is_settled(w)) continue;
+        const double found = over(v, spokes_[s], search.distances(), before, reached_by);
         // Of paths equal up to rounding, the first is kept: it has the fewest edges, so the longest memory.
-        if (found < distance[w] * (1.0 - 1e-12)) {
-          distance[w] = found;
+        if (found < search.distance(w) * (1.0 - 1e-12)) {
+          search.lower(w, found);
           before[w] = v;
           reached_by[w] = s;
-          queue.push({found, w});
         }
       }
     }
-    return distance;
+    return search.distances();
   }
   std::size_t bytes() const override {
     return bytes_of(spokes_) + bytes_of(begin_) + bytes_of(is_disk_) +
-           is_disk_.size() * (sizeof(double) + sizeof(std::size_t) + sizeof(Index) + 1);
+           is_disk_.size() * (VertexSearch::bytes_per_vertex + sizeof(std::size_t) + sizeof(Index));
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include "methods/chen_han.h"
 #include "methods/method.h"
+#include "methods/vertex_search.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -50,7 +51,7 @@ class GraphMethod final : public GeodesicMethod {
   std::vector<double> field(std::span<const Index> sources, const Progress& progress) override;
   double pair(Index source, Index target) override { return graph_.field({&source, 1}, target)[target]; }
   std::size_t bytes() const override {
-    return graph_.bytes() + static_cast<std::size_t>(vertices_) * sizeof(double);
+    return graph_.bytes() + static_cast<std::size_t>(vertices_) * VertexSearch::bytes_per_vertex;
   }
   std::size_t arc_count() const { return graph_.arc_count(); }
 

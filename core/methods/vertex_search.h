@@ -1,0 +1,60 @@
+// Dijkstra's order over vertices, for the methods that differ only in what they compute from it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "support/progress.h"
+#include "support/types.h"
+
+namespace vorogeo {
+
+/// Settles vertices in order of their distance from the nearest source (Dijkstra 1959). What a settled vertex
+/// gives its neighbours is the caller's: an edge, a sum of vectors, a wave through a triangle.
+class VertexSearch {
+ public:
+  VertexSearch(Index vertices, std::span<const Index> sources)
+      : distance_(vertices, unreachable), settled_(vertices, 0) {
+    for (Index source : sources) lower(source, 0.0);
+  }
+
+  /// The next vertex, whose distance is final; no_index at the end. \throw Cancelled.
+  Index settle_next() {
+    while (!queue_.empty()) {
+      const Index vertex = queue_.top().second;
+      queue_.pop();
+      if (is_settled(vertex)) continue;
+      settled_[vertex] = 1;
+      if (++settled_count_ % elements_per_checkpoint == 0) checkpoint();
+      return vertex;
+    }
+    return no_index;
+  }
+  /// Offers a vertex a distance, which it takes if it is less than its own. \pre It is not settled, or the
+  /// distance is no less than its own.
+  void lower(Index vertex, double distance) {
+    if (!(distance < distance_[vertex])) return;
+    distance_[vertex] = distance;
+    queue_.push({distance, vertex});
+  }
+  bool is_settled(Index vertex) const { return settled_[vertex] != 0; }
+  double distance(Index vertex) const { return distance_[vertex]; }
+  /// Of vertices that are not settled: upper bounds.
+  const std::vector<double>& distances() const { return distance_; }
+
+  static constexpr std::size_t bytes_per_vertex = sizeof(double) + sizeof(std::uint8_t);
+
+ private:
+  using Item = std::pair<double, Index>;
+
+  std::vector<double> distance_;
+  std::vector<std::uint8_t> settled_;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
+  Index settled_count_ = 0;
+};
+
+}  // namespace vorogeo
