@@ -268,17 +268,12 @@ constexpr double windows_to_warn = 3e8;
 
 class ChenHan final : public GeodesicMethod {
  public:
-  ChenHan(const std::shared_ptr<const Mesh>& mesh, bool ordered, bool filtered)
-      : mesh_(mesh), tree_(std::make_shared<const ExactGeometry>(mesh)) {
-    rules_.ordered = ordered;
-    rules_.filtered = filtered;
-  }
+  ChenHan(const std::shared_ptr<const Mesh>& mesh, const TreeRules& rules)
+      : mesh_(mesh), tree_(std::make_shared<const ExactGeometry>(mesh)), rules_(rules) {}
   std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
     const Watch watch(progress, "Windows as a tree");
     tree_.run(sources, rules_);
-    std::vector<double> distances(mesh_->vertex_count());
-    for (Index v = 0; v < mesh_->vertex_count(); ++v) distances[v] = tree_.distance(v);
-    return distances;
+    return vertex_distances(*mesh_, tree_);
   }
   std::size_t bytes() const override { return tree_.bytes(); }
 
@@ -299,7 +294,7 @@ MethodEntry ch_entry() {
            true,
            false},
           [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-            return std::make_unique<ChenHan>(mesh, false, false);
+            return std::make_unique<ChenHan>(mesh, TreeRules{.ordered = false, .filtered = false});
           },
           [](const Mesh& mesh) -> std::string {
             const double windows = static_cast<double>(mesh.face_count()) * mesh.face_count();
@@ -325,7 +320,8 @@ MethodEntry ich_entry() {
        true,
        false},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress&) {
-        return std::make_unique<ChenHan>(mesh, options.at("order") != 0.0, options.at("filter") != 0.0);
+        const TreeRules rules{.ordered = options.at("order") != 0.0, .filtered = options.at("filter") != 0.0};
+        return std::make_unique<ChenHan>(mesh, rules);
       },
       {}};
 }

@@ -184,10 +184,8 @@ MethodEntry svg_entry() {
        false,
        true},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
-        TreeRules rules;
-        rules.bends = false;
-        rules.max_vertices = static_cast<Index>(options.at("K"));
-        return direct_geodesics(mesh, rules, progress);
+        const auto most = static_cast<Index>(options.at("K"));
+        return direct_geodesics(mesh, {.bends = false, .max_vertices = most}, progress);
       },
       {}};
 }
@@ -209,10 +207,7 @@ MethodEntry dgg_entry() {
        false,
        true},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
-        TreeRules rules;
-        rules.bends = false;
-        rules.epsilon = options.at("epsilon");
-        return direct_geodesics(mesh, rules, progress);
+        return direct_geodesics(mesh, {.bends = false, .epsilon = options.at("epsilon")}, progress);
       },
       {}};
 }

@@ -70,6 +70,14 @@ struct MethodEntry {
   std::function<std::string(const Mesh& mesh)> warning;
 };
 
+/// The field that the last run of a solver has found.
+template <class Solver>
+std::vector<double> vertex_distances(const Mesh& mesh, const Solver& solver) {
+  std::vector<double> distances(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) distances[v] = solver.distance(v);
+  return distances;
+}
+
 /// Bytes of a vector's memory.
 template <class T>
 std::size_t bytes_of(const std::vector<T>& values) {

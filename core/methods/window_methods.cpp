@@ -11,25 +11,13 @@ namespace vorogeo {
 
 // ---- Runs of the exact solver for all vertices, or until one is final
 
-namespace {
-
-/// The field that the last run of an exact solver, or of virtual sources, has found.
-template <class Run>
-std::vector<double> vertex_distances(const Run& run) {
-  std::vector<double> distances(run.mesh().vertex_count());
-  for (Index v = 0; v < run.mesh().vertex_count(); ++v) distances[v] = run.distance(v);
-  return distances;
-}
-
-}  // namespace
-
 std::vector<double> WindowRuns::field(std::span<const Index> sources, const Progress& progress) {
   ExactLimits limits;
   limits.merge_tolerance = merge_tolerance_;
   limits.distances_only = true;
   limits.progress = &progress;
   solver_.run_from_vertices(sources, limits);
-  return vertex_distances(solver_);
+  return vertex_distances(solver_.mesh(), solver_);
 }
 
 double WindowRuns::pair(Index source, Index target) {
@@ -97,7 +85,7 @@ class VirtualSourceFields final : public GeodesicMethod {
     std::vector<ExactSource> points;
     for (Index source : sources) points.push_back({SurfacePoint::at_vertex(source)});
     runs_.run(points);
-    return vertex_distances(runs_);
+    return vertex_distances(runs_.mesh(), runs_);
   }
   std::size_t bytes() const override { return runs_.memory_bytes(); }
 

@@ -125,9 +125,7 @@ TEST(StvdMethod, MeasuresVectorsInATensorMetric) {
 
 TEST(GraphMethod, ACompleteGraphOfAPlaneIsExact) {
   const test::Shape shape = test::plane_grid(8, 6, 2.0, 1.0, 0.2);
-  TreeRules rules;
-  rules.bends = false;
-  const auto graph = direct_geodesics(test::make_mesh(shape.soup), rules, {});
+  const auto graph = direct_geodesics(test::make_mesh(shape.soup), {.bends = false}, {});
   EXPECT_EQ(graph->arc_count(), 63u * 62u);
   const std::vector<Index> source{40};
   const auto field = graph->field(source, {});
@@ -158,9 +156,7 @@ TEST(SvgMethod, OnAConvexShapeOnlyTheCompleteGraphIsExact) {
   const auto mesh = test::make_mesh(test::random_sphere(150, 5));
   EXPECT_GT(test::errors_against_exact("svg", mesh, 7, {{"K", 50.0}}).greatest, 1e-3);
   EXPECT_LT(test::errors_against_exact("svg", mesh, 7, {{"K", 149.0}}).greatest, 1e-9);
-  TreeRules rules;
-  rules.bends = false;
-  EXPECT_EQ(direct_geodesics(mesh, rules, {})->arc_count(), 150u * 149u);
+  EXPECT_EQ(direct_geodesics(mesh, {.bends = false}, {})->arc_count(), 150u * 149u);
 }
 
 // The rule by which vertices are left out of a graph: what is left out has a detour that is good enough.
@@ -170,11 +166,8 @@ TEST(Detours, OnAPlaneEveryVertexLeftOutHasOneOverAVertexThatIsNot) {
   const auto mesh = test::make_mesh(shape.soup);
   WindowTree tree(std::make_shared<const ExactGeometry>(mesh));
   for (double epsilon : {0.01, 0.001}) {
-    TreeRules rules;
-    rules.bends = false;
-    rules.epsilon = epsilon;
     const Index source = 20 * 41 + 20;
-    tree.run({&source, 1}, rules);
+    tree.run({&source, 1}, {.bends = false, .epsilon = epsilon});
     std::vector<Index> needed;
     for (Index v : tree.settled()) {
       if (v != source && tree.is_needed(v)) needed.push_back(v);
@@ -228,21 +221,15 @@ TEST(DggMethod, EpsilonIsExpectedAndNoBoundAndItsArcsCostSetUp) {
   const auto mesh = test::make_mesh(test::hills(40, 0.3));
   EXPECT_GT(test::errors_against_exact("dgg", mesh, 100, {{"epsilon", 0.001}}).greatest, 0.001);
   const auto graph_of = [&](double epsilon) {
-    TreeRules rules;
-    rules.bends = false;
-    rules.epsilon = epsilon;
-    return direct_geodesics(mesh, rules, {})->arc_count();
+    return direct_geodesics(mesh, {.bends = false, .epsilon = epsilon}, {})->arc_count();
   };
   const double growth = static_cast<double>(graph_of(0.001)) / static_cast<double>(graph_of(0.004));
   EXPECT_GT(growth, 1.5);
   EXPECT_LT(growth, 2.7);
   const auto windows_of = [&](double epsilon) {
-    TreeRules rules;
-    rules.bends = false;
-    rules.epsilon = epsilon;
     WindowTree tree(std::make_shared<const ExactGeometry>(mesh));
     const Index source = 840;
-    tree.run({&source, 1}, rules);
+    tree.run({&source, 1}, {.bends = false, .epsilon = epsilon});
     return tree.window_count();
   };
   EXPECT_GT(static_cast<double>(windows_of(0.001)), 1.5 * static_cast<double>(windows_of(0.004)));

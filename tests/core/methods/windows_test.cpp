@@ -127,20 +127,6 @@ TEST(GspMethod, GoesRoundAnEndOfASlit) {
   EXPECT_LT(test::errors_against_exact("gsp", mesh, 3).mean, 0.003);
 }
 
-// Fields and pairs by windows.
-
-TEST(WindowRuns, FieldsAndPairsOfAPlaneAreStraight) {
-  const auto shape = test::plane_grid(14, 11, 4.0, 3.0, 0.24, 7);
-  WindowRuns runs(test::make_mesh(shape.soup), 0.0);
-  const std::vector<Index> source{40};
-  const auto field = runs.field(source, {});
-  for (Index v = 0; v < static_cast<Index>(field.size()); ++v) {
-    EXPECT_NEAR(field[v], shape.vertex_distance(40, v), 1e-12);
-  }
-  EXPECT_NEAR(runs.pair(3, 100), shape.vertex_distance(3, 100), 1e-12);
-  EXPECT_GT(runs.bytes(), 1000u);
-}
-
 TEST(WindowRuns, MergingMakesFewerWindows) {
   const auto mesh = test::make_mesh(test::icosphere(5));
   WindowRuns exact(mesh, 0.0);
@@ -181,10 +167,7 @@ TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {
   for (Index v = 0; v < static_cast<Index>(soup.positions.size()); ++v) expected.push_back(tree.distance(v));
   const std::size_t fewest = tree.window_count();
   for (const auto& [ordered, filtered] : {std::pair{true, false}, {false, true}, {false, false}}) {
-    TreeRules rules;
-    rules.ordered = ordered;
-    rules.filtered = filtered;
-    tree.run({&source, 1}, rules);
+    tree.run({&source, 1}, {.ordered = ordered, .filtered = filtered});
     for (std::size_t v = 0; v < expected.size(); ++v) ASSERT_NEAR(tree.distance(v), expected[v], 1e-9);
     EXPECT_GT(tree.window_count(), fewest);
   }
@@ -194,15 +177,13 @@ TEST(WindowTree, WithoutBendsSeesOnlyWhatIsStraightAhead) {
   // Behind the slit nothing is seen directly; round its ends there is.
   const test::Shape shape = test::plane_with_slit(4);
   WindowTree tree = tree_on(shape.soup);
-  TreeRules rules;
-  rules.bends = false;
   Index source = no_index;
   for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
     const Point& p = shape.soup.positions[v];
     if (std::hypot(p[0], p[1] - 0.5) < 1e-9) source = v;
   }
   ASSERT_NE(source, no_index);
-  tree.run({&source, 1}, rules);
+  tree.run({&source, 1}, {.bends = false});
   for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
     const Point& p = shape.soup.positions[v];
     const double straight = distance_between(p, shape.soup.positions[source]);
@@ -218,11 +199,8 @@ TEST(WindowTree, WithoutBendsSeesOnlyWhatIsStraightAhead) {
 TEST(WindowTree, EndsAtTheNearestVertices) {
   const test::Shape shape = test::plane_grid(20, 20, 1.0, 1.0, 0.2);
   WindowTree tree = tree_on(shape.soup);
-  TreeRules rules;
-  rules.bends = false;
-  rules.max_vertices = 30;
   const Index source = 220;
-  tree.run({&source, 1}, rules);
+  tree.run({&source, 1}, {.bends = false, .max_vertices = 30});
   ASSERT_EQ(tree.settled().size(), 31u);
   std::vector<double> all;
   for (Index v = 0; v < 441; ++v) all.push_back(shape.vertex_distance(source, v));
