@@ -15,6 +15,7 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/ply.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -160,31 +161,24 @@ TEST(Mesh, NoFacesAndNoVertices) {
   EXPECT_EQ(points.mean_edge_length(), 0.0);
 }
 
-template <class Function>
-std::string refusal(Function function) {
-  try {
-    function();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "not refused";
-}
-
 TEST(Mesh, RefusalsNameTheElement) {
   const std::vector<Point> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(test::refusal([&] {
               Mesh(triangle, {{0, 1, 2}, {0, 1, 3}});
             }),
             "Face 1 names vertex 3, but the mesh has vertices 0 to 2.");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(test::refusal([&] {
               Mesh(triangle, {{0, -1, 2}});
             }),
             "Face 0 names vertex -1, but the mesh has vertices 0 to 2.");
-  EXPECT_EQ(refusal([] { Mesh({}, {{0, 1, 2}}); }), "Face 0 names vertex 0, but the mesh has no vertices.");
+  EXPECT_EQ(test::refusal([] {
+              Mesh({}, {{0, 1, 2}});
+            }),
+            "Face 0 names vertex 0, but the mesh has no vertices.");
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     auto positions = triangle;
     positions[2][1] = bad;
-    EXPECT_EQ(refusal([&] {
+    EXPECT_EQ(test::refusal([&] {
                 Mesh(positions, {{0, 1, 2}});
               }),
               "Vertex 2 has a coordinate that is not a finite number; repair or remove it.");

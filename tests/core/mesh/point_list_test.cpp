@@ -2,19 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "mesh/surface_point.h"
-#include "support/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
 
 std::string message_of(const Mesh& mesh, const PointList& points) {
-  try {
-    points_on(mesh, points, "Point");
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { points_on(mesh, points, "Point"); });
 }
 
 TEST(PointList, OnePointHasOneForm) {

@@ -10,6 +10,7 @@
 #include "mesh/surface_point.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -22,12 +23,7 @@ Mesh triangle() { return Mesh({{0, 0, 0}, {4, 0, 0}, {0, 2, 1}, {9, 9, 9}}, {{0,
 
 std::string refusal(const SurfacePoint& point) {
   const Mesh mesh = triangle();
-  try {
-    validated(mesh, point);
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "not refused";
+  return test::refusal([&] { validated(mesh, point); });
 }
 
 TEST(SurfacePoint, PositionIsTheWeightedSum) {
@@ -169,14 +165,7 @@ TEST(SurfaceLocator, LargeAndSmallMeshes) {
 
 TEST(SurfaceLocator, PointsThatCannotBeAnsweredAreNamed) {
   const SurfaceLocator locator(test::make_mesh(test::icosphere(0)));
-  auto refusal = [&](const Point& point) -> std::string {
-    try {
-      locator.nearest(point);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "";
-  };
+  auto refusal = [&](const Point& point) { return test::refusal([&] { locator.nearest(point); }); };
   EXPECT_EQ(
       refusal({0.0, unreachable, 1.0}),
       "The point (0, inf, 1) has a coordinate that is not a finite number; give three finite coordinates.");

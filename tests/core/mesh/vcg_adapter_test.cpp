@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "support/refusal.h"
+
 #ifdef VOROGEO_HAS_VCG
 #include <vcg/complex/complex.h>
 #endif
@@ -46,16 +48,6 @@ PlainMesh<Scalar> strip() {
   for (int i = 0; i < 4; ++i)
     mesh.face.push_back({{&mesh.vert[i], &mesh.vert[i + 1], &mesh.vert[i + 2]}, false});
   return mesh;
-}
-
-template <class Function>
-std::string refusal(Function function) {
-  try {
-    function();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "not refused";
 }
 
 TEST(VcgAdapter, CopiesAWholeMesh) {
@@ -140,25 +132,25 @@ TEST(VcgAdapter, EmptyMesh) {
 TEST(VcgAdapter, RefusalsNameTheElementOfTheVcgMesh) {
   auto dangling = strip<double>();
   dangling.vert[3].deleted = true;
-  EXPECT_EQ(refusal([&] { arrays_from_vcg(dangling); }),
+  EXPECT_EQ(test::refusal([&] { arrays_from_vcg(dangling); }),
             "Face 1 names vertex 3, which is deleted; remove the face.");
 
   auto null = strip<double>();
   null.face[2].corners[1] = nullptr;
-  EXPECT_EQ(refusal([&] { arrays_from_vcg(null); }),
+  EXPECT_EQ(test::refusal([&] { arrays_from_vcg(null); }),
             "Face 2 names a vertex that is not in the mesh; remove the face.");
 
   auto foreign = strip<double>();
   PlainVertex<double> other;
   foreign.face[3].corners[0] = &other;
-  EXPECT_EQ(refusal([&] { arrays_from_vcg(foreign); }),
+  EXPECT_EQ(test::refusal([&] { arrays_from_vcg(foreign); }),
             "Face 3 names a vertex that is not in the mesh; remove the face.");
 
   auto infinite = strip<double>();
   infinite.vert[0].deleted = true;
   infinite.face[0].deleted = true;
   infinite.vert[4].position[1] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal([&] { arrays_from_vcg(infinite); }),
+  EXPECT_EQ(test::refusal([&] { arrays_from_vcg(infinite); }),
             "Vertex 4 has a coordinate that is NaN or infinite; repair or remove it.");
 }
 

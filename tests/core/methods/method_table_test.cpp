@@ -9,21 +9,12 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/methods.h"
+#include "support/refusal.h"
 
 namespace vorogeo {
 namespace {
 
 // The table of methods: every method on every kind of mesh, and what is refused.
-
-template <class Call>
-std::string refusal(Call&& call) {
-  try {
-    call();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 
 TEST(MethodTable, NamesAreDifferentAndEveryMethodSaysWhatItClaims) {
   std::set<std::string> names;
@@ -43,28 +34,28 @@ TEST(MethodTable, NamesAreDifferentAndEveryMethodSaysWhatItClaims) {
 
 TEST(MethodTable, RefusesUnknownNamesOptionsAndValues) {
   const auto mesh = test::make_mesh(test::icosphere(1));
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(test::refusal([&] {
               prepare_method("walking", mesh, {}, {});
             }).find("walking is not known; give one of vorogeo"),
             std::string::npos);
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(test::refusal([&] {
               prepare_method("mmp", mesh, {{"eps", 1.0}}, {});
             }),
             "The method mmp has no option eps; it has none.");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(test::refusal([&] {
               prepare_method("ammp", mesh, {{"K", 1.0}}, {});
             }),
             "The method ammp has no option K; it has eps.");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(test::refusal([&] {
               prepare_method("ammp", mesh, {{"eps", -1.0}}, {});
             }),
             "The option eps of the method ammp is -1; give a number from 0 to 0.1.");
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(test::refusal([&] {
               prepare_method("heat", mesh, {{"delaunay", 0.5}}, {});
             }).find("give a whole number"),
             std::string::npos);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(test::refusal([&] {
               prepare_method("heat", mesh, {{"time_step", nan}}, {});
             }).find("is nan; give a number"),
             std::string::npos);
