@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "index/build_estimate.h"
 #include "mesh/gaps.h"
 #include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
@@ -14,6 +15,7 @@
 #include "query/surface.h"
 #include "support/memory.h"
 #include "support/parallel.h"
+#include "tasks/curve_sources.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/neighbors.h"
@@ -56,10 +58,10 @@ struct Surface::State {
   std::size_t face_count = 0;  ///< of the faces given
   inner::IndexOptions options;
 
-  std::mutex mutex;  ///< of the two below, held for moments
+  std::mutex mutex;  ///< of the surface, held for moments
   std::shared_ptr<inner::Surface> surface;
+  std::once_flag locator_made;
   std::unique_ptr<const inner::SurfaceLocator> locator;
-  std::mutex build_mutex;  ///< one build at a time
 
   std::shared_ptr<inner::Surface> current() {
     const std::lock_guard lock(mutex);
@@ -255,6 +257,19 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
   });
 }
 
+PointList Surface::along_edges(const std::vector<std::array<int, 2>>& edges, double spacing) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    for (const auto& ends : edges) points_in(mesh, {ends[0], ends[1]});
+    if (spacing == 0.0) spacing = 0.25 * mesh.typical_edge_length();
+    std::vector<SurfacePoint> points;
+    for (const auto& source : sources_along_edges(mesh, edges_of_curve(mesh, edges), spacing)) {
+      points.push_back(point_out(mesh, source.point));
+    }
+    return PointList(points);
+  });
+}
+
 double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answer by) const {
   return translated([&] {
     const inner::Mesh& mesh = *state_->mesh;
@@ -297,13 +312,10 @@ Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathO
 
 SnappedPoint Surface::nearest(const Point& position) const {
   return translated([&] {
-    const inner::SurfaceLocator* locator = nullptr;
-    {
-      const std::lock_guard lock(state_->mutex);
-      if (!state_->locator) state_->locator = std::make_unique<inner::SurfaceLocator>(state_->mesh);
-      locator = state_->locator.get();
-    }
-    const auto found = locator->nearest(position);
+    State& state = *state_;
+    std::call_once(state.locator_made,
+                   [&] { state.locator = std::make_unique<inner::SurfaceLocator>(state.mesh); });
+    const auto found = state.locator->nearest(position);
     return SnappedPoint{point_out(*state_->mesh, found.point), found.distance};
   });
 }
@@ -317,23 +329,41 @@ Point Surface::position(const SurfacePoint& point) const {
 
 // ---- Its index
 
+namespace {
+
+inner::IndexOptions core_options(inner::IndexOptions wanted, const IndexOptions& options) {
+  wanted.first_layer_patches = options.first_layer_patches;
+  wanted.second_layer_patches = options.second_layer_patches;
+  wanted.delta = options.delta;
+  wanted.seed = options.seed;
+  wanted.memory_budget = options.memory_budget;
+  return wanted;
+}
+
+}  // namespace
+
+IndexEstimate Surface::estimate_index(const IndexOptions& options) const {
+  return translated([&] {
+    const auto estimate = estimate_build(state_->mesh, core_options(state_->options, options), true,
+                                         Progress(options.progress));
+    return IndexEstimate{estimate.build_seconds, estimate.bytes, estimate.field_seconds,
+                         estimate.exact_field_seconds};
+  });
+}
+
 void Surface::build_index(const IndexOptions& options) {
   translated([&] {
-    const std::lock_guard one_build(state_->build_mutex);
-    if (const auto index = state_->current()->index()) {
-      if (!options.file.empty()) index->save(options.file);
-      return;
-    }
-    inner::IndexOptions wanted = state_->options;
-    wanted.first_layer_patches = options.first_layer_patches;
-    wanted.second_layer_patches = options.second_layer_patches;
-    wanted.delta = options.delta;
-    wanted.seed = options.seed;
-    wanted.memory_budget = options.memory_budget;
-    const Progress progress(options.progress);
-    state_->adopt(options.file.empty()
-                      ? inner::GeodesicIndex::build(state_->mesh, wanted, progress)
-                      : inner::GeodesicIndex::build_in_file(options.file, state_->mesh, wanted, progress));
+    const inner::IndexOptions wanted = core_options(state_->options, options);
+    bool is_new = false;
+    const auto index = state_->current()->build_index(
+        [&](const Progress& progress) {
+          is_new = true;
+          return options.file.empty()
+                     ? inner::GeodesicIndex::build(state_->mesh, wanted, progress)
+                     : inner::GeodesicIndex::build_in_file(options.file, state_->mesh, wanted, progress);
+        },
+        Progress(options.progress));
+    if (!is_new && !options.file.empty()) index->save(options.file);
   });
 }
 
@@ -382,6 +412,13 @@ auto run_task(const Surface& surface, Body&& body) {
   });
 }
 
+/// For so many rows of distances. \throw NotEnoughMemory before anything is allocated.
+std::vector<double> rows_of_distances(std::size_t rows, std::size_t width) {
+  require_memory(static_cast<double>(rows) * static_cast<double>(width) * sizeof(double), 0,
+                 "The matrix of the distances", "Ask for fewer points at a time.");
+  return std::vector<double>(rows * width);
+}
+
 SparseDistances sparse_out(inner::Surface& surface, const inner::PointList& points, double radius,
                            const inner::TaskOptions& options) {
   auto found = pairs_within(surface, points, radius, 0, options);
@@ -393,9 +430,9 @@ SparseDistances sparse_out(inner::Surface& surface, const inner::PointList& poin
 std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
                                     const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    std::vector<double> matrix(points.size() * points.size());
-    distance_matrix(asked, points_in(mesh, points), MatrixMethod::automatic, std::span(matrix),
-                    core_options(options));
+    const inner::PointList all = points_in(mesh, points);
+    std::vector<double> matrix = rows_of_distances(all.size(), all.size());
+    distance_matrix(asked, all, MatrixMethod::automatic, std::span(matrix), core_options(options));
     return matrix;
   });
 }
@@ -403,9 +440,10 @@ std::vector<double> distance_matrix(const Surface& surface, const PointList& poi
 std::vector<double> distance_matrix(const Surface& surface, const PointList& rows, const PointList& columns,
                                     const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    std::vector<double> matrix(rows.size() * columns.size());
-    distance_matrix(asked, points_in(mesh, rows), points_in(mesh, columns), MatrixMethod::automatic,
-                    std::span(matrix), core_options(options));
+    const inner::PointList from = points_in(mesh, rows);
+    const inner::PointList to = points_in(mesh, columns);
+    std::vector<double> matrix = rows_of_distances(from.size(), to.size());
+    distance_matrix(asked, from, to, MatrixMethod::automatic, std::span(matrix), core_options(options));
     return matrix;
   });
 }
@@ -413,8 +451,10 @@ std::vector<double> distance_matrix(const Surface& surface, const PointList& row
 std::vector<double> distance_fields(const Surface& surface, const PointList& sources, double limit,
                                     const TaskOptions& options) {
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    std::vector<double> rows(sources.size() * static_cast<std::size_t>(surface.vertex_count()));
-    distance_fields(asked, points_in(mesh, sources), limit, std::span(rows), core_options(options));
+    const inner::PointList from = points_in(mesh, sources);
+    std::vector<double> rows =
+        rows_of_distances(from.size(), static_cast<std::size_t>(surface.vertex_count()));
+    distance_fields(asked, from, limit, std::span(rows), core_options(options));
     return rows;
   });
 }

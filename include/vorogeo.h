@@ -135,13 +135,15 @@ struct SurfaceOptions {
   double gap = 0.0;
   /// Join them also where the surface turns back.
   bool bridge_folds = false;
-  /// Threads used by an index build, a field or a task; 0: one per core. No result depends on it.
+  /// Threads used by an index build, a field or a task; 0: one per core. Results do not depend on it, except
+  /// exact fields of large meshes, which threads share: there, up to rounding.
   int threads = 0;
 };
 
 /// How a question is answered.
 enum class Answer : std::uint8_t {
-  automatic,  ///< by the index if there is one; otherwise exactly, until an index has become worth its build
+  automatic,  ///< by what costs least: exactly what reaches a small part of the surface; all else by the
+              ///< index if there is one, otherwise exactly until an index has become worth its build
   index,      ///< by the index, which is built if there is none
   exact,      ///< by exact propagation over the faces
   quick       ///< fields only: some tenths of a percent off, in a small part of the time
@@ -193,6 +195,14 @@ struct IndexOptions {
   ProgressFunction progress = {};
 };
 
+/// On this machine with nothing else to do.
+struct IndexEstimate {
+  double build_seconds = 0.0;
+  std::int64_t bytes = 0;            ///< in addition to the mesh
+  double field_seconds = 0.0;        ///< of a field from the index
+  double exact_field_seconds = 0.0;  ///< of an exact one, on one thread
+};
+
 struct IndexStatistics {
   int first_layer_patches = 0;
   int second_layer_patches = 0;
@@ -231,6 +241,10 @@ class VOROGEO_API Surface {
   std::vector<double> distances_from(const PointList& sources) const;
   /// The same with options and labels. \throw InvalidInput for no source, or one that is not on the surface.
   Field field(const PointList& sources, const FieldOptions& options = {}) const;
+  /// A curve along edges, each between two vertices, as sources: points at most `spacing` apart; 0: a quarter
+  /// of an edge. Distances from them are at most half the spacing too long. \throw InvalidInput for vertices
+  /// without an edge.
+  PointList along_edges(const std::vector<std::array<int, 2>>& edges, double spacing = 0.0) const;
   /// The distance of two points. \pre `by` is not quick.
   double distance(const SurfacePoint& from, const SurfacePoint& to, Answer by = Answer::automatic) const;
   /// The same for pairs of points: entry i of both lists. On all threads, from the index if there is one.
@@ -245,6 +259,8 @@ class VOROGEO_API Surface {
   /// Builds an index: later answers take milliseconds or less. Does nothing if there is one, except that a
   /// file is written. \throw InvalidInput for options that cannot be met, IndexFileError, Cancelled.
   void build_index(const IndexOptions& options = {});
+  /// What that would cost, in a few percent of its time.
+  IndexEstimate estimate_index(const IndexOptions& options = {}) const;
   bool has_index() const;
   /// \pre There is an index. \throw InvalidInput otherwise.
   IndexStatistics index_statistics() const;

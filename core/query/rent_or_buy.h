@@ -2,10 +2,35 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 
+#include "support/parallel.h"
 #include "support/types.h"
 
 namespace vorogeo {
+
+/// A field that two threads share takes up to so many times the processor time of the calling one, as they
+/// wait for one another at each step; in a build they do not. Anything beyond that is other programs' work.
+inline constexpr double waiting_in_shared_field = 1.25;
+
+/// How long answers take.
+class Stopwatch {
+ public:
+  /// By the clock on the wall.
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  /// What RentOrBuy counts: work of the calling thread, which stands still while other programs run.
+  /// `threads`: that shared the work.
+  double rent(int threads) const {
+    const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
+    return std::min(seconds(), waiting * (thread_seconds() - worked_));
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double worked_ = thread_seconds();
+};
 
 /// Exact answers are rent, an index is bought: renting until the rent would exceed the price, and buying
 /// then, costs at most twice as much as the better of both for any number of questions, and without knowledge

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -20,17 +19,8 @@ namespace vorogeo {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Queries kept for the next call, for each thread of a task; each holds memory for the whole mesh.
 constexpr int max_idle_per_thread = 2;
-
-/// A field that two threads share takes up to so many times the processor time of the calling one, as they
-/// wait for one another at each step; in a build they do not. Anything beyond that is other programs' work.
-constexpr double waiting_in_shared_field = 1.25;
 
 /// A field from the index takes as long as an exact one over about this part of the surface: what reaches no
 /// farther is exact. Exact propagation grows faster with the mesh (measured on scans of 35,000 and 134,000
@@ -53,19 +43,8 @@ constexpr std::size_t targets_worth_propagation = 100;
 constexpr std::size_t paths_at_once = 16;
 constexpr std::size_t distances_at_once = 64;
 
-/// Seconds of exact answers, of the calling thread's work where other programs run.
-class Stopwatch {
- public:
-  double seconds() const { return seconds_since(start_); }
-  double rent(int threads) const {
-    const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
-    return std::min(seconds(), waiting * (thread_seconds() - worked_));
-  }
-
- private:
-  Clock::time_point start_ = Clock::now();
-  double worked_ = thread_seconds();
-};
+/// The part of a question's progress that the build of an index takes.
+constexpr double build_share = 0.9;
 
 void refuse_quick(AnswerMethod method) {
   if (method != AnswerMethod::quick) return;
@@ -143,9 +122,21 @@ void Surface::pay_for_fields(double seconds, double reach) {
 }
 
 std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progress) {
-  const std::lock_guard one_build(build_mutex_);
+  return build_index([&](const Progress& rest) { return GeodesicIndex::build(mesh_, options_, rest); },
+                     progress);
+}
+
+std::shared_ptr<const GeodesicIndex> Surface::build_index(const IndexBuild& build, const Progress& progress) {
+  std::unique_lock one_build(build_mutex_, std::try_to_lock);
+  Progress rest = progress;
+  if (!one_build) {
+    // Whoever waits can be cancelled as well.
+    const Watch watch(progress.part(0.0, 0.5), "Waiting for the index");
+    while (!one_build.try_lock_for(report_interval)) checkpoint();
+    rest = progress.part(0.5, 1.0);
+  }
   if (auto built = index()) return built;
-  auto built = GeodesicIndex::build(mesh_, options_, progress);
+  auto built = build(rest);
   const std::lock_guard lock(mutex_);
   index_ = built;
   return built;
@@ -214,10 +205,30 @@ AnswerMethod Surface::at_once(bool is_field) const {
   return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
 }
 
+/// Leaves the question the progress from where the build has come, also where that fails.
+void Surface::build_for_question(Answered& answered, Progress& progress) {
+  const Stopwatch watch;
+  const Progress whole = progress;
+  Progress of_build = whole;
+  if (whole) {
+    of_build = Progress(
+        [&](double fraction, const std::string& activity) {
+          progress = whole.part(build_share * fraction, 1.0);
+          whole.report(build_share * fraction, activity);
+          return true;
+        },
+        [&](const std::string& sentence) {
+          whole.warn(sentence);
+          return true;
+        });
+  }
+  build_index(of_build);
+  answered.index_seconds = watch.seconds();
+}
+
 /// The index, built if the price has been paid in exact answers, or would be with those that `whole_fields`
 /// fields take; 0: with one more. Otherwise exact.
-AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, const Progress& progress) {
-  const auto start = Clock::now();
+AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, Progress& progress) {
   const bool is_long = whole_fields >= many_fields;
   if (spent().has_given_up()) return AnswerMethod::exact;
   try {
@@ -229,12 +240,11 @@ AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, con
     }
     const double next = is_long ? whole_fields * *field_seconds() / threads_ : 0.0;
     if (!spent().should_buy(next)) return AnswerMethod::exact;
-    build_index(progress.part(0.0, 0.9));
+    build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
                                 "for: it was built and gives all further answers."
                               : "Exact answers have taken as long as building an index: it was built and "
                                 "gives all further answers.";
-    answered.index_seconds = seconds_since(start);
     return AnswerMethod::index;
   } catch (const InvalidInput& error) {
     answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
@@ -247,12 +257,8 @@ AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, con
 }
 
 AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, Answered& answered,
-                             const Progress& progress) {
-  if (method == AnswerMethod::index && !index()) {
-    const auto start = Clock::now();
-    build_index(progress.part(0.0, 0.9));
-    answered.index_seconds = seconds_since(start);
-  }
+                             Progress& progress) {
+  if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
   if (method != AnswerMethod::automatic) return method;
   if (reach <= short_reach(mesh_->vertex_count())) return AnswerMethod::exact;
   if (index()) return AnswerMethod::index;
@@ -267,6 +273,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   require_limit(max_distance);
   validated(*mesh_, sources);
   answered = {};
+  Progress rest = progress;
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
   const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
   if (method == AnswerMethod::automatic && is_large && reach > short_reach(mesh_->vertex_count()) &&
@@ -276,10 +283,9 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
                       " vertices: the field is a quick one, with an error of some tenths of a percent; ask "
                       "for the method exact or index for a better one.";
   } else {
-    answered.by = choose(method, 1.0, reach, answered, progress);
+    answered.by = choose(method, 1.0, reach, answered, rest);
   }
   const Stopwatch watch;
-  const Progress rest = answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress;
   LabelledField found = lend(
       [&](Query& query) { return query.labelled_field(sources, max_distance, answered.by, threads_, rest); });
   answered.seconds = watch.seconds();
@@ -291,7 +297,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
 
 // ---- Two points, and many pairs of points
 
-AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, const Progress& progress) {
+AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, Progress& progress) {
   refuse_quick(method);
   return choose(method, 1.0, 1.0, answered, progress);
 }
@@ -303,9 +309,10 @@ auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target
   const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
   const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
   answered = {};
-  answered.by = choose_for_pairs(method, answered, progress);
+  Progress rest = progress;
+  answered.by = choose_for_pairs(method, answered, rest);
   const Stopwatch watch;
-  const Watch reports(answered.index_seconds > 0.0 ? progress.part(0.9, 1.0) : progress, activity);
+  const Watch reports(rest, activity);
   auto found = lend([&](Query& query) { return ask(query, answered.by, from, to); });
   answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
@@ -341,12 +348,10 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
   std::optional<AnswerMethod> ordered_for;
   // Exact answers come in rounds, as after each of them an index may pay.
   std::size_t done = 0;
+  Progress progress_left = progress;
   do {
-    auto fraction = [&](std::size_t pair) {
-      return count == 0 ? 1.0 : static_cast<double>(pair) / static_cast<double>(count);
-    };
     Answered now;
-    now.by = choose_for_pairs(method, now, progress.part(fraction(done), 1.0));
+    now.by = choose_for_pairs(method, now, progress_left);
     answered.by = now.by;
     answered.index_seconds += now.index_seconds;
     if (!now.remark.empty()) answered.remark = now.remark;
@@ -374,8 +379,9 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
       end = next;
     }
     const Stopwatch watch;
-    const double from = now.index_seconds > 0.0 ? std::lerp(fraction(done), 1.0, 0.9) : fraction(done);
-    const Progress of_round = progress.part(from, fraction(done + end));
+    const double share = rest.empty() ? 1.0 : static_cast<double>(end) / static_cast<double>(rest.size());
+    const Progress of_round = progress_left.part(0.0, share);
+    progress_left = progress_left.part(share, 1.0);
     parallel_for(blocks.size(), threads_, of_round, "Pairs", [&](std::size_t item, int) {
       const Block& block = blocks[item];
       lend([&](Query& query) {
@@ -425,10 +431,10 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
   double landmark_seconds = 0.0;
   // Where the metric jumps, nothing bounds a path.
   if (is_proof && found.size() >= pairs_worth_landmarks && !landmarks() && !mesh_->metric_jumps()) {
-    if (choose_for_pairs(method, first, progress.part(0.0, 0.5)) == AnswerMethod::index) {
+    Progress before = progress.part(0.0, 0.5);
+    if (choose_for_pairs(method, first, before) == AnswerMethod::index) {
       const Stopwatch watch;
-      const double from = first.index_seconds > 0.0 ? 0.45 : 0.0;
-      use_landmarks(landmarks_of(index(), ExactLandmarks::max_count, threads_, progress.part(from, 0.5)));
+      use_landmarks(landmarks_of(index(), ExactLandmarks::max_count, threads_, before));
       landmark_seconds = watch.seconds();
     }
     rest = progress.part(0.5, 1.0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -60,8 +61,12 @@ class Surface {
   int threads() const { return threads_; }
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const;
-  /// The index, built now if there is none. \throw as GeodesicIndex::build.
+  /// The index, built now if there is none. While another thread builds it, waits for that and goes on
+  /// reporting. \throw as GeodesicIndex::build.
   std::shared_ptr<const GeodesicIndex> build_index(const Progress& progress = {});
+  /// The same, where `build` is what builds it: with other options, or in a file.
+  using IndexBuild = std::function<std::shared_ptr<const GeodesicIndex>(const Progress&)>;
+  std::shared_ptr<const GeodesicIndex> build_index(const IndexBuild& build, const Progress& progress);
   /// What all solvers on this mesh share, made when it is first asked for.
   std::shared_ptr<const LocalGeometry> geometry();
   RentOrBuy spent() const;
@@ -96,9 +101,9 @@ class Surface {
   std::shared_ptr<const ExactLandmarks> landmarks() const;
 
   /// What answers a task of so many fields, each of which reaches the part `reach` of the surface (0 to 1).
-  /// An index that is needed has been built when it returns.
+  /// An index that is needed has been built when it returns. `progress`: receives what is left of it.
   AnswerMethod choose(AnswerMethod method, double fields, double reach, Answered& answered,
-                      const Progress& progress = {});
+                      Progress& progress);
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
@@ -120,8 +125,9 @@ class Surface {
   }
 
  private:
-  AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, const Progress& progress);
-  AnswerMethod rent_or_build(double whole_fields, Answered& answered, const Progress& progress);
+  AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, Progress& progress);
+  AnswerMethod rent_or_build(double whole_fields, Answered& answered, Progress& progress);
+  void build_for_question(Answered& answered, Progress& progress);
   void pay(double seconds);
   std::optional<double> field_seconds() const;
   template <class Ask>
@@ -134,9 +140,9 @@ class Surface {
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
   const int threads_;
-  mutable std::mutex mutex_;   ///< of everything below, held for moments
-  std::mutex build_mutex_;     ///< one build at a time
-  std::mutex geometry_mutex_;  ///< likewise
+  mutable std::mutex mutex_;      ///< of everything below, held for moments
+  std::timed_mutex build_mutex_;  ///< one build at a time
+  std::mutex geometry_mutex_;     ///< likewise
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
   std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_

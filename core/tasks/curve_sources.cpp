@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "mesh/given_points.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -35,6 +36,19 @@ std::vector<Point> points_between(const Point& a, const Point& b, double spacing
     points.push_back({std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)});
   }
   return points;
+}
+
+std::vector<Index> edges_of_curve(const Mesh& mesh, std::span<const std::array<int, 2>> ends) {
+  std::vector<Index> edges;
+  for (const auto& [a, b] : ends) {
+    const auto parts = edges_between(mesh, mesh.representative(a), mesh.representative(b));
+    if (parts.empty()) {
+      throw InvalidInput("There is no edge between vertex " + std::to_string(a) + " and vertex " +
+                         std::to_string(b) + "; a curve runs along edges of the mesh.");
+    }
+    edges.insert(edges.end(), parts.begin(), parts.end());
+  }
+  return edges;
 }
 
 std::vector<ExactSource> sources_along_edges(const Mesh& mesh, std::span<const Index> edges, double spacing) {

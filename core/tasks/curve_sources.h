@@ -1,12 +1,17 @@
 // Curves as sources: evenly spaced points along them.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "exact/exact_solver.h"
 
 namespace vorogeo {
+
+/// The edges of a curve, each between two vertices as they were given. \throw InvalidInput where there is
+/// none.
+std::vector<Index> edges_of_curve(const Mesh& mesh, std::span<const std::array<int, 2>> ends);
 
 /// Points along edges of the mesh, at most `spacing` apart, including the vertices, each once.
 ///

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "support/error.h"
 #include "support/parallel.h"
@@ -133,10 +132,7 @@ GeodesicDisk geodesic_disk(Surface& surface, const PointList& given, double radi
   const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
   const PointList sources = points_on(mesh, given, "Point");
-  if (!(radius >= 0.0)) {
-    throw InvalidInput("The radius is " + std::to_string(radius) +
-                       "; it must be a length of at least 0 in the unit of the mesh.");
-  }
+  require_radius(radius);
   const double reach = static_cast<double>(sources.size()) * surface.reach_of(radius);
   Workers workers(surface, options, 1.0, std::min(1.0, reach));
   const auto field = workers.field_on_all_threads(sources, radius);

@@ -19,13 +19,6 @@ struct Entry {
   double distance;
 };
 
-void require_radius(double radius) {
-  if (!(radius >= 0.0)) {
-    throw InvalidInput("The radius is " + std::to_string(radius) +
-                       "; it must be a length of at least 0 in the unit of the mesh.");
-  }
-}
-
 /// Only what can be reached, even with an infinite radius.
 bool is_within(double distance, double radius) { return distance <= radius && distance < unreachable; }
 

@@ -2,10 +2,10 @@
 #include "tasks/workers.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <numeric>
 #include <span>
+#include <string>
 
 #include "index/index_data.h"
 #include "support/error.h"
@@ -17,10 +17,6 @@ namespace {
 /// The part of the surface from which an exact field is shared by threads.
 constexpr double least_shared_reach = 0.25;
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 std::vector<ExactSource> as_sources(const PointList& points) {
   std::vector<ExactSource> sources;
   sources.reserve(points.size());
@@ -30,27 +26,36 @@ std::vector<ExactSource> as_sources(const PointList& points) {
 
 }  // namespace
 
+void require_radius(double radius) {
+  if (radius >= 0.0) return;
+  throw InvalidInput("The radius is " + std::to_string(radius) +
+                     "; it must be a length of at least 0 in the unit of the mesh.");
+}
+
 Workers::Workers(Surface& surface, const TaskOptions& options, double fields, double reach)
-    : surface_(surface), reported_(options.answered), reach_(reach), uncaught_(std::uncaught_exceptions()) {
+    : surface_(surface),
+      reported_(options.answered),
+      progress_(options.progress),
+      reach_(reach),
+      uncaught_(std::uncaught_exceptions()) {
   if (options.by == AnswerMethod::quick) {
     throw InvalidInput(
         "The quick method answers single fields only; choose automatic, index or exact for a task.");
   }
-  answered_.by = surface.choose(options.by, fields, reach, answered_, options.progress);
-  progress_ = answered_.index_seconds > 0.0 ? options.progress.part(0.9, 1.0) : options.progress;
+  answered_.by = surface.choose(options.by, fields, reach, answered_, progress_);
   queries_.resize(surface.threads());
-  started_ = now();
+  watch_ = {};
 }
 
 Workers::~Workers() {
-  answered_.seconds = now() - started_;
+  answered_.seconds = watch_.seconds();
   if (reported_ != nullptr) *reported_ = answered_;
   // A query that was interrupted is not used again.
   if (std::uncaught_exceptions() > uncaught_) return;
   for (auto& query : queries_) {
     if (query) surface_.give_back(std::move(query));
   }
-  if (is_exact()) surface_.pay_for_fields(answered_.seconds, reach_);
+  if (is_exact()) surface_.pay_for_fields(watch_.rent(threads()), reach_);
 }
 
 Query& Workers::query(int worker) {

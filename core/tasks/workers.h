@@ -28,6 +28,9 @@ struct TaskOptions {
 /// Voronoi region: with a margin, as these differ in size.
 inline double reach_of_regions(double sites) { return std::min(1.0, 4.0 / std::max(1.0, sites)); }
 
+/// \throw InvalidInput for a radius that is negative or NaN.
+void require_radius(double radius);
+
 /// Lends each worker of a parallel_for a query of the surface, and answers by the method that is expected to
 /// be fastest for the task. Tasks made of many fields (matrices, Voronoi regions, samplings) are written
 /// against it.
@@ -71,7 +74,7 @@ class Workers {
   double reach_;
   std::vector<std::unique_ptr<Query>> queries_;  ///< by worker
   int uncaught_ = 0;
-  double started_ = 0.0;
+  Stopwatch watch_;  ///< of the answers, without an index built for them
 };
 
 }  // namespace vorogeo

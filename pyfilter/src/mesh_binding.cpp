@@ -36,16 +36,9 @@ nb::tuple MeshPoints::snap(const VertexArray& points) {
 }
 
 nb::tuple MeshPoints::along_edges(const EdgeArray& ends, double spacing) const {
-  std::vector<Index> edges;
-  for (std::size_t i = 0; i < ends.shape(0); ++i) {
-    const auto parts =
-        edges_between(mesh(), mesh().representative(ends(i, 0)), mesh().representative(ends(i, 1)));
-    if (parts.empty()) {
-      throw InvalidInput("There is no edge between vertex " + std::to_string(ends(i, 0)) + " and vertex " +
-                         std::to_string(ends(i, 1)) + "; a curve runs along edges of the mesh.");
-    }
-    edges.insert(edges.end(), parts.begin(), parts.end());
-  }
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t i = 0; i < ends.shape(0); ++i) pairs.push_back({ends(i, 0), ends(i, 1)});
+  const std::vector<Index> edges = edges_of_curve(mesh(), pairs);
   PointRows rows;
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
   for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted)) rows.add(mesh(), source.point);

@@ -88,6 +88,21 @@ TEST(Library, LimitsAndOffsetsHold) {
   }
 }
 
+TEST(Library, ACurveAlongEdgesIsASource) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  std::vector<std::array<int, 2>> side;
+  for (int v = 0; v < squares; ++v) side.push_back({v, v + 1});
+  const auto distance = surface.distances_from(surface.along_edges(side));
+  for (int v = 0; v < surface.vertex_count(); ++v) {
+    const double flat = static_cast<double>(v / (squares + 1)) / squares;
+    EXPECT_NEAR(distance[v], flat, 1e-12) << "each vertex has a point of the side across it";
+  }
+  EXPECT_THROW(surface.along_edges({{0, 2}}), vorogeo::InvalidInput);
+  EXPECT_THROW(surface.along_edges({{0, -1}}), vorogeo::InvalidInput);
+  EXPECT_THROW(surface.along_edges(side, -1.0), vorogeo::InvalidInput);
+}
+
 TEST(Library, PathsAreStraightLinesOnThePaper) {
   const Sheet sheet(squares);
   const Surface surface = surface_of(sheet);
@@ -118,6 +133,15 @@ TEST(Library, PlacesInSpaceAreSnapped) {
   EXPECT_LT(below.distance, 1.1);
   const auto at = surface.position(surface.snap({0.0, -0.5, 0.0}));
   EXPECT_NEAR(at[1], 0.0, 1e-12);
+}
+
+TEST(Library, AnIndexIsEstimatedBeforeItIsBuilt) {
+  const Surface surface = surface_of(Sheet(squares));
+  const auto estimate = surface.estimate_index();
+  EXPECT_GT(estimate.build_seconds, 0.0);
+  EXPECT_GT(estimate.bytes, 0);
+  EXPECT_GT(estimate.exact_field_seconds, 0.0);
+  EXPECT_FALSE(surface.has_index());
 }
 
 TEST(Library, AnIndexAnswersFromThenOn) {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <latch>
 #include <numbers>
+#include <string>
 #include <thread>
 
 #include "query/geodesic_query.h"
@@ -104,9 +107,15 @@ TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
   Surface surface(mesh, nullptr, spent, options);
   const auto sources = from_vertices({5});
   Answered answered;
-  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
+  std::vector<double> fractions;
+  const Progress progress([&](double fraction, const std::string&) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  surface.field(sources, unreachable, AnswerMethod::automatic, answered, progress);
   EXPECT_EQ(answered.by, AnswerMethod::exact);
   EXPECT_NE(answered.remark.find("memory budget"), std::string::npos);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions)) << "the exact answer goes on where the build ended";
   surface.field(sources, unreachable, AnswerMethod::automatic, answered);
   EXPECT_EQ(answered.remark, "");
   EXPECT_THROW(surface.field(sources, unreachable, AnswerMethod::index, answered), InvalidInput);
@@ -195,6 +204,32 @@ TEST(Surface, IsUsedBySeveralThreads) {
     });
   }
   for (std::thread& thread : threads) thread.join();
+}
+
+TEST(Surface, AQuestionThatWaitsForABuildOfAnotherThreadCanBeCancelled) {
+  const auto mesh = test::make_mesh(test::icosphere(2));
+  Surface surface(mesh);
+  std::latch is_building(1);
+  std::latch is_cancelled(1);
+  std::thread builder([&] {
+    surface.build_index(
+        [&](const Progress& progress) {
+          is_building.count_down();
+          is_cancelled.wait();
+          return GeodesicIndex::build(mesh, {}, progress);
+        },
+        {});
+  });
+  is_building.wait();
+  int reports = 0;
+  const Progress impatient([&](double, const std::string&) { return ++reports < 3; });
+  Answered answered;
+  EXPECT_THROW(surface.field(from_vertices({3}), unreachable, AnswerMethod::index, answered, impatient),
+               Cancelled);
+  is_cancelled.count_down();
+  builder.join();
+  EXPECT_EQ(reports, 3);
+  EXPECT_TRUE(surface.index());
 }
 
 TEST(Surface, RefusesNoSourceAndNamesItsMethods) {
