@@ -1,19 +1,27 @@
-// Matrices: equal to the distances and fields they are made of, symmetric, near the plane's straight lines.
-#include "tasks/distance_matrix.h"
-
+// Many distances at once: matrices, pairs within a radius, nearest of a set, and how two fields differ.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 #include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
+#include "support/memory.h"
 #include "support/shapes.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/extent.h"
+#include "tasks/neighbors.h"
 
 namespace vorogeo {
 namespace {
 
 using test::Soup;
+
+// ---- Matrices: equal to the distances and fields they are made of, symmetric, near the plane's straight
+// lines
 
 const TaskOptions by_index{.by = AnswerMethod::index};
 
@@ -128,6 +136,81 @@ TEST(DistanceMatrix, CanBeCancelled) {
   EXPECT_THROW(distance_matrix(surface, c.points, MatrixMethod::fields, matrix,
                                {.by = AnswerMethod::index, .progress = stop}),
                Cancelled);
+}
+
+// ---- Pairs within a radius and nearest of a set: equal to brute force over full fields
+
+/// A plane, some of its vertices (one of them twice), and their straight-line distances.
+struct Plane {
+  test::Shape shape = test::plane_grid(14, 10, 4.0, 3.0, 0.2);
+  Surface surface{test::make_mesh(shape.soup), {.threads = 2}};
+  std::vector<Index> points = test::random_vertices(165, 40, 7);
+  Plane() { points.push_back(points[3]); }
+};
+
+TEST(PairsWithin, RefusesBadRadiusAndTooManyPairs) {
+  Plane plane;
+  EXPECT_THROW(pairs_within(plane.surface, plane.points, -1.0), InvalidInput);
+  EXPECT_THROW(pairs_within(plane.surface, plane.points, std::nan("")), InvalidInput);
+  EXPECT_THROW(pairs_within(plane.surface, plane.points, 100.0, 1000), NotEnoughMemory);
+  EXPECT_TRUE(pairs_within(plane.surface, std::span<const Index>(), 1.0).column.empty());
+  EXPECT_EQ(pairs_within(plane.surface, plane.points, 0.0).column.size(), 2U);  // the repeated point
+}
+
+TEST(Memory, SaysHowMuchIsMissing) {
+  EXPECT_NO_THROW(require_memory(1000.0, 1000, "It", "Try less."));
+  EXPECT_GT(available_memory_bytes(), 0);
+  EXPECT_THROW(require_memory(1e30, 0, "It", "Try less."), NotEnoughMemory);
+  try {
+    require_memory(3.0 * (1 << 30), 1 << 20, "It", "Try less.");
+    FAIL();
+  } catch (const NotEnoughMemory& error) {
+    EXPECT_STREQ(error.what(), "It takes 3 GiB, more than the 1 MiB allowed. Try less.");
+  }
+}
+
+// ---- Statistics of the difference of two fields, counted by hand
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(FieldDifference, StatisticsOfFourVertices) {
+  const FieldDifference found = difference_of({0.0, 1.1, 1.8, 4.0, 5.0}, {0.0, 1.0, 2.0, 4.0, 5.0});
+  ASSERT_EQ(found.relative.size(), 5U);
+  EXPECT_TRUE(std::isnan(found.relative[0])) << "a source has no relative error";
+  EXPECT_NEAR(found.relative[1], 0.1, 1e-15);
+  EXPECT_NEAR(found.relative[2], -0.1, 1e-15);
+  EXPECT_EQ(found.compared, 4);
+  EXPECT_EQ(found.one_only, 0);
+  EXPECT_NEAR(found.bias, 0.0, 1e-15);
+  EXPECT_NEAR(found.mean, 0.05, 1e-15);
+  EXPECT_NEAR(found.rms, std::sqrt(0.005), 1e-15);
+  EXPECT_NEAR(found.p99, 0.1, 1e-15);
+  EXPECT_NEAR(found.max, 0.1, 1e-15);
+}
+
+TEST(FieldDifference, ThePercentileLeavesOutOneInAHundred) {
+  std::vector<double> values(200, 1.0);
+  values[7] = 1.5;
+  values[50] = 1.25;
+  values[120] = 0.875;
+  const FieldDifference found = difference_of(values, std::vector<double>(200, 1.0));
+  EXPECT_EQ(found.p99, 0.125);  // the 198th of 200 sorted errors
+  EXPECT_EQ(found.max, 0.5);
+}
+
+TEST(FieldDifference, WhatOneFieldDoesNotReachIsCountedNotCompared) {
+  const FieldDifference found =
+      difference_of({infinite, infinite, 2.0, std::nan("")}, {infinite, 1.0, infinite, 3.0});
+  EXPECT_EQ(found.one_only, 3);
+  EXPECT_EQ(found.compared, 0);
+  EXPECT_EQ(found.max, 0.0);
+  for (const double value : found.relative) EXPECT_TRUE(std::isnan(value));
+}
+
+TEST(FieldDifference, EmptyFieldsDifferInNothing) {
+  const FieldDifference found = difference_of({}, {});
+  EXPECT_EQ(found.compared, 0);
+  EXPECT_TRUE(found.relative.empty());
 }
 
 }  // namespace
