@@ -15,6 +15,9 @@ namespace vorogeo {
 
 namespace {
 
+/// Crossings of an edge are one place up to this rounding.
+constexpr double same_place = 1e-12;
+
 double distance_in_plane(const std::array<double, 2>& a, const std::array<double, 2>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
@@ -43,8 +46,7 @@ std::array<double, 3> source_in_face(const ExactSolver::State& state, Index sour
 }
 
 BackStep best_back_step(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
-                        const PassedItems& avoided) {
-  auto is_avoided = [&](Index item) { return !avoided.empty() && avoided.contains(item); };
+                        const PassedPlaces& avoided) {
   const FacePlane plane(*state.geometry, face);
   const auto target = plane.at(barycentric);
   BackStep best;
@@ -55,7 +57,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
   }
   for (int i = 0; i < 3; ++i) {
     const Index v = state.mesh.face_vertices(face)[i];
-    if (barycentric[i] == 1.0 || is_avoided(v)) continue;
+    if (barycentric[i] == 1.0 || avoided.contains(v)) continue;
     const double distance = state.vertices[v].distance + distance_in_plane(plane.corner[i], target);
     if (distance < best.distance) best = {distance, no_index, v, no_index, 0.0};
   }
@@ -63,7 +65,6 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
     if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge is not reached across it
     const Index h = 3 * face + i;
     const Index edge = state.mesh.edge_of(h);
-    if (is_avoided(state.mesh.vertex_count() + edge)) continue;
     const FaceFrame& frame = state.geometry->frame[h];
     const double length = state.mesh.edge_length(edge);
     const bool along = state.mesh.tail(h) == state.geometry->ends(edge)[0];
@@ -76,7 +77,9 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
           height > 0.0 ? window.source_x + (x - window.source_x) * (window.source_y / height) : x;
       const double at = std::clamp(straight, window.begin, window.end);
       const double distance = window.distance(at) + std::hypot(x - at, depth);
-      if (distance < best.distance) best = {distance, no_index, no_index, h, at};
+      if (!(distance < best.distance)) continue;
+      const double scale = state.geometry->scale_at(edge, at, distance, length);
+      if (!avoided.contains(edge, at, same_place * scale)) best = {distance, no_index, no_index, h, at};
     }
   }
   return best;
@@ -140,8 +143,8 @@ struct Slack {
 constexpr Slack slacks[] = {
     {0.5 * path_tolerance, 0.0}, {0.5 * path_tolerance, 1e-14}, {1e-6, 1e-14}, {unreachable, 0.0}};
 
-/// Walks from a target back to its source: a depth-first search over the vertices and edges that are passed,
-/// the best step first. Nearly always the best steps alone lead there. But among edges of no length and faces
+/// Walks from a target back to its source: a depth-first search over the vertices and crossings of edges, the
+/// best step first. Nearly always the best steps alone lead there. But among edges of no length and faces
 /// of no area many paths are equally long, and some are dead ends.
 class Tracer {
  public:
@@ -156,12 +159,13 @@ class Tracer {
 
   /// The path; without points if there is none within the bound.
   SurfacePath trace() {
-    // Each round passes a vertex or an edge that was not passed before, or goes back by one stop: so there
-    // are at most twice as many rounds as vertices and edges.
+    // A round passes a vertex or a place on an edge, or goes back by one stop. Few edges are crossed twice;
+    // one that rounding shifts each time would be crossed without end.
+    const std::size_t most_rounds = 2 * (static_cast<std::size_t>(mesh_.vertex_count()) + mesh_.edge_count());
     for (std::size_t round = 1; !arrived_ && !is_source(stops_.back().point); ++round) {
       if (round % 256 == 0) checkpoint();
       if (!go_on()) stops_.pop_back();
-      if (stops_.empty()) return {};
+      if (stops_.empty() || round > most_rounds) return {};
     }
     SurfacePath path;
     path.length = stops_.back().walked;
@@ -217,10 +221,10 @@ class Tracer {
       if (there[(i + 1) % 3] == 0.0 && there[(i + 2) % 3] == 0.0)
         point = SurfacePoint::at_vertex(mesh_.face_vertices(best_face)[i]);
     }
-    if (best.halfedge != no_index) passed_.insert(mesh_.vertex_count() + mesh_.edge_of(best.halfedge));
+    if (best.halfedge != no_index) passed_.insert(mesh_.edge_of(best.halfedge), best.x);
     // The crossing was moved to an end of its edge that had been passed before: the next round avoids this
-    // edge.
-    if (point.is_vertex() && !passed_.insert(point.vertex).second && !arrived_) return true;
+    // place.
+    if (point.is_vertex() && !passed_.insert(point.vertex) && !arrived_) return true;
     const FacePlane plane(*state_.geometry, best_face);
     const auto from = plane.at(best_here);
     const auto to = plane.at(there);
@@ -266,7 +270,7 @@ class Tracer {
   double distance_;
   double bound_;
   std::vector<Stop> stops_;
-  PassedItems passed_;
+  PassedPlaces passed_;
   bool arrived_ = false;
 };
 

@@ -2,14 +2,34 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "exact/solver_state.h"
 
 namespace vorogeo {
 
-/// Vertices and edges: vertices are items [0, n), edges follow.
-using PassedItems = std::unordered_set<Index>;
+/// Vertices and places on edges that a trace has passed. Not whole edges: in a heap of faces without area, a
+/// path may have to cross an edge where a dead end has crossed it elsewhere.
+class PassedPlaces {
+ public:
+  /// \return whether the vertex is new.
+  bool insert(Index vertex) { return vertices_.insert(vertex).second; }
+  void insert(Index edge, double x) { on_edges_.emplace(edge, x); }
+  bool contains(Index vertex) const { return !vertices_.empty() && vertices_.contains(vertex); }
+  bool contains(Index edge, double x, double rounding) const {
+    const auto [begin, end] = on_edges_.equal_range(edge);
+    for (auto it = begin; it != end; ++it) {
+      if (std::abs(it->second - x) <= rounding) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::unordered_set<Index> vertices_;
+  std::unordered_multimap<Index, double> on_edges_;
+};
 
 /// Where the straight segment that ends a shortest path at a point of a face comes from: the best of all
 /// entries into that face.
@@ -21,10 +41,10 @@ struct BackStep {
   double x = 0.0;
 };
 
-/// The best step back from a point given by barycentric coordinates in `face`, avoiding the items `avoided`.
+/// The best step back from a point given by barycentric coordinates in `face`, avoiding the places `avoided`.
 /// Complexity: O(windows on the edges of the face).
 BackStep best_back_step(const ExactSolver::State& state, Index face, const std::array<double, 3>& barycentric,
-                        const PassedItems& avoided = {});
+                        const PassedPlaces& avoided = {});
 
 /// Barycentric coordinates in `face` of a source that lies in it or on one of its edges.
 std::array<double, 3> source_in_face(const ExactSolver::State& state, Index source, Index face);
