@@ -79,7 +79,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
       const double distance = window.distance(at) + std::hypot(x - at, depth);
       if (!(distance < best.distance)) continue;
       const double scale = state.geometry->scale_at(edge, at, distance, length);
-      if (!avoided.contains(edge, at, same_place * scale)) best = {distance, no_index, no_index, h, at};
+      if (!avoided.contains(h, at, same_place * scale)) best = {distance, no_index, no_index, h, at};
     }
   }
   return best;
@@ -206,7 +206,9 @@ class Tracer {
         best_here = barycentric;
       }
     });
-    if (best_face == no_index || here.walked + best.distance > bound_) return false;
+    if (best_face == no_index || here.walked + best.distance > bound_) {
+      if (!stay_in_place(here, best, best_face, best_here)) return false;
+    }
     std::array<double, 3> there{};
     if (best.source != no_index) {
       there = source_in_face(state_, best.source, best_face);
@@ -221,7 +223,7 @@ class Tracer {
       if (there[(i + 1) % 3] == 0.0 && there[(i + 2) % 3] == 0.0)
         point = SurfacePoint::at_vertex(mesh_.face_vertices(best_face)[i]);
     }
-    if (best.halfedge != no_index) passed_.insert(mesh_.edge_of(best.halfedge), best.x);
+    if (best.halfedge != no_index) passed_.insert(best.halfedge, best.x);
     // The crossing was moved to an end of its edge that had been passed before: the next round avoids this
     // place.
     if (point.is_vertex() && !passed_.insert(point.vertex) && !arrived_) return true;
@@ -230,6 +232,35 @@ class Tracer {
     const auto to = plane.at(there);
     stops_.push_back({point, best_face, here.walked + std::hypot(to[0] - from[0], to[1] - from[1])});
     return true;
+  }
+
+  /// A step of no length onto another edge of a face without width. Rays of a vertex that lies on an edge
+  /// pass a heap of such faces as windows of no length, which no edge keeps: from there, the way back leads
+  /// through the same place. \return false if there is none.
+  bool stay_in_place(const Stop& here, BackStep& step, Index& step_face,
+                     std::array<double, 3>& step_here) const {
+    bool found = false;
+    for_each_face_at(mesh_, here.point, [&](Index face, const std::array<double, 3>& barycentric) {
+      if (!state_.may_enter(face)) return;
+      for (int i = 0; i < 3 && !found; ++i) {
+        const double at_apex = barycentric[(i + 2) % 3];
+        const Index h = 3 * face + i;
+        const Index edge = mesh_.edge_of(h);
+        const FaceFrame& frame = state_.geometry->frame[h];
+        const double length = mesh_.edge_length(edge);
+        const bool along = mesh_.tail(h) == state_.geometry->ends(edge)[0];
+        const double x = barycentric[along ? (i + 1) % 3 : i] * length + at_apex * frame.apex_x;
+        const double rounding = same_place * state_.geometry->scale_at(edge, x, distance_, length);
+        const bool is_on_edge = at_apex * frame.apex_depth <= rounding && x >= 0.0 && x <= length;
+        if (at_apex == 0.0 || !(length > 0.0) || !is_on_edge) continue;
+        if (passed_.contains(h, x, rounding)) continue;
+        found = true;
+        step = {distance_ - here.walked, no_index, no_index, h, x};
+        step_face = face;
+        step_here = barycentric;
+      }
+    });
+    return found;
   }
 
   /// Where a step leaves its face.

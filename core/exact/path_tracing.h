@@ -10,16 +10,17 @@
 
 namespace vorogeo {
 
-/// Vertices and places on edges that a trace has passed. Not whole edges: in a heap of faces without area, a
-/// path may have to cross an edge where a dead end has crossed it elsewhere.
+/// Vertices and crossings of edges that a trace has passed: a crossing is a place on a half-edge of the face
+/// that is left. Not whole edges: in a heap of faces without area, a path may have to cross an edge where a
+/// dead end has crossed it elsewhere.
 class PassedPlaces {
  public:
   /// \return whether the vertex is new.
   bool insert(Index vertex) { return vertices_.insert(vertex).second; }
-  void insert(Index edge, double x) { on_edges_.emplace(edge, x); }
+  void insert(Index halfedge, double x) { crossings_.emplace(halfedge, x); }
   bool contains(Index vertex) const { return !vertices_.empty() && vertices_.contains(vertex); }
-  bool contains(Index edge, double x, double rounding) const {
-    const auto [begin, end] = on_edges_.equal_range(edge);
+  bool contains(Index halfedge, double x, double rounding) const {
+    const auto [begin, end] = crossings_.equal_range(halfedge);
     for (auto it = begin; it != end; ++it) {
       if (std::abs(it->second - x) <= rounding) return true;
     }
@@ -28,7 +29,7 @@ class PassedPlaces {
 
  private:
   std::unordered_set<Index> vertices_;
-  std::unordered_multimap<Index, double> on_edges_;
+  std::unordered_multimap<Index, double> crossings_;
 };
 
 /// Where the straight segment that ends a shortest path at a point of a face comes from: the best of all

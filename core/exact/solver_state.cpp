@@ -164,12 +164,14 @@ namespace {
 /// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-/// The angle at a vertex outside a window between the directions to its pseudo-source and to its end up to
-/// which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them, on
-/// both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one of
-/// them keeps what lies in the rays of the other: as far as the root of that rounding. The path over the end
-/// makes no distance too short; its detour is at most half the square of the angle, 5e-11.
+/// The angle at a pseudo-source between the directions to a vertex outside its window and to the window's end
+/// up to which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them,
+/// on both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one
+/// of them keeps what lies in the rays of the other: as far as the root of that rounding. The path over the
+/// end makes no distance too short, and too long by its detour only.
 constexpr double gap_angle = 1e-5;
+/// The greatest detour, relative to the distance: half the square of that angle.
+constexpr double greatest_detour = 5e-11;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
 
@@ -297,7 +299,7 @@ void ExactSolver::State::add_window(Index edge, const Window& window) {
 
 void ExactSolver::State::take_in(const Outbox& news) {
   for (const auto& [vertex, state] : news.vertices) {
-    if (!(state.distance < vertices[vertex].distance)) continue;
+    if (!vertices[vertex].is_improved_by(state.distance, state.arrival)) continue;
     if (vertices[vertex].distance == unreachable) touched_vertices.push_back(vertex);
     vertices[vertex] = state;
     if (territories->of_vertex[vertex] == number) queue.push(vertex, state.distance);
@@ -313,10 +315,17 @@ void ExactSolver::State::take_in(const Outbox& news) {
   }
 }
 
+inline bool ExactSolver::State::is_in_place(const Window& window, Index halfedge) const {
+  const FaceFrame& frame = geometry->frame[halfedge];
+  const double negligible = ExactGeometry::next_to_nothing * mesh.edge_length(mesh.edge_of(halfedge));
+  return window.source_y + frame.apex_depth <= negligible &&
+         std::abs(frame.apex_x - window.source_x) <= negligible;
+}
+
 void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
   const FaceFrame& frame = geometry->frame[halfedge];
   double arrival = -1.0;
-  if (geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
+  if (!is_in_place(window, halfedge) && geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
     // Angle at the apex between the corner's first edge and the line back to the pseudo-source.
     const Index corner = Mesh::previous_in_face(halfedge);
     const bool first_side_begins =
@@ -328,7 +337,8 @@ void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double
     arrival = geometry->corner_begin[corner] +
               std::atan2(std::abs(side_x * height + side_y * dx), side_y * height - side_x * dx);
   }
-  reach_vertex(frame.apex, distance, window.source, arrival, no_index);
+  if (vertices[frame.apex].is_improved_by(distance, arrival))
+    reach_vertex(frame.apex, distance, window.source, arrival, no_index);
 }
 
 void ExactSolver::State::cross_face(Index halfedge) {
@@ -358,15 +368,15 @@ void ExactSolver::State::cross_face(Index halfedge) {
     const double known = vertices[frame.apex].distance;
     if (outside <= tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
-      if (distance < known) reach_apex(window, halfedge, distance);
-    } else if (const double across = outside * height, straight = std::abs(dx) + height;
-               across <= gap_angle * straight * straight) {
+      if (distance < known || is_in_place(window, halfedge)) reach_apex(window, halfedge, distance);
+    } else if (const double straight = std::abs(dx) + height;
+               outside * height <= gap_angle * straight * straight) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
-      const double rest = std::hypot(frame.apex_x - end, frame.apex_depth);
-      const double distance = window.distance(end) + rest;
+      const double distance = window.distance(end) + std::hypot(frame.apex_x - end, frame.apex_depth);
+      const double detour = distance - (window.offset + std::sqrt(dx * dx + height * height));
       // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
       // near.
-      if (across <= gap_angle * straight * rest && distance < (1.0 - least_gain) * known)
+      if (detour <= greatest_detour * distance && distance < (1.0 - least_gain) * known)
         reach_apex(window, halfedge, distance);
     }
   }

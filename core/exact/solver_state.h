@@ -123,6 +123,15 @@ struct VertexState {
   Index source = no_index;
   /// The vertex from which the path came along an edge; no_index: through a face, or a source.
   Index along_edge_from = no_index;
+
+  /// Whether a path that arrives so tells more: it is shorter, or as long and from no direction, as from a
+  /// vertex in the same place. From there, paths go on in directions in which one that arrives straight
+  /// could not bend.
+  bool is_improved_by(double other_distance, double other_arrival) const {
+    constexpr double tie = 1e-12;
+    return other_distance < distance ||
+           (arrival >= 0.0 && other_arrival < 0.0 && other_distance <= distance * (1.0 + tie));
+  }
 };
 
 /// What a solver that shares a run has for another one: windows on its edges, distances of its vertices.
@@ -197,6 +206,9 @@ struct ExactSolver::State {
   /// The same for a window that an end vertex may overtake, or with a corridor.
   void insert_cut(Window window, double at_begin, double at_end);
   void store_edge();
+  /// Whether the pseudo-source of a window lies where the apex of the face behind its edge does, as where
+  /// both touch that edge.
+  bool is_in_place(const Window& window, Index halfedge) const;
   void reach_apex(const Window& window, Index halfedge, double distance);
   /// Into the sector between two angles of a corner of the given width.
   void emit(Index vertex, Index corner, double width, double least_angle, double greatest_angle);
