@@ -47,7 +47,7 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
     if (greatest_angle < width) window.end = std::min(length, at(greatest_angle));
   }
   add_window(edge, window);
-  if (is_on_edge && length > 0.0 && lies_on_edge(window, length)) pass_through(window);
+  if (is_on_edge && length > 0.0 && lies_on_edge(window, edge)) pass_through(window);
 }
 
 void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
@@ -409,7 +409,7 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
                                                         crossed_length, apex_along, item.to_apex)
                               : side.arriving(item.window, begin, end, to_end, second, crossed_length);
     insert_window(window);
-    if (passes_through && lies_on_edge(window, side.length)) through.push_back(window);
+    if (passes_through && lies_on_edge(window, side.edge)) through.push_back(window);
   }
   if (is_open) store_edge();
 }

@@ -183,9 +183,14 @@ struct ExactSolver::State {
   void cross_face(Index halfedge);
   void hand_on(const Side& side, bool second, Index crossed_edge, double apex_along);
   /// Whether the pseudo-source lies on the edge up to a negligible distance.
-  static bool lies_on_edge(const Window& window, double length) {
-    return window.source_y <= ExactGeometry::next_to_nothing * length && window.source_x >= window.begin &&
-           window.source_x <= window.end;
+  bool lies_on_edge(const Window& window, Index edge) const {
+    const double length = mesh.edge_length(edge);
+    if (!(window.source_y <= ExactGeometry::next_to_nothing * length && window.source_x >= window.begin &&
+          window.source_x <= window.end))
+      return false;
+    const double distance = window.offset + window.source_y;
+    const double scale = geometry->scale_at(edge, window.source_x, distance, length);
+    return window.source_y <= ExactGeometry::next_to_nothing * scale;
   }
   /// Sends the rays of a vertex that lies on an edge on across it, and across further edges through the same
   /// place. On the edge itself others may be nearer on both sides of that one point, so that its window is no
