@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 import tree
+import weight
 
 MAX_LINES = 900
 MAX_LINES_OF_A_README = 20
@@ -190,3 +191,10 @@ def test_the_version_stands_in_one_place() -> None:
     builds = ("CMakeLists.txt", "pyfilter/CMakeLists.txt", "pyfilter/pyproject.toml")
     for file in (*tree.sources(), *map(Path, builds)):
         assert f'"{version}"' not in tree.text(file), f"{file} repeats the version; it comes from the file VERSION"
+
+
+def test_the_weight_of_the_tree_is_counted() -> None:
+    figures = weight.weight(Path(__file__).parents[2])
+    product = [file for file in tree.sources(".cpp", ".h", ".py", ".pyi") if file.parts[0] in weight.PRODUCT]
+    assert figures["product files"] == len(product)
+    assert all(count > 0 for count in figures.values())

@@ -1,0 +1,55 @@
+"""Prints how heavy checkouts are, side by side: lines, files, constants, pages.
+
+Usage: python tests/structure/weight.py [CHECKOUT ...]
+
+Without a checkout, this one. Counts what git tracks in the work tree; comments and blank lines count like others.
+To compare with an earlier tree: `git worktree add /tmp/before COMMIT`, then give both folders.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCES = (".h", ".cpp", ".py", ".pyi")
+PRODUCT = ("core", "plugin", "pyfilter", "include")
+CONSTANT = re.compile(r"\bconstexpr\s+(?:double|float|int|Index|std::\w+)\s+\w+\s*=\s*[-0-9.(1]")
+
+
+def tracked(checkout: Path) -> list[Path]:
+    """Tracked files that the work tree has."""
+    names = subprocess.run(["git", "-C", checkout, "ls-files", "-z"], check=True, capture_output=True, text=True).stdout
+    return [Path(name) for name in names.split("\0") if name and (checkout / name).is_file()]
+
+
+def weight(checkout: Path) -> dict[str, int]:
+    """The figures of a checkout by name."""
+    files = tracked(checkout)
+    text = {file: (checkout / file).read_text(errors="replace") for file in files if file.suffix in (*SOURCES, ".md")}
+    lines = {file: len(content.splitlines()) for file, content in text.items()}
+    product = [file for file in lines if file.parts[0] in PRODUCT and file.suffix in SOURCES]
+    tests = [file for file in lines if file.parts[0] == "tests" and file.suffix in SOURCES]
+    pages = [file for file in lines if file.suffix == ".md"]
+    return {
+        "product lines (core, plugin, pyfilter, include)": sum(lines[file] for file in product),
+        "product files": len(product),
+        "test lines": sum(lines[file] for file in tests),
+        "tracked files": len(files),
+        "lines of .md": sum(lines[file] for file in pages),
+        "numeric constants of the product": sum(len(CONSTANT.findall(text[file])) for file in product),
+    }
+
+
+def main() -> None:
+    """Print the table."""
+    checkouts = [Path(name).resolve() for name in sys.argv[1:]] or [Path(__file__).resolve().parents[2]]
+    columns = [weight(checkout) for checkout in checkouts]
+    print(f"{'':50}" + "".join(f"{checkout.name:>14}" for checkout in checkouts))
+    for name in columns[0]:
+        print(f"{name:50}" + "".join(f"{column[name]:>14,}" for column in columns))
+
+
+if __name__ == "__main__":
+    main()
