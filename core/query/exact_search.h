@@ -83,8 +83,6 @@ class RemainingBounds {
   /// the second-layer tables of the patches passed.
   std::span<const double> fill(const RouteEnd& source, const RouteEnd& target,
                                std::span<const Index> target_patches, double length);
-  /// Patches swept in the last call, for measurements.
-  std::size_t patches() const { return swept_.size(); }
 
  private:
   void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);

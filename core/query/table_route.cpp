@@ -206,7 +206,6 @@ void TableRouter::look_into(AccessDistances& low, AccessDistances& high, const C
   if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
   high.refine(j, limit - rest(high, j, high_least_[j]));
   if (!(low.least()[i] + offset + high.least()[j] < limit)) return;
-  ++cells_;
   const float least = offset + least_in_cell(table.cell(from, to), table.size(from), table.size(to),
                                              low.distances(i), high.distances(j), table.scale);
   // Of equal sums the first, so that the route does not depend on what was known before.
@@ -305,7 +304,6 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
 
 bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
   const PatchLayer& first = data_.first;
-  cells_ = 0;
   if (data_.transit_table.count == 0) return false;
   auto length = static_cast<float>(below);
   bool found = false;

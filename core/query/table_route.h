@@ -96,8 +96,6 @@ class TableRouter {
   /// those are examined that could give a shorter route than the best so far. Complexity: O(k + (b / 8)^2)
   /// for k seeds and b border nodes of such a patch, and 64 for each cell examined.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
-  /// Cells examined in the last call, for measurements.
-  std::size_t cells() const { return cells_; }
 
  private:
   /// The best connection of two ends: group and row on the side of the first-layer patch with the smaller
@@ -126,7 +124,6 @@ class TableRouter {
   std::vector<std::int16_t> high_least_;
   std::vector<std::uint8_t> within_;
   std::vector<Candidate> candidates_;
-  std::size_t cells_ = 0;
 };
 
 }  // namespace vorogeo
