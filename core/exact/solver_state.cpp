@@ -170,8 +170,9 @@ constexpr double vertex_tolerance = 1e-11;
 /// of them keeps what lies in the rays of the other: as far as the root of that rounding. The path over the
 /// end makes no distance too short, and too long by its detour only.
 constexpr double gap_angle = 1e-5;
-/// The greatest detour, relative to the distance: half the square of that angle.
-constexpr double greatest_detour = 5e-11;
+/// The greatest detour, relative to the distance: ten times half the square of that angle, as far from the
+/// source the tie of two windows leaves more of the direction open than of the distance.
+constexpr double greatest_detour = 5e-10;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
 
