@@ -323,10 +323,23 @@ inline bool ExactSolver::State::is_in_place(const Window& window, Index halfedge
          std::abs(frame.apex_x - window.source_x) <= negligible;
 }
 
-void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance) {
+inline bool ExactSolver::State::arrives_straight(const Window& window, Index halfedge, double to_apex) const {
+  const double end = std::clamp(to_apex, window.begin, window.end);
+  if (end == to_apex) return true;
+  // The path turns at the window's end, from where a vertex close to it is seen in quite another direction.
+  const FaceFrame& frame = geometry->frame[halfedge];
+  const double from_source = frame.apex_x - window.source_x;
+  const double from_end = frame.apex_x - end;
+  const double height = window.source_y + frame.apex_depth;
+  const double turn = std::abs(from_end * height - from_source * frame.apex_depth);
+  return turn <= sector_tolerance * std::hypot(from_end, frame.apex_depth) * std::hypot(from_source, height);
+}
+
+void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance, double to_apex) {
   const FaceFrame& frame = geometry->frame[halfedge];
   double arrival = -1.0;
-  if (!is_in_place(window, halfedge) && geometry->can_bend[frame.apex] == ExactGeometry::by_angle) {
+  if (!is_in_place(window, halfedge) && geometry->can_bend[frame.apex] == ExactGeometry::by_angle &&
+      arrives_straight(window, halfedge, to_apex)) {
     // Angle at the apex between the corner's first edge and the line back to the pseudo-source.
     const Index corner = Mesh::previous_in_face(halfedge);
     const bool first_side_begins =
@@ -369,7 +382,8 @@ void ExactSolver::State::cross_face(Index halfedge) {
     const double known = vertices[frame.apex].distance;
     if (outside <= tolerance) {
       const double distance = window.offset + std::sqrt(dx * dx + height * height);
-      if (distance < known || is_in_place(window, halfedge)) reach_apex(window, halfedge, distance);
+      if (distance < known || is_in_place(window, halfedge))
+        reach_apex(window, halfedge, distance, item.to_apex);
     } else if (const double straight = std::abs(dx) + height;
                outside * height <= gap_angle * straight * straight) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
@@ -378,7 +392,7 @@ void ExactSolver::State::cross_face(Index halfedge) {
       // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
       // near.
       if (detour <= greatest_detour * distance && distance < (1.0 - least_gain) * known)
-        reach_apex(window, halfedge, distance);
+        reach_apex(window, halfedge, distance, item.to_apex);
     }
   }
   hand_on(Side(mesh, frame.first_side(halfedge), frame.first_side_reversed, frame.apex_x, frame.apex_depth),

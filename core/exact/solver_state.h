@@ -214,7 +214,11 @@ struct ExactSolver::State {
   /// Whether the pseudo-source of a window lies where the apex of the face behind its edge does, as where
   /// both touch that edge.
   bool is_in_place(const Window& window, Index halfedge) const;
-  void reach_apex(const Window& window, Index halfedge, double distance);
+  /// `to_apex`: where the ray from the pseudo-source to the apex crosses the edge, which may be outside the
+  /// window.
+  void reach_apex(const Window& window, Index halfedge, double distance, double to_apex);
+  /// Whether a path that reaches the apex arrives there in the direction from the pseudo-source.
+  bool arrives_straight(const Window& window, Index halfedge, double to_apex) const;
   /// Into the sector between two angles of a corner of the given width.
   void emit(Index vertex, Index corner, double width, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
