@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "index/build_estimate.h"
+#include "mesh/edge_points.h"
 #include "mesh/gaps.h"
 #include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
@@ -30,6 +31,7 @@ using vorogeo::AnswerMethod;
 using vorogeo::Cancelled;
 using vorogeo::check_mesh;
 using vorogeo::Error;
+using vorogeo::ExactPath;
 using vorogeo::ExactSource;
 using vorogeo::GapLimit;
 using vorogeo::GeodesicIndex;
@@ -40,7 +42,9 @@ using vorogeo::isolines;
 using vorogeo::Mesh;
 using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
+using vorogeo::Query;
 using vorogeo::SideLengths;
+using vorogeo::slope_cost;
 using vorogeo::Surface;
 using vorogeo::SurfaceLocator;
 using vorogeo::SurfacePoint;
@@ -177,26 +181,37 @@ std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
                                            std::vector<std::array<int, 3>> faces,
                                            const SurfaceOptions& options) {
   leave_out_masked(options.mask, positions.size(), faces);
-  const int metrics =
-      !options.vertex_cost.empty() + !options.face_cost.empty() + !options.side_lengths.empty();
-  if (metrics > 1) {
-    throw InvalidInput("More than one of vertex_cost, face_cost and side_lengths is given; give one.");
-  }
-  inner::SideLengths sides = options.side_lengths;
+  inner::SideLengths sides;
   FaceSplits splits;
   int points_per_edge = 0;
-  if (!options.vertex_cost.empty()) {
-    require_count(options.vertex_cost.size(), positions.size(), "vertex_cost", "vertices");
-    MetricLengths lengths = lengths_by_cost(positions, faces, options.vertex_cost);
+  std::string given;
+  // What is given of one metric: true if it is this one.
+  const auto is_given = [&](const auto& values, const char* name, std::size_t wanted, const char* element) {
+    if (values.empty()) return false;
+    if (!given.empty()) throw InvalidInput("Both " + given + " and " + name + " are given; give one metric.");
+    given = name;
+    require_count(values.size(), wanted, name, element);
+    return true;
+  };
+  const auto take = [&](MetricLengths lengths) {
     sides = std::move(lengths.sides);
     splits = std::move(lengths.splits);
-  } else if (!options.face_cost.empty()) {
-    require_count(options.face_cost.size(), faces.size(), "face_cost", "faces");
+  };
+  if (is_given(options.vertex_cost, "vertex_cost", positions.size(), "vertices")) {
+    take(lengths_by_cost(positions, faces, options.vertex_cost));
+  }
+  if (is_given(options.vertex_tensor, "vertex_tensor", positions.size(), "vertices")) {
+    take(lengths_by_tensor(positions, faces, options.vertex_tensor));
+  }
+  if (is_given(options.face_cost, "face_cost", faces.size(), "faces")) {
     sides = sides_by_face_cost(positions, faces, options.face_cost);
     points_per_edge = FaceSides{}.points_per_edge;
-  } else if (!sides.empty()) {
-    require_count(sides.size(), faces.size(), "side_lengths", "faces");
   }
+  if (is_given(options.face_tensor, "face_tensor", faces.size(), "faces")) {
+    sides = sides_by_face_tensor(positions, faces, options.face_tensor);
+    points_per_edge = edge_points_for(positions, faces, sides);
+  }
+  if (is_given(options.side_lengths, "side_lengths", faces.size(), "faces")) sides = options.side_lengths;
   const inner::GapLimit gap{options.gap, options.bridge_folds};
   return measured_mesh(positions, faces, sides, gap, points_per_edge, splits);
 }
@@ -211,6 +226,17 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
     const auto report = inner::check_mesh(positions, faces, {gap, false});
     return MeshReport{report.usable(), report.summary(), report.sentences()};
   });
+}
+
+std::vector<double> slope_cost(const std::vector<Point>& positions,
+                               const std::vector<std::array<int, 3>>& faces, double penalty,
+                               const Point& up) {
+  return translated([&] { return inner::slope_cost(positions, faces, up, penalty); });
+}
+
+std::vector<Tensor> curvature_tensor(const std::vector<Point>& positions,
+                                     const std::vector<std::array<int, 3>>& faces, double weight) {
+  return translated([&] { return curvature_tensors(positions, faces, weight); });
 }
 
 // ---- The surface
@@ -279,16 +305,34 @@ double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answe
   });
 }
 
-std::vector<double> Surface::distances(const PointList& from, const PointList& to) const {
+namespace {
+
+/// \throw InvalidInput unless as many points are to be started from as gone to.
+void require_pairs(const PointList& from, const PointList& to) {
+  if (from.size() == to.size()) return;
+  throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
+                     std::to_string(to.size()) + " to go to; give as many of both.");
+}
+
+Path path_out(const inner::Mesh& mesh, const inner::ExactPath& found, inner::AnswerMethod by) {
+  Path path;
+  for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
+  path.surface_points = points_out(mesh, found.path.points);
+  path.length = found.path.length;
+  path.certified = found.certified;
+  path.answered_by = static_cast<Answer>(by);
+  return path;
+}
+
+}  // namespace
+
+std::vector<double> Surface::distances(const PointList& from, const PointList& to, Answer by) const {
   return translated([&] {
     const inner::Mesh& mesh = *state_->mesh;
-    if (from.size() != to.size()) {
-      throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
-                         std::to_string(to.size()) + " to go to; give as many of both.");
-    }
+    require_pairs(from, to);
     inner::Answered answered;
     return state_->current()->distances({points_in(mesh, from), points_in(mesh, to)},
-                                        inner::AnswerMethod::automatic, answered);
+                                        static_cast<inner::AnswerMethod>(by), answered);
   });
 }
 
@@ -296,17 +340,31 @@ Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathO
   return translated([&] {
     const inner::Mesh& mesh = *state_->mesh;
     inner::Answered answered;
-    auto found = state_->current()->path(
+    const auto found = state_->current()->path(
         point_in(mesh, from), point_in(mesh, to), static_cast<inner::AnswerMethod>(options.by),
         {.exact = options.exact, .certify = options.certify}, answered, Progress(options.progress));
-    Path path;
-    for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
-    path.surface_points = points_out(mesh, found.path.points);
-    path.length = found.path.length;
-    path.certified = found.certified;
-    path.answered_by = static_cast<Answer>(answered.by);
+    Path path = path_out(mesh, found, answered.by);
     path.remark = std::move(answered.remark);
     return path;
+  });
+}
+
+std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
+                                 const PathOptions& options) const {
+  return translated([&] {
+    const inner::Mesh& mesh = *state_->mesh;
+    require_pairs(from, to);
+    inner::Answered answered;
+    const auto found = state_->current()->paths(
+        {points_in(mesh, from), points_in(mesh, to)}, static_cast<inner::AnswerMethod>(options.by),
+        {.exact = options.exact, .certify = options.certify}, answered, Progress(options.progress));
+    std::vector<Path> paths;
+    paths.reserve(found.size());
+    for (const auto& one : found) {
+      paths.push_back(path_out(mesh, one, answered.by));
+      paths.back().remark = answered.remark;
+    }
+    return paths;
   });
 }
 
@@ -391,6 +449,69 @@ void Surface::save_index(const std::filesystem::path& file) const {
 
 void Surface::load_index(const std::filesystem::path& file) {
   translated([&] { state_->adopt(inner::GeodesicIndex::load(file, state_->mesh)); });
+}
+
+// ---- The questions of one thread
+
+struct Query::State {
+  explicit State(std::shared_ptr<inner::Surface> asked_surface, inner::AnswerMethod method)
+      : surface(std::move(asked_surface)), by(method), query(*surface) {}
+  inner::SurfacePoint in(const SurfacePoint& point) const {
+    const inner::Mesh& mesh = *surface->mesh();
+    return canonical(mesh, validated(mesh, point_in(mesh, point)));
+  }
+  inner::PointList in(const PointList& points, const char* what) const {
+    return points_on(*surface->mesh(), points_in(*surface->mesh(), points), what);
+  }
+
+  std::shared_ptr<inner::Surface> surface;
+  inner::AnswerMethod by;
+  inner::Query query;
+};
+
+Query Surface::query(Answer by) const {
+  if (by == Answer::quick) {
+    throw InvalidInput("A query answers by the index or exactly; for quick fields call field().");
+  }
+  if (by == Answer::index) index_of(*state_);
+  const auto surface = state_->current();
+  if (by == Answer::automatic) by = surface->index() ? Answer::index : Answer::exact;
+  return Query(std::make_unique<Query::State>(surface, static_cast<inner::AnswerMethod>(by)));
+}
+
+Query::Query(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Query::Query(Query&&) noexcept = default;
+Query& Query::operator=(Query&&) noexcept = default;
+Query::~Query() = default;
+
+Answer Query::answers_by() const { return static_cast<Answer>(state_->by); }
+
+std::vector<double> Query::distances_from(const PointList& sources, double limit) {
+  return translated([&] {
+    if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
+    require_limit(limit);
+    std::vector<inner::ExactSource> from;
+    for (const auto& point : state_->in(sources, "Source")) from.push_back({point});
+    return of_given_vertices(*state_->surface->mesh(), state_->query.field(from, limit, state_->by, 1));
+  });
+}
+
+double Query::distance(const SurfacePoint& from, const SurfacePoint& to) {
+  return translated([&] { return state_->query.distance(state_->in(from), state_->in(to), state_->by); });
+}
+
+std::vector<double> Query::distances(const SurfacePoint& from, const PointList& to, double limit) {
+  return translated([&] {
+    require_limit(limit);
+    return state_->query.distances(state_->in(from), state_->in(to, "Target"), limit, state_->by);
+  });
+}
+
+Path Query::path(const SurfacePoint& from, const SurfacePoint& to, bool exact) {
+  return translated([&] {
+    const auto found = state_->query.path(state_->in(from), state_->in(to), state_->by, exact, true);
+    return path_out(*state_->surface->mesh(), found, state_->by);
+  });
 }
 
 // ---- Tasks

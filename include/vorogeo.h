@@ -37,6 +37,8 @@ inline namespace v0 {
 
 /// Coordinates in space.
 using Point = std::array<double, 3>;
+/// A symmetric 3 x 3 matrix, row by row.
+using Tensor = std::array<double, 9>;
 /// The distance where no path leads.
 inline constexpr double unreachable = std::numeric_limits<double>::infinity();
 /// Receives the fraction done in [0, 1] and what is being done; returns false to cancel. Called from the
@@ -121,12 +123,16 @@ struct SnappedPoint {
 
 // ---- Options and answers
 
-/// What distances are measured in, and on which part of the mesh. At most one of the first three is given.
+/// What distances are measured in, and on which part of the mesh. At most one of the first five is given.
 struct SurfaceOptions {
   /// By vertex, above 0, linear over each face: what a unit of length costs.
   std::vector<double> vertex_cost = {};
+  /// By vertex, linear over each face: the squared length of a step v is v' G v. Positive on the faces.
+  std::vector<Tensor> vertex_tensor = {};
   /// By face, above 0: paths refract at edges.
   std::vector<double> face_cost = {};
+  /// By face: the squared length of a step v in it is v' G v; paths refract at edges.
+  std::vector<Tensor> face_tensor = {};
   /// By face, each side opposite the corner of the same number: lengths instead of those in space.
   std::vector<std::array<double, 3>> side_lengths = {};
   /// By face or by vertex: false leaves the face, or all faces at the vertex, out of the surface.
@@ -221,7 +227,23 @@ struct MeshReport {
 VOROGEO_API MeshReport check_mesh(const std::vector<Point>& positions,
                                   const std::vector<std::array<int, 3>>& faces, double gap = 0.0);
 
+// ---- Metrics that follow from the shape of a surface
+
+/// A vertex_cost that grows with the slope: 1 on level ground, 1 + penalty on a wall; the same uphill and
+/// downhill. \throw InvalidInput for a penalty below 0, or `up` of length 0.
+VOROGEO_API std::vector<double> slope_cost(const std::vector<Point>& positions,
+                                           const std::vector<std::array<int, 3>>& faces, double penalty = 1.0,
+                                           const Point& up = {0.0, 0.0, 1.0});
+/// A vertex_tensor by which paths follow ridges, valleys and limbs: a step across them, where the surface is
+/// curved in one direction only, counts sqrt(1 + weight). Below 0 paths run around them. Planes and spheres
+/// keep their lengths. \throw InvalidInput for a weight that is not finite.
+VOROGEO_API std::vector<Tensor> curvature_tensor(const std::vector<Point>& positions,
+                                                 const std::vector<std::array<int, 3>>& faces,
+                                                 double weight = 3.0);
+
 // ---- The surface
+
+class Query;
 
 /// A mesh that answers questions about distances. Made once; copies are cheap and share everything. All const
 /// functions may be called from several threads at a time.
@@ -248,8 +270,13 @@ class VOROGEO_API Surface {
   /// The distance of two points. \pre `by` is not quick.
   double distance(const SurfacePoint& from, const SurfacePoint& to, Answer by = Answer::automatic) const;
   /// The same for pairs of points: entry i of both lists. On all threads, from the index if there is one.
-  std::vector<double> distances(const PointList& from, const PointList& to) const;
+  std::vector<double> distances(const PointList& from, const PointList& to,
+                                Answer by = Answer::automatic) const;
   Path path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options = {}) const;
+  /// The same for pairs, on all threads.
+  std::vector<Path> paths(const PointList& from, const PointList& to, const PathOptions& options = {}) const;
+  /// What one thread asks many small questions with; see Query. \pre `by` is not quick.
+  Query query(Answer by = Answer::automatic) const;
 
   /// The nearest point of the surface. \throw InvalidInput for a coordinate that is not finite.
   SurfacePoint snap(const Point& position) const { return nearest(position).point; }
@@ -274,6 +301,32 @@ class VOROGEO_API Surface {
 
  private:
   std::shared_ptr<State> state_;
+};
+
+/// The memory that answers of one thread need, kept between them. For loops of many small questions: the
+/// method is chosen once, and nothing is locked at each. Answers are those of the surface by that method, with
+/// the index that it had when the query was made. For one thread at a time; make one for each.
+class VOROGEO_API Query {
+ public:
+  Query(Query&&) noexcept;
+  Query& operator=(Query&&) noexcept;
+  ~Query();
+
+  /// By the index, or exactly.
+  Answer answers_by() const;
+  /// See Surface::distances_from. Distances above the limit are `unreachable`.
+  std::vector<double> distances_from(const PointList& sources, double limit = unreachable);
+  double distance(const SurfacePoint& from, const SurfacePoint& to);
+  /// From one point to each of a list: one propagation, which ends at the limit, serves all of them.
+  std::vector<double> distances(const SurfacePoint& from, const PointList& to, double limit = unreachable);
+  /// `exact`: the shortest one, also from an index.
+  Path path(const SurfacePoint& from, const SurfacePoint& to, bool exact = false);
+
+ private:
+  friend class Surface;
+  struct State;
+  explicit Query(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
 };
 
 // ---- Tasks: what is built on many distances, exactly or from the index, whichever is faster on this surface

@@ -119,9 +119,17 @@ TEST(Library, PathsAreStraightLinesOnThePaper) {
     const auto again = surface.position(path.surface_points[i]);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(again[k], path.points[i][k], 1e-12);
   }
-  const std::vector<double> pairs = surface.distances({0, 0}, {squares, sheet.vertex(squares, squares)});
-  EXPECT_NEAR(pairs[0], 1.0, 1e-12);
-  EXPECT_NEAR(pairs[1], std::numbers::sqrt2, 1e-12);
+  const std::vector<int> ends{squares, sheet.vertex(squares, squares)};
+  const auto pairs = surface.distances({0, 0}, ends, Answer::exact);
+  const auto paths = surface.paths({0, 0}, ends, {.exact = true, .by = Answer::exact});
+  for (int i = 0; i < 2; ++i) {
+    const double flat = i == 0 ? 1.0 : std::numbers::sqrt2;
+    EXPECT_NEAR(pairs[i], flat, 1e-12);
+    EXPECT_NEAR(paths[i].length, flat, 1e-12);
+    EXPECT_TRUE(paths[i].certified);
+    EXPECT_EQ(paths[i].surface_points.back(), SurfacePoint(ends[i]));
+  }
+  EXPECT_THROW(surface.paths({0, 0}, {1}), vorogeo::InvalidInput);
 }
 
 TEST(Library, PlacesInSpaceAreSnapped) {
@@ -184,21 +192,125 @@ TEST(Library, AnIndexAnswersFromThenOn) {
 TEST(Library, MetricsScaleLengths) {
   const Sheet sheet(squares);
   const auto plain = surface_of(sheet).distances_from(0);
-  const std::vector<double> by_vertex(sheet.positions.size(), 2.0), by_face(sheet.faces.size(), 3.0);
   std::vector<std::array<double, 3>> sides;
   for (const auto& face : sheet.faces) {
     sides.emplace_back();
     for (int i = 0; i < 3; ++i)
       sides.back()[i] = 4.0 * sheet.flat_distance(face[(i + 1) % 3], face[(i + 2) % 3]);
   }
-  const auto doubled = surface_of(sheet, {.vertex_cost = by_vertex}).distances_from(0);
-  const auto tripled = surface_of(sheet, {.face_cost = by_face}).distances_from(0);
-  const auto quadrupled = surface_of(sheet, {.side_lengths = sides}).distances_from(0);
-  for (std::size_t v = 0; v < plain.size(); ++v) {
-    EXPECT_NEAR(doubled[v], 2.0 * plain[v], 1e-11);
-    EXPECT_NEAR(tripled[v], 3.0 * plain[v], 3e-2);  // points on edges, not windows
-    EXPECT_NEAR(quadrupled[v], 4.0 * plain[v], 1e-11);
+  const std::size_t vertices = sheet.positions.size(), faces = sheet.faces.size();
+  struct Scaled {
+    vorogeo::SurfaceOptions options;
+    double scale, slack;
+  };
+  // Costs of faces: points on edges, not windows.
+  for (const auto& [options, scale, slack] : std::vector<Scaled>{
+           {{.vertex_cost = std::vector(vertices, 2.0)}, 2.0, 1e-11},
+           {{.vertex_tensor = std::vector(vertices, vorogeo::Tensor{4, 0, 0, 0, 4, 0, 0, 0, 4})}, 2.0, 1e-11},
+           {{.face_cost = std::vector(faces, 3.0)}, 3.0, 3e-2},
+           {{.face_tensor = std::vector(faces, vorogeo::Tensor{9, 0, 0, 0, 9, 0, 0, 0, 9})}, 3.0, 3e-2},
+           {{.side_lengths = sides}, 4.0, 1e-11}}) {
+    const auto distance = surface_of(sheet, options).distances_from(0);
+    for (std::size_t v = 0; v < plain.size(); ++v) EXPECT_NEAR(distance[v], scale * plain[v], slack);
   }
+}
+
+TEST(Library, OneTensorEverywhereIsTheStretchedMesh) {
+  // With G = A'A, a step v is as long as the step A v on the mesh that A has moved.
+  const std::array<vorogeo::Point, 3> a{{{2.0, 0.5, 0.0}, {0.0, 1.5, -0.7}, {0.3, 0.0, 1.0}}};
+  vorogeo::Tensor g{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) g[3 * i + j] += a[k][i] * a[k][j];
+    }
+  }
+  const Sheet sheet(squares);
+  std::vector<vorogeo::Point> stretched;
+  for (const auto& p : sheet.positions) {
+    stretched.emplace_back();
+    for (int i = 0; i < 3; ++i) stretched.back()[i] = a[i][0] * p[0] + a[i][1] * p[1] + a[i][2] * p[2];
+  }
+  const auto expected = Surface(stretched, sheet.faces).field(77, {.by = Answer::exact}).distance;
+  const auto by_vertex = surface_of(sheet, {.vertex_tensor = std::vector(sheet.positions.size(), g)});
+  const auto by_face = surface_of(sheet, {.face_tensor = std::vector(sheet.faces.size(), g)});
+  const auto exactly = by_vertex.field(77, {.by = Answer::exact}).distance;
+  const auto refracted = by_face.field(77, {.by = Answer::exact}).distance;
+  for (std::size_t v = 0; v < expected.size(); ++v) {
+    EXPECT_NEAR(exactly[v], expected[v], 1e-11) << v;
+    EXPECT_NEAR(refracted[v], expected[v], 1e-2 * expected[v]) << v;
+  }
+}
+
+TEST(Library, SlopesCostAndCurvatureHasADirection) {
+  const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+      wall{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+  EXPECT_EQ(vorogeo::slope_cost(level, square, 2.0), std::vector(4, 1.0));
+  EXPECT_EQ(vorogeo::slope_cost(wall, square, 2.0), std::vector(4, 3.0));
+  EXPECT_EQ(vorogeo::slope_cost(wall, square, 2.0, {0, 7, 0}), std::vector(4, 1.0));
+  for (const auto& tensor : vorogeo::curvature_tensor(level, square)) {
+    EXPECT_EQ(tensor, (vorogeo::Tensor{1, 0, 0, 0, 1, 0, 0, 0, 1})) << "a plane keeps its lengths";
+  }
+  // A tube: the square of a step around it counts 1 + weight times, that of a step along it once.
+  constexpr int sides = 16, rings = 9;
+  std::vector<vorogeo::Point> tube;
+  std::vector<std::array<int, 3>> faces;
+  for (int v = 0; v < sides * rings; ++v) {
+    const double angle = 2.0 * std::numbers::pi * (v % sides) / sides;
+    tube.push_back({std::cos(angle), std::sin(angle), 0.4 * (v / sides)});
+    if (v >= sides * (rings - 1)) continue;
+    const int next = v - v % sides + (v + 1) % sides;
+    faces.insert(faces.end(), {{v, next, next + sides}, {v, next + sides, v + sides}});
+  }
+  const auto tensors = vorogeo::curvature_tensor(tube, faces, 3.0);
+  for (int v = 2 * sides; v < sides * (rings - 2); ++v) {
+    const double x = tube[v][0], y = tube[v][1];  // around: (-y, x, 0)
+    const auto& g = tensors[v];
+    EXPECT_NEAR(g[0] * y * y - 2.0 * g[1] * x * y + g[4] * x * x, 4.0, 1e-9) << v;
+    EXPECT_NEAR(g[8], 1.0, 1e-9) << v;
+  }
+}
+
+TEST(Library, AQueryAnswersAsItsSurfaceDoes) {
+  const Sheet sheet(60);
+  Surface surface = surface_of(sheet, {.threads = 1});
+  const SurfacePoint inside(1234, {0.25, 0.25, 0.5});
+  const auto expect_same = [&](vorogeo::Query& query, Answer by) {
+    EXPECT_EQ(query.answers_by(), by);
+    EXPECT_EQ(query.distances_from({5, inside}, 0.5),
+              surface.field({5, inside}, {.limit = 0.5, .by = by}).distance);
+    std::vector<int> targets;
+    for (int i = 0; i < 40; ++i) {
+      const int from = 91 * i, to = 3700 - 77 * i;
+      EXPECT_EQ(query.distance(from, to), surface.distance(from, to, by));
+      targets.push_back(to);
+    }
+    const auto path = query.path(7, inside, true);
+    EXPECT_EQ(path.points, surface.path(7, inside, {.exact = true, .by = by}).points);
+    EXPECT_TRUE(path.certified);
+    EXPECT_EQ(path.answered_by, by);
+    const auto found = query.distances(inside, targets, 0.7);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const double field = surface.field(inside, {.limit = 0.7, .by = by}).distance[targets[i]];
+      EXPECT_EQ(found[i], field) << i;
+    }
+  };
+  vorogeo::Query exactly = surface.query();
+  expect_same(exactly, Answer::exact);
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.query(Answer::index); }).find("build_index"),
+            std::string::npos);
+  surface.build_index();
+  expect_same(exactly, Answer::exact);  // as when it was made
+  exactly = surface.query();
+  expect_same(exactly, Answer::index);
+  vorogeo::Query moved = std::move(exactly);
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { moved.distance(0, 3721); }).find("Vertex 3721"),
+            std::string::npos);
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { moved.distances_from({}); }), "not refused");
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { moved.distances(0, 1, -1.0); }), "not refused");
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.query(Answer::quick); }).find("quick"),
+            std::string::npos);
+  expect_same(moved, Answer::index);
 }
 
 TEST(Library, MaskedFacesAreACut) {
@@ -421,6 +533,17 @@ TEST(Library, RefusalsNameTheElement) {
               surface_of(sheet, {.vertex_cost = {1.0, 2.0}});
             }).find("625 vertices"),
             std::string::npos);
+  EXPECT_NE(refusal([&] {
+              surface_of(sheet, {.vertex_cost = std::vector(625, 1.0), .face_tensor = {{}}});
+            }).find("Both vertex_cost and face_tensor"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              surface_of(sheet, {.vertex_tensor = std::vector(625, vorogeo::Tensor{-1, 0, 0, 0, 1})});
+            }),
+            "not refused");
+  EXPECT_NE(refusal([&] { vorogeo::slope_cost(sheet.positions, sheet.faces, -1.0); }), "not refused");
+  EXPECT_NE(refusal([&] { vorogeo::curvature_tensor(sheet.positions, sheet.faces, std::nan("")); }),
+            "not refused");
   EXPECT_NE(refusal([&] { surface_of(sheet, {.mask = {true}}); }).find("mask"), std::string::npos);
   const auto cancel = [](double, const std::string&) { return false; };
   EXPECT_NE(sentence_of<vorogeo::Cancelled>([&] { surface.build_index({.progress = cancel}); }),
