@@ -169,7 +169,7 @@ install_peers() {
 }
 build_bench() {
   cmake --preset bench || return
-  cmake --build build/bench --target core_bench trade_off_bench paths_bench --parallel "$jobs" || return
+  cmake --build build/bench --target core_bench --parallel "$jobs" || return
   cmake --build build/bench --target cgal_peer --parallel "$jobs" || echo "left out: CGAL"
 }
 if [ "$for_bench" = yes ]; then

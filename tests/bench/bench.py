@@ -1,180 +1,68 @@
-"""Measures VoroGeo and public packages on meshes, in one run, and prints the tables.
+"""Runs one of the benchmarks: the command line, and the page of figures that it renews. There is no pass or fail.
 
-Usage: tests/bench/run.sh [OPTIONS] [MESH...]; MESH is a mesh file, or the name of one in the folder of test meshes
-(VOROGEO_MESHES, by default ../shared/meshes beside the project). There is no pass or fail.
+A page is a module with `options(parser)`, which adds what only it has, and `run(options)`, which measures, prints on
+the way what it likes, and returns the texts to be put between the marks of docs/figures.md, by mark. MESH is a mesh
+file, or the name of one in the folder of test meshes (VOROGEO_MESHES, by default ../shared/meshes beside the project).
 """
 
 from __future__ import annotations
 
 import argparse
-import json
+import importlib
+import re
+import sys
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-import measure
 import meshes
-import methods
-import pages
-import questions
-import summary
-import tables
 
-RESULTS = meshes.WORK / "results"
-DEFAULT = ("igea", "casting")
+FIGURES = meshes.ROOT / "docs" / "figures.md"
+PAGES = {
+    "peers": "times, memory and errors, beside public packages",
+    "any_mesh": "costs and errors of an index on meshes of every kind",
+    "matrices": "matrices of all distances as float32 in a file, beside other packages",
+    "paths": "refined and exact paths of many random pairs against exact fields",
+    "choosing": "the time of 1 to 1,000 fields by the automatic choice and by each fixed one",
+    "growth": "time and memory against the size of the mesh",
+    "hot_spots": "the functions that take the time, by perf",
+    "gaps": "bridging",
+    "face_metrics": "metrics that jump at edges against formulas",
+    "trade_off": "both forms of the index, sizes of patches and delta against accuracy",
+}
 
 
 def main() -> None:
-    """Measure the meshes of the command line."""
-    parser = argparse.ArgumentParser(prog="tests/bench/run.sh", description="Compares geodesic distances in one run.")
-    parser.add_argument("meshes", nargs="*", default=DEFAULT, metavar="MESH", help="default: igea casting")
-    parser.add_argument("--sources", type=int, default=10, help="random source vertices (default 10)")
-    parser.add_argument(
-        "--budget", type=float, default=20, help="seconds of processor time for the fields of a method (default 20)"
+    """Run the page of the command line."""
+    pages = "\n".join(f"  {name:13}{about}" for name, about in PAGES.items())
+    parser = argparse.ArgumentParser(
+        prog="tests/bench/run.sh", description=f"Pages:\n{pages}", formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument(
-        "--limit", type=float, default=300, help="seconds of processor time after which a method is ended (default 300)"
-    )
-    parser.add_argument("--threads", type=int, default=2, help="threads of build and field (default 2)")
-    parser.add_argument("--one-build", action="store_true", help="no build on one thread")
-    parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
-    parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")
-    parser.add_argument("--write", action="store_true", help="also refresh docs/figures.md")
-    arguments = parser.parse_args()
-    limits = measure.Limits(arguments.budget, arguments.limit)
-    chosen = measure.names(arguments.methods, not arguments.no_peers)
-    for name in arguments.meshes:
-        file = meshes.find(name)
-        if file:
-            count = arguments.sources
-            result = measure_mesh(file, count, chosen, limits, arguments.threads, not arguments.one_build)
-            show(result, write=arguments.write)
-    if arguments.write:
-        pages.refresh_figures({file.stem: json.loads(file.read_text()) for file in sorted(RESULTS.glob("*.json"))})
+    parser.add_argument("page", choices=PAGES, metavar="PAGE")
+    parser.add_argument("options", nargs=argparse.REMAINDER, help="PAGE --help names them")
+    chosen = parser.parse_args()
+    page = importlib.import_module(chosen.page)
+    own = argparse.ArgumentParser(prog=f"tests/bench/run.sh {chosen.page}", description=PAGES[chosen.page])
+    own.add_argument("--write", action="store_true", help="also renew the figures and pictures in docs/")
+    page.options(own)
+    options = own.parse_args(chosen.options)
+    for mark, text in page.run(options).items():
+        print(f"\n{text}", flush=True)
+        if options.write and has_marks(FIGURES, mark):
+            replace(FIGURES, mark, text)
 
 
-def measure_mesh(
-    file: Path,
-    source_count: int,
-    chosen: list[str],
-    limits: measure.Limits,
-    threads: int,
-    builds: bool = True,
-    in_file: bool = False,
-) -> dict[str, Any]:
-    """All figures of one mesh. `builds`: also with one thread; `in_file`: the index is built in its file."""
-    mesh = meshes.load(file)
-    raw = meshes.write_raw(mesh, meshes.WORK / f"{file.stem}.raw")
-    index_file = meshes.WORK / f"{file.stem}.vgi"
-    sources = questions.sources_of(mesh, source_count)
-    counts = {threads} | ({1} if builds else set())
-    core = measure_core(raw, mesh, index_file, sources, sorted(counts), "build_in_file" if in_file else "build")
-
-    near = questions.Neighbourhood(mesh, questions.patches_of(mesh, index_file))
-    random = np.random.default_rng(1)
-    starts = np.repeat(np.array(sources), 200)
-    far_pairs = random.permutation(near.far_pairs(starts, questions.with_face(mesh, len(starts), random)))
-    near_pairs = near.near_pairs(np.repeat(np.array(sources), 20), random)
-    core |= query_core(raw, mesh, index_file, sources, near, threads)
-    many = near.far_pairs(*(questions.with_face(mesh, 20_000, random) for _ in range(2)))
-
-    task = measure.Task(raw, len(mesh[0]), sources, np.vstack([far_pairs, near_pairs]), many, index_file, threads)
-    exact_limits = measure.Limits(float("inf"), 24 * 3600, 1)
-    exact = measure.run("vorogeo_exact", task, exact_limits)
-    if exact.fields is None or len(exact.fields) != len(sources):
-        raise SystemExit(f"{file}: the exact solver failed: {exact.failure}")
-    row_of = {source: row for row, source in enumerate(sources)}
-    exact_pairs = np.array([exact.fields[row_of[s], t] for s, t in task.pairs.tolist()])
-
-    found: dict[str, Any] = {}
-    for name in chosen:
-        print(f"  {methods.METHODS[name].title} ...", flush=True)
-        result = exact if name == "vorogeo_exact" else measure.run(name, task, limits)
-        found[name] = summary.of_method(result, exact.fields, exact_pairs, len(far_pairs))
-    if "vorogeo_index" in found:  # it was read from the file that the core wrote
-        found["vorogeo_index"]["prepared"] = core["build"][str(threads)]["cpu"]["median"]
-    return {
-        "mesh": file.stem,
-        "vertices": len(mesh[0]),
-        "faces": len(mesh[1]),
-        "machine": pages.machine(),
-        "core": core,
-        "methods": found,
-    }
+def replace(file: Path, mark: str, text: str) -> None:
+    """Replace what stands between `<!-- mark -->` and `<!-- end of mark -->`; ends the run if the marks are missing."""
+    page = file.read_text()
+    pattern = rf"(<!-- {re.escape(mark)} -->\n).*?(<!-- end of {re.escape(mark)} -->)"
+    if not re.search(pattern, page, re.DOTALL):
+        raise SystemExit(f"{file} has no marks for '{mark}'")
+    file.write_text(re.sub(pattern, lambda found: found[1] + text + found[2], page, flags=re.DOTALL))
 
 
-def measure_core(
-    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], thread_counts: list[int], build: str
-) -> dict[str, Any]:
-    """Times of the C++ core: exact solver, and build with each number of threads, by a task of core_bench."""
-    n = len(mesh[0])
-    print(f"{raw.stem}: {n:,} vertices, {len(mesh[1]):,} faces\n  core ...", flush=True)
-    exact, exact_peak = measure.core(["exact", str(raw), *map(str, sources)])
-    found: dict[str, Any] = {
-        "exact": summary.of_line(exact["exact", n]),
-        "exact_peak": exact_peak,
-        "exact_patch": {str(d): summary.of_line(v) for (name, d), v in exact.items() if name == "exact_patch"},
-        "build": {},
-    }
-    for threads in thread_counts:
-        lines, found["build_peak"] = measure.core([build, str(raw), str(threads), str(index_file)])
-        found["phases"] = phases_of(lines)
-        found["build"][str(threads)] = summary.of_line(lines["build", threads])
-        found["index_bytes"], found["file_bytes"] = lines["index_bytes", n].values[0], lines["file_bytes", n].values[0]
-    return found
-
-
-def phases_of(lines: measure.Lines) -> dict[str, dict[str, float]]:
-    """Seconds of the phases of a build, and the most bytes in memory: resident, and without the pages of files."""
-    found: dict[str, dict[str, float]] = {}
-    for (name, detail), line in lines.items():
-        if name.startswith("phase "):
-            activity = name.removeprefix("phase ")
-            resident, own = lines[f"memory {activity}", detail].values
-            phase = found.setdefault(activity, dict.fromkeys(("cpu", "wall", "resident", "own"), 0.0))
-            phase["cpu"] += line.cpu[0]
-            phase["wall"] += line.values[0]
-            phase["resident"], phase["own"] = max(phase["resident"], resident), max(phase["own"], own)
-    return found
-
-
-def query_core(
-    raw: Path, mesh: meshes.Mesh, index_file: Path, sources: list[int], near: questions.Neighbourhood, threads: int
-) -> dict[str, Any]:
-    """Times of the C++ core: fields, and pairs with random sources."""
-    random = np.random.default_rng(2)
-    far = near.far_pairs(*(questions.with_face(mesh, 5000, random) for _ in range(2)))
-    close = near.near_pairs(questions.with_face(mesh, 500, random), random)
-    lines, peak = measure.core(["fields", str(raw), str(index_file), str(threads), "3", *map(str, sources)])
-    times = {}
-    for name, pairs in (("far", far), ("near", close)):
-        file = raw.with_suffix(f".{name}")
-        pairs.astype(np.int32).tofile(file)
-        if len(pairs):
-            times[name] = measure.core(["pairs", str(raw), str(index_file), str(file), "1"])[0]["pair", 1]
-    return {
-        "load": summary.of_line(lines["load", 1]),
-        "field": {str(int(d)): summary.of_line(v) for (name, d), v in lines.items() if name == "field"},
-        "far_pair": summary.of_line(times["far"]) if "far" in times else None,
-        "near_pair": summary.of_line(times["near"]) if "near" in times else None,
-        "query_peak": peak,
-    }
-
-
-def show(result: dict[str, Any], write: bool) -> None:
-    """Print the tables; keep the result; refresh the page and the picture if asked for."""
-    name = result["mesh"]
-    print(f"\n{tables.figures(result)}\n{tables.fields(result)}\n{tables.pairs(result)}")
-    print(f"Packages: {tables.versions(result['methods'])}\n{result['machine']}", flush=True)
-    RESULTS.mkdir(parents=True, exist_ok=True)
-    (RESULTS / f"{name}.json").write_text(json.dumps(result, indent=1))
-    if write and pages.has_marks(pages.FIGURES, name):
-        import plots
-
-        plots.error_against_time(result, pages.PICTURES / f"error_time_{name}.png")
-        pages.replace(pages.FIGURES, name, pages.mesh_section(result))
+def has_marks(file: Path, mark: str) -> bool:
+    """Whether a page has a place for this text."""
+    return f"<!-- {mark} -->" in file.read_text()
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

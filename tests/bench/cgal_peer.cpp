@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh_file.h"
+#include "raw_mesh.h"
 
 namespace {
 
@@ -111,16 +111,12 @@ void run(const char* mesh_file, const char* fields_file, double budget, int repe
 
 int main(int count, char** arguments) try {
   const std::string method = count > 6 ? arguments[1] : "";
-  if (method == "exact") {
-    run<Exact>(arguments[2], arguments[3], std::atof(arguments[4]), std::atoi(arguments[5]), count - 6,
-               arguments + 6);
-  } else if (method == "heat") {
-    run<Heat>(arguments[2], arguments[3], std::atof(arguments[4]), std::atoi(arguments[5]), count - 6,
-              arguments + 6);
-  } else {
+  if (method != "exact" && method != "heat") {
     std::fprintf(stderr, "usage: cgal_peer exact|heat MESH FIELDS BUDGET REPEATS SOURCE...\n");
     return 2;
   }
+  (method == "exact" ? run<Exact> : run<Heat>)(arguments[2], arguments[3], std::atof(arguments[4]),
+                                               std::atoi(arguments[5]), count - 6, arguments + 6);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -1,7 +1,6 @@
-"""Measures the time of 1 to 1,000 fields by the automatic choice beside each fixed one, and draws it.
+"""The time of 1 to 1,000 fields by the automatic choice beside each fixed one, by the clock.
 
-Usage: tests/bench/choosing.sh [--write] [MESH[:SIZE]...]; SIZE as for growth.sh (mountain:loop3 is a terrain of 1.6
-million vertices). Measured meshes are kept in build/bench-work/choosing.
+Measured meshes are kept in build/bench-work/choosing.
 """
 
 from __future__ import annotations
@@ -11,20 +10,46 @@ import json
 import time
 from typing import Any
 
-import matplotlib
 import numpy as np
 import vorogeo
 
 import meshes
-import pages
-
-matplotlib.use("Agg")
-from matplotlib import pyplot
+import plots
+import tables
 
 RESULTS = meshes.WORK / "choosing"
 FIELDS = 1000
 AFTERWARDS = 20
-COLUMNS = "mesh | vertices | exact | index: build + field | quick | automatic builds after | at most, of the better one"
+HEADING = (
+    "mesh | vertices | exact field | index: build + field | quick field | automatic builds after | costs at most, of "
+    "the better one"
+)
+
+
+def options(parser: argparse.ArgumentParser) -> None:
+    """Which meshes."""
+    parser.add_argument(
+        "meshes",
+        nargs="*",
+        default=["bunny", "igea"],
+        metavar="MESH[:SIZE]",
+        help="sizes as for growth: mountain:loop3 is a terrain of 1.6 million vertices; default: bunny igea",
+    )
+
+
+def run(options: argparse.Namespace) -> dict[str, str]:
+    """Measure the meshes of the command line; the table has all that are kept."""
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    for name in options.meshes:
+        mesh, _, size = name.partition(":")
+        file = meshes.find(mesh)
+        if file:
+            file = meshes.resized(file, size or "1")
+            (RESULTS / f"{file.stem}.json").write_text(json.dumps(measured(file.stem, meshes.load(file))))
+    results = sorted((json.loads(kept.read_text()) for kept in RESULTS.glob("*.json")), key=lambda r: r["vertices"])
+    if options.write and results:
+        plots.choosing({f"{r['name']}, {r['vertices']:,} vertices": totals(r) for r in results})
+    return {"choosing": tables.table(HEADING, map(row, results))}
 
 
 def measured(name: str, mesh: meshes.Mesh) -> dict[str, Any]:
@@ -77,53 +102,8 @@ def worst_ratio(result: dict[str, Any]) -> float:
     return float((lines["automatic"] / np.minimum(lines["exact"], lines["index"])).max())
 
 
-def row(result: dict[str, Any]) -> str:
+def row(result: dict[str, Any]) -> list[str]:
     """A line of the table."""
-    return (
-        f"{result['name']} | {result['vertices']:,} | {result['exact']:.3g} s | {result['build']:.3g} + "
-        f"{result['index']:.2g} s | {result['quick']:.2g} s | {result['rented']} fields | {worst_ratio(result):.2f}"
-    )
-
-
-def draw(results: list[dict[str, Any]]) -> None:
-    """One plot for each mesh."""
-    figure, plots = pyplot.subplots(1, len(results), figsize=(4.5 * len(results), 3.6), squeeze=False)
-    styles = {"exact": "C0--", "index": "C1--", "quick": "C2:", "automatic": "k-"}
-    for plot, result in zip(plots[0], results, strict=True):
-        for name, seconds in totals(result).items():
-            plot.loglog(np.arange(1, FIELDS + 1), seconds, styles[name], label=name)
-        plot.set_title(f"{result['name']}, {result['vertices']:,} vertices", fontsize=10)
-        plot.set_xlabel("fields")
-        plot.grid(alpha=0.3)
-    plots[0][0].set_ylabel("seconds in all")
-    plots[0][0].legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(pages.PICTURES / "choosing.png", dpi=110)
-
-
-def main() -> None:
-    """Measure the meshes of the command line, then print all that are kept."""
-    parser = argparse.ArgumentParser(prog="tests/bench/choosing.sh", description="Time of many fields by each choice.")
-    parser.add_argument(
-        "meshes", nargs="*", default=["bunny", "igea"], metavar="MESH[:SIZE]", help="default: bunny igea"
-    )
-    parser.add_argument("--write", action="store_true", help="also draw the picture of docs/figures.md")
-    arguments = parser.parse_args()
-    RESULTS.mkdir(parents=True, exist_ok=True)
-    for name in arguments.meshes:
-        mesh, _, size = name.partition(":")
-        file = meshes.find(mesh)
-        if file:
-            file = meshes.resized(file, size or "1")
-            result = measured(file.stem, meshes.load(file))
-            (RESULTS / f"{file.stem}.json").write_text(json.dumps(result))
-    results = [json.loads(kept.read_text()) for kept in RESULTS.glob("*.json")]
-    results.sort(key=lambda result: result["vertices"])
-    print(COLUMNS)
-    print("\n".join(map(row, results)))
-    if arguments.write and results:
-        draw(results)
-
-
-if __name__ == "__main__":
-    main()
+    exact, build, index, quick = (tables.duration(result[key]) for key in ("exact", "build", "index", "quick"))
+    choice = [f"{result['rented']} fields", f"{worst_ratio(result):.2f} times"]
+    return [result["name"], f"{result['vertices']:,}", exact, f"{build} + {index}", quick, *choice]

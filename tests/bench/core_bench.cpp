@@ -1,34 +1,30 @@
-// Times of the C++ core on one mesh, as lines of JSON: {"name": ..., "detail": ..., "values": [wall clock],
-// "cpu": [all cores together]}, in seconds. Tasks:
-// - exact MESH SOURCE...: exact solver on the whole mesh, one thread, and on cut-out pieces
-// - build MESH THREADS INDEX: one build; the index is saved to INDEX
-// - build_in_file MESH THREADS INDEX: one build in the file INDEX, for meshes whose index is larger than the
-// memory
-//   Both print the phases in the order of time: "phase ACTIVITY", and in "memory ACTIVITY" the most bytes
-//   that the process had in memory, with and without the pages of files
-// - fields MESH INDEX THREADS ROUNDS SOURCE...: fields with 1 to THREADS threads
-// - pairs MESH INDEX PAIRS ROUNDS: two points; PAIRS: a file of int32 (source, target)
+// The program of the benchmarks: measures the C++ core on meshes and prints lines of JSON. `tasks`, at the
+// end, has their arguments. MESH: see raw_mesh.h; in any_mesh a PLY file, or the name of a part that the
+// tests make.
+//
+// exact, build, fields and pairs print {"name": ..., "detail": ..., "values": [wall clock], "cpu": [all cores
+// together]}, in seconds. exact: the whole mesh, one thread. build: one build, saved to
+// INDEX; build_in_file: in that file, for meshes whose index is larger than the memory. Both print the phases
+// in the order of time: "phase ACTIVITY", and in "memory ACTIVITY" the most bytes that the process had in
+// memory, with and without the pages of files. fields: with 1 to THREADS threads. PAIRS: a file of int32
+// (source, target).
+#include "core_bench.h"
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
+#include <string_view>
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "mesh_file.h"
 #include "query/geodesic_query.h"
 
 namespace {
 
-using vorogeo::Index;
-using MeshPointer = std::shared_ptr<const vorogeo::Mesh>;
+using namespace bench;
 
 void print_array(const char* name, const std::vector<double>& values) {
   std::printf(", \"%s\": [", name);
@@ -46,14 +42,14 @@ void print(const char* name, double detail, const std::vector<double>& values,
   std::fflush(stdout);
 }
 
-/// The times of many calls, each divided by `share`.
+/// The times of many calls.
 class Times {
  public:
   template <class Call>
-  void add(Call&& call, double share = 1.0) {
-    const bench::Seconds seconds = bench::seconds(call);
-    wall_.push_back(seconds.wall / share);
-    cpu_.push_back(seconds.cpu / share);
+  void add(Call&& call) {
+    const Seconds spent = seconds(call);
+    wall_.push_back(spent.wall);
+    cpu_.push_back(spent.cpu);
   }
   void print(const char* name, double detail) const { ::print(name, detail, wall_, cpu_); }
 
@@ -61,79 +57,22 @@ class Times {
   std::vector<double> wall_, cpu_;
 };
 
-MeshPointer load(const char* file) {
-  bench::RawMesh raw = bench::read_mesh(file);
-  return std::make_shared<const vorogeo::Mesh>(std::move(raw.positions), raw.faces);
-}
-
-std::vector<Index> vertices_from(int count, char** texts) {
+std::vector<Index> vertices_of(Arguments texts) {
   std::vector<Index> vertices;
-  for (int i = 0; i < count; ++i) vertices.push_back(static_cast<Index>(std::atol(texts[i])));
+  for (const char* text : texts) vertices.push_back(static_cast<Index>(std::atol(text)));
   return vertices;
 }
 
-/// The faces nearest to a face, counted in steps over edges, as a mesh of about `size` vertices.
-MeshPointer cut_out(const vorogeo::Mesh& mesh, Index seed, std::size_t size) {
-  std::vector<Index> new_vertex(mesh.vertex_count(), vorogeo::no_index);
-  std::vector<std::uint8_t> taken(mesh.face_count(), 0);
-  std::vector<Index> order{seed};
-  taken[seed] = 1;
-  std::vector<vorogeo::Point> positions;
-  std::vector<std::array<Index, 3>> faces;
-  for (std::size_t i = 0; i < order.size() && positions.size() < size; ++i) {
-    std::array<Index, 3> corners{};
-    for (int c = 0; c < 3; ++c) {
-      const Index halfedge = 3 * order[i] + c;
-      const Index vertex = mesh.face_vertices(order[i])[c];
-      if (new_vertex[vertex] == vorogeo::no_index) {
-        new_vertex[vertex] = static_cast<Index>(positions.size());
-        positions.push_back(mesh.position(vertex));
-      }
-      corners[c] = new_vertex[vertex];
-      for (Index h = mesh.next_around_edge(halfedge); h != halfedge; h = mesh.next_around_edge(h)) {
-        if (!taken[h / 3]) order.push_back(h / 3);
-        taken[h / 3] = 1;
-      }
-    }
-    faces.push_back(corners);
-  }
-  return std::make_shared<const vorogeo::Mesh>(std::move(positions), faces);
-}
-
-/// Nothing but the distances of vertices is read after the runs.
-vorogeo::ExactLimits only_distances() {
+void time_exact(Arguments arguments) {
+  const MeshPointer mesh = load(arguments[0]);
+  vorogeo::ExactSolver solver(mesh);
   vorogeo::ExactLimits limits;
   limits.distances_only = true;
-  return limits;
-}
-
-void time_exact(const MeshPointer& mesh, const std::vector<Index>& sources) {
-  {
-    Times times;
-    vorogeo::ExactSolver solver(mesh);
-    for (const Index& source : sources) {
-      times.add([&] { solver.run_from_vertices({&source, 1}, only_distances()); });
-    }
-    times.print("exact", mesh->vertex_count());
+  Times times;
+  for (const Index source : vertices_of(arguments.subspan(1))) {
+    times.add([&] { solver.run_from_vertices({&source, 1}, limits); });
   }
-  for (const std::size_t size : {700, 1200, 2500}) {
-    if (size * 2 > static_cast<std::size_t>(mesh->vertex_count())) continue;
-    Times times;
-    for (int patch = 0; patch < 5; ++patch) {
-      const auto seed =
-          static_cast<Index>((2 * patch + 1) * static_cast<std::int64_t>(mesh->face_count()) / 10);
-      const MeshPointer part = cut_out(*mesh, seed, size);
-      vorogeo::ExactSolver solver(part);
-      for (int run = 0; run < 20; ++run) {
-        const auto source =
-            static_cast<Index>((2 * run + 1) * static_cast<std::int64_t>(part->vertex_count()) / 40);
-        const auto solve = [&] { solver.run_from_vertices({&source, 1}, only_distances()); };
-        if (run == 0) solve();  // takes the memory that later runs find
-        times.add(solve, part->vertex_count());
-      }
-    }
-    times.print("exact_patch", static_cast<double>(size));
-  }
+  times.print("exact", mesh->vertex_count());
 }
 
 /// Notes from the reports of a build when each of its phases begins, and the most memory in it.
@@ -144,7 +83,7 @@ class Phases {
       if (activity_ != activity) {
         finish();
         activity_ = activity;
-        wall_ = bench::now();
+        wall_ = now();
         cpu_ = std::clock();
       }
       for (std::size_t i = 0; i < names.size(); ++i) memory_[i] = std::max(memory_[i], bytes(names[i]));
@@ -154,7 +93,7 @@ class Phases {
   void finish() {
     if (!activity_.empty()) {
       const double cpu = static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
-      print(("phase " + activity_).c_str(), count_, {bench::now() - wall_}, {cpu});
+      print(("phase " + activity_).c_str(), count_, {now() - wall_}, {cpu});
       print(("memory " + activity_).c_str(), count_++, {memory_[0], memory_[1]});
     }
     memory_ = {};
@@ -179,7 +118,10 @@ class Phases {
   int count_ = 0;
 };
 
-void time_build(const MeshPointer& mesh, int threads, const char* file, bool in_file) {
+void build(Arguments arguments, bool in_file) {
+  const MeshPointer mesh = load(arguments[0]);
+  const int threads = std::atoi(arguments[1]);
+  const char* file = arguments[2];
   vorogeo::IndexOptions options;
   options.threads = threads;
   std::shared_ptr<const vorogeo::GeodesicIndex> index;
@@ -206,9 +148,11 @@ std::shared_ptr<const vorogeo::GeodesicIndex> load_index(const MeshPointer& mesh
   return index;
 }
 
-void time_fields(const MeshPointer& mesh, const char* index_file, int threads, int rounds,
-                 const std::vector<Index>& sources) {
-  const auto index = load_index(mesh, index_file);
+void time_fields(Arguments arguments) {
+  const auto index = load_index(load(arguments[0]), arguments[1]);
+  const int threads = std::atoi(arguments[2]);
+  const int rounds = std::atoi(arguments[3]);
+  const auto sources = vertices_of(arguments.subspan(4));
   for (int workers = 1; workers <= threads; ++workers) {
     vorogeo::GeodesicQuery query(index, workers);
     query.distance_field({sources.data(), 1});
@@ -220,11 +164,12 @@ void time_fields(const MeshPointer& mesh, const char* index_file, int threads, i
   }
 }
 
-void time_pairs(const MeshPointer& mesh, const char* index_file, const char* pairs_file, int rounds) {
-  const auto index = load_index(mesh, index_file);
-  std::ifstream stream(pairs_file, std::ios::binary);
-  const std::size_t count = std::filesystem::file_size(pairs_file) / sizeof(std::array<Index, 2>);
-  const auto pairs = bench::read_array<std::array<Index, 2>>(stream, count);
+void time_pairs(Arguments arguments) {
+  const auto index = load_index(load(arguments[0]), arguments[1]);
+  std::ifstream stream(arguments[2], std::ios::binary);
+  const std::size_t count = std::filesystem::file_size(arguments[2]) / sizeof(std::array<Index, 2>);
+  const auto pairs = read_array<std::array<Index, 2>>(stream, count);
+  const int rounds = std::atoi(arguments[3]);
   vorogeo::GeodesicQuery query(index, 1);
   Times times;
   for (int round = 0; round < rounds; ++round) {
@@ -233,26 +178,36 @@ void time_pairs(const MeshPointer& mesh, const char* index_file, const char* pai
   times.print("pair", 1);
 }
 
+struct Task {
+  std::string_view name, arguments;
+  std::size_t least;  ///< number of arguments; more only where they end in "..."
+  void (*run)(Arguments);
+};
+constexpr Task tasks[] = {
+    {"exact", "MESH SOURCE...", 2, time_exact},
+    {"build", "MESH THREADS INDEX", 3, [](Arguments arguments) { build(arguments, false); }},
+    {"build_in_file", "MESH THREADS INDEX", 3, [](Arguments arguments) { build(arguments, true); }},
+    {"fields", "MESH INDEX THREADS ROUNDS SOURCE...", 5, time_fields},
+    {"pairs", "MESH INDEX PAIRS ROUNDS", 4, time_pairs},
+    {"any_mesh", "SOURCES MESH...", 2, measure_any_mesh},
+    {"trade_off", "MESH SOURCES", 2, measure_trade_off},
+    {"paths", "MESH INDEX SOURCES TARGETS THREADS 0|1:POINTS_IN_FACES LANDMARKS", 7, measure_paths},
+};
+
 }  // namespace
 
-int main(int count, char** arguments) try {
-  const std::string task = count > 2 ? arguments[1] : "";
-  if (task == "exact" && count > 3) {
-    time_exact(load(arguments[2]), vertices_from(count - 3, arguments + 3));
-  } else if ((task == "build" || task == "build_in_file") && count == 5) {
-    time_build(load(arguments[2]), std::atoi(arguments[3]), arguments[4], task == "build_in_file");
-  } else if (task == "fields" && count > 6) {
-    time_fields(load(arguments[2]), arguments[3], std::atoi(arguments[4]), std::atoi(arguments[5]),
-                vertices_from(count - 6, arguments + 6));
-  } else if (task == "pairs" && count == 6) {
-    time_pairs(load(arguments[2]), arguments[3], arguments[4], std::atoi(arguments[5]));
-  } else {
-    std::fprintf(stderr,
-                 "usage: core_bench exact|build|build_in_file|fields|pairs MESH ...; see the head of "
-                 "core_bench.cpp\n");
-    return 2;
+int main(int count, char** values) try {
+  const Arguments arguments(values + std::min(count, 2), values + count);
+  for (const Task& task : tasks) {
+    if (count < 2 || task.name != values[1] || arguments.size() < task.least) continue;
+    if (arguments.size() > task.least && !task.arguments.ends_with("...")) continue;
+    task.run(arguments);
+    return 0;
   }
-  return 0;
+  for (const Task& task : tasks) {
+    std::fprintf(stderr, "usage: core_bench %s %s\n", task.name.data(), task.arguments.data());
+  }
+  return 2;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "core_bench: %s\n", error.what());
   return 1;

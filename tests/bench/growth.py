@@ -1,8 +1,7 @@
-"""Measures time and memory against the size of the mesh: one mesh decimated and subdivided after Loop.
+"""Time and memory against the size of the mesh: one mesh decimated and subdivided after Loop.
 
-Usage: tests/bench/growth.sh [OPTIONS] [SIZE...]; SIZE is 1, 1/4, 1/16, loop1, loop2 or loop3.
-The index of loop3 is built in its file. Sizes measured before are kept
-in build/bench-work/growth, so the sizes can be measured one at a time.
+The index of loop3 is built in its file. Sizes measured before are kept in build/bench-work/growth, so the sizes can be
+measured one at a time.
 """
 
 from __future__ import annotations
@@ -11,10 +10,10 @@ import argparse
 import json
 from typing import Any
 
-import bench
 import measure
 import meshes
-import pages
+import peers
+import plots
 import tables
 
 RESULTS = meshes.WORK / "growth"
@@ -27,58 +26,51 @@ HEADING = (
 LEAST = 0.5  # µs a vertex, of a phase that the table shows
 
 
-def main() -> None:
-    """Measure the sizes of the command line, then print and draw all that are there."""
-    parser = argparse.ArgumentParser(prog="tests/bench/growth.sh", description="Time and memory against mesh size.")
-    parser.add_argument("sizes", nargs="*", default=SIZES, metavar="SIZE", help=f"default: {' '.join(SIZES)}")
+def options(parser: argparse.ArgumentParser) -> None:
+    """Which sizes, of what, how long."""
+    parser.add_argument("sizes", nargs="*", default=SIZES, metavar="SIZE", help=f"default: {' '.join(SIZES)}; or loop3")
     parser.add_argument("--mesh", default="igea", help="mesh file or name (default igea)")
     parser.add_argument("--sources", type=int, default=2, help="random source vertices (default 2)")
-    parser.add_argument(
-        "--limit", type=float, default=120, help="seconds of processor time after which a peer is ended (default 120)"
-    )
+    parser.add_argument("--limit", type=float, default=120, help="seconds of the processor for a peer (default 120)")
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone; peers measured before are kept")
-    parser.add_argument("--write", action="store_true", help="also refresh docs/figures.md and its picture")
-    arguments = parser.parse_args()
-    file = meshes.find(arguments.mesh)
+
+
+def run(options: argparse.Namespace) -> dict[str, str]:
+    """Measure the sizes of the command line; tables and picture have all that are there."""
+    file = meshes.find(options.mesh)
     if not file:
-        return
+        return {}
     RESULTS.mkdir(parents=True, exist_ok=True)
-    for size in arguments.sizes:
-        chosen = ["vorogeo_index", "vorogeo_exact", *(() if arguments.no_peers else PEERS)]
-        limits = measure.Limits(0.1 * arguments.limit, arguments.limit)
+    for size in options.sizes:
+        chosen = ["vorogeo_index", "vorogeo_exact", *(() if options.no_peers else PEERS)]
+        limits = measure.Limits(0.1 * options.limit, options.limit)
         mesh = meshes.resized(file, size)
-        result = bench.measure_mesh(mesh, arguments.sources, chosen, limits, 2, builds=False, in_file=size == "loop3")
+        result = peers.measure_mesh(mesh, options.sources, chosen, limits, 2, builds=False, in_file=size == "loop3")
         kept = RESULTS / f"{file.stem}_{size.replace('/', '_')}.json"
-        if arguments.no_peers and kept.is_file():
+        if options.no_peers and kept.is_file():
             result["methods"] = json.loads(kept.read_text())["methods"] | result["methods"]
         kept.write_text(json.dumps(result, indent=1))
     results = [json.loads(kept.read_text()) for kept in RESULTS.glob(f"{file.stem}_*.json")]
     results.sort(key=lambda result: result["vertices"])
-    whole = tables.table(HEADING, [build_row(result) + query_row(result) for result in results])
-    text = f"{whole}\n{phase_table(results)}"
-    print(text)
-    if arguments.write:
-        import plots
-
-        picture = pages.PICTURES / "growth.png"
-        plots.growth(results, picture)
-        about = f"\nMeasured on {pages.machine()}.\n\n![Time and memory against size](figures/growth.png)\n\n"
-        pages.replace(pages.FIGURES, "growth", text + about)
+    if options.write:
+        plots.growth(results, meshes.PICTURES / "growth.png")
+    about = f"Measured on {measure.machine()}.\n\n![Time and memory against size](figures/growth.png)\n\n"
+    return {"growth": f"{tables.table(HEADING, map(row, results))}\n{phase_table(results)}\n{about}"}
 
 
-def build_row(result: dict[str, Any]) -> list[str]:
-    """What the index of one size costs, and an exact field."""
-    core, n = result["core"], result["vertices"]
+def row(result: dict[str, Any]) -> list[str]:
+    """What the index of one size costs, an exact field, queries, and the errors of fields."""
+    core, n, number = result["core"], result["vertices"], tables.number
     build = core["build"][max(core["build"])]["cpu"]["median"]
-    return [
-        f"{n:,}",
-        tables.number(build),
-        tables.number(1e6 * build / n),
-        tables.number(core["build_peak"] / 2**20),
-        tables.number(core["index_bytes"] / n),
-        tables.number(core["file_bytes"] / n),
-        tables.number(core["exact"]["cpu"]["median"]),
-    ]
+    field = core["field"]["1"]["cpu"]["median"]
+    far, near = ((core[name] or {}).get("cpu") or {} for name in ("far_pair", "near_pair"))
+    error = result["methods"]["vorogeo_index"].get("field_error")
+    costs = (build, 1e6 * build / n, core["build_peak"] / 2**20, core["index_bytes"] / n, core["file_bytes"] / n)
+    queries = (core["exact"]["cpu"]["median"], 1e3 * field, 1e9 * field / n)
+    pairs = (
+        number(1e6 * times[key] if times else None) for times, key in ((far, "median"), (far, "p99"), (near, "median"))
+    )
+    return [f"{n:,}", *map(number, costs + queries), *pairs, *(tables.percent(error, key) for key in ("mean", "p99"))]
 
 
 def phase_table(results: list[dict[str, Any]]) -> str:
@@ -99,23 +91,3 @@ def phase_table(results: list[dict[str, Any]]) -> str:
         rows.append(row)
     sizes = " | ".join(f"{result['vertices']:,}" for result in known)
     return tables.table(f"µs a vertex, bytes a vertex | {sizes}", rows)
-
-
-def query_row(result: dict[str, Any]) -> list[str]:
-    """What queries of one size take, and the errors of fields."""
-    core, n = result["core"], result["vertices"]
-    field = core["field"]["1"]["cpu"]["median"]
-    far, near = ((core[name] or {}).get("cpu") for name in ("far_pair", "near_pair"))
-    error = result["methods"]["vorogeo_index"].get("field_error")
-    return [
-        tables.number(1e3 * field),
-        tables.number(1e9 * field / n),
-        *(tables.number(1e6 * far[key]) if far else tables.DASH for key in ("median", "p99")),
-        tables.number(1e6 * near["median"]) if near else tables.DASH,
-        tables.percent(error, "mean"),
-        tables.percent(error, "p99"),
-    ]
-
-
-if __name__ == "__main__":
-    main()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import platform
 import re
 import signal
 import subprocess
@@ -18,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import meshes
-import methods
 
 PROGRAMS = meshes.ROOT / "build" / "bench" / "tests" / "bench"
+CORE_BENCH = PROGRAMS / "core_bench"
 
 
 @dataclass
@@ -47,6 +48,7 @@ class Result:
     pair_distances: list[float] = field(default_factory=list)
     many: list[float] = field(default_factory=list)  #: pairs per second of one call
     many_cpu: list[float] = field(default_factory=list)  #: pairs per second of processor time
+    matrix_rows: int = 0
     peak_bytes: int = 0
     failure: str = ""
 
@@ -62,6 +64,7 @@ class Task:
     many: NDArray[np.int64] | None = None
     index_file: Path | None = None
     threads: int = 2
+    matrix: dict[str, int] | None = None  #: `rows` instead of fields and pairs, of which `checked` are compared
 
 
 def run(name: str, task: Task, limits: Limits) -> Result:
@@ -133,18 +136,27 @@ class Line:
 Lines = dict[tuple[str, float], Line]
 
 
-def core(arguments: list[str], limit: float = 7200.0) -> tuple[Lines, int]:
-    """Lines of the program core_bench by name and detail, and its peak memory; ends the run if it fails."""
-    found: Lines = {}
+def program(*arguments: object, take: Any = None, limit: float = float("inf")) -> Any:
+    """The lines that a task of core_bench prints, or the peak memory if `take` takes them; ends the run if it fails."""
+    found: list[Any] = []
 
-    def take(text: str) -> None:
-        line = json.loads(text)
-        found[line["name"], line["detail"]] = Line(line["values"], line["cpu"])
+    def read(text: str) -> None:
+        (take or found.append)(json.loads(text.replace("inf", "Infinity")))
 
-    status, errors, peak = stream([str(PROGRAMS / "core_bench"), *arguments], limit, take)
+    status, errors, peak = stream([str(CORE_BENCH), *map(str, arguments)], limit, read)
     if status != 0:
         sys.exit(f"core_bench {arguments[0]}: {errors or status}")
-    return found, peak
+    return peak if take else found
+
+
+def core(*arguments: object) -> tuple[Lines, int]:
+    """Lines of core_bench by name and detail, and its peak memory."""
+    found: Lines = {}
+
+    def take(line: dict[str, Any]) -> None:
+        found[line["name"], line["detail"]] = Line(line["values"], line["cpu"])
+
+    return found, program(*arguments, take=take, limit=7200.0)
 
 
 def _command(name: str, task: Task, limits: Limits, folder: Path, fields: Path) -> list[str] | None:
@@ -153,20 +165,21 @@ def _command(name: str, task: Task, limits: Limits, folder: Path, fields: Path) 
         options = [str(task.mesh), str(fields), f"{limits.budget:g}", str(limits.repeats), *map(str, task.sources)]
         return [str(program), name.removeprefix("cgal_"), *options] if program.is_file() else None
     np.save(folder / "pairs.npy", task.pairs)
-    own = name == "vorogeo_index"
-    if own and task.many is not None:
+    many = name == "vorogeo_index" and task.many is not None
+    if many:
         np.save(folder / "many.npy", task.many)
     description = {
         "method": name,
         "mesh": str(task.mesh),
         "sources": task.sources,
         "pairs": str(folder / "pairs.npy"),
-        "many": str(folder / "many.npy") if own and task.many is not None else None,
+        "many": str(folder / "many.npy") if many else None,
         "fields": str(fields),
         "index_file": str(task.index_file) if task.index_file else None,
         "threads": task.threads,
         "budget": limits.budget,
         "repeats": limits.repeats,
+        "matrix": task.matrix,
     }
     (folder / "task.json").write_text(json.dumps(description))
     return [sys.executable, str(Path(__file__).with_name("worker.py")), str(folder / "task.json")]
@@ -184,6 +197,9 @@ def _take(result: Result, text: str) -> None:
         result.prepared, result.version = line["prepared"], line["version"]
     elif "field" in line:
         result.field_seconds.append(line["seconds"])
+        result.field_cpu.append(line["cpu"])
+    elif "matrix" in line:
+        result.matrix_rows = line["matrix"]
         result.field_cpu.append(line["cpu"])
     elif "pair" in line:
         result.pair_seconds.append(line["seconds"])
@@ -216,10 +232,10 @@ def _signal(status: int | str) -> str:
     return signal.Signals(-status).name if isinstance(status, int) and status < 0 else f"status {status}"
 
 
-def names(only: list[str] | None, peers: bool) -> list[str]:
-    """The methods to run, in the order of the tables."""
-    chosen = only or [name for name in methods.METHODS if peers or name.startswith("vorogeo")]
-    for name in chosen:
-        if name not in methods.METHODS:
-            sys.exit(f"there is no method {name}; there are {', '.join(methods.METHODS)}")
-    return chosen
+def machine() -> str:
+    """Processor and cores, as far as the system tells."""
+    try:
+        found = re.search(r"^model name\s*:\s*(.+)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    except OSError:
+        found = None
+    return f"{found[1] if found else platform.machine()}, {os.cpu_count()} cores, {platform.system()}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 ROOT = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("VOROGEO_MESHES", ROOT.parent / "shared" / "meshes"))
 WORK = ROOT / "build" / "bench-work"
+PICTURES = ROOT / "docs" / "figures"
 
 Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
 
@@ -27,40 +29,57 @@ def find(name: str) -> Path | None:
 
 def load(file: Path) -> Mesh:
     """Vertices and triangles of any mesh file that PyMeshLab reads."""
-    import pymeshlab
-
-    mesh_set = pymeshlab.MeshSet()
-    mesh_set.load_new_mesh(str(file))
+    mesh_set = opened(file)  # it owns the mesh
     mesh = mesh_set.current_mesh()
     return np.ascontiguousarray(mesh.vertex_matrix(), np.float64), np.ascontiguousarray(mesh.face_matrix(), np.int32)
 
 
+def opened(file: Path) -> Any:
+    """A MeshSet with one mesh."""
+    import pymeshlab
+
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.load_new_mesh(str(file))
+    return mesh_set
+
+
 def resized(file: Path, size: str) -> Path:
-    """The mesh decimated to a share ("1/4") or subdivided after Loop ("loop1", "loop2"); made once, kept in build/."""
+    """The mesh in another size, made once and kept in build/.
+
+    "1/4": decimated to a share. "loop1", "loop2": subdivided after Loop. "@6890": with about so many vertices,
+    subdivided if it has fewer, then decimated.
+    """
     if size == "1":
         return file
     out = WORK / f"{file.stem}_{size.replace('/', '_')}.ply"
     if not out.is_file():
-        import pymeshlab
-
-        mesh_set = pymeshlab.MeshSet()
-        mesh_set.load_new_mesh(str(file))
+        mesh_set = opened(file)
+        mesh = mesh_set.current_mesh()
+        faces = 0
         if size.startswith("loop"):
-            mesh_set.meshing_surface_subdivision_loop(
-                iterations=int(size.removeprefix("loop")), threshold=pymeshlab.PureValue(0)
-            )
+            subdivide(mesh_set, int(size.removeprefix("loop")))
+        elif size.startswith("@"):
+            faces = 2 * int(size[1:]) - 4
+            if mesh.vertex_number() < int(size[1:]):
+                subdivide(mesh_set, 1)
         else:
-            share = 1 / int(size.removeprefix("1/"))
-            mesh_set.meshing_decimation_quadric_edge_collapse(
-                targetfacenum=int(share * mesh_set.current_mesh().face_number())
-            )
+            faces = mesh.face_number() // int(size.removeprefix("1/"))
+        if faces:
+            mesh_set.meshing_decimation_quadric_edge_collapse(targetfacenum=faces)
         WORK.mkdir(parents=True, exist_ok=True)
         mesh_set.save_current_mesh(str(out), binary=True, save_vertex_quality=False)
     return out
 
 
+def subdivide(mesh_set: Any, times: int) -> None:
+    """After Loop, every face."""
+    import pymeshlab
+
+    mesh_set.meshing_surface_subdivision_loop(iterations=times, threshold=pymeshlab.PureValue(0))
+
+
 def write_raw(mesh: Mesh, file: Path) -> Path:
-    """Write the raw file that mesh_file.h describes."""
+    """Write the raw file that raw_mesh.h describes."""
     file.parent.mkdir(parents=True, exist_ok=True)
     vertices, faces = mesh
     with file.open("wb") as stream:

@@ -1,7 +1,8 @@
 """The methods that are measured: VoroGeo and public packages, all with the same interface.
 
-A method is made from `vertices` (n, 3) and `faces` (m, 3), which is its set-up. `field(source)` gives the distances of
-all vertices, `pair(source, target)` that of two, by the best that the package offers for it; both with numpy arrays.
+A function for each method takes `vertices` (n, 3) and `faces` (m, 3), which is its set-up, and returns what answers:
+`field(source)` gives the distances of all vertices, `pair(source, target)` that of two, by the best that the package
+offers for it; both with numpy arrays.
 """
 
 from __future__ import annotations
@@ -10,13 +11,23 @@ import importlib
 import importlib.metadata
 import os
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Field = NDArray[np.float64]
+Faces = NDArray[np.int32]
+
+
+class Method(NamedTuple):
+    """What answers the questions; None where it has no answer."""
+
+    field: Callable[[int], Field] | None
+    pair: Callable[[int, int], float] | None = None
+    index: Any = None  #: of VoroGeo
 
 
 @dataclass(frozen=True)
@@ -30,7 +41,7 @@ class Description:
     pairs: bool = False
 
 
-#: In the order of the tables. `cgal_...` are measured by the program cgal_peer instead of a class here.
+#: In the order of the tables. `cgal_...` are measured by the program cgal_peer instead of a function here.
 METHODS = {
     "vorogeo_index": Description("VoroGeo, index", "vorogeo", pairs=True),
     "vorogeo_exact": Description("VoroGeo, exact", "vorogeo", exact=True),
@@ -46,6 +57,9 @@ METHODS = {
     "meshlab_point": Description("PyMeshLab, from a point", "pymeshlab"),
     "meshlab_heat": Description("PyMeshLab, heat", "pymeshlab"),
 }
+#: Ours of docs/methods.md, measured where they are asked for.
+OURS = ("ammp", "dgg", "dijkstra", "fast_marching", "gsp", "gtu", "heat", "ich", "mmp", "stvd", "svg")
+METHODS |= {f"our_{name}": Description(f"VoroGeo, {name}", "vorogeo") for name in OURS}
 
 
 #: What is imported before the clock starts.
@@ -60,11 +74,15 @@ def import_package(name: str) -> None:
     importlib.import_module(MODULES.get(package, package))
 
 
-def make(name: str, vertices: Field, faces: NDArray[np.int32], threads: int, index_file: str | None) -> Any:
+def make(name: str, vertices: Field, faces: Faces, threads: int, index_file: str | None) -> Method:
     """The method of a name, set up on a mesh; an ImportError if its package is not installed."""
     if name == "vorogeo_index":
-        return VoroGeoIndex(vertices, faces, threads, index_file)
-    return CLASSES[name](vertices, faces)
+        return vorogeo_index(vertices, faces, threads, index_file)
+    if name.startswith("our_"):
+        import vorogeo
+
+        return Method(vorogeo.GeodesicMethod(vertices, faces, name.removeprefix("our_")).distance_field)
+    return globals()[name](vertices, faces)
 
 
 def version(name: str) -> str:
@@ -72,175 +90,131 @@ def version(name: str) -> str:
     return importlib.metadata.version(METHODS[name].package)
 
 
-class VoroGeoIndex:
+def vorogeo_index(vertices: Field, faces: Faces, threads: int, index_file: str | None) -> Method:
     """Two points and fields from the index; read from `index_file` if that is given and there."""
+    from vorogeo import GeodesicIndex
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32], threads: int, index_file: str | None) -> None:
-        from vorogeo import GeodesicIndex
-
-        if index_file and os.path.exists(index_file):
-            self.index = GeodesicIndex.load(index_file, vertices, faces, threads=threads)
-        else:
-            self.index = GeodesicIndex(vertices, faces, threads=threads)
-
-    def field(self, source: int) -> Field:
-        return self.index.distance_field(source)
-
-    def pair(self, source: int, target: int) -> float:
-        return self.index.distance(source, target)
+    if index_file and os.path.exists(index_file):
+        index = GeodesicIndex.load(index_file, vertices, faces, threads=threads)
+    else:
+        index = GeodesicIndex(vertices, faces, threads=threads)
+    return Method(index.distance_field, index.distance, index)
 
 
-class VoroGeoExact:
+def vorogeo_exact(vertices: Field, faces: Faces) -> Method:
     """The exact solver; a call includes what it computes of the mesh, as for gdist and libigl."""
+    from vorogeo import exact_distance_field
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        from vorogeo import exact_distance_field
-
-        self.run, self.mesh = exact_distance_field, (vertices, faces)
-
-    def field(self, source: int) -> Field:
-        return self.run(*self.mesh, source)
+    return Method(lambda source: exact_distance_field(vertices, faces, source))
 
 
-class PyGeodesic:
+def pygeodesic(vertices: Field, faces: Faces) -> Method:
     """Danil Kirsanov's implementation of MMP."""
+    from pygeodesic.geodesic import PyGeodesicAlgorithmExact
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        from pygeodesic.geodesic import PyGeodesicAlgorithmExact
-
-        self.solver = PyGeodesicAlgorithmExact(vertices, faces)
-
-    def field(self, source: int) -> Field:
-        return self.solver.geodesicDistances(np.array([source]), None)[0]
-
-    def pair(self, source: int, target: int) -> float:
-        return float(self.solver.geodesicDistance(source, target)[0])
+    solver = PyGeodesicAlgorithmExact(vertices, faces)
+    return Method(
+        lambda source: solver.geodesicDistances(np.array([source]), None)[0],
+        lambda source, target: float(solver.geodesicDistance(source, target)[0]),
+    )
 
 
-class LibiglExact:
+def igl_exact(vertices: Field, faces: Faces) -> Method:
     """MMP of libigl."""
+    import igl
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import igl
+    wide, everywhere = faces.astype(np.int64), np.arange(len(vertices))
 
-        self.run, self.vertices, self.faces = igl.exact_geodesic, vertices, faces.astype(np.int64)
-        self.all = np.arange(len(vertices))
+    def run(source: int, targets: Any) -> Field:
+        return igl.exact_geodesic(vertices, wide, np.array([source]), VT=targets)
 
-    def field(self, source: int) -> Field:
-        return self.run(self.vertices, self.faces, np.array([source]), VT=self.all)
-
-    def pair(self, source: int, target: int) -> float:
-        return float(self.run(self.vertices, self.faces, np.array([source]), VT=np.array([target]))[0])
+    return Method(
+        lambda source: run(source, everywhere), lambda source, target: float(run(source, np.array([target]))[0])
+    )
 
 
-class Gdist:
+def gdist(vertices: Field, faces: Faces) -> Method:
     """MMP of The Virtual Brain."""
+    import gdist
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import gdist
+    everywhere = np.arange(len(vertices), dtype=np.int32)
 
-        self.run, self.mesh = gdist.compute_gdist, (vertices, faces.astype(np.int32))
-        self.all = np.arange(len(vertices), dtype=np.int32)
+    def run(source: int, targets: Any) -> Field:
+        return gdist.compute_gdist(vertices, faces, np.array([source], np.int32), np.asarray(targets, np.int32))
 
-    def field(self, source: int) -> Field:
-        return self.run(*self.mesh, np.array([source], np.int32), self.all)
-
-    def pair(self, source: int, target: int) -> float:
-        return float(self.run(*self.mesh, np.array([source], np.int32), np.array([target], np.int32))[0])
+    return Method(lambda source: run(source, everywhere), lambda source, target: float(run(source, [target])[0]))
 
 
-class PotpourriHeat:
+def pp3d_heat(vertices: Field, faces: Faces) -> Method:
     """Heat method of geometry-central, with its robust Laplacian."""
+    import potpourri3d
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import potpourri3d
-
-        self.solver = potpourri3d.MeshHeatMethodDistanceSolver(vertices, faces)
-
-    def field(self, source: int) -> Field:
-        return self.solver.compute_distance(source)
+    return Method(potpourri3d.MeshHeatMethodDistanceSolver(vertices, faces).compute_distance)
 
 
-class PotpourriMarching:
+def pp3d_marching(vertices: Field, faces: Faces) -> Method:
     """Fast marching of geometry-central."""
+    import potpourri3d
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import potpourri3d
-
-        self.solver = potpourri3d.MeshFastMarchingDistanceSolver(vertices, faces)
-
-    def field(self, source: int) -> Field:
-        return self.solver.compute_distance([[(source, [])]])
+    solver = potpourri3d.MeshFastMarchingDistanceSolver(vertices, faces)
+    return Method(lambda source: solver.compute_distance([[(source, [])]]))
 
 
-class PotpourriFlips:
+def pp3d_flips(vertices: Field, faces: Faces) -> Method:
     """Locally shortest path by edge flips from a shortest path over edges."""
+    import potpourri3d
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import potpourri3d
+    solver = potpourri3d.EdgeFlipGeodesicSolver(vertices, faces)
 
-        self.solver = potpourri3d.EdgeFlipGeodesicSolver(vertices, faces)
-
-    def pair(self, source: int, target: int) -> float:
-        path = self.solver.find_geodesic_path(source, target)
+    def pair(source: int, target: int) -> float:
+        path = solver.find_geodesic_path(source, target)
         return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
+    return Method(None, pair)
 
-class LibiglHeat:
+
+def igl_heat(vertices: Field, faces: Faces) -> Method:
     """Heat method of libigl."""
+    import igl
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import igl
-
-        self.solve, self.data = igl.heat_geodesics_solve, igl.HeatGeodesicsData()
-        igl.heat_geodesics_precompute(vertices, faces.astype(np.int64), self.data)
-
-    def field(self, source: int) -> Field:
-        return self.solve(self.data, np.array([source]))
+    data = igl.HeatGeodesicsData()
+    igl.heat_geodesics_precompute(vertices, faces.astype(np.int64), data)
+    return Method(lambda source: igl.heat_geodesics_solve(data, np.array([source])))
 
 
-class MeshLabPoint:
+def meshlab_point(vertices: Field, faces: Faces) -> Method:
     """Built-in filter: fast marching from a point."""
+    import pymeshlab
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import pymeshlab
+    mesh_set = meshlab_set(vertices, faces)
+    # The filter stops at half the diagonal of the bounding box unless told otherwise.
+    limit = pymeshlab.PureValue(1000 * mesh_set.current_mesh().bounding_box().diagonal())
 
-        self.set, self.vertices = pymeshlab.MeshSet(), vertices
-        self.set.add_mesh(pymeshlab.Mesh(vertices, faces))
-        # The filter stops at half the diagonal of the bounding box unless told otherwise.
-        self.limit = pymeshlab.PureValue(1000 * self.set.current_mesh().bounding_box().diagonal())
-
-    def field(self, source: int) -> Field:
+    def field(source: int) -> Field:
         name = "compute_scalar_by_geodesic_distance_from_given_point_per_vertex"
-        self.set.apply_filter(name, startpoint=self.vertices[source], maxdistance=self.limit)
-        return self.set.current_mesh().vertex_scalar_array()
+        mesh_set.apply_filter(name, startpoint=vertices[source], maxdistance=limit)
+        return mesh_set.current_mesh().vertex_scalar_array()
+
+    return Method(field)
 
 
-class MeshLabHeat:
+def meshlab_heat(vertices: Field, faces: Faces) -> Method:
     """Built-in filter: heat method from the selected vertex."""
+    mesh_set = meshlab_set(vertices, faces)
 
-    def __init__(self, vertices: Field, faces: NDArray[np.int32]) -> None:
-        import pymeshlab
+    def field(source: int) -> Field:
+        mesh_set.compute_selection_by_condition_per_vertex(condselect=f"(vi == {source})")
+        mesh_set.apply_filter("compute_scalar_by_heat_geodesic_distance_from_selection_per_vertex")
+        return mesh_set.current_mesh().vertex_scalar_array()
 
-        self.set = pymeshlab.MeshSet()
-        self.set.add_mesh(pymeshlab.Mesh(vertices, faces))
-        self.field(0)  # the first call factors the matrices
-
-    def field(self, source: int) -> Field:
-        self.set.compute_selection_by_condition_per_vertex(condselect=f"(vi == {source})")
-        self.set.apply_filter("compute_scalar_by_heat_geodesic_distance_from_selection_per_vertex")
-        return self.set.current_mesh().vertex_scalar_array()
+    field(0)  # the first call factors the matrices
+    return Method(field)
 
 
-CLASSES = {
-    "vorogeo_exact": VoroGeoExact,
-    "pygeodesic": PyGeodesic,
-    "igl_exact": LibiglExact,
-    "gdist": Gdist,
-    "pp3d_heat": PotpourriHeat,
-    "pp3d_marching": PotpourriMarching,
-    "pp3d_flips": PotpourriFlips,
-    "igl_heat": LibiglHeat,
-    "meshlab_point": MeshLabPoint,
-    "meshlab_heat": MeshLabHeat,
-}
+def meshlab_set(vertices: Field, faces: Faces) -> Any:
+    """A MeshSet with this mesh."""
+    import pymeshlab
+
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.add_mesh(pymeshlab.Mesh(vertices, faces))
+    return mesh_set

@@ -1,4 +1,4 @@
-"""The pictures of docs/figures: error against time, and growth with the size of the mesh."""
+"""The pictures of docs/figures: time, memory and errors against each other, on logarithmic axes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,11 @@ import matplotlib as mpl
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+import meshes
 
 #: Colours that stay apart for colour-blind readers (Okabe, Ito), one per package; the marker tells methods apart.
 COLOURS = {
@@ -23,6 +27,7 @@ COLOURS = {
     "pymeshlab": "#E69F00",
 }
 MARKERS = {"exact": "s", "heat": "o", "marching": "^", "point": "v", "flips": "P", "index": "*"}
+PATCHES = {90: "#0072B2", 180: "#009E73", 350: "#D55E00", 700: "#CC79A7"}
 EXACT_AT = 1e-4  # where exact methods are drawn, as 0 has no place on the axis
 
 
@@ -105,6 +110,57 @@ def growth(results: Sequence[dict[str, Any]], file: Path) -> None:
         axes.grid(alpha=0.3, which="major")
     handles, labels = time_axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    save(figure, file)
+
+
+def choosing(meshes_totals: dict[str, dict[str, Any]]) -> None:
+    """Seconds of 1 to k fields by each choice, a panel for each mesh."""
+    count = len(meshes_totals)
+    figure, panels = plt.subplots(1, count, figsize=(4.5 * count, 3.6), squeeze=False, layout="constrained")
+    styles = {"exact": "C0--", "index": "C1--", "quick": "C2:", "automatic": "k-"}
+    for axes, (title, totals) in zip(panels[0], meshes_totals.items(), strict=True):
+        for name, seconds in totals.items():
+            axes.loglog(np.arange(1, len(seconds) + 1), seconds, styles[name], label=name)
+        axes.set_title(title, fontsize=10)
+        axes.set_xlabel("fields")
+        axes.grid(alpha=0.3)
+    panels[0][0].set_ylabel("seconds in all")
+    panels[0][0].legend(fontsize=8)
+    save(figure, meshes.PICTURES / "choosing.png")
+
+
+def trade_off(title: str, rows: Sequence[dict[str, Any]], file: Path) -> None:
+    """Mean error of two-point distances against memory, build and query: a line per patch size along delta."""
+    figure, panels = plt.subplots(1, 3, figsize=(13, 4.4), sharey=True, layout="constrained")
+    for axes, (key, scale, label) in zip(
+        panels,
+        (
+            ("bytes", 1.0, "memory (bytes per vertex)"),
+            ("build", 1e6, "build (microseconds per vertex, one core)"),
+            ("pair", 1e6, "two points, mean (microseconds)"),
+        ),
+        strict=True,
+    ):
+        for size, colour in PATCHES.items():
+            for form, mark, marker_size in (("graph", "o-", 6), ("tables", "*", 14)):
+                own = [row for row in rows if row["patch_size"] == size and row["form"] == form]
+                points = [(scale * row[key], row["pair_error"]) for row in own]
+                style = {"color": colour, "markersize": marker_size, "label": f"{form}, {size} vertices a patch"}
+                axes.plot(*zip(*points, strict=True), mark, **style)
+                for row, at in zip(own, points, strict=True):
+                    if key == "bytes" and form == "graph":
+                        place = {"textcoords": "offset points", "xytext": (5, 3), "fontsize": 7, "color": colour}
+                        axes.annotate(f"{row['delta']:g}", at, **place)
+        axes.set(xscale="log", yscale="log", xlabel=label)
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
+        axes.grid(alpha=0.3, which="both")
+    panels[0].set_ylabel("mean relative error of two points (%)")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside right center", fontsize=8, frameon=False)
+    figure.suptitle(f"{title}: forms, patch sizes and delta (the numbers at the marks)", fontsize=11)
     save(figure, file)
 
 

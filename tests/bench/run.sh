@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares VoroGeo with public packages on meshes and prints the tables. Does its own set-up.
-# Usage: tests/bench/run.sh [OPTIONS] [MESH...]; --help names the options.
+# Measures one page of figures, and prints its tables. Does its own set-up.
+# Usage: tests/bench/run.sh PAGE [OPTIONS]; --help names the pages, PAGE --help their options.
 set -euo pipefail
 bench="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 bash "$bench/../../samples/setup.sh" --bench >&2

@@ -12,6 +12,8 @@ import methods
 from measure import Line, Result
 
 Summary = dict[str, Any]
+#: The figures of errors that tables show.
+ERRORS = ("mean", "p99", "over", "under")
 
 
 def of_line(line: Line) -> Summary | None:

@@ -1,4 +1,4 @@
-"""The tables in Markdown, from the summaries of one mesh."""
+"""Tables in Markdown, and what the page of figures says of one mesh, from its summaries."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import textwrap
 from collections.abc import Iterable
 from typing import Any
 
-Summary = dict[str, Any]
+from summary import ERRORS, Summary
+
 DASH = "-"
 
 
@@ -67,72 +68,26 @@ def ratio(times: Summary | None, to: Summary | None) -> str:
     return f"{number((times['cpu'] or times)['median'] / (to['cpu'] or to)['median'], 2)}"
 
 
-def figures(result: Summary) -> str:
-    """The figures of VoroGeo on one mesh: C++ core, and what numpy sees."""
-    core, own = result["core"], result["methods"].get("vorogeo_index", {})
-    n = result["vertices"]
-    rows = [["exact solver, whole mesh, a source, one thread", spread(core["exact"]), cpu(core["exact"])]]
-    for size, times in core["exact_patch"].items():
-        text = f"exact solver on a piece of {float(size):.0f} vertices, per vertex and source"
-        rows.append([text, spread(times), cpu(times)])
-    for threads, times in core["build"].items():
-        rows.append(
-            [
-                f"build, {threads} thread{'s' * (threads != '1')}",
-                duration(times["median"]),
-                duration(times["cpu"]["median"] if times["cpu"] else None),
-            ]
-        )
-    rows += [
-        ["peak memory of the process while it builds", f"{number(core['build_peak'] / 2**20)} MiB"],
-        ["index in memory, bytes per vertex", number(core["index_bytes"] / n)],
-        ["index in the file, bytes per vertex", number(core["file_bytes"] / n)],
-    ]
-    for threads, times in core["field"].items():
-        rows.append([f"field, {threads} thread{'s' * (threads != '1')}", spread(times), cpu(times)])
-    rows.append(["field, numpy", spread(own.get("field")), cpu(own.get("field"))])
-    for name, key in (("far", "far_pair"), ("near", "near_pair")):
-        for where, times in (("", core[key]), (", numpy", own.get(name))):
-            if times:
-                both = [f"{duration(t['median'])}, p99 {duration(t['p99'])}" for t in (times, times["cpu"]) if t]
-                rows.append([f"two points, {name}{where}", *both])
-    if own.get("many"):
-        both = [f"{number(rate['median'])} a second" for rate in (own["many"], own["many"]["cpu"]) if rate]
-        rows.append(["many far pairs in one call, numpy", *both])
-    for name in ("field", "far", "near"):
-        error = own.get(f"{name}_error")
-        if error and "mean" in error:
-            text = " / ".join(f"{percent(error, key)} %" for key in ("mean", "p99", "over", "under"))
-            rows.append([f"error, {name}: mean / p99 / largest too long / too short", text])
-    return table("figure | wall clock | processor time", [[*row, *[""] * (3 - len(row))] for row in rows])
-
-
 def details(result: Summary) -> str:
-    """In a paragraph what the table of all meshes does not have: by the clock, by numpy, on pieces, memory."""
+    """In a paragraph what the table of all meshes does not have: by the clock, by numpy, memory."""
     core, own = result["core"], result["methods"].get("vorogeo_index", {})
 
     def clock(times: dict[str, Any]) -> str:
         each = (f"{duration(t['median'])} on {n} thread{'s' * (n != '1')}" for n, t in times.items())
         return ", ".join(each)
 
-    sentences = [
+    text = (
         f"By the clock, a build takes {clock(core['build'])}, with at most {number(core['build_peak'] / 2**20)} MiB in "
-        f"the process, and a field {clock(core['field'])}"
-    ]
-    pieces = core["exact_patch"]
-    if pieces:
-        sizes = ", ".join(f"{float(size):.0f}" for size in pieces)
-        times = ", ".join(duration(times["median"]) for times in pieces.values())
-        sentences.append(f"Exact runs on pieces of {sizes} vertices take {times} per vertex and source")
-    by_numpy = [(name, own[key]) for name, key in (("a field", "field"), ("a far pair", "far")) if own.get(key)]
-    if by_numpy:
-        each = ", ".join(f"{name} {duration(times['median'])}" for name, times in by_numpy)
-        many = f", {number(own['many']['median'])} far pairs in one call a second" if own.get("many") else ""
-        sentences.append(f"From numpy: {each}{many}")
-    near = core["near_pair"]
-    if near:
-        sentences.append(f"Of near pairs 99 % take less than {duration(near['p99'])}")
-    return "\n".join(textwrap.wrap(". ".join(sentences) + ".", 138)) + "\n"
+    )
+    text += f"the process, and a field {clock(core['field'])}."
+    if own.get("field"):
+        text += f" From numpy: a field {duration(own['field']['median'])}"
+        text += f", a far pair {duration(own['far']['median'])}" if own.get("far") else ""
+        text += f", {number(own['many']['median'])} far pairs in one call a second" if own.get("many") else ""
+        text += "."
+    if core["near_pair"]:
+        text += f" Of near pairs 99 % take less than {duration(core['near_pair']['p99'])}."
+    return "\n".join(textwrap.wrap(text, 138)) + "\n"
 
 
 def fields(result: Summary) -> str:
@@ -146,7 +101,7 @@ def fields(result: Summary) -> str:
     )
     rows = []
     for name, method in all_methods.items():
-        if name == "pp3d_flips":
+        if name == "pp3d_flips":  # it has no fields
             continue
         error = method.get("field_error")
         rows.append(
@@ -159,7 +114,7 @@ def fields(result: Summary) -> str:
                 ratio(method["field"], index),
                 ratio(method["field"], exact),
                 number(method["peak_bytes"] / 2**20) if method["peak_bytes"] else DASH,
-                *(percent(error, key) for key in ("mean", "p99", "over", "under")),
+                *(percent(error, key) for key in ERRORS),
             ]
         )
     return f"{table(heading, rows)}{remarks(all_methods)}"
@@ -173,9 +128,8 @@ def pairs(result: Summary) -> str:
         if not method["far"]:
             continue
         error = method.get("far_error")
-        figures_of_error = [percent(error, key) for key in ("mean", "p99", "over", "under")]
         row = [method["title"], cpu(method["far"]), str(method["far"]["count"]), ratio(method["far"], index)]
-        rows.append(row + figures_of_error)
+        rows.append(row + [percent(error, key) for key in ERRORS])
     if not rows:
         return "No two of the vertices drawn are far from each other and joined by a path.\n"
     heading = (
@@ -201,3 +155,37 @@ def versions(all_methods: dict[str, Summary]) -> str:
     """The packages and their versions, in one line."""
     found = {method["package"]: method["version"] for method in all_methods.values() if method["version"]}
     return ", ".join(f"{package} {version}" for package, version in found.items())
+
+
+def mesh_section(result: Summary) -> str:
+    """What docs/figures.md says about one mesh beside other packages."""
+    name = result["mesh"]
+    return (
+        f"\n{result['vertices']:,} vertices, {result['faces']:,} faces; {result['machine']}.\n"
+        f"Packages: {versions(result['methods'])}.\n\n"
+        f"{details(result)}\n{fields(result)}\n{pairs(result)}\n"
+        f"![Error against time on {name}](figures/error_time_{name}.png)\n\n"
+    )
+
+
+COSTS = (
+    "mesh | vertices | build (s) | bytes per vertex | file | field (ms) | far pair (µs) | p99 (µs) | near pair (µs) "
+    "| exact field (s)"
+)
+
+
+def costs_row(result: Summary) -> list[str]:
+    """The row of a mesh in the table of all meshes."""
+    core, n = result["core"], result["vertices"]
+    build, far, near = core["build"], core["far_pair"], core["near_pair"]
+    return [
+        result["mesh"],
+        str(n),
+        number(build[min(build)]["cpu"]["median"]),
+        f"{core['index_bytes'] / n:.0f}",
+        f"{core['file_bytes'] / n:.0f}",
+        number(1e3 * core["field"]["1"]["cpu"]["median"]),
+        *(number(1e6 * far["cpu"][key]) if far else DASH for key in ("median", "p99")),
+        number(1e6 * near["cpu"]["median"]) if near else DASH,
+        number(core["exact"]["cpu"]["median"]),
+    ]

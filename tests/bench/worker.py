@@ -2,8 +2,9 @@
 
 Usage: python worker.py TASK, a file written by measure.py; what comes out are lines of JSON, read by it as they come:
   {"prepared": processor time, "version": text}, {"field": source, "seconds": t, "cpu": t},
-  {"pair": i, "seconds": t, "cpu": t, "distance": d}, {"many": pairs, "seconds": t, "cpu": t}.
-The first field of each source is added to the task's file of fields.
+  {"pair": i, "seconds": t, "cpu": t, "distance": d}, {"many": pairs, "seconds": t, "cpu": t},
+  {"matrix": rows, "cpu": t}.
+The first field of each source, or the rows of a matrix that are checked, are added to the task's file of fields.
 """
 
 from __future__ import annotations
@@ -31,9 +32,12 @@ def main() -> None:
             lambda: methods.make(task["method"], vertices, faces, task["threads"], task["index_file"])
         )
         say(prepared=prepared, version=methods.version(task["method"]))
-        if methods.METHODS[task["method"]].fields:
+        if task["matrix"]:
+            measure_matrix(method.index, task, len(vertices))
+            return
+        if method.field:
             measure_fields(method, task)
-        if methods.METHODS[task["method"]].pairs:
+        if method.pair:
             measure_pairs(method, task)
         if task["many"]:
             measure_many(method, np.load(task["many"]))
@@ -76,6 +80,24 @@ def measure_many(method: Any, pairs: np.ndarray) -> None:
     for _ in range(3):
         _, seconds, cpu = timed(lambda: method.index.distance(pairs[:, 0], pairs[:, 1]))
         say(many=len(pairs), seconds=seconds, cpu=cpu)
+
+
+def measure_matrix(index: Any, task: dict[str, Any], count: int) -> None:
+    """Rows of our matrix, float32 in a file: all of them, or as many as the budget allows."""
+    sources, checked = np.array(task["sources"]), task["matrix"]["checked"]
+    out = Path(task["fields"]).with_name("matrix.npy")
+    if task["matrix"]["rows"] == count:
+        numbers, spent, done = np.arange(count), 0.0, count
+        work = lambda: index.distance_matrix(numbers, entries="fields", dtype="float32", out=out)  # noqa: E731
+        places = sources[:checked]
+    else:
+        _, _, spent = timed(lambda: index.fields(sources[:64], dtype="float32"))
+        some = int(min(count, max(64, 64 * task["budget"] / spent)))
+        work = lambda: index.fields(sources[:some], dtype="float32", out=out)  # noqa: E731
+        places, done = np.arange(checked), some + 64
+    matrix, _, cpu = timed(work)
+    say(matrix=done, cpu=spent + cpu)
+    np.array(matrix[places], np.float64).tofile(task["fields"])
 
 
 def timed(run: Callable[[], Any]) -> tuple[Any, float, float]:

@@ -18,11 +18,12 @@ pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
 import bench
 import choosing
-import literature
+import gaps
+import matrices
 import measure
 import meshes
 import methods
-import pages
+import peers
 import questions
 import summary
 import tables
@@ -55,10 +56,10 @@ def test_durations_have_the_unit_that_suits_them(seconds: float | None, text: st
 def test_text_between_marks_is_replaced(tmp_path: Path):
     page = tmp_path / "page.md"
     page.write_text("a\n<!-- table -->\nold\n<!-- end of table -->\nb\n")
-    pages.replace(page, "table", "new\\1\n")
+    bench.replace(page, "table", "new\\1\n")
     assert page.read_text() == "a\n<!-- table -->\nnew\\1\n<!-- end of table -->\nb\n"
     with pytest.raises(SystemExit, match="no marks"):
-        pages.replace(page, "other", "")
+        bench.replace(page, "other", "")
 
 
 def test_pairs_are_near_in_patches_that_touch():
@@ -82,10 +83,10 @@ def test_a_run_without_peers_gives_all_tables(tmp_path: Path, monkeypatch: pytes
     mesh = sample_meshes.bent_grid(40, 30)
     monkeypatch.setattr(meshes, "WORK", tmp_path)
     monkeypatch.setattr(meshes, "load", lambda _: mesh)
-    monkeypatch.setattr(measure, "core", lambda arguments: made_up_core(arguments, mesh))
-    chosen = measure.names(None, peers=False)
+    monkeypatch.setattr(measure, "core", lambda *arguments: made_up_core(arguments, mesh))
+    chosen = peers.names(None, peers=False)
     assert chosen == [name for name in methods.METHODS if name.startswith("vorogeo")]
-    result = bench.measure_mesh(tmp_path / "grid.ply", 2, chosen, measure.Limits(0.1, 60, 1), threads=2)
+    result = peers.measure_mesh(tmp_path / "grid.ply", 2, chosen, measure.Limits(0.1, 60, 1), threads=2)
     own, exact = result["methods"]["vorogeo_index"], result["methods"]["vorogeo_exact"]
     assert not own["failure"]
     assert not exact["failure"]
@@ -96,20 +97,20 @@ def test_a_run_without_peers_gives_all_tables(tmp_path: Path, monkeypatch: pytes
     assert own["peak_bytes"] > 2**20
     details = " ".join(tables.details(result).split())
     assert re.search(r"a build takes 1\.00 s on 1 thread.*, and a field 3\.00 ms", details)
-    for text in (tables.figures(result), tables.fields(result), tables.pairs(result)):
+    for text in (tables.fields(result), tables.pairs(result)):
         for part in text.strip().split("\n\n"):
             lines = part.splitlines()
             assert len(lines) > 2
             assert len({line.count("|") for line in lines}) == 1
     assert "VoroGeo, exact" in tables.fields(result)
-    assert len(pages.costs_row(result)) == len(pages.COSTS_HEADING.split("|"))
+    assert len(tables.costs_row(result)) == len(tables.COSTS.split("|"))
 
 
-def made_up_core(arguments: list[str], mesh: sample_meshes.Mesh) -> tuple[measure.Lines, int]:
+def made_up_core(arguments: tuple[Any, ...], mesh: sample_meshes.Mesh) -> tuple[measure.Lines, int]:
     """What the C++ program would print, which is not built here; the index is a real one."""
     n = len(mesh[0])
     lines: dict[str, Any] = {
-        "exact": {("exact", n): [0.1, 0.2], ("exact_patch", 700): [1e-6]},
+        "exact": {("exact", n): [0.1, 0.2]},
         "build": {("build", int(arguments[2]) if arguments[0] == "build" else 0): [1.0]},
         "fields": {("load", 1): [0.1], ("field", 1): [0.003], ("field", 2): [0.002]},
         "pairs": {("pair", 1): [1e-5]},
@@ -137,18 +138,29 @@ def test_automatic_choice_is_measured():
     assert result["build"] > 0
 
 
-def test_methods_stand_beside_public_code_of_them(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(literature, "PEERS", {"mmp": ("no_such_package", "pygeodesic")})
+def test_rows_of_a_matrix_stand_beside_those_of_exact_fields(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    mesh = sample_meshes.bent_grid(20, 20)
+    monkeypatch.setattr(matrices, "PEERS", ("vorogeo_exact", "no_such_package"))
     monkeypatch.setitem(methods.METHODS, "no_such_package", methods.Description("none", "no_such_package"))
-    lines = literature.compared(sample_meshes.bent_grid(10, 10), ["mmp", "svg(K=20)"], 2)
-    assert len({line.count("|") for line in lines}) == 1
-    assert lines[2].startswith("mmp | ")
-    assert lines[-1].startswith("svg(K=20) | ")
+    monkeypatch.setattr(meshes, "find", lambda _: tmp_path / "grid.ply")
+    monkeypatch.setattr(meshes, "load", lambda _: mesh)
+    for whole in (False, True):
+        own, exact = matrices.rows_of("grid", 0.2, whole)
+        assert own[0] == "grid, VoroGeo, index, float32"
+        assert not whole or own[3] == "400"
+        assert float(own[-1]) < 0.1
+        assert exact[-1] == "0"
+
+
+def test_our_methods_are_measured_like_others():
+    mesh = sample_meshes.bent_grid(10, 10)
+    exact = vorogeo.exact_distance_field(*mesh, 7)
+    assert set(methods.OURS) <= set(vorogeo.methods)
+    np.testing.assert_allclose(methods.make("our_mmp", *mesh, 1, None).field(7), exact)
 
 
 def test_cracks_are_bridged_again():
     mesh = sample_meshes.bent_grid(30, 30)
-    cut = literature.with_cracks(mesh, 1e-3)
+    cut = gaps.with_cracks(mesh, 1e-3)
     assert vorogeo.check_mesh(*cut).components == 4
-    lines = literature.bridging(mesh)
-    assert [line.rpartition(" | ")[2] for line in lines[1:]] == ["1, 1", "4, 1", f"{len(mesh[1]):,}, 1"]
+    assert [row[-1] for row in gaps.bridging(mesh)] == ["1, 1", "4, 1", f"{len(mesh[1]):,}, 1"]

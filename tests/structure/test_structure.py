@@ -41,7 +41,7 @@ def test_imports_are_found_in_every_form() -> None:
     assert package / "_arguments.py" in tree.imported(package / "compat" / "gdist.py")  # from .. import _arguments
     assert package / "cli" / "worker.py" in tree.imported(package / "cli" / "main.py")  # from .worker
     assert package / "__init__.py" in tree.imported(Path("tests/python/test_brain.py"))  # import vorogeo
-    assert Path("tests/bench/meshes.py") in tree.imported(Path("tests/bench/pages.py"))  # beside a script
+    assert Path("tests/bench/meshes.py") in tree.imported(Path("tests/bench/peers.py"))  # beside a script
 
 
 def test_the_core_includes_nothing_of_the_hosts() -> None:

@@ -1,45 +1,40 @@
 // Refined and exact paths of random pairs against the exact field of each source, on one mesh.
 //
-// Usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS LANDMARKS
-//   MESH: see mesh_file.h. INDEX: read if it is there and of this mesh, else built and written. POINTS: 0 for
-//   vertices, 1 for points in faces. Each source has TARGETS random targets in its component. LANDMARKS: with
-//   which exact paths are found again.
-// Prints one line of JSON for each pair: exact length, refined length, length of exact_path, whether it is
+// One line of JSON for each pair: exact length, refined length, length of exact_path, whether it is
 // certified, processor seconds of both, length and seconds of exact_path without certificate, and of
 // exact_path with landmarks.
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <mutex>
-#include <random>
 
+#include "core_bench.h"
 #include "exact/exact_solver.h"
-#include "mesh_file.h"
 #include "query/landmarks.h"
 #include "query/path_query.h"
 #include "support/parallel.h"
 
+namespace bench {
+
 namespace {
 
-using vorogeo::Index;
 using vorogeo::SurfacePoint;
 
+/// Processor time of this thread.
 template <class Call>
-double seconds_of(Call&& call) {
+double thread_seconds(Call&& call) {
   const double start = vorogeo::thread_seconds();
   call();
   return vorogeo::thread_seconds() - start;
 }
 
-std::shared_ptr<const vorogeo::GeodesicIndex> index_of(const std::shared_ptr<const vorogeo::Mesh>& mesh,
-                                                       const char* file) {
+/// Read from the file if it is there and of this mesh, else built and written.
+std::shared_ptr<const vorogeo::GeodesicIndex> index_of(const MeshPointer& mesh, const char* file) {
   if (std::filesystem::exists(file)) {
     try {
       return vorogeo::GeodesicIndex::load(file, mesh);
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "paths_bench: %s: building it again\n", error.what());
+      std::fprintf(stderr, "core_bench: %s: building it again\n", error.what());
     }
   }
   auto index = vorogeo::GeodesicIndex::build(mesh, {});
@@ -76,15 +71,16 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-int run(char** arguments) {
-  bench::RawMesh raw = bench::read_mesh(arguments[1]);
-  const auto mesh = std::make_shared<const vorogeo::Mesh>(std::move(raw.positions), raw.faces);
-  const auto index = index_of(mesh, arguments[2]);
-  const auto sources = static_cast<std::size_t>(std::atol(arguments[3]));
-  const long targets = std::atol(arguments[4]);
-  const int threads = vorogeo::resolve_thread_count(std::atoi(arguments[5]));
-  const bool in_faces = std::atoi(arguments[6]) != 0;
-  const auto landmarks = vorogeo::landmarks_of(index, std::atoi(arguments[7]), threads);
+}  // namespace
+
+void measure_paths(Arguments arguments) {
+  const MeshPointer mesh = load(arguments[0]);
+  const auto index = index_of(mesh, arguments[1]);
+  const auto sources = static_cast<std::size_t>(std::atol(arguments[2]));
+  const long targets = std::atol(arguments[3]);
+  const int threads = vorogeo::resolve_thread_count(std::atoi(arguments[4]));
+  const bool in_faces = std::atoi(arguments[5]) != 0;
+  const auto landmarks = vorogeo::landmarks_of(index, std::atoi(arguments[6]), threads);
   std::vector<std::unique_ptr<vorogeo::PathQuery>> queries(threads);
   std::mutex output;
   vorogeo::parallel_for(sources, threads, {}, "", [&](std::size_t item, int worker) {
@@ -100,13 +96,15 @@ int run(char** arguments) {
       const SurfacePoint target = draw.connected_to(source.point);
       vorogeo::SurfacePath refined;
       vorogeo::ExactPath exact;
-      const double refined_seconds = seconds_of([&] { refined = query.path(source.point, target); });
-      const double exact_seconds = seconds_of([&] { exact = query.exact_path(source.point, target); });
+      const double refined_seconds = thread_seconds([&] { refined = query.path(source.point, target); });
+      const double exact_seconds = thread_seconds([&] { exact = query.exact_path(source.point, target); });
       vorogeo::ExactPath quick;
-      const double quick_seconds = seconds_of([&] { quick = query.exact_path(source.point, target, false); });
+      const double quick_seconds =
+          thread_seconds([&] { quick = query.exact_path(source.point, target, false); });
       query.use_landmarks(landmarks);
       vorogeo::ExactPath prepared;
-      const double prepared_seconds = seconds_of([&] { prepared = query.exact_path(source.point, target); });
+      const double prepared_seconds =
+          thread_seconds([&] { prepared = query.exact_path(source.point, target); });
       query.use_landmarks(nullptr);
       const double field = target.is_vertex() ? solver.distance(target.vertex) : solver.distance(target);
       const std::lock_guard lock(output);
@@ -115,20 +113,6 @@ int run(char** arguments) {
                   exact_seconds, quick.path.length, quick_seconds, prepared.path.length, prepared_seconds);
     }
   });
-  return 0;
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-  if (count != 8) {
-    std::fprintf(stderr, "usage: paths_bench MESH INDEX SOURCES TARGETS THREADS POINTS LANDMARKS\n");
-    return 2;
-  }
-  try {
-    return run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "paths_bench: %s\n", error.what());
-    return 1;
-  }
-}
+}  // namespace bench

@@ -1,5 +1,5 @@
 // The raw mesh files that the benchmark programs read: int64 counts of vertices and faces, float64 positions
-// of shape (n, 3), int32 triangles of shape (m, 3); written by meshes.py. And their clock.
+// of shape (n, 3), int32 triangles of shape (m, 3); written by meshes.py. And their clocks.
 #pragma once
 
 #include <array>
