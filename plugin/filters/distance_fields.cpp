@@ -1,6 +1,9 @@
 // Filters that write a distance field: from a point, the selection, the border, a layer or edges.
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,49 +18,169 @@
 
 namespace vorogeo::plugin {
 
-// ---- Filters: distance of every vertex from a given point, from the index or exact
+// ---- The field: asked for, written as quality and colours, and logged
 
 namespace {
 
+RichLength max_distance_parameter(const MeshDocument& document) {
+  return length_parameter(
+      document, "max_distance", 0.0, "Max distance (0: no limit)",
+      "Distances above this length are not computed: those vertices get quality -1. In the unit of the mesh, "
+      "or in percent of the diagonal of its bounding box.");
+}
+
+RichParameterList method_and_max_distance(const MeshDocument& document) {
+  return list_of(method_parameter(), max_distance_parameter(document));
+}
+
+/// The limit to compute with: `unreachable` stands for none.
+double max_distance_of(const FilterCall& call) {
+  const double value = call.parameters.getAbsPerc("max_distance");
+  if (!std::isfinite(value) || value < 0.0) {
+    refuse(call, "max_distance", value,
+           ". Give a positive length in the unit of the mesh, or 0 for no limit.");
+  }
+  return value == 0.0 ? unreachable : value;
+}
+
+std::vector<ExactSource> sources_at(const std::vector<Index>& vertices) {
+  std::vector<ExactSource> sources;
+  for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v)});
+  return sources;
+}
+
+/// The vertices by whether they got a distance, and why not.
+struct Reach {
+  int reached = 0;
+  int no_path = 0;
+  int beyond = 0;  ///< the max distance
+  double largest = 0.0;
+};
+
+Reach reach_of(const Mesh& mesh, const std::vector<ExactSource>& sources,
+               const std::vector<double>& distances) {
+  std::vector<bool> has_source(static_cast<std::size_t>(mesh.component_count()), false);
+  for (const ExactSource& source : sources) {
+    const SurfacePoint& p = source.point;
+    has_source[mesh.component(p.is_vertex() ? p.vertex : mesh.face_vertices(p.face)[0])] = true;
+  }
+  Reach reach;
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
+    if (std::isfinite(distances[v])) {
+      ++reach.reached;
+      reach.largest = std::max(reach.largest, distances[v]);
+    } else {
+      ++(has_source[mesh.component(v)] ? reach.beyond : reach.no_path);
+    }
+  }
+  return reach;
+}
+
+/// Writes the distances from the nearest source into the quality of all vertices, and colours along a ramp.
+/// Reads max_distance. Nothing is changed before everything is computed. `numbers`: one for each source; the
+/// vertices get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
+///
+/// Returns source_points where there are numbers, otherwise source_vertices (0 for a point in a face); and
+/// reached_vertices, unreachable_vertices, vertices_beyond_max_distance, max_distance (the largest distance
+/// found), seconds (of the distances alone), and what about_answer() does.
+Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
+                             AnswerMethod method, const std::vector<Index>& numbers = {}) {
+  const double limit = max_distance_of(call);
+  const auto mesh = layer.mesh();
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return surface.field(sources, limit, method, by, progress);
+  };
+  auto [field, answered, results] = ask_surface(call, layer, "Geodesic distances", ask);
+  field.distance.resize(mesh->given_vertex_count());
+  const Reach reach = reach_of(*mesh, sources, field.distance);
+  if (answered.by == AnswerMethod::exact && reach.reached > max_vertices_kept) layer.rest();
+  call.progress.report(1.0, "Writing quality and colours");
+
+  write_distances(call.layer, layer.arrays().input_of_vertex, field.distance, reach.largest);
+  if (!numbers.empty()) {
+    auto label = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(call.layer.cm, "nearest_source");
+    for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
+      const Index nearest = field.source[v];
+      label[call.layer.cm.vert[layer.host_vertex(v)]] =
+          static_cast<Scalarm>(nearest == no_index ? no_index : numbers[nearest]);
+    }
+  }
+
+  const bool at_vertices = numbers.empty() && layer.host_place(*mesh, sources[0].point).face < 0;
+  const char* kind = at_vertices ? (sources.size() == 1 ? " source vertex" : " source vertices")
+                                 : (sources.size() == 1 ? " source point" : " source points");
+  std::ostringstream text;
+  text << "Distances from " << sources.size() << kind << " to " << reach.reached << " vertices, the largest "
+       << logged_length(reach.largest) << ", in " << std::setprecision(3) << answered.seconds << " s";
+  call.log(text.str());
+  if (reach.no_path > 0) {
+    call.log("No path leads to " + std::to_string(reach.no_path) +
+             " vertices, in other components than the sources; their quality is -1 and their colour grey");
+  }
+  if (reach.beyond > 0) {
+    call.log(std::to_string(reach.beyond) +
+             " vertices lie beyond the max distance; their quality is -1 and their colour grey");
+  }
+  const int count = numbers.empty() && !at_vertices ? 0 : static_cast<int>(sources.size());
+  results[numbers.empty() ? "source_vertices" : "source_points"] = count;
+  results["reached_vertices"] = reach.reached;
+  results["unreachable_vertices"] = reach.no_path;
+  results["vertices_beyond_max_distance"] = reach.beyond;
+  results["max_distance"] = reach.largest;
+  results["seconds"] = answered.seconds;
+  return results;
+}
+
+// ---- The rows of all these filters
+
+QString help_on_field() {
+  return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
+         "sources, blue at the farthest vertex. Vertices that no path leads to, or only one longer than "
+         "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. The transformation "
+         "of the layer is not applied; freeze it first if it scales.</p>";
+}
+
+QString help_on_exact() {
+  return "<p>How to choose: exact up to rounding, without an index; one propagation over the whole mesh for "
+         "each call, which a <b>Max distance</b> shortens. For many fields on one mesh take the filter "
+         "without <i>Exact</i> in its name: from an index they are much faster, with a small error.</p>"
+         "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/>"
+         "<b>\"The discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/>"
+         "<i>Vitaly Surazhsky, Tatiana Surazhsky, Danil Kirsanov, Steven J. Gortler, Hugues Hoppe</i><br/>"
+         "<b>\"Fast exact and approximate geodesics on meshes\"</b><br/>ACM Transactions on Graphics 24(3), "
+         "2005.</p>";
+}
+
+FilterRow field_row(const char* menu_name, const char* python_name, const QString& help,
+                    RichParameterList (*parameters)(const MeshDocument&), Results (*apply)(FilterCall&)) {
+  return {menu_name,
+          python_name,
+          help,
+          FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
+          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+          parameters,
+          apply};
+}
+
+// ---- Distance from a given point, from the selection, from the border
+
 constexpr const char* start_meaning = "the nearest point of the surface";
-
-RichParameterList from_point_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_start_vertex_parameters(list, document, start_meaning);
-  add_field_parameters(list, document);
-  return list;
-}
-
-RichParameterList exact_from_point_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_start_vertex_parameters(list, document, start_meaning);
-  list.addParam(max_distance_parameter(document));
-  return list;
-}
 
 Results distances_from_point(FilterCall& call, AnswerMethod method) {
   const auto layer = layer_of(call);
-  const auto mesh = layer->mesh();
-  const StartPoint start = start_point(call, *layer);
-  const Index face = given_face_at(*mesh, start.point);
-  Results results;
-  if (face == no_index) {
-    results = write_distance_field(call, *layer, {start.point.vertex}, method);
-    results["start_vertex"] = layer->host_vertex(start.point.vertex);
-  } else {
-    results = write_distance_field(call, *layer, {{start.point}}, nullptr, method);
-    results.erase("source_points");
-    results["source_vertices"] = 0;
-    results["start_vertex"] = -1;
-  }
-  results["start_face"] = face == no_index ? -1 : layer->arrays().input_of_face[face];
+  const SnappedPoint start = start_point(call, *layer);
+  Results results = write_distance_field(call, *layer, {{start.point}}, method);
+  const HostPlace place = layer->host_place(*layer->mesh(), start.point);
+  results["start_vertex"] = place.vertex;
+  results["start_face"] = place.face;
   results["snap_distance"] = start.distance;
   return results;
 }
 
-Results chosen_distances_from_point(FilterCall& call) { return distances_from_point(call, method_of(call)); }
-Results exact_distances_from_point(FilterCall& call) {
-  return distances_from_point(call, AnswerMethod::exact);
+Results distances_from_selection(FilterCall& call, AnswerMethod method) {
+  const auto layer = layer_of(call);
+  const auto selected = selected_vertices(call, *layer, "where distances shall start");
+  return write_distance_field(call, *layer, sources_at(selected), method);
 }
 
 QString help_on_start() {
@@ -65,85 +188,6 @@ QString help_on_start() {
          "vertex, or, if its number is given, at <b>Start vertex</b>; the log says where, and how far from "
          "the point.</p>";
 }
-
-}  // namespace
-
-FilterRow distance_from_point_row() {
-  return {"Geodesic distance from a given point (VoroGeo)",
-          "compute_scalar_by_vorogeo_distance_from_given_point_per_vertex",
-          "<p>Geodesic distance of every vertex from a given point: the length of the shortest path over the "
-          "surface.</p>" +
-              help_on_start() + help_on_field() + help_on_choosing() + references_of_index(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_point_parameters,
-          chosen_distances_from_point};
-}
-
-FilterRow exact_distance_from_point_row() {
-  return {"Exact geodesic distance from a given point (VoroGeo)",
-          "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex",
-          "<p>Exact geodesic distance of every vertex from a given point: the length of the shortest path "
-          "over the surface.</p>" +
-              help_on_start() + help_on_field() + help_on_exact() + references_of_exact(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          exact_from_point_parameters,
-          exact_distances_from_point};
-}
-
-// ---- Filters: distance of every vertex from the nearest selected vertex, from the index or exact
-
-namespace {
-
-Results distances_from_selection(FilterCall& call, AnswerMethod method) {
-  const auto layer = layer_of(call);
-  return write_distance_field(
-      call, *layer, selected_vertices(call.layer.cm, *layer, "where distances shall start"), method);
-}
-
-Results chosen_distances_from_selection(FilterCall& call) {
-  return distances_from_selection(call, method_of(call));
-}
-Results exact_distances_from_selection(FilterCall& call) {
-  return distances_from_selection(call, AnswerMethod::exact);
-}
-
-RichParameterList from_selection_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_field_parameters(list, document);
-  return list;
-}
-
-}  // namespace
-
-FilterRow distance_from_selection_row() {
-  return {"Geodesic distance from the selection (VoroGeo)",
-          "compute_scalar_by_vorogeo_distance_from_selection_per_vertex",
-          "<p>Geodesic distance of every vertex from the nearest selected vertex: the length of the shortest "
-          "path over the surface.</p>" +
-              help_on_field() + help_on_choosing() + references_of_index(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_selection_parameters,
-          chosen_distances_from_selection};
-}
-
-FilterRow exact_distance_from_selection_row() {
-  return {"Exact geodesic distance from the selection (VoroGeo)",
-          "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
-          "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of the "
-          "shortest path over the surface.</p>" +
-              help_on_field() + help_on_exact() + references_of_exact(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          only_max_distance,
-          exact_distances_from_selection};
-}
-
-// ---- Filter: distance of every vertex from the nearest border of the surface
-
-namespace {
 
 /// Vertices of edges with one face.
 std::vector<Index> border_vertices(const Mesh& mesh) {
@@ -161,33 +205,10 @@ std::vector<Index> border_vertices(const Mesh& mesh) {
 
 Results distances_from_border(FilterCall& call) {
   const auto layer = layer_of(call);
-  return write_distance_field(call, *layer, border_vertices(*layer->mesh()), method_of(call));
+  return write_distance_field(call, *layer, sources_at(border_vertices(*layer->mesh())), method_of(call));
 }
 
-RichParameterList from_border_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_field_parameters(list, document);
-  return list;
-}
-
-}  // namespace
-
-FilterRow distance_from_border_row() {
-  return {"Geodesic distance from the border (VoroGeo)",
-          "compute_scalar_by_vorogeo_distance_from_border_per_vertex",
-          "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the shortest "
-          "path over the surface. Border vertices are those of edges with only one face. A component without "
-          "a border is unreachable.</p>" +
-              help_on_field() + help_on_choosing() + references_of_index(),
-          FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_border_parameters,
-          distances_from_border};
-}
-
-// ---- Filters: distance from the points or lines of another layer, or from selected edges
-
-namespace {
+// ---- Distance from the points or lines of another layer, or from edges
 
 RichLength spacing_parameter(const MeshDocument& document) {
   return length_parameter(
@@ -196,23 +217,16 @@ RichLength spacing_parameter(const MeshDocument& document) {
 }
 
 RichParameterList from_layer_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_source_layer_parameter(list, document, "points or lines");
-  add_field_parameters(list, document);
-  list.addParam(max_snap_distance_parameter(document));
-  list.addParam(spacing_parameter(document));
-  list.addParam(RichBool("quality_as_offset", false, "Quality as offset",
-                         "Add the quality of a point of the source layer to the distances from it."));
-  return list;
+  return list_of(source_layer_parameter(document, "points or lines"), method_and_max_distance(document),
+                 max_snap_distance_parameter(document), spacing_parameter(document),
+                 RichBool("quality_as_offset", false, "Quality as offset",
+                          "Add the quality of a point of the source layer to the distances from it."));
 }
 
 RichParameterList from_edges_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  list.addParam(
-      RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."));
-  add_field_parameters(list, document);
-  list.addParam(spacing_parameter(document));
-  return list;
+  return list_of(
+      RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."),
+      method_and_max_distance(document), spacing_parameter(document));
 }
 
 double spacing_of(const FilterCall& call, const Mesh& mesh) {
@@ -224,13 +238,13 @@ Results distances_from_layer(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
-  PointSnapper snapper(call, *layer, "source_layer");
+  PointSnapper snapper(call, *layer);
   const bool with_offsets = call.parameters.getBool("quality_as_offset");
   const double spacing = spacing_of(call, *mesh);
   std::vector<ExactSource> sources;
   std::vector<Index> numbers;
   auto add = [&](const Point& at, double offset, std::size_t number) {
-    sources.push_back({snapper.snap(at, number), offset});
+    sources.push_back({snapper.snap_vertex(at, number, "source_layer"), offset});
     numbers.push_back(static_cast<Index>(number));
   };
   auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
@@ -253,7 +267,7 @@ Results distances_from_layer(FilterCall& call) {
     throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId("source_layer")) +
                        " has no vertex. Choose a layer with points or lines.");
   }
-  Results results = write_distance_field(call, *layer, sources, &numbers, method_of(call));
+  Results results = write_distance_field(call, *layer, sources, method_of(call), numbers);
   results["snap_distance"] = snapper.farthest();
   return results;
 }
@@ -284,7 +298,7 @@ Results distances_from_edges(FilterCall& call) {
   const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
   std::vector<Index> numbers(sources.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  Results results = write_distance_field(call, *layer, sources, &numbers, method_of(call));
+  Results results = write_distance_field(call, *layer, sources, method_of(call), numbers);
   results["source_edges"] = static_cast<int>(edges.size());
   return results;
 }
@@ -297,32 +311,69 @@ QString help_on_curves() {
 
 }  // namespace
 
-FilterRow distance_from_layer_row() {
-  return {"Geodesic distance from the points or lines of a layer (VoroGeo)",
+std::vector<FilterRow> distance_rows() {
+  const QString chosen = help_on_field() + help_on_choosing() + references_of_index();
+  const QString exact = help_on_field() + help_on_exact();
+  return {
+      field_row(
+          "Geodesic distance from a given point (VoroGeo)",
+          "compute_scalar_by_vorogeo_distance_from_given_point_per_vertex",
+          "<p>Geodesic distance of every vertex from a given point: the length of the shortest path over "
+          "the surface.</p>" +
+              help_on_start() + chosen,
+          [](const MeshDocument& document) {
+            return list_of(start_parameters(document, start_meaning), method_and_max_distance(document));
+          },
+          [](FilterCall& call) { return distances_from_point(call, method_of(call)); }),
+      field_row("Geodesic distance from the selection (VoroGeo)",
+                "compute_scalar_by_vorogeo_distance_from_selection_per_vertex",
+                "<p>Geodesic distance of every vertex from the nearest selected vertex: the length of the "
+                "shortest path over the surface.</p>" +
+                    chosen,
+                method_and_max_distance,
+                [](FilterCall& call) { return distances_from_selection(call, method_of(call)); }),
+      field_row("Geodesic distance from the border (VoroGeo)",
+                "compute_scalar_by_vorogeo_distance_from_border_per_vertex",
+                "<p>Geodesic distance of every vertex from the nearest border vertex: the length of the "
+                "shortest path over the surface. Border vertices are those of edges with only one face. A "
+                "component without a border is unreachable.</p>" +
+                    chosen,
+                method_and_max_distance, distances_from_border),
+      field_row(
+          "Exact geodesic distance from a given point (VoroGeo)",
+          "compute_scalar_by_exact_geodesic_distance_from_given_point_per_vertex",
+          "<p>Exact geodesic distance of every vertex from a given point: the length of the shortest "
+          "path over the surface.</p>" +
+              help_on_start() + exact,
+          [](const MeshDocument& document) {
+            return list_of(start_parameters(document, start_meaning), max_distance_parameter(document));
+          },
+          [](FilterCall& call) { return distances_from_point(call, AnswerMethod::exact); }),
+      field_row(
+          "Exact geodesic distance from the selection (VoroGeo)",
+          "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
+          "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of "
+          "the shortest path over the surface.</p>" +
+              exact,
+          [](const MeshDocument& document) { return list_of(max_distance_parameter(document)); },
+          [](FilterCall& call) { return distances_from_selection(call, AnswerMethod::exact); }),
+      field_row(
+          "Geodesic distance from the points or lines of a layer (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_layer_per_vertex",
-          "<p>Geodesic distance of every vertex from the nearest point of another layer: its vertices and, "
-          "if it has edges, the lines between them. Each point is first moved to the nearest point of the "
-          "surface, which need not be a vertex; <i>snap_distance</i> is the farthest move.</p>" +
+          "<p>Geodesic distance of every vertex from the nearest point of another layer: its vertices "
+          "and, if it has edges, the lines between them. Each point is first moved to the nearest point "
+          "of the surface, which need not be a vertex; <i>snap_distance</i> is the farthest move.</p>" +
               help_on_curves() +
-              "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex of "
-              "the source layer, -1 where there is none.</p>" +
-              help_on_field() + help_on_choosing() + references_of_index(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_layer_parameters,
-          distances_from_layer};
-}
-
-FilterRow distance_from_edges_row() {
-  return {"Geodesic distance from edges (VoroGeo)",
-          "compute_scalar_by_vorogeo_distance_from_edges_per_vertex",
-          "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest border "
-          "edge if <b>From the border</b> is ticked.</p>" +
-              help_on_curves() + "</p>" + help_on_field() + help_on_choosing() + references_of_index(),
-          field_class(),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          from_edges_parameters,
-          distances_from_edges};
+              "The custom vertex attribute <i>nearest_source</i> gets the number of the nearest vertex "
+              "of the source layer, -1 where there is none.</p>" +
+              chosen,
+          from_layer_parameters, distances_from_layer),
+      field_row("Geodesic distance from edges (VoroGeo)",
+                "compute_scalar_by_vorogeo_distance_from_edges_per_vertex",
+                "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest "
+                "border edge if <b>From the border</b> is ticked.</p>" +
+                    help_on_curves() + "</p>" + chosen,
+                from_edges_parameters, distances_from_edges)};
 }
 
 }  // namespace vorogeo::plugin

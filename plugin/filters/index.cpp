@@ -1,6 +1,4 @@
 // Filters for the index: build, describe, save and load.
-#include "filters/index.h"
-
 #include <QFile>
 #include <cstdint>
 #include <filesystem>
@@ -18,10 +16,14 @@ namespace vorogeo::plugin {
 
 // ---- Reads and checks names of index files
 
+namespace {
+
 namespace fs = std::filesystem;
 
+/// The path in the system's encoding; empty if no file was named.
 fs::path index_file_name(const QString& name) { return QFile::encodeName(name).toStdString(); }
 
+/// Checks before a long build that the file can be written at all. \throw Error if not.
 void check_index_file_can_be_written(const fs::path& file) {
   if (file.empty()) throw IndexFileError("No index file is named. Name one that ends in .vgi.");
   output_target(file, "The index file");
@@ -29,34 +31,27 @@ void check_index_file_can_be_written(const fs::path& file) {
 
 // ---- Filter: build the geodesic index of the current layer, and write it to a file if one is named
 
-namespace {
-
-namespace fs = std::filesystem;
-
 RichParameterList build_index_parameters(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichInt("n1", 0, "First-layer patches",
-                        "Number of patches of the first layer. 0 chooses it from the number of vertices. "
-                        "More patches build faster and answer less accurately."));
-  list.addParam(
+  return list_of(
+      RichInt("n1", 0, "First-layer patches",
+              "Number of patches of the first layer. 0 chooses it from the number of vertices. "
+              "More patches build faster and answer less accurately."),
       RichInt("n2", 0, "Second-layer patches",
-              "Mean number of second-layer patches in one patch of the first layer. 0 chooses it."));
-  list.addParam(RichFloat("delta", 0, "Delta",
-                          "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
-                          "below 1; 0.001 to 0.02 make the index smaller."));
-  list.addParam(RichInt("memory_budget", 0, "Memory budget (MiB)",
-                        "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
-                        "that is searched, smaller and slower. 0: 4096 MiB, and no limit for tables in a "
-                        "new index file."));
-  list.addParam(
+              "Mean number of second-layer patches in one patch of the first layer. 0 chooses it."),
+      RichFloat("delta", 0, "Delta",
+                "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
+                "below 1; 0.001 to 0.02 make the index smaller."),
+      RichInt("memory_budget", 0, "Memory budget (MiB)",
+              "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
+              "that is searched, smaller and slower. 0: 4096 MiB, and no limit for tables in a "
+              "new index file."),
       RichFileToWrite("index_file", "", "*.vgi", "Index file",
                       "File to write the index to. Empty: the index is kept in memory only. In a new "
                       "file the index is built table by table, so it may be larger than the memory, "
-                      "and a build that is stopped goes on from there the next time."));
-  list.addParam(RichInt("threads", 0, "Threads",
-                        "Threads of the build. 0: one per core. The index does not depend on it."));
-  list.addParam(seed_parameter());
-  return list;
+                      "and a build that is stopped goes on from there the next time."),
+      RichInt("threads", 0, "Threads",
+              "Threads of the build. 0: one per core. The index does not depend on it."),
+      seed_parameter());
 }
 
 /// More than the cores of any machine; the core starts no more threads than are useful.
@@ -106,47 +101,18 @@ Results build_index_of_layer(FilterCall& call) {
   return statistics_results(index->statistics());
 }
 
-}  // namespace
-
-FilterRow build_index_row() {
-  return {"Geodesic index: build (VoroGeo)",
-          "compute_geodesic_index_by_vorogeo",
-          "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two "
-          "layers of geodesic Voronoi patches, and exact distances inside them make a graph over the patch "
-          "borders. It is kept for this mesh, and the other VoroGeo filters use it until the mesh is edited "
-          "or the project is closed. Its figures are logged and returned.</p>"
-          "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more "
-          "accurate and take longer to build. <b>Memory budget</b> chooses the form: tables, which answer "
-          "fastest, or a pruned graph. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save "
-          "memory at the cost of that much average relative error. An <b>index file</b> keeps the index for "
-          "later, for the same mesh.</p>" +
-              references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          build_index_parameters,
-          build_index_of_layer};
-}
-
 // ---- Filters: describe the index of the current layer, save it to a file, load it from one
-
-namespace {
-
-namespace fs = std::filesystem;
 
 RichParameterList no_parameters(const MeshDocument&) { return {}; }
 
 RichParameterList file_to_write(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(
+  return list_of(
       RichFileToWrite("index_file", "", "*.vgi", "Index file", "File to write the index to, *.vgi."));
-  return list;
 }
 
 RichParameterList file_to_read(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichFileToRead("index_file", "", {"*.vgi"}, "Index file",
-                               "File that holds the index of exactly this mesh, *.vgi."));
-  return list;
+  return list_of(RichFileToRead("index_file", "", {"*.vgi"}, "Index file",
+                                "File that holds the index of exactly this mesh, *.vgi."));
 }
 
 Results describe_index(FilterCall& call) {
@@ -203,49 +169,43 @@ QString help_on_life() {
 
 }  // namespace
 
-FilterRow describe_index_row() {
-  return {"Geodesic index: describe (VoroGeo)",
-          "get_geodesic_index_by_vorogeo",
-          "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: "
-          "vertices, patches, border vertices, arcs, size in memory and time of building. Builds nothing and "
-          "changes nothing.</p>"
-          "<p>How to choose: an index belongs to the metric and the gap it was built with.</p>" +
-              help_on_life() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          no_parameters,
-          describe_index};
-}
-
-FilterRow save_index_row() {
-  return {"Geodesic index: save to file (VoroGeo)",
-          "save_geodesic_index_by_vorogeo",
-          "<p>Writes the index of the current mesh to a file, from which <i>Geodesic index: load from file "
-          "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh "
-          "itself is not in the file. There must be an index: build one first.</p>"
-          "<p>How to choose: let <b>Index file</b> end in <i>.vgi</i>: loading offers such files.</p>" +
-              help_on_life() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          file_to_write,
-          save_index};
-}
-
-FilterRow load_index_row() {
-  return {"Geodesic index: load from file (VoroGeo)",
-          "load_geodesic_index_by_vorogeo",
-          "<p>Reads an index from a file and keeps it for the current mesh, as if it had been built. The "
-          "file must have been written for exactly this mesh, with the same vertices and faces in the same "
-          "order; it is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates "
-          "in single precision and PyMeshLab in double precision: an index made by one fits the other if the "
-          "mesh came from the same file with single-precision coordinates.</p>"
-          "<p>How to choose: <b>Index file</b> is what <i>Geodesic index: save to file (VoroGeo)</i>, the "
-          "build or the Python package wrote for this mesh.</p>" +
-              help_on_life() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          file_to_read,
-          load_index};
+std::vector<FilterRow> index_rows() {
+  return {{"Geodesic index: build (VoroGeo)", "compute_geodesic_index_by_vorogeo",
+           "<p>Builds the index from which VoroGeo answers geodesic distances: the surface is split into two "
+           "layers of geodesic Voronoi patches, and exact distances inside them make a graph over the patch "
+           "borders. It is kept for this mesh, and the other VoroGeo filters use it until the mesh is edited "
+           "or the project is closed. Its figures are logged and returned.</p>"
+           "<p>How to choose: leave the numbers of patches at 0; fewer, larger patches are a little more "
+           "accurate and take longer to build. <b>Memory budget</b> chooses the form: tables, which answer "
+           "fastest, or a pruned graph. <b>Delta</b> 0 leaves out nothing that matters; 0.001 to 0.02 save "
+           "memory at the cost of that much average relative error. An <b>index file</b> keeps the index for "
+           "later, for the same mesh.</p>" +
+               references_of_index(),
+           FilterPlugin::Measure, MeshModel::MM_NONE, build_index_parameters, build_index_of_layer},
+          {"Geodesic index: describe (VoroGeo)", "get_geodesic_index_by_vorogeo",
+           "<p>Says in the log whether there is an index for the current mesh as it is, and its figures: "
+           "vertices, patches, border vertices, arcs, size in memory and time of building. Builds nothing "
+           "and changes nothing.</p>"
+           "<p>How to choose: an index belongs to the metric and the gap it was built with.</p>" +
+               help_on_life() + references_of_index(),
+           FilterPlugin::Measure, MeshModel::MM_NONE, no_parameters, describe_index},
+          {"Geodesic index: save to file (VoroGeo)", "save_geodesic_index_by_vorogeo",
+           "<p>Writes the index of the current mesh to a file, from which <i>Geodesic index: load from file "
+           "(VoroGeo)</i> and the Python package read it in a fraction of the time of building it. The mesh "
+           "itself is not in the file. There must be an index: build one first.</p>"
+           "<p>How to choose: let <b>Index file</b> end in <i>.vgi</i>: loading offers such files.</p>" +
+               help_on_life() + references_of_index(),
+           FilterPlugin::Measure, MeshModel::MM_NONE, file_to_write, save_index},
+          {"Geodesic index: load from file (VoroGeo)", "load_geodesic_index_by_vorogeo",
+           "<p>Reads an index from a file and keeps it for the current mesh, as if it had been built. The "
+           "file must have been written for exactly this mesh, with the same vertices and faces in the same "
+           "order; it is checked by a fingerprint, and refused otherwise. MeshLab's window holds coordinates "
+           "in single precision and PyMeshLab in double precision: an index made by one fits the other if "
+           "the mesh came from the same file with single-precision coordinates.</p>"
+           "<p>How to choose: <b>Index file</b> is what <i>Geodesic index: save to file (VoroGeo)</i>, the "
+           "build or the Python package wrote for this mesh.</p>" +
+               help_on_life() + references_of_index(),
+           FilterPlugin::Measure, MeshModel::MM_NONE, file_to_read, load_index}};
 }
 
 }  // namespace vorogeo::plugin

@@ -1,10 +1,10 @@
 // Filters that write matrices and lists of pairs to files.
-#include "filters/matrices.h"
-
 #include <QFile>
 #include <algorithm>
 #include <bit>
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "filters/rows.h"
@@ -20,13 +20,17 @@
 
 namespace vorogeo::plugin {
 
-// ---- Reads matrix_file
+// ---- The file to which these filters write large results, in the format of numpy.save
+
+namespace {
 
 RichFileToWrite output_file_parameter() {
   return RichFileToWrite("matrix_file", "", "*.npy", "File",
                          "File to write to, in the format of numpy. Empty: nothing is written.");
 }
 
+/// Where to write; empty: nowhere. Refused before a long computation if it is not a plain file in an existing
+/// folder, or may not be written. \throw InvalidInput, FileError.
 std::filesystem::path output_file(const FilterCall& call) {
   const std::filesystem::path file =
       QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
@@ -34,8 +38,20 @@ std::filesystem::path output_file(const FilterCall& call) {
   return file;
 }
 
-// ---- The header of version 1.0 of the format, then the values as they are in memory
+/// A file of rows x columns float64 values, row by row. Its disk space is reserved on construction, before
+/// the values are computed if their number is known; an old file stays until the new one is complete.
+class NpyFile {
+ public:
+  /// \throw InvalidInput or FileError if it cannot be written; the message names the file.
+  NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns);
+  /// Writes all values and puts the file in its place. \throw FileError.
+  void finish(std::span<const double> values);
 
+ private:
+  OutputFile out_;
+};
+
+/// The header of version 1.0 of the format; the values follow as they are in memory.
 NpyFile::NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns)
     : out_(file, "The file") {
   constexpr std::size_t alignment = 64;
@@ -60,14 +76,9 @@ void NpyFile::finish(std::span<const double> values) {
 
 // ---- Filters: distances between all points given, and those of pairs within a radius
 
-namespace {
-
 RichParameterList matrix_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_task_point_parameters(list, document, "points whose distances are wanted");
-  list.addParam(output_file_parameter());
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(task_point_parameters(document, "points whose distances are wanted"),
+                 output_file_parameter(), exact_parameter());
 }
 
 Results distance_matrix_of_selection(FilterCall& call) {
@@ -99,12 +110,9 @@ Results distance_matrix_of_selection(FilterCall& call) {
 }
 
 RichParameterList pairs_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_task_point_parameters(list, document, "points of the pairs");
-  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance of a pair."));
-  list.addParam(output_file_parameter());
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(task_point_parameters(document, "points of the pairs"),
+                 length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance of a pair."),
+                 output_file_parameter(), exact_parameter());
 }
 
 Results pairs_of_selection(FilterCall& call) {
@@ -142,47 +150,13 @@ Results pairs_of_selection(FilterCall& call) {
   return results;
 }
 
-}  // namespace
-
-FilterRow distance_matrix_row() {
-  return {"Geodesic distance matrix of the selection (VoroGeo)",
-          "get_vorogeo_distance_matrix_of_selection",
-          "<p>Geodesic distances between all points given. The matrix is symmetric, with 0 on its diagonal "
-          "and infinity between components. It is returned as <i>distances</i>, <i>rows</i> x <i>columns</i> "
-          "numbers row by row, with the numbers of the points as <i>vertices</i>; <b>File</b> writes it as a "
-          ".npy file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
-              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          matrix_parameters,
-          distance_matrix_of_selection};
-}
-
-FilterRow pairs_within_row() {
-  return {"Geodesic pairs within a radius (VoroGeo)",
-          "get_vorogeo_pairs_within_radius_of_selection",
-          "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. Returned "
-          "as <i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> "
-          "writes these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
-              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          pairs_parameters,
-          pairs_of_selection};
-}
-
 // ---- Filter: the k nearest points of another layer for each of the points given
 
-namespace {
-
 RichParameterList nearest_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_source_layer_parameter(list, document, "points");
-  list.addParam(RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."));
-  add_task_point_parameters(list, document, "points whose nearest ones are wanted");
-  list.addParam(output_file_parameter());
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(source_layer_parameter(document, "points"),
+                 RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."),
+                 task_point_parameters(document, "points whose nearest ones are wanted"),
+                 output_file_parameter(), exact_parameter());
 }
 
 Results nearest_points(FilterCall& call) {
@@ -198,7 +172,7 @@ Results nearest_points(FilterCall& call) {
                  "The table of " + std::to_string(count) + " neighbours of " +
                      std::to_string(queries.size()) + " points",
                  "Lower neighbour_number or give fewer points.");
-  const SnappedLayer set = snapped_layer(call, *layer, "source_layer", "points");
+  const TaskPoints set = snapped_layer(call, *layer, "source_layer", "points");
   TaskOfLayer found = task_of_layer(call, *layer);
   const NearestOfSet nearest =
       nearest_of_set(*found.surface, set.points, queries.points, count, found.options);
@@ -229,21 +203,31 @@ Results nearest_points(FilterCall& call) {
 
 }  // namespace
 
-FilterRow nearest_points_row() {
-  return {"Geodesic nearest points of a layer (VoroGeo)",
-          "get_vorogeo_nearest_points_of_layer",
-          "<p>For each selected vertex, or each other point given, the geodesically nearest points of "
-          "another layer, nearest first: <b>Neighbours</b> of them. The points are first moved to the "
-          "nearest points of the surface, which need not be vertices; <i>snap_distance</i> is the farthest "
-          "move.</p><p>Returned as <i>nearest</i> (numbers of vertices of that layer, -1 where fewer can be "
-          "reached) and <i>distances</i> (infinity there), <i>rows</i> x <i>columns</i> numbers row by row, "
-          "with the numbers of the <i>vertices</i>; <b>File</b> writes vertex, nearest point and distance as "
-          "three columns of a .npy file that <i>numpy.load</i> reads.</p>" +
-              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-          FilterPlugin::Measure,
-          MeshModel::MM_NONE,
-          nearest_parameters,
-          nearest_points};
+std::vector<FilterRow> matrix_rows() {
+  return {
+      {"Geodesic distance matrix of the selection (VoroGeo)", "get_vorogeo_distance_matrix_of_selection",
+       "<p>Geodesic distances between all points given. The matrix is symmetric, with 0 on its diagonal and "
+       "infinity between components. It is returned as <i>distances</i>, <i>rows</i> x <i>columns</i> "
+       "numbers row by row, with the numbers of the points as <i>vertices</i>; <b>File</b> writes it as a "
+       ".npy file that <i>numpy.load</i> reads. A matrix that would not fit into memory is refused.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, matrix_parameters, distance_matrix_of_selection},
+      {"Geodesic pairs within a radius (VoroGeo)", "get_vorogeo_pairs_within_radius_of_selection",
+       "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. Returned as "
+       "<i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> writes "
+       "these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, pairs_parameters, pairs_of_selection},
+      {"Geodesic nearest points of a layer (VoroGeo)", "get_vorogeo_nearest_points_of_layer",
+       "<p>For each selected vertex, or each other point given, the geodesically nearest points of another "
+       "layer, nearest first: <b>Neighbours</b> of them. The points are first moved to the nearest points of "
+       "the surface, which need not be vertices; <i>snap_distance</i> is the farthest move.</p><p>Returned "
+       "as <i>nearest</i> (numbers of vertices of that layer, -1 where fewer can be reached) and "
+       "<i>distances</i> (infinity there), <i>rows</i> x <i>columns</i> numbers row by row, with the numbers "
+       "of the <i>vertices</i>; <b>File</b> writes vertex, nearest point and distance as three columns of a "
+       ".npy file that <i>numpy.load</i> reads.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, nearest_parameters, nearest_points}};
 }
 
 }  // namespace vorogeo::plugin

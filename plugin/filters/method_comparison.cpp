@@ -4,21 +4,20 @@
 #include <QFile>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <span>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "exact/exact_solver.h"
 #include "filters/rows.h"
 #include "host/host_methods.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
-#include "query/geodesic_query.h"
+#include "layers/results.h"
+#include "query/rent_or_buy.h"
 #include "support/error.h"
 #include "support/file.h"
 #include "tasks/extent.h"
@@ -30,25 +29,15 @@ namespace vorogeo::plugin {
 namespace {
 
 RichParameterList table_parameters(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichString(
-      "methods", "all", "Methods",
-      "Names with commas between, options in parentheses: vorogeo, svg(K=100), "
-      "heat(delaunay=1). all: every method that works on this mesh, but ch, which is for small ones."));
-  list.addParam(RichInt("sources", 3, "Sources",
-                        "Vertices from which each method computes a field, evenly spaced by number."));
-  list.addParam(RichFileToWrite("csv_file", "", "*.csv", "CSV file",
-                                "File to write the table to. Empty: nothing is written."));
-  return list;
-}
-
-template <class Value>
-QVariant column(const std::vector<MethodMeasure>& measures, Value&& value) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(measures.size()));
-  for (std::size_t i = 0; i < measures.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] = static_cast<double>(value(measures[i]));
-  }
-  return QVariant::fromValue(values);
+  return list_of(
+      RichString(
+          "methods", "all", "Methods",
+          "Names with commas between, options in parentheses: vorogeo, svg(K=100), "
+          "heat(delaunay=1). all: every method that works on this mesh, but ch, which is for small ones."),
+      RichInt("sources", 3, "Sources",
+              "Vertices from which each method computes a field, evenly spaced by number."),
+      RichFileToWrite("csv_file", "", "*.csv", "CSV file",
+                      "File to write the table to. Empty: nothing is written."));
 }
 
 Results measure_methods(FilterCall& call) {
@@ -79,44 +68,16 @@ Results measure_methods(FilterCall& call) {
   using M = MethodMeasure;
   return {{"methods", static_cast<int>(measures.size())},
           {"sources", static_cast<int>(sources.size())},
-          {"setup_seconds", column(measures, [](const M& m) { return m.setup_seconds; })},
-          {"field_seconds", column(measures, [](const M& m) { return m.field_seconds; })},
-          {"pair_seconds", column(measures, [](const M& m) { return m.pair_seconds; })},
-          {"bytes", column(measures, [](const M& m) { return m.bytes; })},
-          {"mean_error", column(measures, [](const M& m) { return m.mean_error; })},
-          {"p99_error", column(measures, [](const M& m) { return m.p99_error; })},
-          {"max_error", column(measures, [](const M& m) { return m.max_error; })}};
-}
-
-}  // namespace
-
-FilterRow method_table_row() {
-  return {
-      "Table of geodesic methods (VoroGeo)",
-      "get_geodesic_method_table",
-      "<p>Runs the chosen geodesic methods of the literature on this mesh, from <b>Sources</b> vertices, and "
-      "logs a table: what each claims (many sources, reuse, error bound, metrics, growth), then what was "
-      "measured: set-up, field and pair times, memory, and errors against exact distances. The same goes to "
-      "the <b>CSV file</b>.</p><p>Returns vectors in the order of the methods: <i>setup_seconds</i>, "
-      "<i>field_seconds</i>, <i>pair_seconds</i> (not a number where two points cost a field), <i>bytes</i>, "
-      "<i>mean_error</i>, <i>p99_error</i>, <i>max_error</i> (0.01 is 1 %).</p>"
-      "<p>How to choose: a few sources tell the errors, more of them the mean times; on meshes of a million "
-      "vertices name the methods, as <i>svg</i> and <i>dgg</i> take minutes there. For an error map of one "
-      "method take <i>Compare geodesic methods (VoroGeo)</i>.</p>"
-      "<p>See:<br/><i>Keenan Crane, Marco Livesu, Enrico Puppo, Yipeng Qin</i><br/><b>\"A survey of "
-      "algorithms for geodesic paths and distances\"</b><br/>2020.</p>",
-      FilterPlugin::Measure,
-      MeshModel::MM_NONE,
-      table_parameters,
-      measure_methods,
-      false};
+          {"setup_seconds", as_vector(measures, &M::setup_seconds)},
+          {"field_seconds", as_vector(measures, &M::field_seconds)},
+          {"pair_seconds", as_vector(measures, &M::pair_seconds)},
+          {"bytes", as_vector(measures, &M::bytes)},
+          {"mean_error", as_vector(measures, &M::mean_error)},
+          {"p99_error", as_vector(measures, &M::p99_error)},
+          {"max_error", as_vector(measures, &M::max_error)}};
 }
 
 // ---- Filter: where and by how much two geodesic methods differ, from one source, as a signed error map
-
-namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// In the order of the choices in the dialog; scripts hold these numbers.
 enum class Compared { index, exact, fast_marching, heat, edge_graph };
@@ -144,13 +105,11 @@ QStringList method_names() {
 }
 
 RichParameterList comparison_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_start_vertex_parameters(list, document, "the nearest vertex that has a face");
-  list.addParam(RichEnum("method", int(Compared::index), method_names(), "Method",
-                         "The method that is judged. MeshLab 2022.02 has no heat method."));
-  list.addParam(RichEnum("reference", int(Compared::exact), method_names(), "Reference",
-                         "The method it is compared with: differences are relative to its distances."));
-  return list;
+  return list_of(start_parameters(document, "the nearest vertex that has a face"),
+                 RichEnum("method", int(Compared::index), method_names(), "Method",
+                          "The method that is judged. MeshLab 2022.02 has no heat method."),
+                 RichEnum("reference", int(Compared::exact), method_names(), "Reference",
+                          "The method it is compared with: differences are relative to its distances."));
 }
 
 Compared method_of(const FilterCall& call, const char* parameter) {
@@ -166,48 +125,35 @@ Compared method_of(const FilterCall& call, const char* parameter) {
   return method;
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-MethodField index_field(FilterCall call, LayerSurface& layer, Index source, const Progress& progress) {
+/// From the index, which is built if there is none, or exact.
+MethodField surface_field(FilterCall call, LayerSurface& layer, Index source, AnswerMethod by,
+                          const Progress& progress) {
   call.progress = progress;
-  const IndexOfLayer found = index_of(call, layer);
   MethodField field;
-  field.build_seconds = found.reused ? 0.0 : found.index->statistics().seconds;
-  run_ticking(progress.part(0.9, 1.0), "Geodesic distances", [&](const Progress&) {
-    GeodesicQuery query(found.index);
-    const auto start = Clock::now();
-    field.distances = query.distance_field(std::array{source});
-    field.seconds = seconds_since(start);
-  });
-  return field;
-}
-
-MethodField exact_field(const std::shared_ptr<const Mesh>& mesh, Index source, const Progress& progress) {
-  MethodField field;
-  auto start = Clock::now();
-  ExactSolver solver(mesh);
-  field.build_seconds = seconds_since(start);
-  start = Clock::now();
-  ExactLimits limits;
-  limits.progress = &progress;
-  limits.distances_only = true;
-  solver.run_from_vertices(std::array{source}, limits);
-  field.seconds = seconds_since(start);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) field.distances.push_back(solver.distance(v));
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& inner) {
+    const Stopwatch preparing;
+    if (by == AnswerMethod::exact) surface.geometry();
+    field.build_seconds = preparing.seconds();
+    const std::array sources{ExactSource{SurfacePoint::at_vertex(source)}};
+    return surface.field(sources, unreachable, by, answered, inner).distance;
+  };
+  auto answer = ask_surface(call, layer, "Geodesic distances", ask);
+  if (by == AnswerMethod::index) field.build_seconds = answer.answered.index_seconds;
+  if (by == AnswerMethod::exact && layer.mesh()->vertex_count() > max_vertices_kept) layer.rest();
+  field.seconds = answer.answered.seconds;
+  field.distances = std::move(answer.found);
   return field;
 }
 
 MethodField further_field(const MethodRequest& request, const std::shared_ptr<const Mesh>& mesh, Index source,
                           const Progress& progress) {
   MethodField field;
-  auto start = Clock::now();
+  const Stopwatch preparing;
   const auto method = prepare_method(request.name, mesh, request.options, progress.part(0.0, 0.5));
-  field.build_seconds = seconds_since(start);
-  start = Clock::now();
+  field.build_seconds = preparing.seconds();
+  const Stopwatch running;
   field.distances = method->field(std::array{source}, progress.part(0.5, 1.0));
-  field.seconds = seconds_since(start);
+  field.seconds = running.seconds();
   return field;
 }
 
@@ -215,20 +161,13 @@ MethodField field_of(FilterCall& call, LayerSurface& layer, const std::shared_pt
                      Index source, Compared method, const Progress& progress) {
   const std::string activity = "Geodesic distances: " + method_names()[int(method)].toStdString();
   progress.report(0.0, activity);
-  switch (method) {
-    case Compared::index:
-      return index_field(call, layer, source, progress);
-    case Compared::exact:
-      return run_ticking(progress, activity,
-                         [&](const Progress& inner) { return exact_field(mesh, source, inner); });
-    case Compared::fast_marching:
-      return run_ticking(progress, activity,
-                         [&](const Progress&) { return fast_marching_field(*mesh, source); });
-    case Compared::heat:
-      return run_ticking(progress, activity, [&](const Progress&) { return heat_field(*mesh, source); });
-    case Compared::edge_graph:
-      return run_ticking(progress, activity,
-                         [&](const Progress&) { return edge_graph_field(*mesh, source); });
+  if (method == Compared::index) return surface_field(call, layer, source, AnswerMethod::index, progress);
+  if (method == Compared::exact) return surface_field(call, layer, source, AnswerMethod::exact, progress);
+  if (int(method) < own_methods) {
+    const auto run = method == Compared::fast_marching ? fast_marching_field
+                     : method == Compared::heat        ? heat_field
+                                                       : edge_graph_field;
+    return run_ticking(progress, activity, [&](const Progress&) { return run(*mesh, source); });
   }
   const MethodEntry& entry = method_named(further_methods()[int(method) - own_methods].name);
   if (entry.warning && !entry.warning(*mesh).empty()) call.log(entry.warning(*mesh));
@@ -287,10 +226,10 @@ Results compare_methods(FilterCall& call) {
   const Compared method = method_of(call, "method");
   const Compared reference = method_of(call, "reference");
   const auto layer = layer_of(call);
-  const StartVertex start = start_vertex(call, *layer);
+  const Index start = start_vertex(call, *layer).point.vertex;
   const auto mesh = layer->mesh();
   const auto measured = [&](Compared which, const Progress& progress) {
-    MethodField field = field_of(call, *layer, mesh, mesh->representative(start.vertex), which, progress);
+    MethodField field = field_of(call, *layer, mesh, mesh->representative(start), which, progress);
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       field.distances[v] = field.distances[mesh->representative(v)];
     }
@@ -304,7 +243,7 @@ Results compare_methods(FilterCall& call) {
   const QStringList names = method_names();
   log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a,
                  b);
-  return {{"start_vertex", layer->host_vertex(start.vertex)},
+  return {{"start_vertex", layer->host_vertex(start)},
           {"compared_vertices", difference.compared},
           {"vertices_by_one_method_only", difference.one_only},
           {"mean_error", difference.mean},
@@ -320,28 +259,38 @@ Results compare_methods(FilterCall& call) {
 
 }  // namespace
 
-FilterRow method_comparison_row() {
-  return {"Compare geodesic methods (VoroGeo)",
-          "compute_scalar_by_geodesic_method_comparison_per_vertex",
-          "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
-          "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
-          "short) over light grey to red (too long) and are full at the 99th percentile; vertices with "
-          "nothing to compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both "
-          "times are logged.</p>"
-          "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
-          "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "
-          "limit of distance; the methods after them are VoroGeo's code, with the usual "
-          "options, which <i>Table of geodesic methods (VoroGeo)</i> can change; <i>Waves across gaps</i> "
-          "takes <b>Bridge gaps up to</b> as its own gap.</p>"
-          "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on "
-          "triangular meshes\"</b><br/>WSCG 2002.<br/>"
-          "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
-          "Transactions on Graphics 32(5), 2013.</p>",
-          FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
-          MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
-          comparison_parameters,
-          compare_methods,
-          false};
+std::vector<FilterRow> comparison_rows() {
+  return {
+      {"Compare geodesic methods (VoroGeo)", "compute_scalar_by_geodesic_method_comparison_per_vertex",
+       "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
+       "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
+       "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing "
+       "to compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
+       "logged.</p>"
+       "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
+       "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "
+       "limit of distance; the methods after them are VoroGeo's code, with the usual options, which <i>Table "
+       "of geodesic methods (VoroGeo)</i> can change; <i>Waves across gaps</i> takes <b>Bridge gaps up "
+       "to</b> as its own gap.</p>"
+       "<p>See:<br/><i>Marcin Novotni, Reinhard Klein</i><br/><b>\"Computing geodesic distances on "
+       "triangular meshes\"</b><br/>WSCG 2002.<br/>"
+       "<i>Keenan Crane, Clarisse Weischedel, Max Wardetzky</i><br/><b>\"Geodesics in heat\"</b><br/>ACM "
+       "Transactions on Graphics 32(5), 2013.</p>",
+       FilterPlugin::FilterClass(FilterPlugin::Quality | FilterPlugin::VertexColoring),
+       MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR, comparison_parameters, compare_methods, false},
+      {"Table of geodesic methods (VoroGeo)", "get_geodesic_method_table",
+       "<p>Runs the chosen geodesic methods of the literature on this mesh, from <b>Sources</b> vertices, "
+       "and logs a table: what each claims (many sources, reuse, error bound, metrics, growth), then what "
+       "was measured: set-up, field and pair times, memory, and errors against exact distances. The same "
+       "goes to the <b>CSV file</b>.</p><p>Returns vectors in the order of the methods: "
+       "<i>setup_seconds</i>, <i>field_seconds</i>, <i>pair_seconds</i> (not a number where two points cost "
+       "a field), <i>bytes</i>, <i>mean_error</i>, <i>p99_error</i>, <i>max_error</i> (0.01 is 1 %).</p>"
+       "<p>How to choose: a few sources tell the errors, more of them the mean times; on meshes of a million "
+       "vertices name the methods, as <i>svg</i> and <i>dgg</i> take minutes there. For an error map of one "
+       "method take <i>Compare geodesic methods (VoroGeo)</i>.</p>"
+       "<p>See:<br/><i>Keenan Crane, Marco Livesu, Enrico Puppo, Yipeng Qin</i><br/><b>\"A survey of "
+       "algorithms for geodesic paths and distances\"</b><br/>2020.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, table_parameters, measure_methods, false}};
 }
 
 }  // namespace vorogeo::plugin

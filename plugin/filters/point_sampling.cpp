@@ -2,7 +2,6 @@
 #include <string>
 
 #include "filters/rows.h"
-#include "host/edit_host.h"
 #include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
@@ -14,18 +13,14 @@ namespace vorogeo::plugin {
 namespace {
 
 RichParameterList farthest_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  list.addParam(RichInt("sample_number", 100, "Samples (0: no limit)",
-                        "Number of samples; 0: as many as the radius needs."));
-  list.addParam(length_parameter(document, "radius", 0.0, "Covering radius (0: no limit)",
-                                 "Stop as soon as every vertex is at most this far from a sample."));
-  list.addParam(
+  return list_of(
+      RichInt("sample_number", 100, "Samples (0: no limit)",
+              "Number of samples; 0: as many as the radius needs."),
+      length_parameter(document, "radius", 0.0, "Covering radius (0: no limit)",
+                       "Stop as soon as every vertex is at most this far from a sample."),
       RichBool("from_selection", false, "Begin with the selection",
-               "Begin with the selected vertices, or the points given below; otherwise with a random one."));
-  add_task_point_parameters(list, document, "points to begin with");
-  list.addParam(seed_parameter());
-  list.addParam(exact_parameter());
-  return list;
+               "Begin with the selected vertices, or the points given below; otherwise with a random one."),
+      task_point_parameters(document, "points to begin with"), seed_parameter(), exact_parameter());
 }
 
 Results farthest_sampling(FilterCall& call) {
@@ -54,12 +49,9 @@ Results farthest_sampling(FilterCall& call) {
 }
 
 RichParameterList poisson_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  list.addParam(
-      length_parameter(document, "radius", 0.05, "Radius", "Least geodesic distance of two samples."));
-  list.addParam(seed_parameter());
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(
+      length_parameter(document, "radius", 0.05, "Radius", "Least geodesic distance of two samples."),
+      seed_parameter(), exact_parameter());
 }
 
 Results poisson_disk_sampling(FilterCall& call) {
@@ -77,11 +69,9 @@ Results poisson_disk_sampling(FilterCall& call) {
 }
 
 RichParameterList lloyd_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_task_point_parameters(list, document, "points that shall be relaxed");
-  list.addParam(RichInt("rounds", 10, "Rounds", "At most this many; fewer if nothing improves."));
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(task_point_parameters(document, "points that shall be relaxed"),
+                 RichInt("rounds", 10, "Rounds", "At most this many; fewer if nothing improves."),
+                 exact_parameter());
 }
 
 Results lloyd_relaxation(FilterCall& call) {
@@ -120,54 +110,37 @@ QString references_of_lloyd() {
 
 }  // namespace
 
-FilterRow farthest_sampling_row() {
-  return {"Geodesic farthest point sampling (VoroGeo)",
-          "generate_sampling_vorogeo_farthest_point",
-          "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a "
-          "new layer of points, which becomes the current one. They are spread evenly: at least the covering "
-          "radius apart, and every vertex is at most this radius from one. Every component gets a sample "
-          "before any gets two.</p><p>It stops at <b>Samples</b> samples or at the <b>Covering radius</b>, "
-          "whichever comes first. With <b>Begin with the selection</b>, the selected vertices or other "
-          "points given come first; otherwise the first sample is a random vertex, chosen by <b>Seed</b>. "
-          "Returns the number of <i>samples</i>, the <i>covering_radius</i>, and the numbers of the "
-          "<i>vertices</i> in the sampled layer (-1: a point to begin with that is not a vertex).</p>" +
-              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_farthest(),
-          FilterPlugin::Sampling,
-          MeshModel::MM_NONE,
-          farthest_parameters,
-          farthest_sampling};
-}
-
-FilterRow poisson_disk_sampling_row() {
-  return {"Geodesic Poisson-disk sampling (VoroGeo)",
-          "generate_sampling_vorogeo_poisson_disk",
-          "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new "
-          "layer of points, which becomes the current one. No vertex could be added: each is less than the "
-          "radius from a sample. Distances run over the surface, so that samples on two sides of a thin wall "
-          "do not repel each other.</p><p>Returns the number of <i>samples</i> and the numbers of the "
-          "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
-              help_on_exact_parameter() + help_on_index() + references_of_poisson(),
-          FilterPlugin::Sampling,
-          MeshModel::MM_NONE,
-          poisson_parameters,
-          poisson_disk_sampling};
-}
-
-FilterRow lloyd_relaxation_row() {
+std::vector<FilterRow> sampling_rows() {
   return {
-      "Geodesic Lloyd relaxation of the selection (VoroGeo)",
-      "generate_sampling_vorogeo_lloyd_relaxation",
-      "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
-      "evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to vertices. A "
-      "point moves only if that lowers the integral of the squared geodesic distance over its region, so "
-      "every round lowers the energy. The result is a new layer of points, which becomes the current one.</p>"
-      "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
-      "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
-          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_lloyd(),
-      FilterPlugin::Sampling,
-      MeshModel::MM_NONE,
-      lloyd_parameters,
-      lloyd_relaxation};
+      {"Geodesic farthest point sampling (VoroGeo)", "generate_sampling_vorogeo_farthest_point",
+       "<p>Samples of the vertices, each the one that is geodesically farthest from those before it, as a "
+       "new layer of points, which becomes the current one. They are spread evenly: at least the covering "
+       "radius apart, and every vertex is at most this radius from one. Every component gets a sample before "
+       "any gets two.</p><p>It stops at <b>Samples</b> samples or at the <b>Covering radius</b>, whichever "
+       "comes first. With <b>Begin with the selection</b>, the selected vertices or other points given come "
+       "first; otherwise the first sample is a random vertex, chosen by <b>Seed</b>. Returns the number of "
+       "<i>samples</i>, the <i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled "
+       "layer (-1: a point to begin with that is not a vertex).</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_farthest(),
+       FilterPlugin::Sampling, MeshModel::MM_NONE, farthest_parameters, farthest_sampling},
+      {"Geodesic Poisson-disk sampling (VoroGeo)", "generate_sampling_vorogeo_poisson_disk",
+       "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new "
+       "layer of points, which becomes the current one. No vertex could be added: each is less than the "
+       "radius from a sample. Distances run over the surface, so that samples on two sides of a thin wall do "
+       "not repel each other.</p><p>Returns the number of <i>samples</i> and the numbers of the "
+       "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
+           help_on_exact_parameter() + references_of_poisson(),
+       FilterPlugin::Sampling, MeshModel::MM_NONE, poisson_parameters, poisson_disk_sampling},
+      {"Geodesic Lloyd relaxation of the selection (VoroGeo)", "generate_sampling_vorogeo_lloyd_relaxation",
+       "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
+       "evenly: towards a centroidal Voronoi tessellation. Points may begin anywhere and move to vertices. A "
+       "point moves only if that lowers the integral of the squared geodesic distance over its region, so "
+       "every round lowers the energy. The result is a new layer of points, which becomes the current "
+       "one.</p>"
+       "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
+       "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_lloyd(),
+       FilterPlugin::Sampling, MeshModel::MM_NONE, lloyd_parameters, lloyd_relaxation}};
 }
 
 }  // namespace vorogeo::plugin

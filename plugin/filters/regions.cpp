@@ -2,10 +2,10 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "filters/rows.h"
-#include "host/edit_host.h"
 #include "layers/answering.h"
 #include "layers/parameters.h"
 #include "layers/points.h"
@@ -25,14 +25,10 @@ namespace vorogeo::plugin {
 namespace {
 
 RichParameterList voronoi_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  add_task_point_parameters(list, document, "points whose regions are wanted");
-  list.addParam(RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."));
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(task_point_parameters(document, "points whose regions are wanted"),
+                 RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."),
+                 exact_parameter());
 }
-
-vcg::Color4b grey() { return {160, 160, 160, 255}; }
 
 /// Colours by the regions of the faces; faces in no region are given one of their own for this purpose.
 PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::size_t count) {
@@ -41,6 +37,17 @@ PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::
     if (r == no_index) r = static_cast<Index>(count);
   }
   return color_neighbors_differently(mesh, region);
+}
+
+/// Colours the faces by the region of their centre; grey where that is no_index.
+void color_faces(FilterCall& call, const LayerSurface& layer, const Mesh& mesh, std::span<const Index> region,
+                 const PatchColoring& coloring) {
+  for (int face : layer.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
+  for (Index f : central_parts(mesh)) {
+    if (region[f] == no_index) continue;
+    const Rgb& color = coloring.palette[coloring.color_of_patch[region[f]]];
+    call.layer.cm.face[layer.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
+  }
 }
 
 Results color_voronoi_regions(FilterCall& call) {
@@ -59,12 +66,7 @@ Results color_voronoi_regions(FilterCall& call) {
     call.layer.cm.vert[layer->host_vertex(v)].Q() = static_cast<Scalarm>(regions.vertex_region[v]);
     unreached += regions.vertex_region[v] == no_index;
   }
-  for (int face : layer->arrays().input_of_face) call.layer.cm.face[face].C() = grey();
-  for (Index f : central_parts(mesh)) {
-    if (regions.face_region[f] == no_index) continue;
-    const Rgb& color = coloring.palette[coloring.color_of_patch[regions.face_region[f]]];
-    call.layer.cm.face[layer->host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
-  }
+  color_faces(call, *layer, mesh, regions.face_region, coloring);
   call.log("Voronoi regions of " + std::to_string(points.size()) + " " + points.what +
            "; their borders are " + logged_length(regions.borders.length()) + " long");
   if (unreached > 0) {
@@ -81,40 +83,11 @@ Results color_voronoi_regions(FilterCall& call) {
   return results;
 }
 
-}  // namespace
-
-FilterRow voronoi_regions_row() {
-  return {
-      "Geodesic Voronoi regions of the selection: colour faces (VoroGeo)",
-      "compute_color_by_vorogeo_voronoi_regions_per_face",
-      "<p>Geodesic Voronoi regions: the parts of the surface that are nearer to one of the points than to "
-      "the others. Faces are coloured by the region of their centre, neighbouring regions differently; the "
-      "quality of each vertex is the number of its region, counted from 0, or -1 where no path leads.</p>"
-      "<p><b>Borders</b> adds the borders of the regions as a polyline layer. They cross the faces where the "
-      "distances from two points are equal, and meet where those from three are; on flat parts of the "
-      "surface they are exact for the given distances. The current layer stays current.</p>"
-      "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their points as "
-      "<i>vertices</i>, the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
-          help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-      FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
-      MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR,
-      voronoi_parameters,
-      color_voronoi_regions};
-}
-
 // ---- Filter: colour the faces by the patches of one layer of the index
 
-namespace {
-
 RichParameterList patch_colors_parameters(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichInt("layer", 1, "Layer", "Layer of patches: 1 (large patches) or 2 (small patches)."));
-  return list;
+  return list_of(RichInt("layer", 1, "Layer", "Layer of patches: 1 (large patches) or 2 (small patches)."));
 }
-
-/// Light grey: the colour of faces that are in no patch, because they repeat another face or name a vertex
-/// twice.
-vcg::Color4b color_without_patch() { return {160, 160, 160, 255}; }
 
 Results color_patches(FilterCall& call) {
   const int number = call.parameters.getInt("layer");
@@ -129,50 +102,25 @@ Results color_patches(FilterCall& call) {
   call.progress.report(1.0, "Writing colours");
 
   call.layer.updateDataMask(MeshModel::MM_FACECOLOR);
-  for (int face : layer->arrays().input_of_face) call.layer.cm.face[face].C() = color_without_patch();
-  for (Index f : central_parts(mesh)) {
-    const Rgb& color = coloring.palette[coloring.color_of_patch[patches[f]]];
-    call.layer.cm.face[layer->host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};
-  }
+  color_faces(call, *layer, mesh, patches, coloring);
   call.log("Patches of layer " + std::to_string(number) + ": " +
            std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
            " colours");
   Results results = {{"patches", static_cast<int>(coloring.color_of_patch.size())},
                      {"colors", coloring.colors_used}};
-  results.merge(about_index(found));
+  results.merge(found.about());
   return results;
-}
-
-}  // namespace
-
-FilterRow patch_colors_row() {
-  return {"Geodesic Voronoi patches: colour faces (VoroGeo)",
-          "compute_color_by_vorogeo_patches_per_face",
-          "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
-          "vertex have clearly different colours. Faces that are in no patch (repeated faces, faces that "
-          "name a vertex twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, "
-          "layer 2 the small ones that they consist of, inside which distances are exact.</p><p>Returns the "
-          "number of <i>patches</i> and of <i>colors</i>.</p>" +
-              help_on_index() + references_of_index(),
-          FilterPlugin::FaceColoring,
-          MeshModel::MM_FACECOLOR,
-          patch_colors_parameters,
-          color_patches};
 }
 
 // ---- Filter: lines of equal vertex quality as a polyline layer
 
-namespace {
-
 RichParameterList isolines_parameters(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichInt("line_number", 10, "Lines",
-                        "Number of values, evenly spaced between the least and the greatest quality."));
-  list.addParam(RichString("values", "", "Values",
-                           "The values themselves, separated by spaces or semicolons; used if not empty."));
-  list.addParam(RichBool("is_distance", true, "Quality is a distance",
-                         "Negative quality means no distance, and lines cross edges as distances do."));
-  return list;
+  return list_of(RichInt("line_number", 10, "Lines",
+                         "Number of values, evenly spaced between the least and the greatest quality."),
+                 RichString("values", "", "Values",
+                            "The values themselves, separated by spaces or semicolons; used if not empty."),
+                 RichBool("is_distance", true, "Quality is a distance",
+                          "Negative quality means no distance, and lines cross edges as distances do."));
 }
 
 std::vector<double> values_of(const FilterCall& call, double low, double high) {
@@ -230,41 +178,15 @@ Results draw_isolines(FilterCall& call) {
           {"values", as_vector(values)}};
 }
 
-}  // namespace
-
-FilterRow isolines_row() {
-  return {
-      "Isolines of a geodesic distance (VoroGeo)",
-      "generate_polyline_by_vorogeo_isolines",
-      "<p>Lines on which the quality of the vertices has given values, as a new polyline layer, which "
-      "becomes the current one; the quality of its vertices is the value of their line. Lines run straight "
-      "through each face and continue across edges.</p><p>How to choose: the values are <b>Lines</b> evenly "
-      "spaced ones between the least and the greatest quality, or those in <b>Values</b>, such as <tt>0.1 "
-      "0.2 0.5</tt>. If <b>Quality is a distance</b> is ticked, vertices with negative quality (without a "
-      "distance) have no lines at them, and an edge is crossed where the distance from a point of the plane "
-      "would have the value, which is exact where the surface is flat: isolines there are circles. Otherwise "
-      "any quality is interpolated linearly.</p><p>Returns the number of <i>segments</i>, their "
-      "<i>length</i> and the <i>values</i>. First run one of the distance filters.</p>" +
-          references_of_index(),
-      FilterPlugin::Quality,
-      MeshModel::MM_NONE,
-      isolines_parameters,
-      draw_isolines};
-}
-
 // ---- Filters: select a geodesic disk, and bound the geodesic diameter and radius
 
-namespace {
-
 RichParameterList disk_parameters(const MeshDocument& document) {
-  RichParameterList list;
-  list.addParam(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."));
-  list.addParam(RichInt("vertex_index", -1, "Vertex",
-                        "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
-                        "the points given below."));
-  add_task_point_parameters(list, document, "points around which the disk shall lie");
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."),
+                 RichInt("vertex_index", -1, "Vertex",
+                         "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
+                         "the points given below."),
+                 task_point_parameters(document, "points around which the disk shall lie"),
+                 exact_parameter());
 }
 
 Results select_disk(FilterCall& call) {
@@ -298,12 +220,10 @@ Results select_disk(FilterCall& call) {
 }
 
 RichParameterList extent_parameters(const MeshDocument&) {
-  RichParameterList list;
-  list.addParam(RichInt("fields", 20, "Fields", "Distance fields that may be computed, at least 2."));
-  list.addParam(RichInt("vertex_index", -1, "Vertex",
-                        "Number of a vertex of the component, counted from 0; -1: the largest component."));
-  list.addParam(exact_parameter());
-  return list;
+  return list_of(RichInt("fields", 20, "Fields", "Distance fields that may be computed, at least 2."),
+                 RichInt("vertex_index", -1, "Vertex",
+                         "Number of a vertex of the component, counted from 0; -1: the largest component."),
+                 exact_parameter());
 }
 
 Results measure_extent(FilterCall& call) {
@@ -333,40 +253,63 @@ Results measure_extent(FilterCall& call) {
 
 }  // namespace
 
-FilterRow disk_selection_row() {
-  return {"Select a geodesic disk (VoroGeo)",
-          "compute_selection_by_vorogeo_geodesic_disk",
-          "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
-          "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "
-          "selected vertices or of other points given: a selection grows by the radius over the surface, not "
-          "through space. The previous selection is replaced.</p><p>Returns the numbers of "
-          "<i>selected_vertices</i> and <i>selected_faces</i>.</p>" +
-              help_on_task_points() + help_on_exact_parameter() + help_on_index() + references_of_index(),
-          FilterPlugin::Selection,
-          MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT,
-          disk_parameters,
-          select_disk};
-}
-
-FilterRow extent_row() {
+std::vector<FilterRow> region_rows() {
   return {
-      "Geodesic diameter and centre (VoroGeo)",
-      "get_vorogeo_diameter_and_centre",
-      "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
-      "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
-      "further fields start where the ends or the centre may still be, and the triangle inequality bounds "
-      "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances as "
-      "computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
-      "<i>diameter_upper</i>, the vertices <i>diameter_start</i> and <i>diameter_end</i> whose distance is "
-      "the lower bound, <i>radius_lower</i>, <i>radius_upper</i>, the <i>centre</i> whose eccentricity is "
-      "the upper bound, and the number of <i>fields</i> computed. The mesh is not changed.</p>" +
-          help_on_exact_parameter() + help_on_index() +
-          "<p>See:<br/><i>Frank W. Takes, Walter A. Kosters</i><br/><b>\"Determining the diameter of small "
-          "world networks\"</b><br/>CIKM 2011.</p>",
-      FilterPlugin::Measure,
-      MeshModel::MM_NONE,
-      extent_parameters,
-      measure_extent};
+      {"Geodesic Voronoi patches: colour faces (VoroGeo)", "compute_color_by_vorogeo_patches_per_face",
+       "<p>Colours the faces by the geodesic Voronoi patches of the index, so that patches which share a "
+       "vertex have clearly different colours. Faces that are in no patch (repeated faces, faces that name a "
+       "vertex twice) become grey.</p><p>How to choose: <b>Layer</b> 1 has the large patches, layer 2 the "
+       "small ones that they consist of, inside which distances are exact.</p><p>Returns the number of "
+       "<i>patches</i> and of <i>colors</i>.</p>" +
+           help_on_index() + references_of_index(),
+       FilterPlugin::FaceColoring, MeshModel::MM_FACECOLOR, patch_colors_parameters, color_patches},
+      {"Geodesic Voronoi regions of the selection: colour faces (VoroGeo)",
+       "compute_color_by_vorogeo_voronoi_regions_per_face",
+       "<p>Geodesic Voronoi regions: the parts of the surface that are nearer to one of the points than to "
+       "the others. Faces are coloured by the region of their centre, neighbouring regions differently; the "
+       "quality of each vertex is the number of its region, counted from 0, or -1 where no path leads.</p>"
+       "<p><b>Borders</b> adds the borders of the regions as a polyline layer. They cross the faces where "
+       "the distances from two points are equal, and meet where those from three are; on flat parts of the "
+       "surface they are exact for the given distances. The current layer stays current.</p>"
+       "<p>Returns the number of <i>regions</i>, their <i>areas</i>, the numbers of their points as "
+       "<i>vertices</i>, the <i>border_length</i> and the <i>unreachable_vertices</i>.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
+       MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR, voronoi_parameters, color_voronoi_regions},
+      {"Isolines of a geodesic distance (VoroGeo)", "generate_polyline_by_vorogeo_isolines",
+       "<p>Lines on which the quality of the vertices has given values, as a new polyline layer, which "
+       "becomes the current one; the quality of its vertices is the value of their line. Lines run straight "
+       "through each face and continue across edges.</p><p>How to choose: the values are <b>Lines</b> evenly "
+       "spaced ones between the least and the greatest quality, or those in <b>Values</b>, such as <tt>0.1 "
+       "0.2 0.5</tt>. If <b>Quality is a distance</b> is ticked, vertices with negative quality (without a "
+       "distance) have no lines at them, and an edge is crossed where the distance from a point of the plane "
+       "would have the value, which is exact where the surface is flat: isolines there are circles. "
+       "Otherwise any quality is interpolated linearly.</p><p>Returns the number of <i>segments</i>, their "
+       "<i>length</i> and the <i>values</i>. First run one of the distance filters.</p>" +
+           references_of_index(),
+       FilterPlugin::Quality, MeshModel::MM_NONE, isolines_parameters, draw_isolines},
+      {"Select a geodesic disk (VoroGeo)", "compute_selection_by_vorogeo_geodesic_disk",
+       "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
+       "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "
+       "selected vertices or of other points given: a selection grows by the radius over the surface, not "
+       "through space. The previous selection is replaced.</p><p>Returns the numbers of "
+       "<i>selected_vertices</i> and <i>selected_faces</i>.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Selection, MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT, disk_parameters,
+       select_disk},
+      {"Geodesic diameter and centre (VoroGeo)", "get_vorogeo_diameter_and_centre",
+       "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
+       "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
+       "further fields start where the ends or the centre may still be, and the triangle inequality bounds "
+       "what no field started from. With enough <b>Fields</b> the bounds meet. They hold for the distances "
+       "as computed: with <b>Exact</b>, for exact ones.</p><p>Returns <i>diameter_lower</i> and "
+       "<i>diameter_upper</i>, the vertices <i>diameter_start</i> and <i>diameter_end</i> whose distance is "
+       "the lower bound, <i>radius_lower</i>, <i>radius_upper</i>, the <i>centre</i> whose eccentricity is "
+       "the upper bound, and the number of <i>fields</i> computed. The mesh is not changed.</p>" +
+           help_on_exact_parameter() +
+           "<p>See:<br/><i>Frank W. Takes, Walter A. Kosters</i><br/><b>\"Determining the diameter of small "
+           "world networks\"</b><br/>CIKM 2011.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, extent_parameters, measure_extent}};
 }
 
 }  // namespace vorogeo::plugin

@@ -10,19 +10,6 @@ QString help_on_index() {
          "the mesh is edited. <i>Geodesic index: build (VoroGeo)</i> builds it with chosen parameters.</p>";
 }
 
-QString help_on_field() {
-  return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
-         "sources, blue at the farthest vertex. Vertices that no path leads to, or only one longer than "
-         "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. The transformation "
-         "of the layer is not applied; freeze it first if it scales.</p>";
-}
-
-QString help_on_exact() {
-  return "<p>How to choose: exact up to rounding, without an index; one propagation over the whole mesh for "
-         "each call, which a <b>Max distance</b> shortens. For many fields on one mesh take the filter "
-         "without <i>Exact</i> in its name: from an index they are much faster, with a small error.</p>";
-}
-
 QString help_on_choosing() {
   return "<p>How to choose: leave <b>Method</b> at automatic. It takes the index if there is one, and builds "
          "one when exact answers have taken as long as that would. The log says what answered.</p>";
@@ -41,7 +28,8 @@ QString help_on_task_points() {
 
 QString help_on_exact_parameter() {
   return "<p>How to choose: <b>Exact</b> propagates for each point: without the errors of the index and "
-         "without building one, but slower for each point.</p>";
+         "without building one, but slower for each point.</p>" +
+         help_on_index();
 }
 
 QString references_of_index() {
@@ -50,43 +38,15 @@ QString references_of_index() {
          "<b>\"The discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>";
 }
 
-QString references_of_exact() {
-  return "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/>"
-         "<b>\"The discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/>"
-         "<i>Vitaly Surazhsky, Tatiana Surazhsky, Danil Kirsanov, Steven J. Gortler, Hugues Hoppe</i><br/>"
-         "<b>\"Fast exact and approximate geodesics on meshes\"</b><br/>ACM Transactions on Graphics 24(3), "
-         "2005.</p>";
-}
-
 // ---- Puts the rows of all filters together
 
 std::vector<FilterRow> all_rows() {
-  return {build_index_row(),
-          describe_index_row(),
-          save_index_row(),
-          load_index_row(),
-          distance_from_point_row(),
-          distance_from_selection_row(),
-          distance_from_border_row(),
-          exact_distance_from_point_row(),
-          exact_distance_from_selection_row(),
-          patch_colors_row(),
-          distance_between_points_row(),
-          distance_matrix_row(),
-          pairs_within_row(),
-          nearest_points_row(),
-          voronoi_regions_row(),
-          farthest_sampling_row(),
-          poisson_disk_sampling_row(),
-          lloyd_relaxation_row(),
-          isolines_row(),
-          disk_selection_row(),
-          extent_row(),
-          distance_from_layer_row(),
-          distance_from_edges_row(),
-          geodesic_path_row(),
-          method_comparison_row(),
-          method_table_row()};
+  std::vector<FilterRow> all;
+  for (const auto& rows : {index_rows(), distance_rows(), path_rows(), matrix_rows(), region_rows(),
+                           sampling_rows(), comparison_rows()}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
 }
 
 }  // namespace vorogeo::plugin

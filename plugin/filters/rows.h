@@ -12,47 +12,23 @@ namespace vorogeo::plugin {
 
 /// What the index is, and that it follows the mesh.
 QString help_on_index();
-/// What ends up in quality and colour, and which vertices get -1.
-QString help_on_field();
 /// How to choose parameters of a distance field from the index.
 QString help_on_choosing();
-/// What exact means, and when to prefer the index.
-QString help_on_exact();
-/// Where a task takes its points from, and its parameter exact.
+/// Where a task takes its points from; and its parameter exact, and the index that it has otherwise.
 QString help_on_task_points();
 QString help_on_exact_parameter();
-/// The papers: the index method, and those of the exact solver.
+/// The papers on the method of the index.
 QString references_of_index();
-QString references_of_exact();
 
 // ---- The table of all filters: one row each, made in the file of the filter
 
-FilterRow build_index_row();
-FilterRow distance_from_point_row();
-FilterRow distance_from_selection_row();
-FilterRow distance_from_border_row();
-FilterRow exact_distance_from_point_row();
-FilterRow exact_distance_from_selection_row();
-FilterRow patch_colors_row();
-FilterRow distance_between_points_row();
-FilterRow distance_matrix_row();
-FilterRow pairs_within_row();
-FilterRow nearest_points_row();
-FilterRow voronoi_regions_row();
-FilterRow farthest_sampling_row();
-FilterRow poisson_disk_sampling_row();
-FilterRow lloyd_relaxation_row();
-FilterRow isolines_row();
-FilterRow disk_selection_row();
-FilterRow extent_row();
-FilterRow distance_from_layer_row();
-FilterRow distance_from_edges_row();
-FilterRow geodesic_path_row();
-FilterRow describe_index_row();
-FilterRow save_index_row();
-FilterRow load_index_row();
-FilterRow method_comparison_row();
-FilterRow method_table_row();
+std::vector<FilterRow> index_rows();
+std::vector<FilterRow> distance_rows();
+std::vector<FilterRow> path_rows();
+std::vector<FilterRow> matrix_rows();
+std::vector<FilterRow> region_rows();
+std::vector<FilterRow> sampling_rows();
+std::vector<FilterRow> comparison_rows();
 
 /// In the order in which the host lists them.
 std::vector<FilterRow> all_rows();

@@ -1,22 +1,10 @@
-// The tools of the window, as MeshLab asks for them.
+// Finds widgets by their class's name, and asks the host to draw other colours.
 #include "host/edit_host.h"
 
 #include <QApplication>
 #include <QGLWidget>
-#include <iomanip>
-#include <sstream>
 
 namespace vorogeo::plugin {
-
-// ---- How lengths are written into the host's log
-
-std::string logged_length(double length) {
-  std::ostringstream text;
-  text << std::setprecision(7) << length << " mesh units";
-  return text.str();
-}
-
-// ---- Finds widgets by their class's name, and asks the host to draw other colours
 
 QWidget* widget_of(const GLArea* area) {
   // A view is a widget before it is anything else, so that both have the same address.

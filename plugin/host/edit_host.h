@@ -2,20 +2,6 @@
 #pragma once
 
 #include <QWidget>
-#include <string>
-
-#include "host/host_api.h"
-
-namespace vorogeo::plugin {
-
-// ---- How lengths are written into the host's log
-
-/// A length with its unit, in seven digits: what MeshLab's window holds. Returned values have all digits.
-std::string logged_length(double length);
-
-}  // namespace vorogeo::plugin
-
-// ---- The host's interface of edit tools, and the widget behind the view that it hands to them
 
 // In this order: OpenGL's loader first.
 #include <common/ml_shared_data_context/ml_scene_gl_shared_data_context.h>

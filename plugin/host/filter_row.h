@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 
 #include "host/host_api.h"
 #include "support/progress.h"
@@ -28,9 +29,19 @@ struct FilterCall {
   std::function<void(const std::string&)> log;
 };
 
-/// The menu category of filters that write a field into the quality of the vertices and colour them by it.
-inline FilterPlugin::FilterClass field_class() {
-  return FilterPlugin::FilterClass(FilterPlugin::VertexColoring | FilterPlugin::Quality);
+/// Parameters, and groups of them, as one list.
+template <class... Parts>
+RichParameterList list_of(const Parts&... parts) {
+  RichParameterList list;
+  const auto add = [&list]<class Part>(const Part& part) {
+    if constexpr (std::is_same_v<Part, RichParameterList>) {
+      for (const RichParameter& parameter : part) list.addParam(parameter);
+    } else {
+      list.addParam(part);
+    }
+  };
+  (add(parts), ...);
+  return list;
 }
 
 /// One filter. Its function throws before it changes the layer, or not at all.

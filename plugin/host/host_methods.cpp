@@ -9,21 +9,15 @@
 #include <vcg/complex/algorithms/geodesic_heat.h>
 #endif
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "query/rent_or_buy.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 template <class T>
 class FaceQuality : public vcg::face::Quality<Scalarm, T> {};
@@ -84,12 +78,12 @@ MethodField timed_field(const Mesh& mesh, Index source, Run run) {
   Component taken;
   take_component(mesh, source, taken);
   MethodField field;
-  auto start = Clock::now();
+  const Stopwatch preparing;
   vcg::tri::UpdateTopology<MethodMesh>::VertexFace(taken.mesh);
-  field.build_seconds = seconds_since(start);
-  start = Clock::now();
+  field.build_seconds = preparing.seconds();
+  const Stopwatch running;
   run(taken);
-  field.seconds = seconds_since(start);
+  field.seconds = running.seconds();
   read_quality(taken, mesh, field);
   return field;
 }
@@ -118,18 +112,18 @@ MethodField heat_field(const Mesh& mesh, Index source) {
   Component taken;
   take_component(mesh, source, taken);
   MethodField field;
-  auto start = Clock::now();
+  const Stopwatch preparing;
   auto factorisation = Heat::BuildCache(taken.mesh);
-  field.build_seconds = seconds_since(start);
+  field.build_seconds = preparing.seconds();
   const bool factorised =
       factorisation.first->info() == Eigen::Success && factorisation.second->info() == Eigen::Success;
-  start = Clock::now();
+  const Stopwatch running;
   if (!factorised || !Heat::ComputeFromCache(taken.mesh, taken.source, factorisation)) {
     throw InvalidInput(
         "The heat method fails on this mesh: its matrices cannot be factorised, mostly because of zero-area "
         "faces. Repair the mesh or choose another method.");
   }
-  field.seconds = seconds_since(start);
+  field.seconds = running.seconds();
   read_quality(taken, mesh, field);
   return field;
 }

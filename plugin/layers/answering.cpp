@@ -91,9 +91,8 @@ Results statistics_results(const IndexStatistics& s) {
           {"expected_fields", s.expected_fields}};
 }
 
-Results about_index(const IndexOfLayer& found) {
-  return {{"index_reused", found.reused},
-          {"index_seconds", found.reused ? 0.0 : found.index->statistics().seconds}};
+Results IndexOfLayer::about() const {
+  return {{"index_reused", reused}, {"index_seconds", reused ? 0.0 : index->statistics().seconds}};
 }
 
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface& layer,
@@ -170,7 +169,7 @@ TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer) {
   }
   const IndexOfLayer found = index_of(call, layer);
   const Progress rest = found.reused ? call.progress : call.progress.part(0.9, 1.0);
-  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, about_index(found)};
+  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, found.about()};
 }
 
 }  // namespace vorogeo::plugin

@@ -35,14 +35,14 @@ void log_warnings(FilterCall& call, LayerSurface& layer);
 struct IndexOfLayer {
   std::shared_ptr<const GeodesicIndex> index;
   bool reused = false;
+
+  /// What a filter returns about it: index_reused and index_seconds.
+  Results about() const;
 };
 
 /// What an index holds, as one line of the log and as values to return.
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
 Results statistics_results(const IndexStatistics& statistics);
-
-/// What a filter returns about the index that it used: index_reused and index_seconds.
-Results about_index(const IndexOfLayer& found);
 
 /// Builds an index, from which the layer is answered from then on; logs what it holds and anything odd about
 /// the mesh. `file`: where it is built, or goes on if it was stopped there (GeodesicIndex::build_in_file);
@@ -66,8 +66,7 @@ AnswerMethod method_of(const FilterCall& call);
 template <class Found>
 struct AnswerOfLayer {
   Found found;
-  AnswerMethod by = AnswerMethod::exact;
-  double seconds = 0.0;  ///< of the answer alone
+  Answered answered;
   Results about;
 };
 
@@ -88,8 +87,8 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const char* activity, As
   auto found = run_ticking(call.progress, activity, [&](const Progress& progress) {
     return ask(*layer.surface(), answered, progress);
   });
-  return AnswerOfLayer<decltype(found)>{std::move(found), answered.by, answered.seconds,
-                                        about_answer(call, layer, had_index, answered)};
+  Results about = about_answer(call, layer, had_index, answered);
+  return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};
 }
 
 // ---- What answers a task: the index of the layer, or exact propagation

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
 #include "support/error.h"
 
@@ -23,6 +24,11 @@ Index LayerSurface::core_vertex(int host_vertex, const std::string& parameter) c
                        ", but this vertex was deleted. Give the number of another vertex.");
   }
   return map[static_cast<std::size_t>(host_vertex)];
+}
+
+HostPlace LayerSurface::host_place(const Mesh& mesh, const SurfacePoint& point) const {
+  const Index face = given_face_at(mesh, point);
+  return face == no_index ? HostPlace{host_vertex(point.vertex)} : HostPlace{-1, arrays_.input_of_face[face]};
 }
 
 std::shared_ptr<Surface> LayerSurface::known_surface() const {

@@ -30,6 +30,12 @@ struct LayerMeasure {
   friend bool operator==(const LayerMeasure&, const LayerMeasure&) = default;
 };
 
+/// Where a point lies in a layer of the host: the number of a vertex or of a face, and -1 for the other.
+struct HostPlace {
+  int vertex = -1;
+  int face = -1;
+};
+
 /// A layer of the host as it was when it was read. A core vertex is a vertex that is not deleted. Nothing of
 /// it changes but what is made when it is first asked for; may be used by several threads.
 class LayerSurface {
@@ -56,6 +62,7 @@ class LayerSurface {
     const auto number = static_cast<std::size_t>(vertex);
     return number < arrays_.input_of_vertex.size() ? arrays_.input_of_vertex[number] : -1;
   }
+  HostPlace host_place(const Mesh& mesh, const SurfacePoint& point) const;
   /// The host's number of a face of mesh(). \pre It is not a bridge over a gap.
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
 

@@ -4,12 +4,13 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "host/edit_host.h"
 #include "layers/parameters.h"
+#include "layers/results.h"
 #include "mesh/given_points.h"
 #include "mesh/surface_locator.h"
 #include "support/error.h"
@@ -18,12 +19,10 @@ namespace vorogeo::plugin {
 
 // ---- Reads the selection of a layer
 
-std::vector<Index> selected_vertices(const CMeshO& host_layer, const LayerSurface& layer,
-                                     const char* purpose) {
+std::vector<Index> selected_vertices(const FilterCall& call, const LayerSurface& layer, const char* purpose) {
   std::vector<Index> selected;
-  for (std::size_t v = 0; v < layer.arrays().input_of_vertex.size(); ++v) {
-    if (host_layer.vert[layer.host_vertex(static_cast<Index>(v))].IsS())
-      selected.push_back(static_cast<Index>(v));
+  for (Index v = 0; v < static_cast<Index>(layer.arrays().input_of_vertex.size()); ++v) {
+    if (call.layer.cm.vert[layer.host_vertex(v)].IsS()) selected.push_back(v);
   }
   if (selected.empty()) {
     throw InvalidInput(std::string("No vertex is selected. Select the vertices ") + purpose +
@@ -36,29 +35,18 @@ std::vector<Index> selected_vertices(const CMeshO& host_layer, const LayerSurfac
 
 namespace {
 
-/// The nearest vertex that has a face: no path reaches the others.
-StartVertex nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
-  std::vector<bool> has_face(arrays.positions.size(), false);
+/// The nearest vertex that has a face.
+SnappedPoint nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
+  SnappedPoint nearest{{}, unreachable};
   for (const auto& face : arrays.faces) {
-    for (Index v : face) has_face[v] = true;
-  }
-  StartVertex nearest;
-  for (std::size_t v = 0; v < arrays.positions.size(); ++v) {
-    if (!has_face[v]) continue;
-    const Point& p = arrays.positions[v];
-    const double distance = std::hypot(p[0] - point[0], p[1] - point[1], p[2] - point[2]);
-    if (distance < nearest.distance) nearest = {static_cast<Index>(v), distance};
+    for (Index v : face) {
+      const double distance = distance_between(arrays.positions[v], point);
+      const bool is_first_of_equals = distance == nearest.distance && v < nearest.point.vertex;
+      if (distance < nearest.distance || is_first_of_equals) nearest = {SurfacePoint::at_vertex(v), distance};
+    }
   }
   return nearest;
 }
-
-/// The vertex that is named by number; no_index if the start point is used.
-Index named_vertex(const FilterCall& call, const LayerSurface& layer) {
-  const int number = call.parameters.getInt("vertex_index");
-  return number == -1 ? no_index : vertex_of(call, layer, "vertex_index");
-}
-
-double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
 /// The corner of the point's face that the host has, if the point equals it up to the precision in which the
 /// host passes points on.
@@ -69,119 +57,55 @@ SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
   double scale = 0.0;
   for (double coordinate : at) scale = std::max(scale, std::abs(coordinate));
   for (Index v : mesh.face_vertices(point.face)) {
-    if (v < mesh.given_vertex_count() && straight(at, mesh.position(v)) <= precision * scale)
+    if (v < mesh.given_vertex_count() && distance_between(at, mesh.position(v)) <= precision * scale)
       return SurfacePoint::at_vertex(v);
   }
   return point;
 }
 
+/// The vertex that is named by number, otherwise nearest(start_point); logs which.
+template <class Nearest>
+SnappedPoint start_of(const FilterCall& call, const LayerSurface& layer, const Mesh& mesh, Nearest nearest) {
+  const bool is_named = call.parameters.getInt("vertex_index") != -1;
+  const SnappedPoint start =
+      is_named ? SnappedPoint{SurfacePoint::at_vertex(vertex_of(call, layer, "vertex_index"))}
+               : nearest(point_of(call, "start_point"));
+  const HostPlace place = layer.host_place(mesh, start.point);
+  std::ostringstream text;
+  text << "Start: " << (place.face < 0 ? "vertex " : "a point in face ")
+       << std::max(place.vertex, place.face);
+  if (!is_named) text << ", " << logged_length(start.distance) << " away from the given point";
+  call.log(text.str());
+  return start;
+}
+
 }  // namespace
 
-void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document,
-                                 const QString& where) {
-  list.addParam(RichPosition("start_point", document.mm()->cm.bbox.min, "Start point",
-                             "Where distances start: at " + where +
-                                 ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. "
-                                 "Used if the start vertex is -1."));
-  list.addParam(
+RichParameterList start_parameters(const MeshDocument& document, const QString& where) {
+  return list_of(
+      RichPosition(
+          "start_point", document.mm()->cm.bbox.min, "Start point",
+          "Where distances start: at " + where +
+              ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. Used if the start "
+              "vertex is -1."),
       RichInt("vertex_index", -1, "Start vertex",
               "Number of the vertex where distances start, counted from 0; -1: the start point is used."));
 }
 
-StartPoint start_point(const FilterCall& call, LayerSurface& layer) {
+SnappedPoint start_point(const FilterCall& call, LayerSurface& layer) {
   const auto mesh = layer.mesh();
-  std::ostringstream text;
-  StartPoint start;
-  const Index vertex = named_vertex(call, layer);
-  if (vertex != no_index) {
-    start.point = SurfacePoint::at_vertex(vertex);
-  } else {
-    const SnappedPoint found = layer.locator()->nearest(point_of(call, "start_point"));
-    start = {at_corner(*mesh, found.point), found.distance};
-  }
-  if (const Index face = given_face_at(*mesh, start.point); face == no_index) {
-    text << "Start: vertex " << layer.host_vertex(start.point.vertex);
-  } else {
-    text << "Start: a point in face " << layer.arrays().input_of_face[face];
-  }
-  if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
-  call.log(text.str());
-  return start;
+  return start_of(call, layer, *mesh, [&](const Point& given) {
+    const SnappedPoint found = layer.locator()->nearest(given);
+    return SnappedPoint{at_corner(*mesh, found.point), found.distance};
+  });
 }
 
-StartVertex start_vertex(const FilterCall& call, const LayerSurface& layer) {
-  const Index vertex = named_vertex(call, layer);
-  const StartVertex start = vertex != no_index
-                                ? StartVertex{vertex, 0.0}
-                                : nearest_vertex(layer.arrays(), point_of(call, "start_point"));
-  std::ostringstream text;
-  text << "Start: vertex " << layer.host_vertex(start.vertex);
-  if (vertex == no_index) text << ", " << logged_length(start.distance) << " away from the given point";
-  call.log(text.str());
-  return start;
+SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer) {
+  return start_of(call, layer, *layer.mesh(),
+                  [&](const Point& given) { return nearest_vertex(layer.arrays(), given); });
 }
 
-// ---- Reads source, target, source_point, target_point and surface_points
-
-namespace {
-
-/// A vertex by its number, else the surface point nearest to a position.
-SnappedPoint end_of(const FilterCall& call, LayerSurface& layer, const char* vertex, const char* point) {
-  const int number = call.parameters.getInt(vertex);
-  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer, vertex)), 0.0};
-  const SnappedPoint found = layer.locator()->nearest(point_of(call, point));
-  const double max_distance = length_of(call, "max_snap_distance", true);
-  if (max_distance > 0.0 && found.distance > max_distance) {
-    std::ostringstream text;
-    text << named(call, point) << " is " << found.distance << " away from the surface, more than "
-         << named(call, "max_snap_distance") << ", " << max_distance
-         << ". Move the point or raise the limit.";
-    throw InvalidInput(text.str());
-  }
-  return found;
-}
-
-}  // namespace
-
-void add_end_point_parameters(RichParameterList& list, const MeshDocument& document, int vertex) {
-  list.addParam(
-      RichInt("source", vertex, "Source vertex", "Number of the first vertex, counted from 0; -1: a point."));
-  list.addParam(RichInt("target", vertex, "Target vertex",
-                        "Number of the second vertex, counted from 0; -1: a point."));
-  list.addParam(RichPosition("source_point", document.mm()->cm.bbox.min, "Source point",
-                             "Used if the source vertex is -1: the nearest point of the surface. Choose "
-                             "'Surf. Pos.' and press Get, then double-click on the surface."));
-  list.addParam(RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
-                             "Used if the target vertex is -1: the nearest point of the surface."));
-  list.addParam(max_snap_distance_parameter(document));
-  list.addParam(RichString("surface_points", "", "Surface points",
-                           "Used instead of all these if not empty: source and target, each the number of a "
-                           "vertex, or of a face with three weights, such as 17; 203 0.2 0.3 0.5."));
-}
-
-EndPoints end_points(const FilterCall& call, LayerSurface& layer) {
-  const auto written = parse_surface_points(call, layer, "surface_points");
-  if (written.size() == 2) return {{written[0], 0.0}, {written[1], 0.0}};
-  if (!written.empty()) {
-    throw InvalidInput(named(call, "surface_points") + " holds " + std::to_string(written.size()) +
-                       " points. Give two, the source and the target, separated by a semicolon.");
-  }
-  return {end_of(call, layer, "source", "source_point"), end_of(call, layer, "target", "target_point")};
-}
-
-Results about_end_points(const EndPoints& ends) {
-  return {{"source_snap_distance", ends.source.distance}, {"target_snap_distance", ends.target.distance}};
-}
-
-QString help_on_end_points() {
-  return "<p>A point is a vertex, given by its number in <b>Source vertex</b> or <b>Target vertex</b>, or, "
-         "if that is -1, the point of the surface nearest to <b>Source point</b> or <b>Target point</b>; "
-         "<i>source_snap_distance</i> and <i>target_snap_distance</i> say how far it was moved. <b>Surface "
-         "points</b> gives both exactly, such as <tt>17; 203 0.2 0.3 0.5</tt>: a vertex by its number, any "
-         "other point by the number of a face and three barycentric weights.</p>";
-}
-
-// ---- Reads point_layer, surface_points and the selection
+// ---- Reads surface_points
 
 namespace {
 
@@ -221,60 +145,114 @@ SurfacePoint parse_point(const LayerSurface& layer, const Mesh& mesh, const QStr
   }
 }
 
-}  // namespace
-
-std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, LayerSurface& layer,
-                                               const char* parameter) {
+/// Surface points written as text, separated by semicolons: a vertex as its number, any other point as the
+/// number of a face and three weights. All numbers are the host's. \throw InvalidInput that names the entry.
+std::vector<SurfacePoint> written_points(const FilterCall& call, LayerSurface& layer) {
   const auto mesh = layer.mesh();
   std::vector<SurfacePoint> points;
-  QString text = call.parameters.getString(parameter);
+  QString text = call.parameters.getString("surface_points");
   const QStringList entries =
       text.replace(',', ' ').replace('\n', ';').replace('\t', ' ').split(';', Qt::SkipEmptyParts);
   for (const QString& entry : entries) {
     if (entry.trimmed().isEmpty()) continue;
     std::ostringstream name;
     name << '"' << entry.trimmed().toStdString() << "\", point " << points.size() << " of "
-         << named(call, parameter) << ',';
+         << named(call, "surface_points") << ',';
     points.push_back(parse_point(layer, *mesh, entry, name.str()));
   }
   return points;
 }
 
-void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what) {
-  list.addParam(RichMesh("point_layer", static_cast<unsigned int>(document.mm()->id()), &document,
-                         "Point layer",
-                         QString("The layer with the %1: all its vertices, moved to the surface. The current "
-                                 "layer: its selected vertices.")
-                             .arg(what)));
-  list.addParam(RichString("surface_points", "", "Surface points",
-                           "Used instead if not empty: numbers of vertices, or of a face with three weights, "
-                           "separated by semicolons, such as 17; 203 0.2 0.3 0.5."));
-  list.addParam(max_snap_distance_parameter(document));
+}  // namespace
+
+// ---- Reads source, target, source_point, target_point and surface_points
+
+namespace {
+
+/// A vertex by its number, else the surface point nearest to a position.
+SnappedPoint end_of(const FilterCall& call, LayerSurface& layer, const char* vertex, const char* point) {
+  const int number = call.parameters.getInt(vertex);
+  if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer, vertex)), 0.0};
+  const Point at = point_of(call, point);
+  return PointSnapper(call, layer)
+      .snap(
+          at, [&] { return named(call, point); }, "the point");
+}
+
+}  // namespace
+
+RichParameterList end_point_parameters(const MeshDocument& document, int vertex) {
+  return list_of(
+      RichInt("source", vertex, "Source vertex", "Number of the first vertex, counted from 0; -1: a point."),
+      RichInt("target", vertex, "Target vertex", "Number of the second vertex, counted from 0; -1: a point."),
+      RichPosition(
+          "source_point", document.mm()->cm.bbox.min, "Source point",
+          "Used if the source vertex is -1: the nearest point of the surface. Choose 'Surf. Pos.' and press "
+          "Get, then double-click on the surface."),
+      RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
+                   "Used if the target vertex is -1: the nearest point of the surface."),
+      max_snap_distance_parameter(document),
+      RichString(
+          "surface_points", "", "Surface points",
+          "Used instead of all these if not empty: source and target, each the number of a vertex, or of a "
+          "face with three weights, such as 17; 203 0.2 0.3 0.5."));
+}
+
+EndPoints end_points(const FilterCall& call, LayerSurface& layer) {
+  const auto written = written_points(call, layer);
+  if (written.size() == 2) return {{written[0], 0.0}, {written[1], 0.0}};
+  if (!written.empty()) {
+    throw InvalidInput(named(call, "surface_points") + " holds " + std::to_string(written.size()) +
+                       " points. Give two, the source and the target, separated by a semicolon.");
+  }
+  return {end_of(call, layer, "source", "source_point"), end_of(call, layer, "target", "target_point")};
+}
+
+Results about_end_points(const EndPoints& ends) {
+  return {{"source_snap_distance", ends.source.distance}, {"target_snap_distance", ends.target.distance}};
+}
+
+QString help_on_end_points() {
+  return "<p>A point is a vertex, given by its number in <b>Source vertex</b> or <b>Target vertex</b>, or, "
+         "if that is -1, the point of the surface nearest to <b>Source point</b> or <b>Target point</b>; "
+         "<i>source_snap_distance</i> and <i>target_snap_distance</i> say how far it was moved. <b>Surface "
+         "points</b> gives both exactly, such as <tt>17; 203 0.2 0.3 0.5</tt>: a vertex by its number, any "
+         "other point by the number of a face and three barycentric weights.</p>";
+}
+
+// ---- Reads point_layer and the selection
+
+RichParameterList task_point_parameters(const MeshDocument& document, const char* what) {
+  return list_of(
+      RichMesh(
+          "point_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Point layer",
+          QString("The layer with the %1: all its vertices, moved to the surface. The current layer: its "
+                  "selected vertices.")
+              .arg(what)),
+      RichString(
+          "surface_points", "", "Surface points",
+          "Used instead if not empty: numbers of vertices, or of a face with three weights, separated by "
+          "semicolons, such as 17; 203 0.2 0.3 0.5."),
+      max_snap_distance_parameter(document));
 }
 
 TaskPoints task_points(const FilterCall& call, LayerSurface& layer, const char* purpose) {
   TaskPoints result;
   if (!call.parameters.getString("surface_points").trimmed().isEmpty()) {
-    const auto points = parse_surface_points(call, layer, "surface_points");
-    for (std::size_t i = 0; i < points.size(); ++i) result.numbers.push_back(static_cast<int>(i));
-    result.points = points;
+    result.points = written_points(call, layer);
+    if (result.points.empty()) throw InvalidInput(named(call, "surface_points") + " holds no point.");
+    result.numbers.resize(result.size());
+    std::iota(result.numbers.begin(), result.numbers.end(), 0);
     result.what = "surface points";
-    if (points.empty()) throw InvalidInput(named(call, "surface_points") + " holds no point.");
     return result;
   }
-  const auto id = static_cast<int>(call.parameters.getMeshId("point_layer"));
-  if (id == static_cast<int>(call.layer.id())) {
-    const auto vertices = selected_vertices(call.layer.cm, layer, purpose);
-    for (Index v : vertices) result.numbers.push_back(layer.host_vertex(v));
-    result.points = vertices;
-    result.what = "selected vertices";
-    return result;
+  if (static_cast<int>(call.parameters.getMeshId("point_layer")) != static_cast<int>(call.layer.id())) {
+    return snapped_layer(call, layer, "point_layer", "points");
   }
-  SnappedLayer snapped = snapped_layer(call, layer, "point_layer", "points");
-  result.points = snapped.points;
-  result.numbers = std::move(snapped.numbers);
-  result.snap_distance = snapped.snap_distance;
-  result.what = "points of layer " + std::to_string(id);
+  const auto vertices = selected_vertices(call, layer, purpose);
+  for (Index v : vertices) result.numbers.push_back(layer.host_vertex(v));
+  result.points = vertices;
+  result.what = "selected vertices";
   return result;
 }
 
@@ -292,9 +270,9 @@ unsigned int some_other_layer(const MeshDocument& document) {
 
 }  // namespace
 
-void add_source_layer_parameter(RichParameterList& list, const MeshDocument& document, const char* what) {
-  list.addParam(RichMesh("source_layer", some_other_layer(document), &document, "Source layer",
-                         QString("The layer with the %1.").arg(what)));
+RichMesh source_layer_parameter(const MeshDocument& document, const char* what) {
+  return RichMesh("source_layer", some_other_layer(document), &document, "Source layer",
+                  QString("The layer with the %1.").arg(what));
 }
 
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what) {
@@ -312,40 +290,46 @@ Point position_of(const CVertexO& vertex) {
   return {double(vertex.cP()[0]), double(vertex.cP()[1]), double(vertex.cP()[2])};
 }
 
-PointSnapper::PointSnapper(const FilterCall& call, LayerSurface& layer, const char* parameter)
-    : locator_(layer.locator()),
-      call_(call),
-      parameter_(parameter),
-      max_distance_(length_of(call, "max_snap_distance", true)) {}
+PointSnapper::PointSnapper(const FilterCall& call, LayerSurface& layer)
+    : call_(call), locator_(layer.locator()), max_distance_(length_of(call, "max_snap_distance", true)) {}
 
-SurfacePoint PointSnapper::snap(const Point& at, std::size_t number) {
+SnappedPoint PointSnapper::snap(const Point& at, const std::function<std::string()>& name, const char* it) {
   const SnappedPoint found = locator_->nearest(at);
   if (max_distance_ > 0.0 && found.distance > max_distance_) {
     std::ostringstream text;
-    text << "Vertex " << number << " of layer " << call_.parameters.getMeshId(parameter_) << " is "
-         << found.distance << " away from the surface, more than " << named(call_, "max_snap_distance")
-         << ", " << max_distance_ << ". Move it or raise the limit.";
+    text << name() << " is " << found.distance << " away from the surface, more than "
+         << named(call_, "max_snap_distance") << ", " << max_distance_ << ". Move " << it
+         << " or raise the limit.";
     throw InvalidInput(text.str());
   }
   farthest_ = std::max(farthest_, found.distance);
-  return found.point;
+  return found;
 }
 
-SnappedLayer snapped_layer(const FilterCall& call, LayerSurface& surface, const char* parameter,
-                           const char* what) {
+SurfacePoint PointSnapper::snap_vertex(const Point& at, std::size_t number, const char* parameter) {
+  const auto name = [&] {
+    return "Vertex " + std::to_string(number) + " of layer " +
+           std::to_string(call_.parameters.getMeshId(parameter));
+  };
+  return snap(at, name, "it").point;
+}
+
+TaskPoints snapped_layer(const FilterCall& call, LayerSurface& surface, const char* parameter,
+                         const char* what) {
   const CMeshO& layer = other_layer(call, parameter, what).cm;
-  PointSnapper snapper(call, surface, parameter);
-  SnappedLayer result;
+  const std::string id = std::to_string(call.parameters.getMeshId(parameter));
+  PointSnapper snapper(call, surface);
+  std::vector<SurfacePoint> points;
+  TaskPoints result;
   for (std::size_t v = 0; v < layer.vert.size(); ++v) {
     if (layer.vert[v].IsD()) continue;
-    result.points.push_back(snapper.snap(position_of(layer.vert[v]), v));
+    points.push_back(snapper.snap_vertex(position_of(layer.vert[v]), v, parameter));
     result.numbers.push_back(static_cast<int>(v));
   }
+  if (points.empty()) throw InvalidInput("Layer " + id + " has no vertex. Choose a layer with " + what + ".");
+  result.points = points;
+  result.what = "points of layer " + id;
   result.snap_distance = snapper.farthest();
-  if (result.points.empty()) {
-    throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId(parameter)) +
-                       " has no vertex. Choose a layer with " + what + ".");
-  }
   return result;
 }
 

@@ -1,7 +1,7 @@
 // Points that filters ask for: a start vertex, two ends, lists, the selection, another layer.
 #pragma once
 
-#include <limits>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,36 +17,21 @@ namespace vorogeo::plugin {
 
 /// Core vertices selected in the layer, ascending. \throw InvalidInput if there is none; `purpose` ends the
 /// sentence "Select the vertices ...".
-std::vector<Index> selected_vertices(const CMeshO& host_layer, const LayerSurface& layer,
-                                     const char* purpose);
+std::vector<Index> selected_vertices(const FilterCall& call, const LayerSurface& layer, const char* purpose);
 
-// ---- The source of a filter that takes only one: a vertex by number, a point of the surface, or the vertex
-// nearest to a point
-
-/// A vertex and its distance from the point for which it was found; 0 if it was named by number.
-struct StartVertex {
-  Index vertex = no_index;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-/// A point of the surface and its distance from the point in space for which it was found; 0 if it was named
-/// by number.
-struct StartPoint {
-  SurfacePoint point;
-  double distance = 0.0;
-};
+// ---- The source of a filter that takes only one: a vertex by number, or what is nearest to a point
 
 /// The parameters start_point (a point picker in the window) and vertex_index. `where`: ends the sentence
 /// "Where distances start: ..." about the point.
-void add_start_vertex_parameters(RichParameterList& list, const MeshDocument& document, const QString& where);
+RichParameterList start_parameters(const MeshDocument& document, const QString& where);
 
 /// The start vertex named by number, otherwise the point of the surface nearest to the start point: a vertex
-/// if it is one up to single precision. Logs which. \throw as start_vertex.
-StartPoint start_point(const FilterCall& call, LayerSurface& layer);
+/// if it is one up to single precision. Logs which. \throw InvalidInput for a number without a vertex and a
+/// point that is not finite.
+SnappedPoint start_point(const FilterCall& call, LayerSurface& layer);
 
-/// The start vertex named by number, otherwise the one nearest to the start point that has a face; logs
-/// which. \throw InvalidInput for a number without a vertex and a point that is not finite.
-StartVertex start_vertex(const FilterCall& call, const LayerSurface& layer);
+/// The same, but in place of a point in a face the nearest vertex that has a face: no path reaches others.
+SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer);
 
 // ---- The two points of a filter for one pair
 
@@ -58,7 +43,7 @@ struct EndPoints {
 
 /// The parameters source and target (vertices by number), source_point and target_point (in space),
 /// max_snap_distance, and surface_points (both as text). `vertex`: what source and target are by default.
-void add_end_point_parameters(RichParameterList& list, const MeshDocument& document, int vertex);
+RichParameterList end_point_parameters(const MeshDocument& document, int vertex);
 
 /// The points that these parameters give. \throw InvalidInput for a point that does not exist or is too far
 /// from the surface.
@@ -86,22 +71,16 @@ struct TaskPoints {
 
 /// The parameters point_layer, surface_points and max_snap_distance. `what`: ends the sentence "The layer
 /// with the ...".
-void add_task_point_parameters(RichParameterList& list, const MeshDocument& document, const char* what);
+RichParameterList task_point_parameters(const MeshDocument& document, const char* what);
 
 /// The points that these parameters give. `purpose`: as for selected_vertices. \throw InvalidInput if there
 /// is no point, or one that is not on the surface or too far from it.
 TaskPoints task_points(const FilterCall& call, LayerSurface& layer, const char* purpose);
 
-/// Surface points written as text, separated by semicolons: a vertex as its number, any other point as the
-/// number of a face and three weights. All numbers are the host's. \throw InvalidInput that names the
-/// parameter and the entry.
-std::vector<SurfacePoint> parse_surface_points(const FilterCall& call, LayerSurface& layer,
-                                               const char* parameter);
-
 // ---- A layer from which a filter takes points: its parameter, and its points moved to the surface
 
 /// The parameter source_layer; max_snap_distance belongs to it. `what`: "points", or "points or lines".
-void add_source_layer_parameter(RichParameterList& list, const MeshDocument& document, const char* what);
+RichMesh source_layer_parameter(const MeshDocument& document, const char* what);
 
 /// The layer named by a parameter. \throw InvalidInput if there is none, or if it is the current one.
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what);
@@ -111,30 +90,25 @@ Point position_of(const CVertexO& vertex);
 /// Moves points to the surface of the layer, within max_snap_distance.
 class PointSnapper {
  public:
-  /// `parameter`: the one that names the layer of the points.
-  PointSnapper(const FilterCall& call, LayerSurface& layer, const char* parameter);
-  /// `number`: that of the vertex in the layer, for the error. \throw InvalidInput if it is too far away.
-  SurfacePoint snap(const Point& at, std::size_t number);
+  PointSnapper(const FilterCall& call, LayerSurface& layer);
+  /// \throw InvalidInput if it is too far away; the message begins with name(), and ends with what to do:
+  /// "Move `it` ...".
+  SnappedPoint snap(const Point& at, const std::function<std::string()>& name, const char* it);
+  /// The same for the vertex of this number in the layer that a parameter names.
+  SurfacePoint snap_vertex(const Point& at, std::size_t number, const char* parameter);
   /// The farthest move so far.
   double farthest() const { return farthest_; }
 
  private:
-  std::shared_ptr<const SurfaceLocator> locator_;
   const FilterCall& call_;
-  const char* parameter_;
+  std::shared_ptr<const SurfaceLocator> locator_;
   double max_distance_;
   double farthest_ = 0.0;
 };
 
-/// All vertices of a layer, moved to the surface.
-struct SnappedLayer {
-  std::vector<SurfacePoint> points;
-  std::vector<int> numbers;  ///< of the vertices in their layer
-  double snap_distance = 0.0;
-};
-
-/// \throw InvalidInput as other_layer and PointSnapper, and for a layer without vertices.
-SnappedLayer snapped_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
-                           const char* what);
+/// All vertices of a layer, moved to the surface. \throw InvalidInput as other_layer and PointSnapper, and
+/// for a layer without vertices.
+TaskPoints snapped_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
+                         const char* what);
 
 }  // namespace vorogeo::plugin

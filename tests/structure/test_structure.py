@@ -155,7 +155,7 @@ def test_the_pages_name_every_filter() -> None:
     names = {}
     for file in tree.sources(".cpp"):
         if file.parts[:2] == ("plugin", "filters"):
-            names |= dict(re.findall(r'return \{\s*"([^"]+\(VoroGeo\))",\s*"([a-z_]+)"', tree.text(file)))
+            names |= dict(re.findall(r'[({]\s*"([^"]+\(VoroGeo\))",\s*"([a-z_]+)"', tree.text(file)))
     assert len(names) > 20
     page = " ".join((tree.PROJECT / "docs" / "filters.md").read_text().split())
     assert set(re.findall(r"\*\*([^*]+\(VoroGeo\))\*\*", page)) == set(names)
