@@ -1,9 +1,7 @@
-// The choice between corridor and propagation, and the thread of the latter.
+// The choice between corridor and propagation.
 #include "edit/drag_paths.h"
 
-#include <exception>
-
-#include "support/error.h"
+#include "query/rent_or_buy.h"
 
 namespace vorogeo::plugin {
 
@@ -12,38 +10,22 @@ DragPaths::DragPaths(const std::shared_ptr<const LocalGeometry>& geometry, std::
 
 SurfacePath DragPaths::path(const SurfacePoint& source, const SurfacePoint& target) {
   if (source != source_) {
-    cancel();
+    propagation_.stop();
     has_failed_ = false;
     from_source_.reset(source);
     source_ = source;
   }
-  if (!is_propagating_ && from_source_.reaches(target)) return from_source_.path_to(target);
-  const auto start = std::chrono::steady_clock::now();
+  if (!is_propagating() && from_source_.reaches(target)) return from_source_.path_to(target);
+  const Stopwatch watch;
   SurfacePath found = corridors_.exact_path(source, target).path;
-  const bool is_slow = std::chrono::steady_clock::now() - start >= wait_;
-  if (is_slow && found.length < unreachable && !is_propagating_ && !has_failed_) propagate_to(found.length);
+  const bool is_slow = std::chrono::duration<double>(watch.seconds()) >= wait_;
+  if (is_slow && found.length < unreachable && !is_propagating() && !has_failed_) {
+    propagation_.post([this, distance = found.length](const Progress& progress) {
+      const auto propagate = [&] { from_source_.propagate_to(distance, progress); };
+      has_failed_ = !error_of(propagate, "There is not enough memory.").empty();
+    });
+  }
   return found;
-}
-
-void DragPaths::propagate_to(double distance) {
-  cancel();
-  cancel_ = false;
-  is_propagating_ = true;
-  thread_ = std::thread([this, distance] {
-    const Progress progress([this](double, const std::string&) { return !cancel_; });
-    try {
-      from_source_.propagate_to(distance, progress);
-    } catch (const Cancelled&) {  // the source is another one now
-    } catch (const std::exception&) {
-      has_failed_ = true;
-    }
-    is_propagating_ = false;
-  });
-}
-
-void DragPaths::cancel() {
-  cancel_ = true;
-  if (thread_.joinable()) thread_.join();
 }
 
 }  // namespace vorogeo::plugin

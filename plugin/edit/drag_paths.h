@@ -4,16 +4,16 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
-#include <thread>
 
+#include "edit/background.h"
 #include "exact/paths_from_point.h"
 #include "query/mesh_path.h"
 
 namespace vorogeo::plugin {
 
 /// While the mouse drags, all paths begin in one point: a propagation around it serves them all in a fraction
-/// of a millisecond each, but takes seconds on a large mesh. It runs on a thread of its own; until it has
-/// reached far enough, each path is searched in a corridor. One object belongs to one thread.
+/// of a millisecond each, but takes seconds on a large mesh. It runs in the background; until it has reached
+/// far enough, each path is searched in a corridor. One object belongs to one thread.
 class DragPaths {
  public:
   /// Paths that are found in a corridor in less time than this need no propagation.
@@ -21,29 +21,19 @@ class DragPaths {
 
   explicit DragPaths(const std::shared_ptr<const LocalGeometry>& geometry,
                      std::chrono::milliseconds wait = max_wait);
-  ~DragPaths() { cancel(); }
-  DragPaths(const DragPaths&) = delete;
-  DragPaths& operator=(const DragPaths&) = delete;
 
   /// The shortest path; see PathsFromPoint::path_to. \throw Cancelled at a checkpoint, InvalidInput for a
   /// point that is not on the mesh.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
-  /// Whether a propagation runs.
-  bool is_propagating() const { return is_propagating_; }
+  bool is_propagating() const { return propagation_.is_running(); }
 
  private:
-  void propagate_to(double distance);
-  void cancel();
-
   const std::chrono::milliseconds wait_;
-
   MeshPathQuery corridors_;
-  PathsFromPoint from_source_;  ///< the thread's while that runs
+  PathsFromPoint from_source_;  ///< the propagation's while that runs
   SurfacePoint source_;
-  std::thread thread_;
-  std::atomic<bool> is_propagating_ = false;
   std::atomic<bool> has_failed_ = false;  ///< no memory was left: all paths are searched in corridors
-  std::atomic<bool> cancel_ = false;
+  Background propagation_;                ///< last, so that it ends before anything else is destroyed
 };
 
 }  // namespace vorogeo::plugin

@@ -31,20 +31,38 @@ double ratio_of(const Measurement& measurement) {
 
 }  // namespace
 
-int Measurements::add(Measurement measurement) {
+int Measurements::add(Measurement measurement, const VcgMeshArrays& mesh) {
+  measured_[measurement.layer] = mesh;
   measurement.number = ++last_;
   all_.push_back(std::move(measurement));
+  tell();
   return last_;
 }
 
-bool Measurements::remove(int number) {
-  return std::erase_if(all_, [&](const Measurement& m) { return m.number == number; }) > 0;
+void Measurements::remove(const std::vector<int>& numbers) {
+  std::erase_if(all_, [&](const Measurement& m) { return std::ranges::count(numbers, m.number) > 0; });
+  tell();
 }
 
-void Measurements::mesh_has_changed(int layer) {
+void Measurements::compare(int layer, const VcgMeshArrays& mesh) {
+  const auto measured = measured_.find(layer);
+  if (measured == measured_.end()) return;
+  const VcgMeshArrays& before = measured->second;
+  if (before.positions == mesh.positions && before.faces == mesh.faces) return;
   for (Measurement& measurement : all_) {
     if (measurement.layer == layer) measurement.is_of_another_mesh = true;
   }
+  measured_.erase(measured);
+  tell();
+}
+
+void Measurements::watch(const void* who, std::function<void()> changed) {
+  watchers_[who] = changed;
+  changed();
+}
+
+void Measurements::tell() const {
+  for (const auto& [who, changed] : watchers_) changed();
 }
 
 std::vector<std::string> Measurements::columns() { return {"No.", "Length", "Straight", "Ratio", "Method"}; }
@@ -79,11 +97,6 @@ std::string Measurements::csv() const {
     text += '\n';
   }
   return text;
-}
-
-bool Measurements::has_path_on(int layer) const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [&](const Measurement& m) { return m.layer == layer && !m.path.lines.points.empty(); });
 }
 
 PathLines Measurements::lines_on(int layer) const {

@@ -1,11 +1,14 @@
-// The paths that were measured, as a table and as lines of a layer.
+// The paths that were measured on a document, as a table and as lines of a layer.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "layers/path_lines.h"
 #include "mesh/mesh.h"
+#include "mesh/vcg_adapter.h"
 
 namespace vorogeo::plugin {
 
@@ -23,18 +26,21 @@ struct Measurement {
   double straight() const { return distance_between(from, to); }
 };
 
-/// The measurements of a ruler, and their text. Lengths have seven digits, as in the log; files have
-/// all digits. Numbers are written with a point in every language.
+/// The measurements of a document, which all its views show, and their text. Lengths have seven digits, as in
+/// the log; files have all digits. Numbers are written with a point in every language. All functions are
+/// called from one thread.
 class Measurements {
  public:
   const std::vector<Measurement>& all() const { return all_; }
 
-  /// Gives it the next number, which is returned.
-  int add(Measurement measurement);
-  /// \return false if there is no measurement of that number.
-  bool remove(int number);
-  /// The layer was edited: its measurements are kept, but say so.
-  void mesh_has_changed(int layer);
+  /// Gives it the next number, which is returned. `mesh`: on which it was taken.
+  int add(Measurement measurement, const VcgMeshArrays& mesh);
+  void remove(const std::vector<int>& numbers);
+  /// The mesh of a layer as it is now: measurements of another one are kept, but say so.
+  void compare(int layer, const VcgMeshArrays& mesh);
+  /// `changed` is called now and after every change, until unwatch(who).
+  void watch(const void* who, std::function<void()> changed);
+  void unwatch(const void* who) { watchers_.erase(who); }
 
   static std::vector<std::string> columns();
   static std::vector<std::string> row(const Measurement& measurement);
@@ -42,14 +48,16 @@ class Measurements {
   std::string table() const;
   /// With commas, all digits and the positions of both ends.
   std::string csv() const;
-  /// Whether there is a path to save for this layer.
-  bool has_path_on(int layer) const;
   /// All paths of a layer.
   PathLines lines_on(int layer) const;
 
  private:
+  void tell() const;
+
   std::vector<Measurement> all_;
   int last_ = 0;
+  std::map<int, VcgMeshArrays> measured_;  ///< by layer, the mesh of its measurements
+  std::map<const void*, std::function<void()>> watchers_;
 };
 
 }  // namespace vorogeo::plugin

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSaveFile>
-#include <thread>
 
 #include "edit/ruler_tool.h"
 #include "host/edit_host.h"
@@ -14,7 +13,7 @@
 
 namespace vorogeo::plugin {
 
-void RulerTool::color_field(const FieldAnswer& field) {
+void RulerTool::color_field(const RulerAnswer& field) {
   const MeshModel* layer = document_->getMesh(static_cast<unsigned>(layer_));
   const VcgMeshArrays& arrays = surface_->arrays();
   if (layer == nullptr || layer->cm.vert.size() != arrays.vertex_of_input.size()) return;
@@ -38,47 +37,47 @@ void RulerTool::color_field(const FieldAnswer& field) {
 }
 
 void RulerTool::keep_path(const RulerRequest& request, const RulerAnswer& found) {
-  const std::string method = name_of(found.path.how, true);
+  const std::string method = name_of(found.how, true);
   const std::string drag = log_.sentence("paths", method);
   if (!drag.empty() && request.drag == drags_) log(GLLogStream::FILTER, drag);
   if (request.drag == drags_) live_.reset();
-  if (found.path.from == found.path.to) return;
+  if (found.from == found.to) return;
   Measurement measurement;
   measurement.layer = layer_;
-  measurement.length = found.path.path.length;
-  measurement.from = found.path.from;
-  measurement.to = found.path.to;
+  measurement.length = found.length;
+  measurement.from = found.from;
+  measurement.to = found.to;
   measurement.method = method;
   measurement.path = found.lines;
   const int number = measurements_->add(std::move(measurement), surface_->arrays());
-  log(GLLogStream::FILTER, "Ruler: path " + std::to_string(number) +
-                               (found.lines.lines.points.empty()
-                                    ? ": no path, the points lie in different components"
-                                    : " of length " + logged_length(found.path.path.length) + ", " + method));
+  log(GLLogStream::FILTER,
+      "Ruler: path " + std::to_string(number) +
+          (found.lines.lines.points.empty() ? ": no path, the points lie in different components"
+                                            : " of length " + logged_length(found.length) + ", " + method));
 }
 
 void RulerTool::keep_field(const RulerAnswer& found) {
   read_layer();  // nothing is written to another mesh than the one that was measured
   MeshModel* layer = document_->mm();
-  if (!surface_ || layer == nullptr || found.field.distances.size() != surface_->arrays().positions.size()) {
+  if (!surface_ || layer == nullptr || found.distances.size() != surface_->arrays().positions.size()) {
     return;
   }
-  const std::string method = name_of(found.field.how, false);
+  const std::string method = name_of(found.how, false);
   const std::string drag = log_.sentence("fields", method);
   if (!drag.empty()) log(GLLogStream::FILTER, drag);
-  write_distances(*layer, surface_->arrays().input_of_vertex, found.field.distances, found.field.largest);
+  write_distances(*layer, surface_->arrays().input_of_vertex, found.distances, found.largest);
   live_.reset();
   field_ = {};
   if (context_ != nullptr) show_vertex_colors(*context_, area_, layer_);
   log(GLLogStream::FILTER, "Ruler: distances (" + method + ") are the quality of the vertices, the largest " +
-                               logged_length(found.field.largest));
+                               logged_length(found.largest));
 }
 
 void RulerTool::show_status() {
   if (dock_ == nullptr) return;
   if (!surface_) {
     dock_->show_status(why_not_);
-    dock_->offer_preparation(0.0);
+    dock_->offer_preparation(false);
     return;
   }
   const auto vertices = static_cast<Index>(surface_->arrays().positions.size());
@@ -87,12 +86,11 @@ void RulerTool::show_status() {
   dock_->show_status(QString("Paths: %1. Distances: %2.%3")
                          .arg(has_index ? "refined, from the index" : "exact, without an index", fields,
                               has_index ? "" : " Prepare an index to have both at once."));
-  if (preparation_.is_running()) {
+  if (is_preparing_) {
     dock_->show_preparation(preparation_.fraction());
   } else {
     ticks_.stop();
-    const auto threads = static_cast<int>(std::thread::hardware_concurrency());
-    dock_->offer_preparation(has_index ? 0.0 : expected_build_seconds(vertices, threads));
+    dock_->offer_preparation(!has_index);
   }
 }
 
@@ -100,43 +98,48 @@ void RulerTool::prepare() {
   read_layer();
   if (!surface_ || surface_->index()) return show_status();
   const auto surface = surface_;
-  preparation_.start(
-      [surface](const Progress& progress) { return surface->layer()->surface()->build_index(progress); },
-      [this, surface](IndexPreparation::Result result) {
-        QMetaObject::invokeMethod(
-            this, [this, surface, result = std::move(result)] { prepared(surface, result); },
-            Qt::QueuedConnection);
-      });
+  preparation_.post([this, surface](const Progress& progress) {
+    std::shared_ptr<const GeodesicIndex> index;
+    const std::string error = error_of([&] { index = surface->layer()->surface()->build_index(progress); },
+                                       "There is not enough memory for the index of this mesh.");
+    QMetaObject::invokeMethod(
+        this, [this, surface, index, error] { prepared(surface, index, error); }, Qt::QueuedConnection);
+  });
+  is_preparing_ = true;
   ticks_.start();
   show_status();
 }
 
+void RulerTool::stop_preparation() {
+  preparation_.stop();
+  is_preparing_ = false;
+}
+
 void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
-                         const IndexPreparation::Result& result) {
+                         const std::shared_ptr<const GeodesicIndex>& index, const std::string& error) {
+  is_preparing_ = false;
   if (document_ == nullptr) return;
-  if (result.index) {
-    if (!surface->index()) surface->layer()->use(result.index);
+  if (index) {
+    if (!surface->index()) surface->layer()->use(index);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
-                                 std::to_string(static_cast<int>(result.index->statistics().seconds + 0.5)) +
+                                 std::to_string(static_cast<int>(index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");
     if (surface == surface_) warm_up();
   }
   show_status();
-  if (!result.error.empty()) {
-    log(GLLogStream::WARNING, "Ruler: no index: " + result.error);
-    if (dock_ != nullptr) dock_->show_status(QString::fromStdString(result.error));
+  if (!error.empty()) {
+    log(GLLogStream::WARNING, "Ruler: no index: " + error);
+    if (dock_ != nullptr) dock_->show_status(QString::fromStdString(error));
   }
 }
 
 void RulerTool::copy() const {
-  QApplication::clipboard()->setText(QString::fromStdString(measurements_->list().table()));
+  QApplication::clipboard()->setText(QString::fromStdString(measurements_->table()));
 }
-
-void RulerTool::remove(const std::vector<int>& numbers) { measurements_->remove(numbers); }
 
 /// The file first: if it cannot be written, no layer is added.
 void RulerTool::save() {
-  if (document_ == nullptr || document_->mm() == nullptr || measurements_->list().all().empty()) return;
+  if (document_ == nullptr || document_->mm() == nullptr || measurements_->all().empty()) return;
   const MeshModel& layer = *document_->mm();
   const QFileInfo mesh_file(layer.fullName());
   const QString name = QFileDialog::getSaveFileName(
@@ -145,7 +148,7 @@ void RulerTool::save() {
       "Comma-separated values (*.csv)");
   if (name.isEmpty() || document_ == nullptr || document_->mm() != &layer) return;
   QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_->list().csv());
+  const QByteArray text = QByteArray::fromStdString(measurements_->csv());
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
     QMessageBox::warning(
         area_, "Geodesic ruler",
@@ -153,8 +156,8 @@ void RulerTool::save() {
     return;
   }
   log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
-  if (measurements_->list().has_path_on(layer_)) {
-    const PathLines paths = measurements_->list().lines_on(layer_);
+  const PathLines paths = measurements_->lines_on(layer_);
+  if (!paths.lines.points.empty()) {
     add_polyline_layer(*document_, layer, "Geodesic measurements", paths.lines, paths.along, false);
     QMetaObject::invokeMethod(area_, "updateLayerTable");
   }

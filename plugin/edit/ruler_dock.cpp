@@ -5,8 +5,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vorogeo::plugin {
@@ -93,10 +91,10 @@ void RulerDock::show_measurements(const Measurements& measurements) {
   save_->setEnabled(!all.empty());
 }
 
-void RulerDock::offer_preparation(double seconds) {
+void RulerDock::offer_preparation(bool is_offered) {
   is_preparing_ = false;
-  prepare_->setVisible(seconds > 0.0);
-  prepare_->setText(QString("Prepare (%1 s)").arg(std::max(1.0, std::round(seconds)), 0, 'f', 0));
+  prepare_->setVisible(is_offered);
+  prepare_->setText("Prepare");
 }
 
 void RulerDock::show_preparation(double fraction) {

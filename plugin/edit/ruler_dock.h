@@ -27,8 +27,8 @@ class RulerDock : public QDockWidget {
   void show_measurements(const Measurements& measurements);
   /// What answers now, or why nothing does.
   void show_status(const QString& text) { status_->setText(text); }
-  /// `seconds`: that a build is expected to take; no button if 0.
-  void offer_preparation(double seconds);
+  /// Whether there is a button that builds an index.
+  void offer_preparation(bool is_offered);
   void show_preparation(double fraction);
   /// As a filter of events it takes the keys that copy and delete, for its own widgets and for others.
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+
+#include "query/rent_or_buy.h"
 
 namespace vorogeo::plugin {
 
@@ -12,6 +13,18 @@ namespace {
 
 /// About how many isolines there are.
 constexpr double isolines_wanted = 15.0;
+
+/// Fills an answer, measures the time, and makes a sentence of an error.
+template <class Find>
+RulerAnswer answer_of(Find&& find) {
+  RulerAnswer answer;
+  const Stopwatch watch;
+  answer.error = error_of([&] { find(answer); },
+                          "There is not enough memory to measure on this mesh. Close other layers.");
+  if (!answer.error.empty()) answer.is_on_surface = false;
+  answer.seconds = watch.seconds();
+  return answer;
+}
 
 }  // namespace
 
@@ -38,8 +51,16 @@ bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
   return found.distance <= picked.tolerance;
 }
 
-SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePoint& target) {
-  if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(layer_->surface()->geometry());
+SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoint& target,
+                                    RulerAnswer& answer, const Progress& progress) {
+  const auto surface = layer_->surface();
+  answer.how = surface->at_once(false);
+  if (answer.how != AnswerMethod::exact) {
+    exact_paths_.reset();
+    Answered answered;
+    return surface->path(source, target, answer.how, {}, answered, progress).path;
+  }
+  if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(surface->geometry());
   try {
     return exact_paths_->path(source, target);
   } catch (...) {
@@ -48,44 +69,42 @@ SurfacePath RulerSurface::exact_path(const SurfacePoint& source, const SurfacePo
   }
 }
 
-PathAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progress& progress) {
-  PathAnswer answer;
-  SurfacePoint source;
-  SurfacePoint target;
-  answer.starts_on_surface = snap(from, source);
-  answer.ends_on_surface = snap(to, target);
-  if (!answer.starts_on_surface || !answer.ends_on_surface) return answer;
-  const auto surface = layer_->surface();
-  answer.from = position_of(*surface->mesh(), source);
-  answer.to = position_of(*surface->mesh(), target);
-  answer.how = surface->at_once(false);
-  if (answer.how == AnswerMethod::exact) {
-    answer.path = exact_path(source, target);
-  } else {
-    exact_paths_.reset();
-    Answered answered;
-    answer.path = surface->path(source, target, answer.how, {}, answered, progress).path;
-  }
-  return answer;
+RulerAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progress& progress) {
+  const auto find = [&](RulerAnswer& answer) {
+    SurfacePoint source;
+    SurfacePoint target;
+    answer.is_on_surface = snap(from, source) && snap(to, target);
+    if (!answer.is_on_surface) return;
+    const auto mesh = layer_->mesh();
+    answer.from = position_of(*mesh, source);
+    answer.to = position_of(*mesh, target);
+    const SurfacePath path = find_path(source, target, answer, progress);
+    answer.length = path.length;
+    answer.lines = lines_of(*mesh, path);
+  };
+  return answer_of(find);
 }
 
-FieldAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
-  FieldAnswer answer;
-  SurfacePoint source;
-  answer.starts_on_surface = snap(from, source);
-  if (!answer.starts_on_surface) return answer;
-  const auto surface = layer_->surface();
-  const std::array sources{ExactSource{source}};
-  Answered answered;
-  answer.distances =
-      surface->field(sources, unreachable, surface->at_once(true), answered, progress).distance;
-  answer.how = answered.by;
-  for (double distance : answer.distances) {
-    if (std::isfinite(distance)) answer.largest = std::max(answer.largest, distance);
-  }
-  answer.lines =
-      isolines(*surface->mesh(), answer.distances, round_values(answer.largest), Interpolation::distance);
-  return answer;
+RulerAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
+  const auto find = [&](RulerAnswer& answer) {
+    answer.is_field = true;
+    SurfacePoint source;
+    answer.is_on_surface = snap(from, source);
+    if (!answer.is_on_surface) return;
+    const auto surface = layer_->surface();
+    const std::array sources{ExactSource{source}};
+    Answered answered;
+    answer.distances =
+        surface->field(sources, unreachable, surface->at_once(true), answered, progress).distance;
+    answer.how = answered.by;
+    for (double distance : answer.distances) {
+      if (std::isfinite(distance)) answer.largest = std::max(answer.largest, distance);
+    }
+    answer.isolines =
+        isolines(*surface->mesh(), answer.distances, round_values(answer.largest), Interpolation::distance)
+            .lines;
+  };
+  return answer_of(find);
 }
 
 }  // namespace vorogeo::plugin

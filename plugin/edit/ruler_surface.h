@@ -7,12 +7,20 @@
 #include <vector>
 
 #include "edit/drag_paths.h"
-#include "edit/picked.h"
 #include "layers/layer_surface.h"
+#include "layers/path_lines.h"
 #include "support/progress.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {
+
+/// A point that was picked on the screen: a position in the coordinates of the layer, and how far from the
+/// surface it may lie: what a pixel and the depth of the picture resolve. Farther away, something else was
+/// picked.
+struct Picked {
+  Point at{};
+  double tolerance = 0.0;
+};
 
 /// What answered, as the dock and tables say it: "exact", "quick"; "refined" for paths of the index, which is
 /// named for its fields.
@@ -22,22 +30,24 @@ const char* name_of(AnswerMethod how, bool is_path);
 /// them.
 std::vector<double> round_values(double largest);
 
-/// Both ends lie on the surface, or `path` is not meant to be read.
-struct PathAnswer {
-  bool starts_on_surface = false;
-  bool ends_on_surface = false;
+/// A path or a field.
+struct RulerAnswer {
+  bool is_field = false;
+  bool is_on_surface = false;  ///< all that was picked; otherwise nothing else is meant to be read
+  AnswerMethod how = AnswerMethod::exact;
+  double seconds = 0.0;
+  std::string error;  ///< a sentence; empty if there is none
+
+  // Of a path:
   Point from{};
   Point to{};
-  SurfacePath path;  ///< without points if the ends lie in different components
-  AnswerMethod how = AnswerMethod::exact;
-};
+  double length = unreachable;
+  PathLines lines;  ///< without points if the ends lie in different components
 
-struct FieldAnswer {
-  bool starts_on_surface = false;
+  // Of a field:
   std::vector<double> distances;  ///< of all vertices
   double largest = 0.0;           ///< of those that a path leads to
-  Isolines lines;
-  AnswerMethod how = AnswerMethod::exact;
+  SurfaceLines isolines;
 };
 
 /// A layer as it was when it was read, shared with the filters. The worker makes all that answers need when
@@ -51,16 +61,17 @@ class RulerSurface {
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const { return layer_->index(); }
 
-  // By the worker only. \throw Cancelled, InvalidInput for a mesh that cannot be used.
-  PathAnswer path(const Picked& from, const Picked& to, const Progress& progress);
-  FieldAnswer field(const Picked& from, const Progress& progress);
+  // By the worker only. All errors become sentences. \throw Cancelled.
+  RulerAnswer path(const Picked& from, const Picked& to, const Progress& progress = {});
+  RulerAnswer field(const Picked& from, const Progress& progress = {});
 
   /// Ends what goes on between answers. Only while no answer is being computed.
   void rest() { exact_paths_.reset(); }
 
  private:
   bool snap(const Picked& picked, SurfacePoint& point);
-  SurfacePath exact_path(const SurfacePoint& source, const SurfacePoint& target);
+  SurfacePath find_path(const SurfacePoint& source, const SurfacePoint& target, RulerAnswer& answer,
+                        const Progress& progress);
 
   const std::shared_ptr<LayerSurface> layer_;
   std::unique_ptr<DragPaths> exact_paths_;  ///< the worker's

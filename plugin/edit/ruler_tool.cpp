@@ -38,15 +38,18 @@ SurfaceLines shown_lines(const SurfaceLines& path, const Point& from, const Poin
 
 }  // namespace
 
-RulerTool::RulerTool(std::shared_ptr<RulerShared> shared)
-    : shared_(std::move(shared)),
-      worker_([](const RulerRequest& request, const Progress& progress) { return answer(request, progress); },
-              [this](RulerRequest request, RulerAnswer found) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, request = std::move(request), found = std::move(found)] { take(request, found); },
-                    Qt::QueuedConnection);
-              }) {
+std::shared_ptr<Measurements> RulerShared::measurements_of(MeshDocument& document) {
+  std::erase_if(measurements_,
+                [](const auto& entry) { return entry.first.isNull() || entry.second.expired(); });
+  for (const auto& [known, list] : measurements_) {
+    if (known == &document) return list.lock();
+  }
+  auto made = std::make_shared<Measurements>();
+  measurements_.emplace_back(&document, made);
+  return made;
+}
+
+RulerTool::RulerTool(std::shared_ptr<RulerShared> shared) : shared_(std::move(shared)) {
   ticks_.setInterval(tick_of_preparation);
   connect(&ticks_, &QTimer::timeout, this, [this] { show_status(); });
   // No thread may outlive the program's main function.
@@ -69,13 +72,14 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   shared_->keep_layers_with(document);
   measurements_ = shared_->measurements_of(document);
   if (dock_ == nullptr) {
-    dock_ = new RulerDock(area_->window(), {[this] { prepare(); },
-                                            [this] {
-                                              preparation_.cancel();
-                                              show_status();
-                                            },
-                                            [this] { copy(); }, [this] { save(); },
-                                            [this](const std::vector<int>& numbers) { remove(numbers); }});
+    dock_ = new RulerDock(area_->window(),
+                          {[this] { prepare(); },
+                           [this] {
+                             stop_preparation();
+                             show_status();
+                           },
+                           [this] { copy(); }, [this] { save(); },
+                           [this](const std::vector<int>& numbers) { measurements_->remove(numbers); }});
     dock_->setFloating(true);
     dock_->resize(dock_size);
     dock_->move(area_->mapToGlobal(QPoint(0, std::max(0, area_->height() - dock_->height()))));
@@ -85,7 +89,7 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   area_->setCursor(Qt::CrossCursor);
   read_layer();
   measurements_->watch(this, [this] {
-    if (dock_ != nullptr) dock_->show_measurements(measurements_->list());
+    if (dock_ != nullptr) dock_->show_measurements(*measurements_);
     repaint();
   });
   show_status();
@@ -114,7 +118,7 @@ void RulerTool::stop() {
   live_.reset();
   field_ = {};
   ticks_.stop();
-  preparation_.cancel();
+  stop_preparation();
   worker_.stop();
   if (surface_) surface_->rest();
 }
@@ -140,7 +144,7 @@ void RulerTool::read_layer() {
     layer_ = layer->id();
   }
   if (now == surface_) return;
-  preparation_.cancel();
+  stop_preparation();
   worker_.clear();
   live_.reset();
   field_ = {};
@@ -152,7 +156,7 @@ void RulerTool::read_layer() {
 void RulerTool::warm_up() {
   if (!surface_ || drag_ || surface_->arrays().positions.empty()) return;
   const Picked anywhere{surface_->arrays().positions.front(), unreachable};
-  worker_.post({surface_, -1, false, false, anywhere, anywhere});
+  post({surface_, -1, false, false, anywhere, anywhere});
 }
 
 void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
@@ -199,16 +203,23 @@ void RulerTool::ask() {
   const bool is_last = drag.is_released;
   const bool is_asked = drag.is_field ? drag.to.has_value() : drag.from && drag.to && drag.has_moved;
   if (is_asked) {
-    RulerRequest request{surface_, drag.number, drag.is_field, is_last, drag.is_field ? *drag.to : *drag.from,
-                         *drag.to};
     log_.asked(std::chrono::steady_clock::now());
-    if (is_last) {
-      worker_.post_kept(std::move(request));
-    } else {
-      worker_.post(std::move(request));
-    }
+    post({surface_, drag.number, drag.is_field, is_last, drag.is_field ? *drag.to : *drag.from, *drag.to});
   }
   if (is_last) drag_.reset();
+}
+
+void RulerTool::post(RulerRequest request) {
+  const bool is_kept = request.is_last;
+  auto work = [this, request = std::move(request)](const Progress& progress) {
+    RulerSurface& surface = *request.surface;
+    RulerAnswer found = request.is_field ? surface.field(request.from, progress)
+                                         : surface.path(request.from, request.to, progress);
+    progress.report(1.0, {});  // nothing is delivered once it was cancelled
+    QMetaObject::invokeMethod(
+        this, [this, request, found = std::move(found)] { take(request, found); }, Qt::QueuedConnection);
+  };
+  is_kept ? worker_.post_kept(std::move(work)) : worker_.post(std::move(work));
 }
 
 /// An answer has come. The surface may be another one by now, the drag may have ended.
@@ -219,12 +230,12 @@ void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
     if (dock_ != nullptr) dock_->show_status(QString::fromStdString(found.error));
     return;
   }
-  if (!found.is_on_surface() || request.drag < 0) return;
+  if (!found.is_on_surface || request.drag < 0) return;
   if (request.drag == drags_) {
     log_.computed(found.seconds);
     live_ = found;
     is_new_ = true;
-    if (found.is_field) color_field(found.field);
+    if (found.is_field) color_field(found);
   }
   if (request.is_last) {
     if (found.is_field) {
@@ -254,18 +265,17 @@ void RulerTool::draw(const Transform& transform) {
   Overlay overlay(transform);
   if (live_ && live_->is_field) {
     overlay.surface(field_);
-    overlay.lines(live_->field.lines.lines, isoline_color, isoline_width, false);
+    overlay.lines(live_->isolines, isoline_color, isoline_width, false);
   }
-  for (const Measurement& measurement : measurements_->list().all()) {
+  for (const Measurement& measurement : measurements_->all()) {
     if (measurement.layer != layer_) continue;
     const SurfaceLines& path = measurement.path.lines;
     overlay.lines(shown_lines(path, measurement.from, measurement.to),
                   path.points.empty() ? no_path_color : measured_color, line_width);
   }
   if (live_ && !live_->is_field) {
-    const PathAnswer& path = live_->path;
-    const bool has_path = !path.path.points.empty();
-    overlay.lines(shown_lines(live_->lines.lines, path.from, path.to), has_path ? live_color : no_path_color,
+    const SurfaceLines& path = live_->lines.lines;
+    overlay.lines(shown_lines(path, live_->from, live_->to), path.points.empty() ? no_path_color : live_color,
                   line_width);
   }
 }
@@ -275,14 +285,14 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
   auto add = [&](const Point& at, const QString& text) {
     if (const auto pixel = view.pixel_of(at)) found.push_back({*pixel, text});
   };
-  for (const Measurement& measurement : measurements_->list().all()) {
+  for (const Measurement& measurement : measurements_->all()) {
     if (measurement.layer != layer_) continue;
     const auto cells = Measurements::row(measurement);
     add(measurement.to, QString("%1: %2").arg(measurement.number).arg(QString::fromStdString(cells[1])));
   }
   if (live_ && !live_->is_field) {
-    const PathAnswer& path = live_->path;
-    add(path.to, path.path.points.empty() ? "no path" : QString("%1").arg(path.path.length, 0, 'g', 7));
+    const bool has_path = !live_->lines.lines.points.empty();
+    add(live_->to, has_path ? QString("%1").arg(live_->length, 0, 'g', 7) : "no path");
   }
   return found;
 }

@@ -4,19 +4,52 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "edit/background.h"
 #include "edit/drag_log.h"
-#include "edit/index_preparation.h"
-#include "edit/newest_request.h"
 #include "edit/overlay.h"
 #include "edit/ruler_dock.h"
-#include "edit/ruler_requests.h"
-#include "edit/ruler_shared.h"
+#include "edit/ruler_surface.h"
 #include "host/edit_host.h"
+#include "layers/layer_cache.h"
 
 namespace vorogeo::plugin {
+
+/// What all rulers of the program share: the surfaces of layers, and for each document one list of
+/// measurements. Held by every ruler, so that it outlives the plugin's object where the host unloads that.
+/// All functions are called from the thread of the window.
+class RulerShared {
+ public:
+  /// `keep_layers_with`: surfaces are freed with that document; does nothing once the plugin's object is
+  /// gone.
+  RulerShared(std::shared_ptr<LayerCache> layers, std::function<void(MeshDocument&)> keep_layers_with)
+      : layers_(std::move(layers)), keep_layers_with_(std::move(keep_layers_with)) {}
+
+  LayerCache& layers() { return *layers_; }
+  void keep_layers_with(MeshDocument& document) const { keep_layers_with_(document); }
+  /// The list of a document, as long as a ruler holds it.
+  std::shared_ptr<Measurements> measurements_of(MeshDocument& document);
+
+ private:
+  const std::shared_ptr<LayerCache> layers_;
+  const std::function<void(MeshDocument&)> keep_layers_with_;
+  std::vector<std::pair<QPointer<MeshDocument>, std::weak_ptr<Measurements>>> measurements_;
+};
+
+/// What is asked while the mouse drags.
+struct RulerRequest {
+  std::shared_ptr<RulerSurface> surface;
+  int drag = 0;  ///< a number for each press of the mouse button; -1: of none
+  bool is_field = false;
+  bool is_last = false;  ///< of its drag: the answer is kept
+  Picked from;
+  Picked to;  ///< for a path
+};
 
 /// Presses and moves of the mouse become requests, which one worker answers; painting shows the newest answer
 /// and computes nothing. Belongs to the view in which it was first started.
@@ -55,19 +88,21 @@ class RulerTool : public QObject, public EditTool {
   void warm_up();
   void stop();
   void ask();
+  void post(RulerRequest request);
   std::optional<Picked> pick(const QPoint& at) const;
   void take(const RulerRequest& request, const RulerAnswer& answer);
   void keep_path(const RulerRequest& request, const RulerAnswer& answer);
   void keep_field(const RulerAnswer& answer);
-  void color_field(const FieldAnswer& field);
+  void color_field(const RulerAnswer& field);
   void draw(const Transform& layer);
   std::vector<Label> labels(const SceneView& view) const;
 
   void prepare();
-  void prepared(const std::shared_ptr<RulerSurface>& surface, const IndexPreparation::Result& result);
+  void prepared(const std::shared_ptr<RulerSurface>& surface,
+                const std::shared_ptr<const GeodesicIndex>& index, const std::string& error);
+  void stop_preparation();
   void copy() const;
   void save();
-  void remove(const std::vector<int>& numbers);
   void show_status();
   void repaint();
 
@@ -80,19 +115,20 @@ class RulerTool : public QObject, public EditTool {
 
   int layer_ = -1;  ///< the host's number of the layer that is measured
   std::shared_ptr<RulerSurface> surface_;
-  QString why_not_;                                     ///< without a surface
-  std::shared_ptr<DocumentMeasurements> measurements_;  ///< not null once the tool was started
+  QString why_not_;                             ///< without a surface
+  std::shared_ptr<Measurements> measurements_;  ///< not null once the tool was started
 
   int drags_ = 0;
   std::optional<Drag> drag_;
   std::optional<RulerAnswer> live_;
   ColoredSurface field_;
   bool is_new_ = false;  ///< an answer has not been painted yet
+  bool is_preparing_ = false;
   DragLog log_;
 
   // Last, so that their threads end before anything else is destroyed.
-  IndexPreparation preparation_;
-  NewestRequest<RulerRequest, RulerAnswer> worker_;
+  Background preparation_;  ///< of an index
+  Background worker_;       ///< answers the newest request
 };
 
 }  // namespace vorogeo::plugin

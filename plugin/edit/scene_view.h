@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "edit/picked.h"
+#include "edit/ruler_surface.h"
 
 namespace vorogeo::plugin {
 

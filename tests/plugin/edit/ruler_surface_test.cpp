@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "edit/ruler_requests.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -39,10 +38,10 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
   for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
-    const PathAnswer answer = surface.path(from, to, {});
-    EXPECT_TRUE(answer.starts_on_surface && answer.ends_on_surface);
+    const RulerAnswer answer = surface.path(from, to);
+    EXPECT_TRUE(answer.is_on_surface);
     EXPECT_EQ(answer.how, how);
-    EXPECT_NEAR(answer.path.length, expected, 1e-9);
+    EXPECT_NEAR(answer.length, expected, 1e-9);
     EXPECT_NEAR(distance_between(answer.from, from.at), 0.0, 1e-7);
     EXPECT_NEAR(distance_between(answer.to, to.at), 0.0, 1e-7);
     surface.layer()->use(test::make_index(plate, 2, 2));
@@ -54,8 +53,8 @@ TEST(RulerSurface, ManyTargetsFromManySources) {
   RulerSurface surface(layer_of(plate));
   for (double x : {0.5, 3.5, 0.5}) {
     for (double y : {0.1, 2.9, 1.0}) {
-      const PathAnswer answer = surface.path({{x, 1.5, 0.0}, tolerance}, {{2.0, y, 0.0}, tolerance}, {});
-      EXPECT_NEAR(answer.path.length, std::hypot(x - 2.0, y - 1.5), 1e-9);
+      const RulerAnswer answer = surface.path({{x, 1.5, 0.0}, tolerance}, {{2.0, y, 0.0}, tolerance});
+      EXPECT_NEAR(answer.length, std::hypot(x - 2.0, y - 1.5), 1e-9);
     }
   }
 }
@@ -64,10 +63,10 @@ TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
   RulerSurface surface(layer_of(test::plane_grid(4, 4, 1.0, 1.0).soup));
   const Picked on{{0.5, 0.5, 0.0}, tolerance};
   const Picked above{{0.5, 0.5, 0.1}, tolerance};
-  EXPECT_FALSE(surface.path(above, on, {}).starts_on_surface);
-  EXPECT_FALSE(surface.path(on, above, {}).ends_on_surface);
-  EXPECT_FALSE(surface.field(above, {}).starts_on_surface);
-  EXPECT_TRUE(surface.path(on, {above.at, 0.11}, {}).ends_on_surface);
+  EXPECT_FALSE(surface.path(above, on).is_on_surface);
+  EXPECT_FALSE(surface.path(on, above).is_on_surface);
+  EXPECT_FALSE(surface.field(above).is_on_surface);
+  EXPECT_TRUE(surface.path(on, {above.at, 0.11}).is_on_surface);
 }
 
 TEST(RulerSurface, NoPathToAnotherComponent) {
@@ -77,11 +76,11 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
   RulerSurface surface(layer_of(both));
   const Picked from{{0.5, 0.5, 0.0}, tolerance};
   for (int i = 0; i < 2; ++i) {
-    const PathAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance}, {});
-    EXPECT_TRUE(answer.starts_on_surface && answer.ends_on_surface);
-    EXPECT_TRUE(answer.path.points.empty());
-    EXPECT_EQ(answer.path.length, unreachable);
-    const FieldAnswer field = surface.field(from, {});
+    const RulerAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance});
+    EXPECT_TRUE(answer.is_on_surface);
+    EXPECT_TRUE(answer.lines.lines.points.empty());
+    EXPECT_EQ(answer.length, unreachable);
+    const RulerAnswer field = surface.field(from);
     EXPECT_NEAR(field.largest, std::sqrt(0.5), 1e-6);
     EXPECT_EQ(field.distances.back(), unreachable);
     surface.layer()->use(test::make_index(both, 2, 2));
@@ -93,12 +92,12 @@ TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
   RulerSurface surface(layer_of(sphere));
   const Picked pole{sphere.positions[0], tolerance};
   for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
-    const FieldAnswer field = surface.field(pole, {});
+    const RulerAnswer field = surface.field(pole);
     EXPECT_EQ(field.how, how);
     // An inscribed polyhedron: shorter by about a third of a percent here.
     EXPECT_NEAR(field.largest, std::numbers::pi, 0.02);
     EXPECT_EQ(field.distances[0], 0.0);
-    const double length = field.lines.lines.length();
+    const double length = field.isolines.length();
     double expected = 0.0;
     for (double r : round_values(field.largest)) expected += 2.0 * std::numbers::pi * std::sin(r);
     EXPECT_NEAR(length, expected, 0.02 * expected);
@@ -111,7 +110,7 @@ TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromThePointItself
   ASSERT_GT(plate.positions.size(), static_cast<std::size_t>(max_vertices_at_once));
   RulerSurface surface(layer_of(plate));
   const Picked from{{1.005, 1.003, 0.0}, tolerance};  // half a cell from all vertices
-  const FieldAnswer field = surface.field(from, {});
+  const RulerAnswer field = surface.field(from);
   EXPECT_EQ(field.how, AnswerMethod::quick);
   double largest = 0.0;
   for (std::size_t v = 0; v < plate.positions.size(); ++v) {
@@ -126,10 +125,10 @@ TEST(RulerSurface, MeasuresOverTheGapsThatItBridges) {
   const Picked from{{0.4, 0.2, 0.0}, tolerance};
   const Picked to{{1.7, 0.9, 0.0}, tolerance};
   RulerSurface apart(layer_of(plates.soup));
-  EXPECT_EQ(apart.path(from, to, {}).path.length, unreachable);
+  EXPECT_EQ(apart.path(from, to).length, unreachable);
   RulerSurface bridged(layer_of(plates.soup, {0.02}));
-  EXPECT_NEAR(bridged.path(from, to, {}).path.length, distance_between(from.at, to.at), 1e-9);
-  const FieldAnswer field = bridged.field(from, {});
+  EXPECT_NEAR(bridged.path(from, to).length, distance_between(from.at, to.at), 1e-9);
+  const RulerAnswer field = bridged.field(from);
   const auto corner = plates.soup.positions.size() - 1;
   EXPECT_NEAR(field.distances[corner], distance_between(from.at, plates.soup.positions[corner]), 1e-9);
 }
@@ -139,7 +138,7 @@ TEST(RulerSurface, AnIndexThatIsBuiltForItAnswersFromThenOn) {
   EXPECT_EQ(surface.index(), nullptr);
   const auto index = surface.layer()->surface()->build_index();
   EXPECT_EQ(surface.index(), index);
-  EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}, {}).how, AnswerMethod::index);
+  EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}).how, AnswerMethod::index);
 }
 
 TEST(RulerSurface, ValuesOfIsolinesAreRound) {
@@ -153,27 +152,20 @@ TEST(RulerSurface, ValuesOfIsolinesAreRound) {
   EXPECT_TRUE(round_values(unreachable).empty());
 }
 
-TEST(RulerRequests, ErrorsOfAMeshAreSentences) {
+TEST(RulerSurface, ErrorsOfAMeshAreSentences) {
   VcgMeshArrays bad = arrays_of(test::plane_grid(2, 2, 1.0, 1.0).soup);
   bad.faces[0][1] = 77;
-  RulerRequest request;
-  request.surface = std::make_shared<RulerSurface>(std::make_shared<LayerSurface>(bad));
-  for (bool is_field : {false, true}) {
-    request.is_field = is_field;
-    const RulerAnswer found = answer(request, {});
+  RulerSurface surface(std::make_shared<LayerSurface>(bad));
+  for (const RulerAnswer& found : {surface.path({}, {}), surface.field({})}) {
     EXPECT_NE(found.error.find("77"), std::string::npos) << found.error;
-    EXPECT_FALSE(found.is_on_surface());
+    EXPECT_FALSE(found.is_on_surface);
   }
 }
 
-TEST(RulerRequests, APathComesAsALineOfItsLength) {
-  RulerRequest request;
-  request.surface = std::make_shared<RulerSurface>(layer_of(test::plane_grid(5, 5, 1.0, 1.0).soup));
-  request.from = {{0.1, 0.1, 0.0}, tolerance};
-  request.to = {{0.9, 0.7, 0.0}, tolerance};
-  const RulerAnswer found = answer(request, {});
+TEST(RulerSurface, APathComesAsALineOfItsLength) {
+  RulerSurface surface(layer_of(test::plane_grid(5, 5, 1.0, 1.0).soup));
+  const RulerAnswer found = surface.path({{0.1, 0.1, 0.0}, tolerance}, {{0.9, 0.7, 0.0}, tolerance});
   EXPECT_EQ(found.error, "");
-  EXPECT_TRUE(found.is_on_surface());
   EXPECT_NEAR(found.lines.lines.length(), 1.0, 1e-12);
   EXPECT_NEAR(found.lines.along.back(), 1.0, 1e-12);
   EXPECT_GT(found.seconds, 0.0);
