@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-FROM_POINT = "Geodesic distance from a given point (VoroGeo)"
-BUILD = "Geodesic index: build (VoroGeo)"
-SAVE = "Geodesic index: save to file (VoroGeo)"
-LOAD = "Geodesic index: load from file (VoroGeo)"
+from filter_names import BUILD, EXACT_FROM_POINT, FROM_POINT, LOAD, SAVE
+
 ISOLINES = "Isolines of a geodesic distance (VoroGeo)"
 LAYER = "Geodesic distance from the points or lines of a layer (VoroGeo)"
 PATH = "Shortest path between two points (VoroGeo)"
-EXACT_FROM_POINT = "Exact geodesic distance from a given point (VoroGeo)"
 
 
 @dataclass

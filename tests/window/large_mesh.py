@@ -1,24 +1,18 @@
 """Works on a mesh of two million vertices in MeshLab's window: times, and how long the window does not respond.
 
-Usage (inside a root, within dbus-run-session): python3 large_mesh.py FOLDER
-  FOLDER holds meshes/large.ply; the figures are printed and go to large.json, pictures to shots/.
-
-A question to a widget is answered when MeshLab handles its events, which a filter lets it do at each step of its
-progress: the longest time without an answer is the longest time without a step.
+The figures are also printed (see script.py). A question to a widget is answered when MeshLab handles its events, which
+a filter lets it do at each step of its progress: the longest time without an answer is that without a step.
 """
 
 from __future__ import annotations
 
 import json
-import sys
 import time
 from contextlib import suppress
-from pathlib import Path
 
-from bad_input import BUILD, FROM_POINT
-from loading import EXACT_FROM_POINT
-from meshlab_window import MeshLabWindow
-from screen import Atspi, GLib, start_display, wait_for
+from filter_names import BUILD, EXACT_FROM_POINT, FROM_POINT
+from screen import Atspi, GLib, wait_for
+from script import Script
 
 PATIENCE = 7200
 # The first answer comes without an index.
@@ -30,42 +24,34 @@ STEPS = (
 )
 
 
-class LargeMesh:
+class LargeMesh(Script):
     """The filters of STEPS, one after the other, in one window."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self.seen: dict[str, object] = {"filters": {}}
+    meshes = ("large",)
 
-    def run(self) -> None:
-        """Everything; what was seen before a step failed is kept."""
-        window = MeshLabWindow([self.folder / "meshes" / "large.ply"], self.folder / "large.log")
-        try:
-            for step, name, fields, line in STEPS:
-                dialog = window.open_filter(name)
-                for label, value in fields.items():
-                    window.fill(dialog, label, value)
-                self.seen["filters"][step] = self.watch(window, dialog, line)
-                print(step, json.dumps(self.seen["filters"][step]), flush=True)
-                window.close(dialog)
-            self.seen["alive"] = window.is_alive()
-        finally:
-            window.picture(self.folder / "shots" / "large.png")
-            self.seen["log"] = window.log_lines()
-            (self.folder / "large.json").write_text(json.dumps(self.seen, indent=1))
+    def steps(self) -> None:
+        """Everything."""
+        self.seen["filters"] = {}
+        for step, name, fields, line in STEPS:
+            dialog = self.window.open_filter(name)
+            for label, value in fields.items():
+                self.window.fill(dialog, label, value)
+            self.seen["filters"][step] = self.watch(dialog, line)
+            print(step, json.dumps(self.seen["filters"][step]), flush=True)
+            self.window.close(dialog)
 
-    def watch(self, window: MeshLabWindow, dialog: Atspi.Accessible, line: str) -> dict[str, object]:
+    def watch(self, dialog: Atspi.Accessible, line: str) -> dict[str, object]:
         """Apply and ask the progress bar how far it is, over and over. `line`: begins the filter's line of the log."""
-        bar = next(node for node in window.nodes() if node.get_role() == Atspi.Role.PROGRESS_BAR)
-        already = len(window.log_lines())
+        bar = next(node for node in self.window.nodes() if node.get_role() == Atspi.Role.PROGRESS_BAR)
+        already = len(self.window.log_lines())
         start = time.monotonic()
-        window.press(dialog, "Apply")
+        self.window.press(dialog, "Apply")
         steps, longest, answers, pictured = set(), 0.0, 0, False
 
         def has(begin: str) -> bool:
-            return any(entry.startswith(begin) for entry in window.log_lines()[already:])
+            return any(entry.startswith(begin) for entry in self.window.log_lines()[already:])
 
-        while not has(line) and window.is_alive() and time.monotonic() - start < PATIENCE:
+        while not has(line) and self.window.is_alive() and time.monotonic() - start < PATIENCE:
             asked = time.monotonic()
             with suppress(GLib.Error):
                 steps.add(round(bar.get_current_value()))
@@ -74,9 +60,9 @@ class LargeMesh:
                 longest = max(longest, time.monotonic() - asked)
             if not pictured and time.monotonic() - start > 5:
                 pictured = True
-                window.picture(self.folder / "shots" / "large_in_work.png")
+                self.picture("large_in_work")
         seconds = time.monotonic() - start
-        wait_for("the end of the filter", lambda: has("Applied filter"), PATIENCE, window.is_alive)
+        wait_for("the end of the filter", lambda: has("Applied filter"), PATIENCE, self.window.is_alive)
         return {
             "seconds": seconds,
             "longest without an answer": longest,
@@ -87,6 +73,4 @@ class LargeMesh:
 
 
 if __name__ == "__main__":
-    folder = Path(sys.argv[1])
-    start_display(folder)
-    LargeMesh(folder).run()
+    LargeMesh.main()

@@ -1,23 +1,19 @@
-"""Loads the plugin by MeshLab's own dialog, where it is not installed, and applies a filter.
+"""Loads the plugin by MeshLab's own dialog, where it is not installed, and applies a filter (see script.py).
 
-Usage (inside a root, within dbus-run-session): python3 loading.py FOLDER
-  FOLDER holds meshes/, and ../plugin the built plugin; all that was seen goes to loading.json, which test_loading.py
-  judges.
+FOLDER/../plugin is the built plugin.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from filter_names import EXACT_FROM_POINT
 from meshlab_window import MeshLabWindow
-from screen import Atspi, start_display, wait_for
+from screen import Atspi, wait_for
+from script import Script
 
-EXACT_FROM_POINT = "Exact geodesic distance from a given point (VoroGeo)"
 SOURCE = 777
 INSTALLED = Path("/usr/lib/x86_64-linux-gnu/meshlab/plugins/libfilter_vorogeo.so")
 
@@ -38,55 +34,43 @@ def filters(window: MeshLabWindow) -> list[str]:
     return [item.rpartition("/")[2] for item in window.menu_items("Filters") if "(VoroGeo)" in item]
 
 
-class Loading:
+class Loading(Script):
     """The steps, in order, in one window."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self.seen: dict[str, object] = {"source": SOURCE}
+    home = "home"  # where MeshLab keeps plugins that were loaded so
 
-    def run(self) -> None:
-        """Everything; what was seen before a step failed is kept."""
+    def open(self) -> MeshLabWindow:
+        """A window without our filters."""
         with not_installed():
-            window = MeshLabWindow([self.folder / "meshes" / "terrain.ply"], self.folder / "loading.log")
-        try:
-            self.seen["before"] = filters(window)
-            self.load(window)
-            self.seen["after"] = filters(window)
-            dialog = window.open_filter(EXACT_FROM_POINT)
-            window.fill(dialog, "Start vertex", str(SOURCE))
-            self.seen["applied"] = window.apply(dialog)
-            window.close(dialog)
-            self.seen["alive"] = window.is_alive()
-        finally:
-            window.picture(self.folder / "shots" / "loading_last.png")
-            self.seen["log"] = window.log_lines()
-            (self.folder / "loading.json").write_text(json.dumps(self.seen, indent=1))
+            return super().open()
 
-    def load(self, window: MeshLabWindow) -> None:
+    def steps(self) -> None:
+        """Everything."""
+        self.seen["source"] = SOURCE
+        self.seen["before"] = filters(self.window)
+        self.load()
+        self.seen["after"] = filters(self.window)
+        self.seen["applied"] = self.use(EXACT_FROM_POINT, {"Start vertex": str(SOURCE)})
+
+    def load(self) -> None:
         """Help, Plugin Info, Load Plugins."""
         plugin = self.folder.parent / "plugin" / "plugin" / INSTALLED.name
-        window.choose_in_menu("Help", "Plugin Info")
-        box = wait_for("the list of plugins", window.message_box)
-        window.press(box, "Load Plugins")
-        window.give_file("Load Plugins", plugin)
+        self.window.choose_in_menu("Help", "Plugin Info")
+        box = wait_for("the list of plugins", self.window.message_box)
+        self.window.press(box, "Load Plugins")
+        self.window.give_file("Load Plugins", plugin)
 
         def names() -> list[str]:
-            return [node.get_name() for node in window.nodes(box) if node.get_role() == Atspi.Role.TABLE_CELL]
+            return [node.get_name() for node in self.window.nodes(box) if node.get_role() == Atspi.Role.TABLE_CELL]
 
         wait_for("the plugin in the list", lambda: "FilterVorogeo" in names())
-        window.click(window.find(Atspi.Role.TABLE_CELL, names()[0], box)[0])
-        window.keys("End")
-        wait_for("the end of the list", lambda: window.find(Atspi.Role.TABLE_CELL, "FilterVorogeo", box))
-        window.picture(self.folder / "shots" / "plugin_info.png")
-        window.keys("Escape")
-        wait_for("the list of plugins to close", lambda: window.message_box() is None)
+        self.window.click(self.window.find(Atspi.Role.TABLE_CELL, names()[0], box)[0])
+        self.window.keys("End")
+        wait_for("the end of the list", lambda: self.window.find(Atspi.Role.TABLE_CELL, "FilterVorogeo", box))
+        self.picture("plugin_info")
+        self.window.keys("Escape")
+        wait_for("the list of plugins to close", lambda: self.window.message_box() is None)
 
 
 if __name__ == "__main__":
-    folder = Path(sys.argv[1])
-    home = folder / "home"  # where MeshLab keeps plugins that were loaded so
-    home.mkdir(exist_ok=True)
-    os.environ["HOME"] = str(home)
-    start_display(folder)
-    Loading(folder).run()
+    Loading.main()

@@ -5,16 +5,9 @@ from __future__ import annotations
 import re
 
 import numpy as np
-import pytest
 import vorogeo
 from make_meshes import terrain
-from test_window import saved_mesh, written_down
-
-
-@pytest.fixture(scope="module")
-def seen() -> dict:
-    """What edits.py saw."""
-    return written_down("edits")
+from test_window import saved_mesh
 
 
 def test_point_picked_by_a_double_click_lies_on_the_mesh_and_distances_start_there(seen):

@@ -5,17 +5,11 @@ from __future__ import annotations
 import xml.etree.ElementTree
 
 import numpy as np
-import pytest
 import vorogeo
-from test_window import FOLDER, saved_mesh, written_down
+from results import FOLDER
+from test_window import saved_mesh
 
 FILTER = "Exact geodesic distance from a given point (VoroGeo)"
-
-
-@pytest.fixture(scope="module")
-def scripting() -> dict:
-    """What filter_script.py saw."""
-    return written_down("filter_script")
 
 
 def start_vertices(name: str) -> list[tuple[str, str]]:
@@ -29,12 +23,12 @@ def start_vertices(name: str) -> list[tuple[str, str]]:
     ]
 
 
-def test_script_saved_by_the_window_holds_the_filter(scripting):
-    assert start_vertices("saved.mlx") == [(FILTER, str(scripting["first"]))]
+def test_script_saved_by_the_window_holds_the_filter(seen):
+    assert start_vertices("saved.mlx") == [(FILTER, str(seen["first"]))]
 
 
-def test_script_applied_by_the_window_gives_the_exact_distance(scripting):
-    assert scripting["alive"] is True
+def test_script_applied_by_the_window_gives_the_exact_distance(seen):
+    assert seen["alive"] is True
     vertices, faces, quality = saved_mesh("field_script.ply")
-    exact = vorogeo.exact_distance_field(vertices, faces, [scripting["second"]])
+    exact = vorogeo.exact_distance_field(vertices, faces, [seen["second"]])
     np.testing.assert_allclose(quality, exact, rtol=1e-6)  # the window holds quality in single precision

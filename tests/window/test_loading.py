@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from test_window import all_filters, written_down
-
-
-@pytest.fixture(scope="module")
-def loading() -> dict:
-    """What loading.py saw."""
-    return written_down("loading")
+from results import written_down
+from test_window import all_filters
 
 
 @pytest.fixture(scope="module")
@@ -18,15 +13,15 @@ def extra_folder() -> dict:
     return written_down("extra_folder")
 
 
-def test_load_plugins_adds_every_filter_to_the_menu(loading):
-    assert loading["before"] == []
-    assert set(loading["after"]) == all_filters()
+def test_load_plugins_adds_every_filter_to_the_menu(seen):
+    assert seen["before"] == []
+    assert set(seen["after"]) == all_filters()
 
 
-def test_a_filter_of_a_loaded_plugin_is_applied(loading):
-    assert loading["applied"] == ""
-    assert f"Start: vertex {loading['source']}" in loading["log"]
-    assert loading["alive"] is True
+def test_a_filter_of_a_loaded_plugin_is_applied(seen):
+    assert seen["applied"] == ""
+    assert f"Start: vertex {seen['source']}" in seen["log"]
+    assert seen["alive"] is True
 
 
 def test_plugin_installed_for_one_user_is_found_and_applied(extra_folder):

@@ -8,13 +8,6 @@ import numpy as np
 import pytest
 from bad_input import BAD_INPUT, NO_PATH, NOT_FINITE, NOT_FINITE_SENTENCE
 from make_meshes import terrain
-from test_window import written_down
-
-
-@pytest.fixture(scope="module")
-def seen() -> dict:
-    """What refusals.py saw."""
-    return written_down("refusals")
 
 
 @pytest.mark.parametrize("case", BAD_INPUT, ids=lambda case: case.name)

@@ -10,15 +10,9 @@ import pymeshlab
 import pytest
 import vorogeo
 from make_meshes import HOLE, PLATE_AT, plate_with_hole, sphere
-from test_window import FOLDER, written_down
+from results import FOLDER, written_down
 
 PATH = "generate_polyline_by_vorogeo_geodesic_path"
-
-
-@pytest.fixture(scope="module")
-def seen() -> dict:
-    """What ruler.py saw."""
-    return written_down("ruler")
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +64,7 @@ def test_path_around_the_hole_has_the_length_of_tangents_and_arc(seen, saved):
 
 
 def test_lengths_are_those_of_the_vertices_whatever_the_layers_matrix():
-    before, scaled = written_down("ruler_layer")
+    before, scaled = written_down("ruler_layer")["rows"]
     # The same two places of the view: scaled up, less of the layer lies between them.
     assert float(before[2]) / float(scaled[2]) == pytest.approx(1.1, rel=1e-4)
 
