@@ -1,7 +1,10 @@
 // The exact field against what shares no code with it.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
+#include "exact/exact_geometry.h"
 #include "fuzz/hostile_case.h"
 #include "support/hostile_parts.h"
 #include "support/subdivided_graph.h"
@@ -90,6 +93,22 @@ void check_threads(HostileCase& hostile, ExactSolver& solver, Index source,
   }
 }
 
+/// The same distances if paths are sought around every vertex in every direction, not only where one can
+/// bend: no window that was left out makes a distance shorter.
+void check_bends(HostileCase& hostile, Index source, const std::vector<double>& field) {
+  const auto everywhere = std::make_shared<ExactGeometry>(hostile.mesh);
+  std::ranges::fill(everywhere->can_bend, ExactGeometry::anywhere);
+  ExactSolver solver{std::shared_ptr<const ExactGeometry>(everywhere)};
+  solver.run_from_vertices(std::array{source}, {.distances_only = true});
+  for (Index v = 0; v < hostile.mesh->vertex_count(); ++v) {
+    if (field[v] == solver.distance(v) || std::abs(field[v] - solver.distance(v)) <= hostile.slack(field[v]))
+      continue;
+    hostile.fail(
+        "windows from every vertex give another exact field",
+        "vertex " + std::to_string(v) + ": " + exactly(field[v]) + " and " + exactly(solver.distance(v)));
+  }
+}
+
 }  // namespace
 
 void check_exact(HostileCase& hostile) {
@@ -113,6 +132,7 @@ void check_exact(HostileCase& hostile) {
                    "vertex " + std::to_string(v) + ": " + exactly(field[v]) + " and " + exactly(lean[v]));
     }
     check_threads(hostile, several, source, lean);
+    check_bends(hostile, source, lean);
     const SubdividedGraph graph(hostile.hostile.soup, source, points_per_edge);
     check_against_reference(hostile, source, field, graph);
     for (int t = 0; t < targets; ++t) {
