@@ -304,8 +304,8 @@ class VOROGEO_API Surface {
 };
 
 /// The memory that answers of one thread need, kept between them. For loops of many small questions: the
-/// method is chosen once, and nothing is locked at each. Answers are those of the surface by that method, with
-/// the index that it had when the query was made. For one thread at a time; make one for each.
+/// method is chosen once, and nothing is locked at each. Answers are those of the surface by that method,
+/// with the index that it had when the query was made. For one thread at a time; make one for each.
 class VOROGEO_API Query {
  public:
   Query(Query&&) noexcept;
