@@ -135,6 +135,7 @@ GeodesicDisk geodesic_disk(Surface& surface, const PointList& given, double radi
   require_radius(radius);
   const double reach = static_cast<double>(sources.size()) * surface.reach_of(radius);
   Workers workers(surface, options, 1.0, std::min(1.0, reach));
+  const Watch watch(workers.progress(), "Geodesic disk");
   const auto field = workers.field_on_all_threads(sources, radius);
   GeodesicDisk disk;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {

@@ -1,4 +1,4 @@
-// Bounds by landmarks: never above the exact distance, close to it behind a landmark, harmless elsewhere.
+// Bounds by landmarks: never above the exact distance, equal to it between landmarks, harmless elsewhere.
 #include "exact/exact_landmarks.h"
 
 #include <gtest/gtest.h>
@@ -7,19 +7,17 @@
 #include <random>
 
 #include "exact/exact_solver.h"
+#include "index/index_data.h"
 #include "query/landmarks.h"
 #include "query/path_query.h"
 #include "support/error.h"
+#include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
 
 std::shared_ptr<const Mesh> ring() { return test::make_mesh(test::torus(60, 40, 2.0, 0.8)); }
-
-std::shared_ptr<const Mesh> two_spheres(int subdivisions) {
-  return test::make_mesh(test::two_components(test::icosphere(subdivisions), test::icosphere(subdivisions)));
-}
 
 TEST(ExactLandmarks, BoundsAreNeverAboveTheDistance) {
   const auto mesh = ring();
@@ -91,26 +89,45 @@ TEST(ExactLandmarks, WithAnIndexPathsStayExactAndCertified) {
   }
 }
 
-TEST(ExactLandmarks, OtherComponentsAreNotHarmed) {
-  const auto mesh = two_spheres(2);
-  const auto index = GeodesicIndex::build(mesh, {});
-  PathQuery query(index);
-  query.use_landmarks(landmarks_of(index, 4, 1));
-  for (const Index target : {1, 30, 100}) {
-    for (const Index shift : {Index{0}, mesh->vertex_count() / 2}) {
-      const auto a = SurfacePoint::at_vertex(shift);
-      const auto b = SurfacePoint::at_vertex(shift + target);
-      const double exact = exact_distance_field(mesh, std::array{shift})[shift + target];
-      EXPECT_NEAR(query.exact_path(a, b).path.length, exact, 1e-9 * exact);
+TEST(ExactLandmarks, AreFarApartInTheComponentWithTheMostVertices) {
+  constexpr Index columns = 20;
+  const test::Shape plane = test::plane_grid(columns, columns, 2.0, 2.0, 0.2);
+  const test::Soup sphere = test::icosphere(1);
+  const auto first = static_cast<Index>(sphere.positions.size());
+  const auto index = test::make_index(test::two_components(sphere, plane.soup), 2, 3);
+  const auto landmarks = landmarks_of(index, 4, 2);
+  const IndexData& data = index->data();
+  const bool is_whole = data.unsplit() != nullptr;
+  const auto bound = [&](Index a, Index b) {
+    const auto there = [&](Index v) { return is_whole ? v : data.work.work_vertex[v]; };
+    const SurfacePoint from = SurfacePoint::at_vertex(there(b));
+    return landmarks->least_distance(there(a),
+                                     landmarks->seen_from(is_whole ? *data.mesh : *data.work.mesh, from));
+  };
+  // Farthest points of a square are its corners: between them the bound is the distance.
+  const Index last = (columns + 1) * (columns + 1) - 1;
+  for (const Index a : {Index{0}, columns, last - columns, last}) {
+    for (const Index b : {Index{0}, columns, last - columns, last}) {
+      EXPECT_NEAR(bound(first + a, first + b), plane.vertex_distance(a, b), 1e-5);
     }
   }
+  EXPECT_EQ(bound(0, 5), 0.0) << "no landmark sees the sphere";
+  PathQuery query(index);
+  query.use_landmarks(landmarks);
+  const double exact = exact_distance_field(index->mesh(), std::array<Index, 1>{0})[30];
+  const ExactPath path = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(30));
+  EXPECT_NEAR(path.path.length, exact, 1e-9 * exact);
 }
 
-TEST(ExactLandmarks, TheirNumberIsChecked) {
-  const auto index = GeodesicIndex::build(two_spheres(1), {});
+TEST(ExactLandmarks, TheirNumberIsCheckedAndProgressMayCancel) {
+  const auto index = test::make_index(test::icosphere(1), 2, 3);
   EXPECT_THROW(landmarks_of(index, 0), InvalidInput);
   EXPECT_THROW(landmarks_of(index, ExactLandmarks::max_count + 1), InvalidInput);
   EXPECT_THROW(ExactLandmarks(std::span<const std::vector<double>>{}), InvalidInput);
+  const Progress refusing([](double, const std::string&) { return false; });
+  EXPECT_THROW(landmarks_of(index, 2, 1, refusing), Cancelled);
+  const test::Soup triangle{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, {{0, 1, 2}}};
+  EXPECT_LE(landmarks_of(test::make_index(triangle), 8)->count(), 3);
 }
 
 }  // namespace

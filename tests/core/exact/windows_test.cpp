@@ -79,34 +79,6 @@ TEST(ExactGeometry, PositionsCountFromTheEndThatIsNoOutlier) {
   EXPECT_EQ(long_edges, 10);
 }
 
-// Windows that begin at a vertex that lies on an edge.
-
-TEST(Emission, AVertexInTheMiddleOfAnEdgeOfAFaceWithoutAreaLightsAllOfIt) {
-  // The source in a plane sees everything by straight lines. A vertex on such a line is the middle of the
-  // long side of a face without area, and a raised neighbour makes it a saddle: what lies behind it is
-  // reached by its own windows, which leave through that face.
-  test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0).soup;
-  for (const Index face : {40, 41, 60, 61}) soup = test::with_zero_area_cap(soup, face, face % 3);
-  soup.positions[30][2] = 2.0;
-  const auto mesh = test::make_mesh(soup);
-  ExactSolver solver(mesh);
-  for (const Index source : {0, 12, 49, 77}) {
-    solver.run_from_vertices(std::array{source});
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      // No distance is longer than a neighbour's and the edge between: the least that windows must do; and no
-      // traced path is of another length.
-      for (const Index corner : mesh->corners(v)) {
-        const double edge = mesh->edge_length(mesh->edge_of(corner));
-        EXPECT_LE(solver.distance(v), solver.distance(mesh->head(corner)) + edge + 1e-12);
-      }
-      const SurfacePath path = solver.path_to_source(SurfacePoint::at_vertex(v));
-      EXPECT_TRUE(is_path(*mesh, path, SurfacePoint::at_vertex(v), SurfacePoint::at_vertex(source),
-                          solver.distance(v)))
-          << source << " to " << v;
-    }
-  }
-}
-
 // Windows across faces of every shape: in a plane all distances are straight lines.
 
 TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
@@ -155,28 +127,6 @@ TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
   }
 }
 
-TEST(Propagation, FacesThatMayNotBeEnteredAreABorder) {
-  // A wall of two columns of faces with a gap at the top: the path leads round its end.
-  const auto mesh = test::make_mesh(test::plane_grid(4, 4, 4.0, 4.0).soup);
-  std::vector<std::uint8_t> allowed(mesh->face_count(), 1);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    double x = 0.0;
-    double y = 0.0;
-    for (const Index v : mesh->face_vertices(f)) {
-      x += mesh->position(v)[0] / 3.0;
-      y += mesh->position(v)[1] / 3.0;
-    }
-    if (x > 1.0 && x < 3.0 && y < 3.0) allowed[f] = 0;
-  }
-  ExactSolver solver(mesh);
-  ExactLimits limits;
-  limits.face_allowed = allowed;
-  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
-  // From (0, 0) by (1, 3) and (3, 3) to (4, 0).
-  EXPECT_NEAR(solver.distance(4), 2.0 * std::hypot(1.0, 3.0) + 2.0, 1e-12);
-  EXPECT_LE(solver.barrier_distance(), solver.distance(4));
-}
-
 TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
   // In a flat fan of needles, some edges are split into many pieces: behind such an edge a wave comes in as
   // many windows, all of them with one source.
@@ -215,17 +165,6 @@ TEST(BackStep, DistancesInFacesWithoutArea) {
   }
 }
 
-TEST(BackStep, PointsCloseToTheSourceSeeIt) {
-  const auto mesh = test::make_mesh(test::plane_grid(3, 3, 3.0, 3.0).soup);
-  ExactSolver solver(mesh);
-  const std::array sources{ExactSource{SurfacePoint::in_face(4, {0.25, 0.25, 0.5}), 0.5}};
-  solver.run(sources);
-  const auto target = SurfacePoint::in_face(4, {0.5, 0.25, 0.25});
-  const Point p = position_of(*mesh, sources[0].point);
-  const Point q = position_of(*mesh, target);
-  EXPECT_NEAR(solver.distance(target), 0.5 + std::hypot(p[0] - q[0], p[1] - q[1]), 1e-15);
-}
-
 // Runs in which neighbouring windows are merged: how far they deviate, and what they save.
 
 struct Merged {
@@ -256,12 +195,6 @@ Merged merged(const test::Soup& soup, double tolerance) {
   }
   result.windows = static_cast<double>(made) / static_cast<double>(made_exactly);
   return result;
-}
-
-TEST(WindowMerging, InThePlaneItChangesNextToNothing) {
-  const Merged found = merged(test::plane_grid(30, 30, 1.0, 1.0, 0.2).soup, 1e-3);
-  EXPECT_GT(found.least, -1e-5);
-  EXPECT_LT(found.greatest, 1e-5);
 }
 
 TEST(WindowMerging, SavesWindowsAndErrsByLittleMoreThanItsTolerance) {

@@ -3,9 +3,7 @@
 
 #include <numbers>
 
-#include "exact/virtual_sources.h"
 #include "methods/chen_han.h"
-#include "methods/window_methods.h"
 #include "support/indexes.h"
 #include "support/methods.h"
 #include "support/ply.h"
@@ -13,20 +11,27 @@
 namespace vorogeo {
 namespace {
 
-// The exact method on shapes with a closed form.
+// What is said to be exact is exact on shapes with a closed form, and CH warns before large meshes.
 
-TEST(MmpMethod, IsExactOnABoxAndOnASaddle) {
+TEST(ExactMethods, AreExactOnClosedForms) {
+  const std::vector<std::pair<std::string, MethodOptions>> methods{
+      {"mmp", {}}, {"ammp", {{"eps", 0.0}}}, {"ich", {}}, {"ich", {{"order", 0.0}}}, {"ch", {}}};
   for (const test::Shape& shape :
-       {test::box({1.0, 1.7, 3.1}, 5), test::cone(12, 5, 2.6 * std::numbers::pi, 2.0),
-        test::plane_with_slit(3)}) {
-    const auto field = test::method_field("mmp", test::make_mesh(shape.soup), {11});
-    for (Index v = 0; v < static_cast<Index>(field.size()); ++v) {
-      EXPECT_NEAR(field[v], shape.vertex_distance(11, v), 1e-11) << v;
+       {test::plane_grid(9, 7, 4.0, 3.0, 0.24, 7), test::box({1.0, 1.7, 3.1}, 4),
+        test::cone(9, 4, 1.5 * std::numbers::pi, 2.0), test::cone(12, 4, 2.6 * std::numbers::pi, 2.0),
+        test::book_of_three_pages(4, 2.0, 1.0), test::bow_tie(3), test::plane_with_slit(2)}) {
+    const auto mesh = test::make_mesh(shape.soup);
+    for (const auto& [name, options] : methods) {
+      for (const Index source : {0, 13}) {
+        const auto field = test::method_field(name, mesh, {source}, options);
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          ASSERT_NEAR(field[v], shape.vertex_distance(source, v), 1e-9)
+              << name << ", " << source << ", " << v;
+        }
+      }
     }
   }
 }
-
-// CH and ICH are exact, and CH warns before large meshes.
 
 void expect_exact(const std::string& method, const test::Soup& soup, const MethodOptions& options = {}) {
   const auto mesh = test::make_mesh(soup);
@@ -86,24 +91,6 @@ TEST(AmmpMethod, KeepsItsPromise) {
   }
 }
 
-TEST(AmmpMethod, WithoutToleranceIsExact) {
-  const auto errors =
-      test::errors_against_exact("ammp", test::make_mesh(test::hills(30, 0.4)), 7, {{"eps", 0.0}});
-  EXPECT_EQ(errors.greatest, 0.0);
-}
-
-TEST(AmmpMethod, ReusesNothingForTheNextSource) {
-  // The weakness that the literature names: what a source costs is paid for every source.
-  WindowRuns runs(test::make_mesh(test::icosphere(4)), 3e-4);
-  runs.field(std::vector<Index>{7}, {});
-  const std::size_t windows = runs.window_count();
-  for (const Index source : {8, 100, 7}) {
-    runs.field(std::vector<Index>{source}, {});
-    EXPECT_GT(runs.window_count(), windows / 2) << source;
-  }
-  EXPECT_EQ(runs.window_count(), windows);
-}
-
 TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {
   VOROGEO_READ_OR_SKIP(soup, "bunny");
   const auto errors = test::errors_against_exact("ammp", test::make_mesh(soup), 5);
@@ -111,51 +98,10 @@ TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {
   EXPECT_LT(errors.greatest, 3e-4);
 }
 
-// Virtual sources as a method: vertices in, distances out; what they are is tested with core/exact.
-
-TEST(GspMethod, GivesTheDistancesOfVirtualSources) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
-  const auto field = test::method_field("gsp", mesh, {3, 100});
-  VirtualSources runs(mesh);
-  const std::vector<ExactSource> sources{{SurfacePoint::at_vertex(3)}, {SurfacePoint::at_vertex(100)}};
-  runs.run(sources);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_EQ(field[v], runs.distance(v));
-}
-
-TEST(GspMethod, GoesRoundAnEndOfASlit) {
-  const auto mesh = test::make_mesh(test::plane_with_slit(8).soup);
-  EXPECT_LT(test::errors_against_exact("gsp", mesh, 3).mean, 0.003);
-}
-
-TEST(WindowRuns, MergingMakesFewerWindows) {
-  const auto mesh = test::make_mesh(test::icosphere(5));
-  WindowRuns exact(mesh, 0.0);
-  WindowRuns merged(mesh, 3e-4);
-  const std::vector<Index> source{0};
-  exact.field(source, {});
-  merged.field(source, {});
-  EXPECT_LT(2 * merged.window_count(), exact.window_count());
-}
-
-// The tree of windows against closed forms, and direct geodesics alone.
+// The tree of windows: what order and filter spare, and direct geodesics alone.
 
 WindowTree tree_on(const test::Soup& soup) {
   return WindowTree(std::make_shared<const ExactGeometry>(test::make_mesh(soup)));
-}
-
-TEST(WindowTree, IsExactOnClosedForms) {
-  for (const test::Shape& shape :
-       {test::plane_grid(9, 7, 4.0, 3.0, 0.24, 7), test::box({1.0, 1.7, 3.1}, 4),
-        test::cone(9, 4, 1.5 * std::numbers::pi, 2.0), test::cone(12, 4, 2.6 * std::numbers::pi, 2.0),
-        test::book_of_three_pages(4, 2.0, 1.0), test::bow_tie(3), test::plane_with_slit(2)}) {
-    WindowTree tree = tree_on(shape.soup);
-    for (Index source : {0, 13}) {
-      tree.run({&source, 1}, {});
-      for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
-        ASSERT_NEAR(tree.distance(v), shape.vertex_distance(source, v), 1e-9) << source << " to " << v;
-      }
-    }
-  }
 }
 
 TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {

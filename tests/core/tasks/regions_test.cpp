@@ -1,14 +1,12 @@
-// Voronoi regions: closed forms, borders inside a triangle, and inside a face of another cost.
+// Voronoi regions: where borders meet, shares of a face, and borders inside a face of another cost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "mesh/metric.h"
 #include "mesh/surface_locator.h"
-#include "support/error.h"
 #include "support/shapes.h"
 #include "tasks/voronoi_regions.h"
 
@@ -16,11 +14,8 @@ namespace vorogeo {
 namespace {
 
 using test::Shape;
-using test::Soup;
 
-// ---- Voronoi regions against closed forms: labels, borders where two distances are equal, areas
-
-double straight(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+// ---- Where three distances are equal
 
 std::vector<int> degrees(const SurfaceLines& lines) {
   std::vector<int> degree(lines.points.size(), 0);
@@ -31,8 +26,6 @@ std::vector<int> degrees(const SurfaceLines& lines) {
   return degree;
 }
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
 TEST(VoronoiRegions, ThreePointsMeetAtTheirCircumcentre) {
   const Shape plane = test::plane_grid(10, 10, 1.0, 1.0, 0.2);
   const Index sites[] = {2 * 11 + 2, 3 * 11 + 8, 8 * 11 + 4};
@@ -41,59 +34,12 @@ TEST(VoronoiRegions, ThreePointsMeetAtTheirCircumcentre) {
   const auto degree = degrees(found.borders);
   ASSERT_EQ(std::count(degree.begin(), degree.end(), 3), 1);
   const Point& centre = found.borders.points[std::find(degree.begin(), degree.end(), 3) - degree.begin()];
-  const double radius = straight(centre, plane.soup.positions[sites[0]]);
-  EXPECT_NEAR(straight(centre, plane.soup.positions[sites[1]]), radius, 1e-12);
-  EXPECT_NEAR(straight(centre, plane.soup.positions[sites[2]]), radius, 1e-12);
+  const double radius = distance_between(centre, plane.soup.positions[sites[0]]);
+  EXPECT_NEAR(distance_between(centre, plane.soup.positions[sites[1]]), radius, 1e-12);
+  EXPECT_NEAR(distance_between(centre, plane.soup.positions[sites[2]]), radius, 1e-12);
 }
 
-TEST(VoronoiRegions, TiesAlongEdgesGiveOneLine) {
-  const Shape plane = test::plane_grid(6, 4, 6.0, 4.0);
-  const Index sites[] = {2 * 7 + 1, 2 * 7 + 5};  // the bisector x = 3 is a line of edges
-  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
-  EXPECT_NEAR(found.borders.length(), 4.0, 1e-12);
-  EXPECT_NEAR(found.area[0], 12.0, 1e-12);
-  EXPECT_NEAR(found.area[1], 12.0, 1e-12);
-}
-
-TEST(VoronoiRegions, RoundAPrism) {
-  const Shape prism = test::prism(6, 4, 10, 1.0, 4.0, 0.2);
-  const Index sites[] = {5 * 24 + 2, 5 * 24 + 14};  // opposite each other in the middle row
-  Surface surface(test::make_mesh(prism.soup), {.threads = 2});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
-  // Vertices know their distances from both; two borders run up the prism.
-  for (Index v = 0; v < static_cast<Index>(prism.soup.positions.size()); ++v) {
-    const double a = prism.vertex_distance(sites[0], v);
-    const double b = prism.vertex_distance(sites[1], v);
-    EXPECT_NEAR(found.distance[v], std::min(a, b), 1e-12);
-    if (std::abs(a - b) > 1e-9) {
-      EXPECT_EQ(found.vertex_region[v], a < b ? 0 : 1);
-    }
-  }
-  const auto degree = degrees(found.borders);
-  EXPECT_EQ(std::count(degree.begin(), degree.end(), 1), 4);
-  EXPECT_NEAR(sum(found.area), 24.0, 1e-9);
-}
-
-TEST(VoronoiRegions, OppositeSidesOfABoxShareItEqually) {
-  const Shape box = test::box({2.0, 1.0, 1.0}, 6);
-  auto vertex_at = [&](const Point& p) {
-    for (std::size_t v = 0; v < box.soup.positions.size(); ++v) {
-      if (straight(box.soup.positions[v], p) < 1e-9) return static_cast<Index>(v);
-    }
-    return no_index;
-  };
-  const Index sites[] = {vertex_at({0.0, 0.5, 0.5}), vertex_at({2.0, 0.5, 0.5})};
-  ASSERT_NE(sites[0], no_index);
-  Surface surface(test::make_mesh(box.soup), {.threads = 2});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
-  EXPECT_NEAR(found.area[0], 5.0, 1e-9);
-  EXPECT_NEAR(found.area[1], 5.0, 1e-9);
-  EXPECT_NEAR(found.borders.length(), 4.0, 1e-9);
-  for (const Point& x : found.borders.points) EXPECT_NEAR(x[0], 1.0, 1e-9);
-}
-
-// ---- Shares and borders of regions in a single triangle of the plane, where bisectors are straight lines
+// ---- Shares of regions in a single triangle of the plane, where bisectors are straight lines
 
 /// The triangle (0, 0), (1, 0), (0, 1).
 const test::Soup triangle{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, {{0, 1, 2}}};
@@ -130,60 +76,6 @@ TEST(ShareOfFace, OfEqualSitesTheFirstOwnsTheFace) {
   const std::vector<FaceSite> sites{site_at(4, 0.3, 0.3), site_at(9, 0.3, 0.3)};
   EXPECT_EQ(share_of_face(sites, 0), 1.0);
   EXPECT_EQ(share_of_face(sites, 1), 0.0);
-}
-
-TEST(BorderTracer, TheBorderOfTwoSitesIsTheirBisector) {
-  const auto mesh = test::make_mesh(triangle);
-  std::vector<std::array<Index, 2>> regions;
-  BorderTracer tracer(*mesh, regions);
-  tracer.trace(0, {site_at(2, 0.0, 0.0), site_at(5, 1.0, 0.0)});
-  const SurfaceLines lines = tracer.take();
-  ASSERT_EQ(lines.segments.size(), 1U);
-  EXPECT_EQ(regions, (std::vector<std::array<Index, 2>>{{2, 5}}));
-  for (const Point& p : lines.points) EXPECT_NEAR(p[0], 0.5, 1e-15);
-  EXPECT_NEAR(lines.length(), 0.5, 1e-15);
-}
-
-TEST(BorderTracer, ThreeRegionsMeetAtTheCircumcentreOfTheirSites) {
-  const auto mesh = test::make_mesh(triangle);
-  std::vector<std::array<Index, 2>> regions;
-  BorderTracer tracer(*mesh, regions);
-  // On a circle around (0.3, 0.3), so that this is the point at equal distance from all three.
-  std::vector<FaceSite> sites;
-  for (Index i = 0; i < 3; ++i) {
-    const double angle = 0.4 + 2.1 * i;
-    sites.push_back(site_at(i, 0.3 + 0.2 * std::cos(angle), 0.3 + 0.2 * std::sin(angle)));
-  }
-  tracer.trace(0, sites);
-  const SurfaceLines lines = tracer.take();
-  ASSERT_EQ(lines.segments.size(), 3U);
-  ASSERT_EQ(lines.points.size(), 4U) << "three ends on edges and the point where all meet";
-  int meeting = 0;
-  for (const Point& p : lines.points) meeting += std::hypot(p[0] - 0.3, p[1] - 0.3) < 1e-12 ? 1 : 0;
-  EXPECT_EQ(meeting, 1);
-}
-
-TEST(BorderTracer, NeighbouringFacesShareTheEndsOfTheirBorders) {
-  const auto mesh = test::make_mesh(test::plane_grid(1, 1, 1.0, 1.0).soup);
-  std::vector<std::array<Index, 2>> regions;
-  BorderTracer tracer(*mesh, regions);
-  for (Index face = 0; face < 2; ++face) {
-    std::vector<FaceSite> sites;
-    for (Index i = 0; i < 2; ++i) {
-      FaceSite site{i, {}};
-      for (int c = 0; c < 3; ++c) {
-        const Point& p = mesh->position(mesh->face_vertices(face)[c]);
-        const double x = p[0] - (i == 0 ? 0.2 : 0.9);
-        const double y = p[1] - (i == 0 ? 0.5 : 0.4);
-        site.square[c] = x * x + y * y;
-      }
-      sites.push_back(site);
-    }
-    tracer.trace(face, sites);
-  }
-  const SurfaceLines lines = tracer.take();
-  EXPECT_EQ(lines.segments.size(), 2U);
-  EXPECT_EQ(lines.points.size(), 3U);
 }
 
 // ---- Regions inside a dear face: borders where the distances of both sites are equal
