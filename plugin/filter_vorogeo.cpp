@@ -88,10 +88,11 @@ FilterPlugin::FilterArity FilterVorogeo::filterArity(const QAction*) const { ret
 
 RichParameterList FilterVorogeo::initParameterList(const QAction* action, const MeshDocument& document) {
   if (document.mm() == nullptr) return {};
-  RichParameterList list = row(action).parameters(document);
-  if (row(action).has_metric) vorogeo::plugin::add_metric_parameters(list);
-  vorogeo::plugin::add_gap_parameters(list, document);
-  return list;
+  const FilterRow& described = row(action);
+  return vorogeo::plugin::list_of(
+      described.parameters(document),
+      described.has_metric ? vorogeo::plugin::metric_parameters() : RichParameterList(),
+      vorogeo::plugin::gap_parameters(document));
 }
 
 std::map<std::string, QVariant> FilterVorogeo::applyFilter(const QAction* action,

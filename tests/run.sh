@@ -208,8 +208,7 @@ fi
 # unloaded: each folder has a process of its own. Older PyMeshLab versions are asked only for what differs between them:
 # loading, registration, parameters and files, the host's own methods, and how the package finds its plugin.
 older=()
-for name in loading registration index_files index_filters path_filters method_comparison filter_scripts \
-            host_conditions; do
+for name in loading registration index_filters path_filters method_comparison filter_scripts host_conditions; do
   older+=("tests/plugin/test_$name.py")
 done
 python_newer() {

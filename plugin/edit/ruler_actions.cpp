@@ -120,7 +120,6 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
   is_preparing_ = false;
   if (document_ == nullptr) return;
   if (index) {
-    if (!surface->index()) surface->layer()->use(index);
     log(GLLogStream::FILTER, "Ruler: the index was built in " +
                                  std::to_string(static_cast<int>(index->statistics().seconds + 0.5)) +
                                  " s; the filters use it, too");

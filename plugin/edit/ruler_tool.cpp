@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "host/edit_host.h"
-#include "layers/answering.h"
+#include "layers/layer_metric.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

@@ -95,9 +95,10 @@ Results color_patches(FilterCall& call) {
     refuse(call, "layer", number, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
   }
   const auto layer = layer_of(call);
-  const IndexOfLayer found = index_of(call, *layer);
-  const Mesh& mesh = *found.index->mesh();
-  const auto patches = found.index->face_patches(number);
+  Results results = require_index(call, *layer);
+  const auto index = layer->index();
+  const Mesh& mesh = *index->mesh();
+  const auto patches = index->face_patches(number);
   const PatchColoring coloring = color_neighbors_differently(mesh, patches);
   call.progress.report(1.0, "Writing colours");
 
@@ -106,9 +107,8 @@ Results color_patches(FilterCall& call) {
   call.log("Patches of layer " + std::to_string(number) + ": " +
            std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
            " colours");
-  Results results = {{"patches", static_cast<int>(coloring.color_of_patch.size())},
-                     {"colors", coloring.colors_used}};
-  results.merge(found.about());
+  results["patches"] = static_cast<int>(coloring.color_of_patch.size());
+  results["colors"] = coloring.colors_used;
   return results;
 }
 

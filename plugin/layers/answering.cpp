@@ -13,35 +13,7 @@ namespace vorogeo::plugin {
 
 // ---- Finds the layer in the cache, or reads it
 
-namespace {
-
-void require_faces(const CMeshO& layer) {
-  if (layer.vn == 0) {
-    throw InvalidInput(
-        "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
-  }
-  if (layer.fn == 0) {
-    throw InvalidInput(
-        "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "
-        "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
-  }
-}
-
-}  // namespace
-
-std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure) {
-  require_faces(layer);
-  VcgMeshArrays arrays = arrays_from_vcg(layer);
-  MetricLengths lengths = lengths_in(measure, arrays);
-  std::vector<std::string> remarks = remarks_on(lengths);
-  arrays.sides = std::move(lengths.sides);
-  arrays.splits = std::move(lengths.splits);
-  if (measure.metric == LayerMetric::face_quality) arrays.points_per_edge = FaceSides{}.points_per_edge;
-  return std::make_shared<LayerSurface>(std::move(arrays), std::move(measure), std::move(remarks));
-}
-
 std::shared_ptr<LayerSurface> layer_of(FilterCall& call) {
-  require_faces(call.layer.cm);  // which matters more than what its costs are
   LayerMeasure measure = measure_of(call);
   auto layer = call.layers.find(call.layer.cm, measure, &call.document);
   const bool is_new = layer == nullptr;
@@ -91,10 +63,6 @@ Results statistics_results(const IndexStatistics& s) {
           {"expected_fields", s.expected_fields}};
 }
 
-Results IndexOfLayer::about() const {
-  return {{"index_reused", reused}, {"index_seconds", reused ? 0.0 : index->statistics().seconds}};
-}
-
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface& layer,
                                                  const IndexOptions& options, const Progress& progress,
                                                  const std::filesystem::path& file) {
@@ -108,12 +76,13 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
   return index;
 }
 
-IndexOfLayer index_of(FilterCall& call, LayerSurface& layer) {
-  if (auto index = layer.index()) {
+Results require_index(FilterCall& call, LayerSurface& layer) {
+  if (layer.index()) {
     call.log("Geodesic index: reused, the mesh has not changed since it was built");
-    return {std::move(index), true};
+    return {{"index_reused", true}, {"index_seconds", 0.0}};
   }
-  return {build_index(call, layer, {}, call.progress.part(0.0, 0.9)), false};
+  const auto index = build_index(call, layer, {}, call.progress.part(0.0, 0.9));
+  return {{"index_reused", false}, {"index_seconds", index->statistics().seconds}};
 }
 
 // ---- The method, and what is logged and returned about an answer
@@ -167,9 +136,9 @@ TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer) {
     log_warnings(call, layer);
     return {layer.surface(), {.by = AnswerMethod::exact, .progress = call.progress}, {}};
   }
-  const IndexOfLayer found = index_of(call, layer);
-  const Progress rest = found.reused ? call.progress : call.progress.part(0.9, 1.0);
-  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, found.about()};
+  const Progress rest = layer.index() ? call.progress : call.progress.part(0.9, 1.0);
+  Results about_index = require_index(call, layer);
+  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, std::move(about_index)};
 }
 
 }  // namespace vorogeo::plugin

@@ -17,10 +17,6 @@ namespace vorogeo::plugin {
 
 // ---- The layer of a call
 
-/// Reads a layer, to be measured like this. \throw InvalidInput for one without vertices or faces, and for a
-/// coordinate that is NaN or infinite (names the vertex).
-std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure);
-
 /// The current layer in the metric and with the gaps that the parameters choose: that of an earlier call if
 /// nothing of it has changed since, otherwise read anew, while the window stays responsive. Its mesh has been
 /// made. \throw InvalidInput as read_surface() and measure_of().
@@ -30,15 +26,6 @@ std::shared_ptr<LayerSurface> layer_of(FilterCall& call);
 void log_warnings(FilterCall& call, LayerSurface& layer);
 
 // ---- The index of a layer
-
-/// An index and how it was obtained.
-struct IndexOfLayer {
-  std::shared_ptr<const GeodesicIndex> index;
-  bool reused = false;
-
-  /// What a filter returns about it: index_reused and index_seconds.
-  Results about() const;
-};
 
 /// What an index holds, as one line of the log and as values to return.
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
@@ -51,9 +38,9 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
                                                  const IndexOptions& options, const Progress& progress,
                                                  const std::filesystem::path& file = {});
 
-/// The index of the layer, whatever its options; one with default options if there is none. Building takes
-/// the first nine tenths of the progress.
-IndexOfLayer index_of(FilterCall& call, LayerSurface& layer);
+/// Makes sure that the layer has an index, whatever its options: builds one with default options if there is
+/// none, in the first nine tenths of the progress. \return index_reused and index_seconds.
+Results require_index(FilterCall& call, LayerSurface& layer);
 
 // ---- The parameter method of the distance filters, and answers by it
 

@@ -12,9 +12,19 @@
 
 namespace vorogeo::plugin {
 
-// ---- Reads costs and tensors of a layer and integrates them along its edges
-
 namespace {
+
+void require_faces(const CMeshO& layer) {
+  if (layer.vn == 0) {
+    throw InvalidInput(
+        "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
+  }
+  if (layer.fn == 0) {
+    throw InvalidInput(
+        "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "
+        "faces. Reconstruct a surface from it first, for example by Screened Poisson.");
+  }
+}
 
 constexpr const char* cost_attribute = "metric_cost";
 constexpr const char* result_attribute = "metric_result";
@@ -97,35 +107,101 @@ std::vector<double> cost_of_vertices(const FilterCall& call) {
   return cost;
 }
 
-}  // namespace
-
-namespace {
-
 /// These parameters are shown on request only: most questions are about lengths on the mesh as it is.
 constexpr bool advanced = true;
 
+/// No gap where a list does not have these parameters, as one from an older filter script.
+GapLimit gap_of(const FilterCall& call) {
+  if (!call.parameters.hasParameter("gap")) return {};
+  return {length_of(call, "gap", true),
+          call.parameters.hasParameter("bridge_folds") && call.parameters.getBool("bridge_folds")};
+}
+
+/// Length in scripts that were written without a metric.
+LayerMetric metric_of(const FilterCall& call) {
+  if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
+  const int number = call.parameters.getEnum("metric");
+  if (number < 0 || number > static_cast<int>(LayerMetric::face_quality)) {
+    refuse(call, "metric", number,
+           ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature "
+           "or 4 for face quality as cost.");
+  }
+  return static_cast<LayerMetric>(number);
+}
+
+/// Side lengths of the faces in a metric, and faces split for it; empty for length. With a cost for each
+/// face, the faces of an edge disagree.
+MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
+  const auto& [positions, faces] = std::tie(arrays.positions, arrays.faces);
+  switch (measure.metric) {
+    case LayerMetric::length:
+      break;
+    case LayerMetric::vertex_quality:
+      return lengths_by_cost(positions, faces, measure.cost);
+    case LayerMetric::face_quality: {
+      MetricLengths lengths;
+      lengths.sides = sides_by_face_cost(positions, faces, measure.cost);
+      return lengths;
+    }
+    case LayerMetric::slope:
+      return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
+    case LayerMetric::curvature:
+      return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
+  }
+  return {};
+}
+
+/// How many faces were split and edges shortened, one sentence each.
+std::vector<std::string> remarks_on(const MetricLengths& lengths) {
+  std::vector<std::string> remarks;
+  if (lengths.split_faces > 0) {
+    remarks.push_back("Metric: " + std::to_string(lengths.split_faces) +
+                      " faces are measured in parts, as one side would cost more than the other two "
+                      "together; the mesh is coarse for this metric");
+  }
+  if (lengths.shortened_edges > 0) {
+    remarks.push_back(
+        "Metric: " + std::to_string(lengths.shortened_edges) +
+        " edges would cost more than the other two sides of a face together, and cost as much as these");
+  }
+  return remarks;
+}
+
 }  // namespace
 
-void add_metric_parameters(RichParameterList& list) {
-  list.addParam(RichEnum(
-      "metric", static_cast<int>(LayerMetric::length),
-      {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature", "Face quality as cost"},
-      "Metric",
-      "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each "
-      "unit of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; "
-      "more across ridges and limbs than along them; or the quality of faces as a cost that jumps at "
-      "edges, where paths refract. An index belongs to its metric: newly "
-      "painted quality is another metric. A filter that overwrites the quality keeps the cost as "
-      "the vertex attribute metric_cost, so that it can be applied again.",
-      advanced));
-  list.addParam(RichFloat(
-      "slope_penalty", 1, "Slope penalty",
-      "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points upwards.",
-      advanced));
-  list.addParam(RichFloat("curvature_weight", 3, "Curvature weight",
-                          "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, "
-                          "they run around them.",
-                          advanced));
+RichParameterList metric_parameters() {
+  return list_of(
+      RichEnum(
+          "metric", static_cast<int>(LayerMetric::length),
+          {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature", "Face quality as cost"},
+          "Metric",
+          "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each unit "
+          "of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; more "
+          "across ridges and limbs than along them; or the quality of faces as a cost that jumps at edges, "
+          "where paths refract. An index belongs to its metric: newly painted quality is another metric. A "
+          "filter that overwrites the quality keeps the cost as the vertex attribute metric_cost, so that it "
+          "can be applied again.",
+          advanced),
+      RichFloat("slope_penalty", 1, "Slope penalty",
+                "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points "
+                "upwards.",
+                advanced),
+      RichFloat("curvature_weight", 3, "Curvature weight",
+                "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, they run "
+                "around them.",
+                advanced));
+}
+
+RichParameterList gap_parameters(const MeshDocument& document) {
+  return list_of(
+      length_parameter(
+          document, "gap", 0.0, "Bridge gaps up to (0: none)",
+          "Borders at most this far apart that face each other, and equal positions, are joined in the mesh "
+          "that is measured on; crossing a gap costs its width. The layer is not changed.",
+          advanced),
+      RichBool("bridge_folds", false, "Bridge folds",
+               "Bridge also where the surface would turn back: rims side by side, sheets above each other.",
+               advanced));
 }
 
 // Short: a dialog is as high as its help, and must leave room for its buttons on a small screen.
@@ -133,19 +209,8 @@ QString help_on_metric() {
   return "<p><b>Metric</b>: lengths, or a cost of paths; its tooltip explains.</p>";
 }
 
-LayerMetric metric_of(const FilterCall& call) {
-  if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
-  const int number = call.parameters.getEnum("metric");
-  if (number < 0 || number > static_cast<int>(LayerMetric::face_quality)) {
-    refuse(
-        call, "metric", number,
-        ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature or "
-        "4 for face quality as cost.");
-  }
-  return static_cast<LayerMetric>(number);
-}
-
 LayerMeasure measure_of(const FilterCall& call) {
+  require_faces(call.layer.cm);  // which matters more than what its costs are
   LayerMeasure measure;
   measure.gap = gap_of(call);
   measure.metric = metric_of(call);
@@ -176,40 +241,15 @@ LayerMeasure measure_of(const FilterCall& call) {
   return measure;
 }
 
-MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
-  const auto& [positions, faces] = std::tie(arrays.positions, arrays.faces);
-  switch (measure.metric) {
-    case LayerMetric::length:
-      break;
-    case LayerMetric::vertex_quality:
-      return lengths_by_cost(positions, faces, measure.cost);
-    case LayerMetric::face_quality: {
-      MetricLengths lengths;
-      lengths.sides = sides_by_face_cost(positions, faces, measure.cost);
-      return lengths;
-    }
-    case LayerMetric::slope:
-      return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
-    case LayerMetric::curvature:
-      return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
-  }
-  return {};
-}
-
-std::vector<std::string> remarks_on(const MetricLengths& lengths) {
-  std::vector<std::string> remarks;
-  if (lengths.split_faces > 0) {
-    remarks.push_back(
-        "Metric: " + std::to_string(lengths.split_faces) +
-        " faces are measured in parts, as one side would cost more than the other two together; the mesh "
-        "is coarse for this metric");
-  }
-  if (lengths.shortened_edges > 0) {
-    remarks.push_back(
-        "Metric: " + std::to_string(lengths.shortened_edges) +
-        " edges would cost more than the other two sides of a face together, and cost as much as these");
-  }
-  return remarks;
+std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure) {
+  require_faces(layer);
+  VcgMeshArrays arrays = arrays_from_vcg(layer);
+  MetricLengths lengths = lengths_in(measure, arrays);
+  std::vector<std::string> remarks = remarks_on(lengths);
+  arrays.sides = std::move(lengths.sides);
+  arrays.splits = std::move(lengths.splits);
+  if (measure.metric == LayerMetric::face_quality) arrays.points_per_edge = FaceSides{}.points_per_edge;
+  return std::make_shared<LayerSurface>(std::move(arrays), std::move(measure), std::move(remarks));
 }
 
 KeptCost::KeptCost(const FilterCall& call, const FilterRow& row) {
@@ -229,26 +269,6 @@ void KeptCost::write(FilterCall& call) const {
     cost[v] = cost_[v];
     result[v] = layer.vert[v].cQ();
   }
-}
-
-// ---- Reads gap and bridge_folds
-
-void add_gap_parameters(RichParameterList& list, const MeshDocument& document) {
-  list.addParam(length_parameter(
-      document, "gap", 0.0, "Bridge gaps up to (0: none)",
-      "Borders at most this far apart that face each other, and equal positions, are joined in the mesh that "
-      "is measured on; crossing a gap costs its width. The layer is not changed.",
-      advanced));
-  list.addParam(
-      RichBool("bridge_folds", false, "Bridge folds",
-               "Bridge also where the surface would turn back: rims side by side, sheets above each other.",
-               advanced));
-}
-
-GapLimit gap_of(const FilterCall& call) {
-  if (!call.parameters.hasParameter("gap")) return {};
-  return {length_of(call, "gap", true),
-          call.parameters.hasParameter("bridge_folds") && call.parameters.getBool("bridge_folds")};
 }
 
 }  // namespace vorogeo::plugin

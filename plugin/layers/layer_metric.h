@@ -2,34 +2,28 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <vector>
 
 #include "host/filter_row.h"
 #include "layers/layer_surface.h"
-#include "mesh/metric.h"
 
 namespace vorogeo::plugin {
 
-// ---- The metric of a filter: the group of parameters that chooses it
-
-/// The parameters metric, slope_penalty and curvature_weight.
-void add_metric_parameters(RichParameterList& list);
+// The parameters metric, slope_penalty and curvature_weight; and those by which every filter bridges gaps:
+// gap and bridge_folds.
+RichParameterList metric_parameters();
 QString help_on_metric();
+RichParameterList gap_parameters(const MeshDocument& document);
 
-/// The metric that is chosen; length in scripts that were written without one. \throw InvalidInput for
-/// another number.
-LayerMetric metric_of(const FilterCall& call);
-
-/// What the parameters choose. \throw InvalidInput if the layer has no quality, one that is no cost (names
-/// the vertex or face by its number in the host), or another parameter is out of range.
+/// What the parameters of a filter choose for its layer. \throw InvalidInput if that has no vertices or
+/// faces, no quality, or one that is no cost (names the vertex or face by its number in the host), or another
+/// parameter is out of range.
 LayerMeasure measure_of(const FilterCall& call);
 
-/// Side lengths of the faces in a metric, and faces split for it; empty for length. With a cost for each
-/// face, the faces of an edge disagree.
-MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& arrays);
-
-/// How many faces were split and edges shortened, one sentence each.
-std::vector<std::string> remarks_on(const MetricLengths& lengths);
+/// Reads a layer, to be measured like this. \throw InvalidInput for one without vertices or faces, and for a
+/// coordinate that is NaN or infinite (names the vertex).
+std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure);
 
 /// The quality that is the metric's cost, kept while a filter overwrites it.
 ///
@@ -46,14 +40,5 @@ class KeptCost {
  private:
   std::vector<Scalarm> cost_;  ///< by vertex of the host; empty: nothing to keep
 };
-
-// ---- The parameters by which every filter bridges gaps of the surface
-
-/// Adds gap and bridge_folds.
-void add_gap_parameters(RichParameterList& list, const MeshDocument& document);
-
-/// Their values; no gap where a list does not have them, as one from an older filter script.
-/// \throw InvalidInput for a length that is negative or not finite.
-GapLimit gap_of(const FilterCall& call);
 
 }  // namespace vorogeo::plugin

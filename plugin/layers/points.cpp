@@ -174,9 +174,8 @@ SnappedPoint end_of(const FilterCall& call, LayerSurface& layer, const char* ver
   const int number = call.parameters.getInt(vertex);
   if (number != -1) return {SurfacePoint::at_vertex(vertex_of(call, layer, vertex)), 0.0};
   const Point at = point_of(call, point);
-  return PointSnapper(call, layer)
-      .snap(
-          at, [&] { return named(call, point); }, "the point");
+  const auto name = [&] { return named(call, point); };
+  return PointSnapper(call, layer).snap(at, name, "the point");
 }
 
 }  // namespace

@@ -38,32 +38,52 @@ EXTENT = "get_vorogeo_diameter_and_centre"
 FROM_LAYER = "compute_scalar_by_vorogeo_distance_from_layer_per_vertex"
 FROM_EDGES = "compute_scalar_by_vorogeo_distance_from_edges_per_vertex"
 PATH = "generate_polyline_by_vorogeo_geodesic_path"
-ALL_FILTERS = [
-    INDEX,
-    FROM_POINT,
-    FROM_SELECTION,
-    FROM_BORDER,
-    EXACT_FROM_POINT,
-    EXACT_FROM_SELECTION,
-    PATCHES,
-    TWO_POINTS,
-    DESCRIBE_INDEX,
-    COMPARISON,
-    METHOD_TABLE,
-    MATRIX,
-    PAIRS_WITHIN,
-    NEAREST,
-    VORONOI,
-    FARTHEST,
-    POISSON,
-    LLOYD,
-    ISOLINES,
-    DISK,
-    EXTENT,
-    FROM_LAYER,
-    FROM_EDGES,
-    PATH,
-]
+
+# What the host may take a filter to change.
+VERTEX_COLOR, VERTEX_QUALITY, FACE_COLOR = 0x8, 0x10, 0x8000
+VERTEX_SELECTION, FACE_SELECTION = 0x1000000, 0x2000000
+FIELD = VERTEX_COLOR | VERTEX_QUALITY
+TASK_POINTS = {"point_layer", "surface_points", "max_snap_distance"}
+END_POINTS = {"source", "target", "source_point", "target_point", "surface_points", "max_snap_distance"}
+
+# By filter: the names of its parameters, without those that all have, and what it changes.
+FILTERS: dict[str, tuple[set[str], int]] = {
+    INDEX: ({"n1", "n2", "delta", "memory_budget", "index_file", "threads", "seed"}, 0),
+    DESCRIBE_INDEX: (set(), 0),
+    SAVE_INDEX: ({"index_file"}, 0),
+    LOAD_INDEX: ({"index_file"}, 0),
+    FROM_POINT: ({"start_point", "vertex_index", "method", "max_distance"}, FIELD),
+    FROM_SELECTION: ({"method", "max_distance"}, FIELD),
+    FROM_BORDER: ({"method", "max_distance"}, FIELD),
+    EXACT_FROM_POINT: ({"start_point", "vertex_index", "max_distance"}, FIELD),
+    EXACT_FROM_SELECTION: ({"max_distance"}, FIELD),
+    FROM_LAYER: (
+        {"source_layer", "spacing", "max_snap_distance", "quality_as_offset", "method", "max_distance"},
+        FIELD,
+    ),
+    FROM_EDGES: ({"from_border", "spacing", "method", "max_distance"}, FIELD),
+    TWO_POINTS: ({"method"} | END_POINTS, 0),
+    PATH: ({"method", "exact", "certify"} | END_POINTS, 0),
+    MATRIX: ({"matrix_file", "exact"} | TASK_POINTS, 0),
+    PAIRS_WITHIN: ({"radius", "matrix_file", "exact"} | TASK_POINTS, 0),
+    NEAREST: ({"source_layer", "neighbour_number", "matrix_file", "exact"} | TASK_POINTS, 0),
+    PATCHES: ({"layer"}, FACE_COLOR),
+    VORONOI: ({"borders", "exact"} | TASK_POINTS, FACE_COLOR | VERTEX_QUALITY),
+    ISOLINES: ({"line_number", "values", "is_distance"}, 0),
+    DISK: ({"radius", "vertex_index", "exact"} | TASK_POINTS, VERTEX_SELECTION | FACE_SELECTION),
+    EXTENT: ({"fields", "vertex_index", "exact"}, 0),
+    FARTHEST: ({"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS, 0),
+    POISSON: ({"radius", "seed", "exact"}, 0),
+    LLOYD: ({"rounds", "exact"} | TASK_POINTS, 0),
+    COMPARISON: ({"start_point", "vertex_index", "method", "reference"}, FIELD),
+    METHOD_TABLE: ({"methods", "sources", "csv_file"}, 0),
+}
+# Those that can be applied without a file.
+ALL_FILTERS = [name for name in FILTERS if name not in (SAVE_INDEX, LOAD_INDEX)]
+FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
+FROM_A_SELECTION = [FROM_SELECTION, EXACT_FROM_SELECTION]
+FIELDS = [*FROM_A_POINT, *FROM_A_SELECTION, FROM_BORDER]
+OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK]
 
 PROJECT = Path(__file__).resolve().parents[2]
 

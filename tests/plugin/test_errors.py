@@ -7,156 +7,207 @@ import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
+    COMPARISON,
+    DISK,
     EXACT_FROM_POINT,
-    EXACT_FROM_SELECTION,
+    EXTENT,
+    FARTHEST,
+    FIELDS,
+    FROM_A_POINT,
+    FROM_A_SELECTION,
     FROM_BORDER,
-    FROM_POINT,
-    FROM_SELECTION,
+    FROM_EDGES,
+    FROM_LAYER,
     INDEX,
+    ISOLINES,
+    LLOYD,
+    LOAD_INDEX,
+    MATRIX,
+    METHOD_TABLE,
+    NEAREST,
+    OF_TASK_POINTS,
+    PAIRS_WITHIN,
     PATCHES,
+    PATH,
+    POISSON,
+    SAVE_INDEX,
     TWO_POINTS,
+    VORONOI,
     fails_and_changes_nothing,
     grid,
+    layer_count,
     length,
     mesh_set,
+    select_vertices,
     sphere,
 )
 
-FIELDS = [FROM_POINT, FROM_SELECTION, FROM_BORDER, EXACT_FROM_POINT, EXACT_FROM_SELECTION]
-FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
-
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
-def test_layer_without_vertices(name):
-    ms = mesh_set(*grid(3, 3))
-    ms.apply_filter("set_selection_all")
-    ms.apply_filter("meshing_remove_selected_vertices_and_faces")
-    assert ms.current_mesh().vertex_number() == 0
-    with pytest.raises(pymeshlab.PyMeshLabException, match=r"is empty: it has no vertices\. Load or create"):
-        ms.apply_filter(name)
-
-
-@pytest.mark.parametrize("name", ALL_FILTERS)
-def test_no_layer(name):
+def test_what_is_no_surface(name):
     with pytest.raises(pymeshlab.PyMeshLabException):
         pymeshlab.MeshSet().apply_filter(name)
+    cloud = mesh_set(grid(3, 3)[0])
+    with fails_and_changes_nothing(cloud, "is a point cloud: it has vertices but no faces"):
+        cloud.apply_filter(name)
 
 
-@pytest.mark.parametrize("name", ALL_FILTERS)
-def test_point_cloud(name):
-    ms = mesh_set(grid(3, 3)[0])
-    with fails_and_changes_nothing(ms, "is a point cloud: it has vertices but no faces"):
+@pytest.fixture
+def ms():
+    """A square with a selected vertex, a layer with a point half above it, and one without vertices."""
+    result = mesh_set(*grid(3, 3))
+    result.add_mesh(pymeshlab.Mesh(np.array([[1.0, 1.0, 0.5]])))
+    result.add_mesh(pymeshlab.Mesh(np.zeros((1, 3))))
+    result.apply_filter("set_selection_all")
+    result.apply_filter("meshing_remove_selected_vertices")
+    result.set_current_mesh(0)
+    select_vertices(result, [3])
+    return result
+
+
+NEAR = length(0.1)
+NEGATIVE = length(-1)
+OF_INDEX = [
+    ({"n1": -1}, "(n1) is -1. Give a positive number of patches"),
+    ({"n1": 1000}, "first-layer patches, n1, is 1000; give one from 0"),
+    ({"n2": 1000}, "second-layer patches, n2, is 1000; give one from 0"),
+    ({"n2": -7}, "(n2) is -7. Give a positive number of patches"),
+    ({"delta": -0.5}, "(delta) is -0.5. Give a number from 0 to below 1"),
+    ({"delta": 1.0}, "(delta) is 1. Give a number from 0 to below 1"),
+    ({"delta": np.nan}, "(delta) is nan. Give a number from 0 to below 1"),
+    ({"memory_budget": -1}, "(memory_budget) is -1"),
+    ({"threads": -1}, "(threads) is -1. Give a number from 1 to 1024, or 0 for one per core"),
+    ({"threads": 1025}, "(threads) is 1025. Give a number from 1 to 1024"),
+    ({"threads": 2**31 - 1}, "(threads) is 2147483647. Give a number from 1 to 1024"),
+    ({"seed": -1}, "(seed) is -1. Give 0 or a positive number"),
+    ({"index_file": "/nowhere/index.vgi"}, "cannot be written: there is no folder"),
+    ({"index_file": "/tmp"}, "is a folder; name a file in it"),
+    ({"index_file": "/proc/vorogeo.vgi"}, "/proc/vorogeo.vgi"),
+]
+BAD_POINTS = [
+    ({"surface_points": "7; two"}, '"two", point 1 of'),
+    ({"surface_points": "7 0.5"}, "is not a surface point"),
+    ({"surface_points": ";"}, "holds no point"),
+    ({"surface_points": "99999"}, "is 99999, but the vertices of the current layer are numbered"),
+    ({"surface_points": "700 0.2 0.3 0.5"}, "names face 700"),
+    ({"surface_points": "7 0.2 0.3 0.6"}, "point 0 of"),
+    ({"surface_points": "7 nan 0.3 0.6"}, "point 0 of"),
+    ({"point_layer": 9}, "(point_layer) is 9, but there is no such layer"),
+    ({"point_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
+    ({"point_layer": 2}, "Layer 2 has no vertex"),
+]
+REFUSED = [
+    *[(INDEX, *row) for row in OF_INDEX],
+    *[(PATCHES, {"layer": n}, f"(layer) is {n}. The index has two layers") for n in (0, 3, -1)],
+    # The parameter is named as the window shows it and as scripts call it.
+    *[
+        (
+            name,
+            {"vertex_index": n},
+            f'"Start vertex" (vertex_index) is {n}, but the vertices of the current layer are numbered from 0 to 15',
+        )
+        for name in (*FROM_A_POINT, COMPARISON)
+        for n in (-2, 16, 2**31 - 1)
+    ],
+    *[(name, {"start_point": [0, np.nan, 0]}, "(start_point) has a coordinate that is NaN") for name in FROM_A_POINT],
+    *[
+        (name, {"max_distance": length(value)}, f"(max_distance) is {value}")
+        for name in FIELDS
+        for value in (-0.5, np.nan, np.inf)
+    ],
+    *[(TWO_POINTS, {end: n}, f"({end}) is {n}, but the vertices") for end in ("source", "target") for n in (-2, 16)],
+    *[
+        (name, parameters, message)
+        for name in (PATH, TWO_POINTS)
+        for parameters, message in [
+            ({"surface_points": "1; 2; 3"}, "holds 3 points. Give two"),
+            ({"source": 0, "target": 5, "method": "quick"}, "The quick method computes fields only"),
+            (
+                {"source": -1, "source_point": [1, 1, 3.0], "target": 7, "max_snap_distance": NEAR},
+                "(source_point) is 3",
+            ),
+        ]
+    ],
+    *[(name, row, message) for name in OF_TASK_POINTS for row, message in BAD_POINTS],
+    *[
+        (name, parameters, message)
+        for name in (FROM_LAYER, NEAREST)
+        for parameters, message in [
+            ({"source_layer": 7}, "(source_layer) is 7, but there is no such layer"),
+            ({"source_layer": 0}, "the current layer itself"),
+            ({"source_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
+            ({"source_layer": 2}, "Layer 2 has no vertex"),
+        ]
+    ],
+    (FROM_EDGES, {}, "No edge is selected"),
+    (FROM_EDGES, {"from_border": True, "spacing": NEGATIVE}, "(spacing) is -1"),
+    (NEAREST, {"source_layer": 1, "neighbour_number": 0}, "(neighbour_number) is 0"),
+    (NEAREST, {"source_layer": 1, "matrix_file": "/nowhere/x.npy"}, "no folder"),
+    (MATRIX, {"matrix_file": "/nowhere/x.npy"}, "cannot be written"),
+    (PAIRS_WITHIN, {"radius": NEGATIVE}, "(radius) is -1"),
+    (POISSON, {"radius": length(0)}, "(radius) is 0"),
+    (POISSON, {"seed": -1}, "(seed) is -1"),
+    (FARTHEST, {"sample_number": 0}, "(sample_number) is 0"),
+    (FARTHEST, {"radius": NEGATIVE}, "(radius) is -1"),
+    (LLOYD, {"rounds": -1}, "(rounds) is -1"),
+    (DISK, {"vertex_index": 9999}, "(vertex_index) is 9999"),
+    (DISK, {"radius": NEGATIVE}, "(radius) is -1"),
+    (EXTENT, {"fields": 1}, "(fields) is 1"),
+    (ISOLINES, {"values": "1 two"}, "(values) holds 'two'"),
+    (ISOLINES, {"line_number": 0}, "(line_number) is 0"),
+    (METHOD_TABLE, {"methods": "walking"}, "The method walking is not known"),
+    (METHOD_TABLE, {"methods": "svg(K)"}, "The list of methods cannot be read"),
+    (METHOD_TABLE, {"sources": 0}, "Give 1 or more"),
+    (METHOD_TABLE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
+    (LOAD_INDEX, {"index_file": "/nowhere/missing.vgi"}, "missing.vgi"),
+    (LOAD_INDEX, {"index_file": ""}, "No index file is named"),
+    (SAVE_INDEX, {"index_file": ""}, "No index file is named"),
+    (SAVE_INDEX, {"index_file": "/nowhere/x.vgi"}, "there is no folder"),
+    (SAVE_INDEX, {"index_file": "/tmp/x.vgi"}, "There is no index for this mesh as it is. Run 'Geodesic index: build"),
+    (EXACT_FROM_POINT, {"vertex_index": 0, "gap": NEGATIVE}, '"Bridge gaps up to" (gap) is -1'),
+    (EXACT_FROM_POINT, {"metric": "Slope penalty", "slope_penalty": -1}, "Give a number of at least 0."),
+    (EXACT_FROM_POINT, {"metric": "Vertex quality as cost"}, "(metric) is the quality, but vertex 0 has quality 0"),
+    (EXACT_FROM_POINT, {"metric": "Face quality as cost"}, "The faces have no quality"),
+]
+
+
+@pytest.mark.parametrize(("name", "parameters", "message"), REFUSED)
+def test_what_is_refused_is_named(ms, name, parameters, message):
+    with fails_and_changes_nothing(ms, message):
+        ms.apply_filter(name, **parameters)
+    assert layer_count(ms) == 3
+
+
+@pytest.mark.parametrize("name", [*FROM_A_SELECTION, *OF_TASK_POINTS])
+def test_an_empty_selection_is_an_error(name):
+    ms = mesh_set(*grid(3, 3))
+    with fails_and_changes_nothing(ms, "No vertex is selected. Select the vertices "):
         ms.apply_filter(name)
+
+
+@pytest.mark.parametrize(("name", "parameters"), [(FROM_BORDER, {}), (FROM_EDGES, {"from_border": True})])
+def test_surface_without_border(name, parameters):
+    ms = mesh_set(*sphere(1))
+    with fails_and_changes_nothing(ms, "The surface has no border"):
+        ms.apply_filter(name, **parameters)
+
+
+def test_layer_without_vertices(ms):
+    ms.set_current_mesh(2)
+    with pytest.raises(pymeshlab.PyMeshLabException, match=r"is empty: it has no vertices\. Load or create"):
+        ms.apply_filter(VORONOI)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize("name", ALL_FILTERS)
-def test_coordinate_that_is_not_finite(name, value):
+def test_coordinate_that_is_not_finite(value):
     vertices, faces = grid(3, 3)
     vertices[6, 1] = value
     ms = mesh_set(vertices, faces)
     with fails_and_changes_nothing(ms, "Vertex 6 has a coordinate that is NaN or infinite"):
-        ms.apply_filter(name)
+        ms.apply_filter(INDEX)
 
 
-@pytest.mark.parametrize("name", [FROM_SELECTION, EXACT_FROM_SELECTION])
-def test_empty_selection(name):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "No vertex is selected. Select the vertices where distances shall start"):
-        ms.apply_filter(name)
-
-
-def test_surface_without_border():
-    ms = mesh_set(*sphere(1))
-    with fails_and_changes_nothing(ms, "The surface has no border"):
-        ms.apply_filter(FROM_BORDER)
-
-
-@pytest.mark.parametrize("number", [-2, 16, 2**31 - 1])
-@pytest.mark.parametrize("name", FROM_A_POINT)
-def test_start_vertex_out_of_range(name, number):
-    """The parameter is named as the window shows it and as scripts call it."""
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(
-        ms,
-        f'"Start vertex" (vertex_index) is {number}, but the vertices of the current layer are numbered from 0 to 15',
-    ):
-        ms.apply_filter(name, vertex_index=number)
-
-
-@pytest.mark.parametrize("number", [-2, 16])
-@pytest.mark.parametrize("name", ["source", "target"])
-def test_vertex_of_a_pair_out_of_range(name, number):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, f"({name}) is {number}, but the vertices"):
-        ms.apply_filter(TWO_POINTS, **{name: number})
-
-
-@pytest.mark.parametrize("name", FROM_A_POINT)
-def test_start_point_that_is_not_finite(name):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "(start_point) has a coordinate that is NaN or infinite"):
-        ms.apply_filter(name, start_point=np.array([0, np.nan, 0]))
-
-
-@pytest.mark.parametrize("value", [-0.5, np.nan, np.inf])
-@pytest.mark.parametrize("name", FIELDS)
-def test_bad_max_distance(name, value):
-    ms = mesh_set(*grid(3, 3))
-    ms.apply_filter("set_selection_all")
-    with fails_and_changes_nothing(ms, f"(max_distance) is {value}"):
-        ms.apply_filter(name, max_distance=length(value))
-
-
-@pytest.mark.parametrize(
-    ("parameter", "value", "message"),
-    [
-        ("n1", -1, "(n1) is -1. Give a positive number of patches"),
-        ("n1", 1000, "first-layer patches, n1, is 1000; give one from 0"),
-        ("n2", 1000, "second-layer patches, n2, is 1000; give one from 0"),
-        ("n2", -7, "(n2) is -7. Give a positive number of patches"),
-        ("delta", -0.5, "(delta) is -0.5. Give a number from 0 to below 1"),
-        ("delta", 1.0, "(delta) is 1. Give a number from 0 to below 1"),
-        ("delta", np.nan, "(delta) is nan. Give a number from 0 to below 1"),
-        ("threads", -1, "(threads) is -1. Give a number from 1 to 1024, or 0 for one per core"),
-        ("threads", 1025, "(threads) is 1025. Give a number from 1 to 1024"),
-        ("threads", 2**31 - 1, "(threads) is 2147483647. Give a number from 1 to 1024"),
-        ("seed", -1, "(seed) is -1. Give 0 or a positive number"),
-    ],
-)
-def test_bad_index_parameter(parameter, value, message):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, message):
-        ms.apply_filter(INDEX, **{parameter: value})
-
-
-@pytest.mark.parametrize("layer", [0, 3, -1])
-def test_bad_layer_of_patches(layer):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, f"(layer) is {layer}. The index has two layers"):
-        ms.apply_filter(PATCHES, layer=layer)
-
-
-def test_index_file_in_a_folder_that_does_not_exist(tmp_path):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "cannot be written: there is no folder"):
-        ms.apply_filter(INDEX, index_file=str(tmp_path / "nowhere" / "index.vgi"))
-
-
-def test_index_file_that_is_a_folder(tmp_path):
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "is a folder; name a file in it"):
-        ms.apply_filter(INDEX, index_file=str(tmp_path))
-
-
-def test_index_file_on_a_full_or_forbidden_device():
-    ms = mesh_set(*grid(3, 3))
-    with fails_and_changes_nothing(ms, "/proc/vorogeo.vgi"):
-        ms.apply_filter(INDEX, index_file="/proc/vorogeo.vgi")
-
-
-def test_a_filter_that_failed_leaves_earlier_results_alone():
-    ms = mesh_set(*grid(3, 3))
+def test_a_filter_that_failed_leaves_earlier_results_alone(ms):
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=3)
     with fails_and_changes_nothing(ms, "(vertex_index) is 99"):
         ms.apply_filter(EXACT_FROM_POINT, vertex_index=99)

@@ -1,11 +1,10 @@
-"""The parameters gap and bridge_folds, which every filter has."""
+"""The parameters gap and bridge_folds, on two plates beside each other."""
 
 from __future__ import annotations
 
 import numpy as np
-import pymeshlab
 import pytest
-from support import ALL_FILTERS, EXACT_FROM_POINT, FROM_POINT, INDEX, PATH, TWO_POINTS, field, grid, length, mesh_set
+from support import EXACT_FROM_POINT, FROM_POINT, INDEX, PATH, TWO_POINTS, field, grid, length, mesh_set
 
 GAP = 1e-3
 
@@ -16,13 +15,6 @@ def plates():
     vertices, faces = grid(5, 5)
     moved = vertices + np.array([vertices[:, 0].max() + GAP, 0, 0])
     return np.vstack([vertices, moved]), np.vstack([faces, faces + len(vertices)])
-
-
-@pytest.mark.parametrize("name", ALL_FILTERS)
-def test_every_filter_has_them(name, plates):
-    parameters = mesh_set(*plates).filter_parameter_values(name)
-    assert "gap" in parameters
-    assert parameters["bridge_folds"] is False
 
 
 @pytest.mark.parametrize("name", [EXACT_FROM_POINT, FROM_POINT])
@@ -57,9 +49,3 @@ def test_steps_of_a_path_over_the_gap_are_selected(plates):
     assert result["steps_over_gaps"] > 0
     assert GAP <= result["gap_length"] <= 2 * GAP
     assert ms.current_mesh().selected_vertex_number() == result["steps_over_gaps"]
-
-
-def test_a_negative_gap_is_refused(plates):
-    ms = mesh_set(*plates)
-    with pytest.raises(pymeshlab.PyMeshLabException, match=r'"Bridge gaps up to" \(gap\) is -1'):
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, gap=length(-1))

@@ -26,6 +26,7 @@ from support import (
     fails_and_changes_nothing,
     field,
     grid,
+    layer_count,
     mesh_set,
     select_vertices,
     sphere,
@@ -47,8 +48,11 @@ def rectangle(size: float):
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_cancelled_filter_changes_nothing(name):
     ms = rectangle(1.0 + ALL_FILTERS.index(name) / 64)
-    with fails_and_changes_nothing(ms, "Cancelled: nothing was changed."):
-        ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""), calls_allowed=0)
+    for _ in range(2):
+        with fails_and_changes_nothing(ms, "Cancelled: nothing was changed."):
+            ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""), calls_allowed=0)
+        assert layer_count(ms) == 2
+        ms.apply_filter(INDEX)  # for the second time
 
 
 @pytest.mark.parametrize("name", ALL_FILTERS)

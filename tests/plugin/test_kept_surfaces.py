@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import subprocess
 import sys
 import time
@@ -13,9 +14,12 @@ import pytest
 from support import (
     EXACT_FROM_POINT,
     FROM_POINT,
+    INDEX,
+    PATCHES,
     PATH,
     TWO_POINTS,
     arrays,
+    assert_close_to_exact,
     exact_distances,
     field,
     grid,
@@ -26,6 +30,13 @@ from support import (
 )
 
 COST = "Vertex quality as cost"
+_sizes = itertools.count(1)
+
+
+def new_sphere() -> tuple[np.ndarray, np.ndarray]:
+    """A sphere of a size of its own: the plugin keeps indexes between tests."""
+    vertices, faces = sphere(3)
+    return vertices * (1 + next(_sizes) / 16), faces
 
 
 def wall() -> tuple[np.ndarray, np.ndarray]:
@@ -34,11 +45,62 @@ def wall() -> tuple[np.ndarray, np.ndarray]:
     return vertices[:, [0, 2, 1]], faces
 
 
-def assert_exact_now(ms: pymeshlab.MeshSet, source: int = 0) -> None:
-    """A field of the mesh as it is now equals that of an independent solver."""
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)
-    vertices, faces = arrays(ms)
-    np.testing.assert_allclose(field(ms), exact_distances(vertices, faces, [source]), rtol=1e-9, atol=1e-12)
+def fields_of_now(ms: pymeshlab.MeshSet, reused: bool) -> np.ndarray:
+    """An exact field and one from the index, right for the mesh as it is now; the index was reused or not as stated."""
+    exact = exact_distances(*arrays(ms), [0])
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
+    np.testing.assert_allclose(field(ms), exact, rtol=1e-9, atol=1e-12)
+    found = [field(ms).copy()]
+    assert ms.apply_filter(FROM_POINT, vertex_index=0, method="index")["index_reused"] == reused
+    assert_close_to_exact(field(ms), exact, mean=0.0004, largest=0.01)
+    return np.array([*found, field(ms)])
+
+
+def remove_vertices(ms: pymeshlab.MeshSet) -> None:
+    select_vertices(ms, [200, 201])
+    ms.apply_filter("meshing_remove_selected_vertices")
+
+
+def remove_faces(ms: pymeshlab.MeshSet) -> None:
+    ms.apply_filter("compute_selection_by_condition_per_face", condselect="(z0 < -0.8) && (x0 > 0)")
+    ms.apply_filter("meshing_remove_selected_faces")
+    ms.apply_filter("meshing_remove_unreferenced_vertices")
+
+
+EDITS = {
+    "stretching": lambda ms: ms.apply_filter(
+        "compute_matrix_from_scaling_or_normalization", axisx=2.5, uniformflag=False
+    ),
+    "moving a vertex": lambda ms: ms.apply_filter(
+        "compute_coord_by_function", x="(vi == 100) ? x * 1.000001 : x", y="y", z="z"
+    ),
+    "subdividing": lambda ms: ms.apply_filter("meshing_surface_subdivision_midpoint", iterations=1),
+    "turning faces": lambda ms: ms.apply_filter("meshing_invert_face_orientation"),
+    "removing vertices": remove_vertices,
+    "removing faces": remove_faces,
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_an_edit_is_seen_and_undoing_it_gives_the_old_answers_to_the_last_bit(edit):
+    vertices, faces = new_sphere()
+    ms = mesh_set(vertices, faces)
+    before = fields_of_now(ms, reused=False)
+    ms.apply_filter("compute_normal_per_vertex")
+    select_vertices(ms, [1])
+    ms.apply_filter(PATCHES)
+    np.testing.assert_array_equal(fields_of_now(ms, reused=True), before)  # colours and selection are no edit
+    EDITS[edit](ms)
+    fields_of_now(ms, reused=False)
+    np.testing.assert_array_equal(fields_of_now(mesh_set(vertices, faces), reused=True), before)
+
+
+def test_index_of_the_build_filter_is_used_and_replaced():
+    ms = mesh_set(*new_sphere())
+    for patches in (6, 9):
+        ms.apply_filter(INDEX, n1=patches)
+        result = ms.apply_filter(PATCHES)
+        assert (result["patches"], result["index_reused"]) == (patches, True)
 
 
 def logged(setup: str, calls: list[str]) -> list[str]:
@@ -61,35 +123,6 @@ def logged(setup: str, calls: list[str]) -> list[str]:
     return done.stderr.split("NEXT\n")[1:]
 
 
-def test_every_edit_between_two_calls_is_seen():
-    ms = mesh_set(*sphere(3))
-    assert_exact_now(ms)
-    assert_exact_now(ms, source=17)
-    ms.apply_filter("compute_matrix_from_scaling_or_normalization", axisx=2.5, uniformflag=False)
-    assert_exact_now(ms)
-    ms.apply_filter("compute_coord_by_function", x="(vi == 100) ? x * 1.25 : x", y="y", z="z")
-    assert_exact_now(ms, source=100)
-    ms.apply_filter("meshing_surface_subdivision_midpoint", iterations=1)
-    assert_exact_now(ms)
-    select_vertices(ms, [200, 201])
-    ms.apply_filter("meshing_remove_selected_vertices")
-    assert_exact_now(ms)
-    ms.apply_filter("meshing_invert_face_orientation")
-    assert_exact_now(ms)
-
-
-def test_an_undone_edit_gives_the_old_answer_to_the_last_bit():
-    vertices, faces = sphere(3)
-    original = mesh_set(vertices, faces)
-    original.apply_filter(EXACT_FROM_POINT, vertex_index=3)
-    before = field(original).copy()
-    moved = vertices.copy()
-    moved[3] *= 1.1
-    assert_exact_now(mesh_set(moved, faces), source=3)
-    original.apply_filter(EXACT_FROM_POINT, vertex_index=3)
-    np.testing.assert_array_equal(field(original), before)
-
-
 @pytest.mark.parametrize("method", ["exact", "quick", "index"])
 def test_a_second_call_gives_the_same_bits(method):
     vertices, faces = sphere(4)
@@ -105,15 +138,6 @@ def test_a_second_call_gives_the_same_bits(method):
     ms.set_current_mesh(0)
     lengths.append(ms.apply_filter(TWO_POINTS, source=9, target=700, method="exact")["distance"])
     assert lengths[0] == pytest.approx(lengths[1], rel=1e-12)
-
-
-def test_answers_after_an_index_came_are_those_from_before():
-    ms = mesh_set(*sphere(3))
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
-    before = field(ms).copy()
-    ms.apply_filter(FROM_POINT, vertex_index=5, method="index")
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=5)
-    np.testing.assert_array_equal(field(ms), before)
 
 
 def test_metrics_and_their_parameters_are_not_mixed_up():
@@ -145,17 +169,6 @@ def test_every_cost_that_was_painted_is_the_next_calls():
         np.testing.assert_allclose(field(ms), straight, rtol=1e-9)
 
 
-def test_gaps_are_not_mixed_up():
-    vertices, faces = grid(5, 5)
-    near = vertices + np.array([5.01, 0, 0])
-    far = vertices + np.array([10.06, 0, 0])
-    n = len(vertices)
-    ms = mesh_set(np.vstack([vertices, near, far]), np.vstack([faces, faces + n, faces + 2 * n]))
-    for gap, unreachable in [(0, 2 * n), (0.02, n), (0.06, 0), (0.02, n), (0, 2 * n)]:
-        result = ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, gap=length(gap))
-        assert result["unreachable_vertices"] == unreachable, gap
-
-
 def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():
     vertices, faces = grid(6, 6)
     ms = mesh_set(vertices, faces)
@@ -167,7 +180,7 @@ def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():
         ms.apply_filter("compute_coord_by_function", x="x", y="y", z=str(0.5 - height))
 
 
-def test_warnings_are_logged_at_every_call():
+def test_warnings_and_remarks_on_the_metric_are_logged_at_every_call():
     setup = "v, f = grid(4, 4)\nms.add_mesh(pymeshlab.Mesh(v, np.vstack([f, f[:1]])))"
     calls = [
         "ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)",
@@ -177,9 +190,6 @@ def test_warnings_are_logged_at_every_call():
     ]
     for call, seen in zip(calls, logged(setup, calls), strict=True):
         assert seen.count("Mesh: 1 face has the three vertices of an earlier face") == 1, call
-
-
-def test_remarks_on_the_metric_are_logged_at_every_call():
     call = (
         "ms.apply_filter('compute_scalar_by_function_per_vertex', q='(vi == 24) ? 1000 : 1');"
         "ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric='Vertex quality as cost')"

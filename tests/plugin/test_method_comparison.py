@@ -1,11 +1,14 @@
-"""The comparison of methods, against the built-in filters, closed forms and pygeodesic."""
+"""The comparison and the table of methods, against the built-in filters, closed forms and pygeodesic."""
 
 from __future__ import annotations
+
+import csv
 
 import numpy as np
 import pytest
 from support import (
     COMPARISON,
+    METHOD_TABLE,
     arrays,
     exact_distances,
     fails_and_changes_nothing,
@@ -31,14 +34,6 @@ NO_HEAT = pytest.mark.skipif(host_version() == "2022.02", reason="MeshLab 2022.0
 
 def compare(ms, method: str, reference: str = EXACT, source: int = 0) -> dict:
     return ms.apply_filter(COMPARISON, vertex_index=source, method=method, reference=reference)
-
-
-def test_a_method_equals_itself():
-    ms = mesh_set(*sphere(2))
-    result = compare(ms, EXACT)
-    assert result["max_error"] == result["mean_error"] == 0
-    assert result["compared_vertices"] == 161
-    np.testing.assert_array_equal(field(ms), 0)
 
 
 def test_edge_paths_on_a_rectangle_have_a_closed_form():
@@ -125,7 +120,37 @@ def test_other_components_are_not_compared(method):
     np.testing.assert_array_equal(field(ms)[49:], 0)
 
 
-def test_bad_start_vertex_changes_nothing():
-    ms = mesh_set(*sphere(1))
-    with fails_and_changes_nothing(ms, "(vertex_index) is 42, but the vertices"):
-        compare(ms, EXACT, source=42)
+def test_figures_are_those_of_the_methods(tmp_path):
+    ms = mesh_set(*sphere(3))
+    file = tmp_path / "table.csv"
+    result = ms.apply_filter(METHOD_TABLE, methods="mmp, dijkstra, heat(delaunay=1)", sources=2, csv_file=str(file))
+    assert (result["methods"], result["sources"]) == (3, 2)
+    assert result["max_error"][0] == 0
+    assert 0.01 < result["mean_error"][1] < 0.2
+    assert result["mean_error"][1] < result["p99_error"][1] <= result["max_error"][1]
+    assert np.all(result["field_seconds"] > 0)
+    assert np.all(result["bytes"] > 1000)
+    assert np.isnan(result["pair_seconds"][2])
+    rows = list(csv.DictReader(file.open(newline="")))
+    assert [row["method"] for row in rows] == ["mmp", "dijkstra", "heat(delaunay=1)"]
+    np.testing.assert_allclose([float(row["mean_error"]) for row in rows], result["mean_error"], rtol=1e-8)
+    assert rows[0]["error_bound"] == "exact"
+
+
+def test_the_comparison_offers_the_methods_of_the_literature():
+    ms = mesh_set(*sphere(3))
+    result = ms.apply_filter(COMPARISON, vertex_index=7, method="Window tree, ordered and filtered (ICH)")
+    assert result["max_error"] < 1e-9
+    result = ms.apply_filter(COMPARISON, vertex_index=7, method="Virtual sources (GSP)")
+    assert 1e-6 < result["mean_error"] < 0.02
+
+
+def test_waves_across_gaps_take_the_gap_of_the_filter():
+    ms = mesh_set(*side_by_side(grid(5, 5), grid(5, 5)))
+    vertices = arrays(ms)[0]
+    gap = vertices[36:, 0].min() - vertices[:36, 0].max()
+    result = ms.apply_filter(
+        COMPARISON, vertex_index=0, method="Waves across gaps (Campen, Kobbelt)", gap=length(1.5 * gap)
+    )
+    assert result["compared_vertices"] == 71
+    assert 1e-6 < result["mean_error"] < 0.1

@@ -26,6 +26,16 @@ def make_tree(folder: Path, version: str) -> Path:
     return folder
 
 
+def fake_tools(folder: Path, **texts: str) -> dict[str, str]:
+    """Programs of these names that run other commands, found before the real ones."""
+    tools = folder / "bin"
+    tools.mkdir()
+    for name, text in texts.items():
+        (tools / name.replace("_", "-")).write_text(f"#!/bin/sh\n{text}\n")
+        (tools / name.replace("_", "-")).chmod(0o755)
+    return {"PATH": f"{tools}:{os.environ['PATH']}"}
+
+
 def run(*arguments: str, cache: Path, **variables: str) -> subprocess.CompletedProcess[str]:
     """Run the script with a cache of its own."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("VOROGEO_")}
@@ -86,16 +96,13 @@ def test_named_folder_that_does_not_exist(tmp_path):
 
 
 def test_every_way_that_failed_is_named(tmp_path):
-    tools = tmp_path / "bin"
-    tools.mkdir()
-    for name, text in {
-        "apt-get": 'echo "E: no such thing" ; exit 100',
-        "git": 'echo "fatal: no network" >&2 ; exit 128',
-    }.items():
-        (tools / name).write_text(f"#!/bin/sh\n{text}\n")
-        (tools / name).chmod(0o755)
+    tools = fake_tools(
+        tmp_path,
+        apt_get='echo "E: no such thing" ; exit 100',
+        git='echo "fatal: no network" >&2 ; exit 128',
+    )
     cache = tmp_path / "cache"
-    result = run("2025.07", cache=cache, PATH=f"{tools}:{os.environ['PATH']}")
+    result = run("2025.07", cache=cache, **tools)
     assert result.returncode != 0
     assert "Debian source package: " in result.stderr
     assert "git clone: fatal: no network" in result.stderr
@@ -105,12 +112,7 @@ def test_every_way_that_failed_is_named(tmp_path):
 
 def test_damaged_cache_is_not_used(tmp_path):
     make_tree(tmp_path / "2025.07", "2022.02")
-    tools = tmp_path / "bin"
-    tools.mkdir()
-    for name in ("apt-get", "git"):
-        (tools / name).write_text("#!/bin/sh\nexit 1\n")
-        (tools / name).chmod(0o755)
-    result = run("2025.07", cache=tmp_path, PATH=f"{tools}:{os.environ['PATH']}")
+    result = run("2025.07", cache=tmp_path, **fake_tools(tmp_path, apt_get="exit 1", git="exit 1"))
     assert result.returncode != 0
     assert "taken from the cache" not in result.stderr
 
@@ -137,15 +139,11 @@ def test_git_tag_with_its_submodule(tmp_path):
     git(meshlab, "commit", "-q", "-m", "MeshLab")
     git(meshlab, "tag", "MeshLab-2025.07")
 
-    tools = tmp_path / "bin"
-    tools.mkdir()
-    (tools / "apt-get").write_text("#!/bin/sh\nexit 1\n")
-    (tools / "apt-get").chmod(0o755)
     cache = tmp_path / "cache"
     result = run(
         "2025.07",
         cache=cache,
-        PATH=f"{tools}:{os.environ['PATH']}",
+        **fake_tools(tmp_path, apt_get="exit 1"),
         GIT_CONFIG_COUNT="2",
         GIT_CONFIG_KEY_0=f"url.file://{server}/.insteadOf",
         GIT_CONFIG_VALUE_0="https://github.com/cnr-isti-vclab/",

@@ -57,12 +57,6 @@ def test_no_path_is_no_layer():
     assert layer_count(ms) == 1
 
 
-def test_a_point_beyond_the_limit_is_refused():
-    ms = mesh_set(*grid(4, 4))
-    with pytest.raises(pymeshlab.PyMeshLabException, match=r"source_point.*max_snap_distance"):
-        ms.apply_filter(PATH, source_point=np.array([1.0, 1.0, 3.0]), target=7, max_snap_distance=length(0.5))
-
-
 @pytest.mark.parametrize("method", ["index", "exact"])
 def test_distance_from_a_layer_of_points(method):
     vertices, faces = grid(20, 20, 0.5)
@@ -78,12 +72,6 @@ def test_distance_from_a_layer_of_points(method):
     label = ms.current_mesh().vertex_custom_scalar_attribute_array("nearest_source")
     clear = np.abs(distances[:, 0] - distances[:, 1]) > 0.1
     np.testing.assert_array_equal(label[clear], distances.argmin(axis=1)[clear])
-    with pytest.raises(pymeshlab.PyMeshLabException, match="max_snap_distance"):
-        ms.apply_filter(FROM_LAYER, source_layer=1, max_snap_distance=length(0.1))
-    with pytest.raises(pymeshlab.PyMeshLabException, match="source_layer"):
-        ms.apply_filter(FROM_LAYER, source_layer=0)
-    with pytest.raises(pymeshlab.PyMeshLabException, match="source_layer"):
-        ms.apply_filter(FROM_LAYER, source_layer=99)
 
 
 def test_distance_from_a_line():
@@ -108,12 +96,3 @@ def test_distance_from_the_border_as_a_curve(method):
     x, y = vertices[:, 0], vertices[:, 1]
     np.testing.assert_allclose(field(ms), np.min([x, 12 - x, y, 8 - y], axis=0), atol=1e-9)
     assert result["source_edges"] == 40
-
-
-def test_edges_that_are_not_there():
-    with pytest.raises(pymeshlab.PyMeshLabException, match="No edge is selected"):
-        mesh_set(*sphere(1)).apply_filter(FROM_EDGES)
-    with pytest.raises(pymeshlab.PyMeshLabException, match="no border"):
-        mesh_set(*sphere(1)).apply_filter(FROM_EDGES, from_border=True)
-    with pytest.raises(pymeshlab.PyMeshLabException, match="spacing"):
-        mesh_set(*grid(3, 3)).apply_filter(FROM_EDGES, from_border=True, spacing=length(-1))
