@@ -268,17 +268,21 @@ constexpr double windows_to_warn = 3e8;
 
 class ChenHan final : public GeodesicMethod {
  public:
-  ChenHan(const std::shared_ptr<const Mesh>& mesh, const TreeRules& rules)
-      : mesh_(mesh), tree_(std::make_shared<const ExactGeometry>(mesh)), rules_(rules) {}
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Windows as a tree");
-    tree_.run(sources, rules_);
-    return vertex_distances(*mesh_, tree_);
+  ChenHan(const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options)
+      : GeodesicMethod(mesh, "Windows as a tree"), tree_(std::make_shared<const ExactGeometry>(mesh)) {
+    const auto is_on = [&](const char* option) {
+      return options.contains(option) && options.at(option) != 0;
+    };
+    rules_ = {.ordered = is_on("order"), .filtered = is_on("filter")};
   }
   std::size_t bytes() const override { return tree_.bytes(); }
 
  private:
-  std::shared_ptr<const Mesh> mesh_;
+  std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
+    tree_.run(sources, rules_);
+    return vertex_distances(mesh(), tree_);
+  }
+
   WindowTree tree_;
   TreeRules rules_;
 };
@@ -293,9 +297,7 @@ MethodEntry ch_entry() {
            {"MSAD", "none", "exact", "none", "field n^2"},
            true,
            false},
-          [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-            return std::make_unique<ChenHan>(mesh, TreeRules{.ordered = false, .filtered = false});
-          },
+          prepared<ChenHan>,
           [](const Mesh& mesh) -> std::string {
             const double windows = static_cast<double>(mesh.face_count()) * mesh.face_count();
             if (windows < windows_to_warn) return "";
@@ -319,11 +321,7 @@ MethodEntry ich_entry() {
        {"MSAD", "none", "exact", "none", "field n^2 log n at most"},
        true,
        false},
-      [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress&) {
-        const TreeRules rules{.ordered = options.at("order") != 0.0, .filtered = options.at("filter") != 0.0};
-        return std::make_unique<ChenHan>(mesh, rules);
-      },
-      {}};
+      prepared<ChenHan>};
 }
 
 }  // namespace vorogeo

@@ -1,69 +1,90 @@
 // Methods on graphs of geodesics: Dijkstra, SVG, DGG and short-term vectors.
-#include "methods/graph_methods.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "exact/exact_geometry.h"
 #include "methods/chen_han.h"
 #include "methods/method.h"
+#include "methods/vertex_search.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
 namespace vorogeo {
 
-// ---- Lists of neighbours from arcs in one direction, and Dijkstra's search over them
-
-DistanceGraph::DistanceGraph(std::vector<std::vector<GraphArc>> arcs_of) {
-  const auto count = static_cast<Index>(arcs_of.size());
-  std::vector<std::size_t> own;
-  for (const auto& arcs : arcs_of) own.push_back(arcs.size());
-  for (Index v = 0; v < count; ++v) {
-    for (std::size_t i = 0; i < own[v]; ++i) {
-      const GraphArc arc = arcs_of[v][i];
-      arcs_of[arc.target].push_back({v, arc.length});
-    }
-  }
-  begin_.assign(1, 0);
-  for (auto& arcs : arcs_of) {
-    std::sort(arcs.begin(), arcs.end(), [](const GraphArc& a, const GraphArc& b) {
-      return std::pair(a.target, a.length) < std::pair(b.target, b.length);
-    });
-    const auto end = std::unique(arcs.begin(), arcs.end(),
-                                 [](const GraphArc& a, const GraphArc& b) { return a.target == b.target; });
-    arcs_.insert(arcs_.end(), arcs.begin(), end);
-    begin_.push_back(arcs_.size());
-    std::vector<GraphArc>().swap(arcs);
-  }
-  arcs_.shrink_to_fit();
-}
-
-std::vector<double> DistanceGraph::field(std::span<const Index> sources, Index target) const {
-  VertexSearch search(static_cast<Index>(begin_.size() - 1), sources);
-  for (Index v = search.settle_next(); v != no_index && v != target; v = search.settle_next()) {
-    for (const GraphArc& arc : arcs(v)) search.lower(arc.target, search.distance(v) + arc.length);
-  }
-  return search.distances();
-}
-
-// ---- A graph of direct geodesics: a search around each vertex
+// ---- A graph over the vertices of a mesh, and Dijkstra's search over it
 
 namespace {
+
+struct GraphArc {
+  Index tail, target;
+  double length;
+
+  bool operator<(const GraphArc& other) const {
+    return std::tie(tail, target, length) < std::tie(other.tail, other.target, other.length);
+  }
+};
+
+/// Dijkstra's search over an undirected graph that was made once.
+class GraphMethod final : public GeodesicMethod {
+ public:
+  /// Arcs in either direction; those of one pair of vertices become one, the shortest, in both.
+  GraphMethod(std::shared_ptr<const Mesh> mesh, std::vector<GraphArc> arcs)
+      : GeodesicMethod(std::move(mesh), "Shortest paths in a graph"), arcs_(std::move(arcs)) {
+    const std::size_t given = arcs_.size();
+    arcs_.reserve(2 * given);
+    for (std::size_t i = 0; i < given; ++i) {
+      arcs_.push_back({arcs_[i].target, arcs_[i].tail, arcs_[i].length});
+    }
+    std::sort(arcs_.begin(), arcs_.end());
+    const auto repeated = std::unique(arcs_.begin(), arcs_.end(), [](const GraphArc& a, const GraphArc& b) {
+      return a.tail == b.tail && a.target == b.target;
+    });
+    arcs_.erase(repeated, arcs_.end());
+    arcs_.shrink_to_fit();
+    begin_.assign(static_cast<std::size_t>(this->mesh().vertex_count()) + 1, 0);
+    for (const GraphArc& arc : arcs_) ++begin_[arc.tail + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  }
+  std::size_t bytes() const override {
+    return bytes_of(arcs_) + bytes_of(begin_) +
+           static_cast<std::size_t>(mesh().vertex_count()) * VertexSearch::bytes_per_vertex;
+  }
+
+ private:
+  std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
+    return search(sources, no_index);
+  }
+  double solve_pair(Index source, Index target) override { return search({&source, 1}, target)[target]; }
+
+  /// With a target it ends when that one's distance is final; others are upper bounds then.
+  std::vector<double> search(std::span<const Index> sources, Index target) const {
+    VertexSearch open(mesh().vertex_count(), sources);
+    for (Index v = open.settle_next(); v != no_index && v != target; v = open.settle_next()) {
+      for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) {
+        open.lower(arcs_[i].target, open.distance(v) + arcs_[i].length);
+      }
+    }
+    return open.distances();
+  }
+
+  std::vector<GraphArc> arcs_;  ///< by tail
+  std::vector<std::size_t> begin_;
+};
+
+// ---- A graph of direct geodesics: a search around each vertex
 
 /// Vertices that one item of the work takes.
 constexpr Index vertices_per_item = 64;
 
-}  // namespace
-
-std::vector<double> GraphMethod::field(std::span<const Index> sources, const Progress& progress) {
-  const Watch watch(progress, "Shortest paths in a graph");
-  return graph_.field(sources);
-}
-
-std::unique_ptr<GraphMethod> direct_geodesics(const std::shared_ptr<const Mesh>& mesh, const TreeRules& rules,
-                                              const Progress& progress) {
+/// Arcs from each vertex to those that a run of a WindowTree with these rules takes up (with an epsilon: and
+/// needs), on all threads.
+std::unique_ptr<GeodesicMethod> direct_geodesics(const std::shared_ptr<const Mesh>& mesh,
+                                                 const TreeRules& rules, const Progress& progress) {
   const auto geometry = std::make_shared<const ExactGeometry>(mesh);
   const Index count = mesh->vertex_count();
   std::vector<std::vector<GraphArc>> arcs(count);
@@ -76,24 +97,27 @@ std::unique_ptr<GraphMethod> direct_geodesics(const std::shared_ptr<const Mesh>&
       tree.run({&v, 1}, rules);
       for (Index other : tree.settled()) {
         if (other == v || (rules.epsilon > 0.0 && !tree.is_needed(other))) continue;
-        arcs[v].push_back({other, tree.distance(other)});
+        arcs[v].push_back({v, other, tree.distance(other)});
       }
     }
   });
-  return std::make_unique<GraphMethod>(DistanceGraph(std::move(arcs)), count);
+  std::vector<GraphArc> all;
+  for (auto& own : arcs) {
+    all.insert(all.end(), own.begin(), own.end());
+    std::vector<GraphArc>().swap(own);
+  }
+  return std::make_unique<GraphMethod>(mesh, std::move(all));
 }
 
 // ---- Shortest paths along the edges of the mesh
 
-namespace {
-
-DistanceGraph edge_graph(const Mesh& mesh) {
-  std::vector<std::vector<GraphArc>> arcs(mesh.vertex_count());
+std::vector<GraphArc> edges_of(const Mesh& mesh) {
+  std::vector<GraphArc> arcs;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const auto [a, b] = mesh.edge_vertices(e);
-    arcs[a].push_back({b, mesh.edge_length(e)});
+    arcs.push_back({a, b, mesh.edge_length(e)});
   }
-  return DistanceGraph(std::move(arcs));
+  return arcs;
 }
 
 }  // namespace
@@ -107,9 +131,8 @@ MethodEntry dijkstra_entry() {
            false,
            true},
           [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-            return std::make_unique<GraphMethod>(edge_graph(*mesh), mesh->vertex_count());
-          },
-          {}};
+            return std::make_unique<GraphMethod>(mesh, edges_of(*mesh));
+          }};
 }
 
 // ---- Which direct geodesics a graph needs: those that no detour over a vertex beside them stands for
@@ -186,8 +209,7 @@ MethodEntry svg_entry() {
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
         const auto most = static_cast<Index>(options.at("K"));
         return direct_geodesics(mesh, {.bends = false, .max_vertices = most}, progress);
-      },
-      {}};
+      }};
 }
 
 // ---- The discrete geodesic graph: arcs along direct geodesics, as few as an expected error allows
@@ -208,8 +230,7 @@ MethodEntry dgg_entry() {
        true},
       [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
         return direct_geodesics(mesh, {.bends = false, .epsilon = options.at("epsilon")}, progress);
-      },
-      {}};
+      }};
 }
 
 // ---- Short-term vector Dijkstra: edge paths measured by the vectors that a few edges add up to
@@ -230,7 +251,8 @@ struct Spoke {
 /// that are no disk the sum ends, as the straight line might leave the surface.
 class ShortTermVectors final : public GeodesicMethod {
  public:
-  ShortTermVectors(const std::shared_ptr<const Mesh>& mesh, int memory) : mesh_(mesh), memory_(memory) {
+  ShortTermVectors(const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options)
+      : GeodesicMethod(mesh, "Short-term vector Dijkstra"), memory_(static_cast<int>(options.at("k"))) {
     const ExactGeometry geometry(mesh);
     begin_.push_back(0);
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
@@ -247,9 +269,16 @@ class ShortTermVectors final : public GeodesicMethod {
     }
   }
 
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Short-term vector Dijkstra");
-    VertexSearch search(mesh_->vertex_count(), sources);
+  std::size_t bytes() const override {
+    return bytes_of(spokes_) + bytes_of(begin_) + bytes_of(is_disk_) +
+           is_disk_.size() * (VertexSearch::bytes_per_vertex + sizeof(std::size_t) + sizeof(Index));
+  }
+
+ private:
+  static constexpr std::size_t no_spoke = static_cast<std::size_t>(-1);
+
+  std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
+    VertexSearch search(mesh().vertex_count(), sources);
     // The spoke by which a vertex is reached from the one before: no_spoke at sources.
     std::vector<std::size_t> reached_by(is_disk_.size(), no_spoke);
     std::vector<Index> before(is_disk_.size(), no_index);
@@ -268,22 +297,15 @@ class ShortTermVectors final : public GeodesicMethod {
     }
     return search.distances();
   }
-  std::size_t bytes() const override {
-    return bytes_of(spokes_) + bytes_of(begin_) + bytes_of(is_disk_) +
-           is_disk_.size() * (VertexSearch::bytes_per_vertex + sizeof(std::size_t) + sizeof(Index));
-  }
-
- private:
-  static constexpr std::size_t no_spoke = static_cast<std::size_t>(-1);
 
   void add_spoke(Index v, Index side, double angle, bool own) {
-    const Index edge = mesh_->edge_of(side);
-    const auto [a, b] = mesh_->edge_vertices(edge);
+    const Index edge = mesh().edge_of(side);
+    const auto [a, b] = mesh().edge_vertices(edge);
     // Angles grow from the corner's own edge to the other one along the orientation of the corner's face; the
     // first face of the edge may be oriented the other way, which shows where both run along the edge alike.
-    const Index first = mesh_->edge_halfedge(edge);
-    const bool alike = first == side || mesh_->tail(first) != mesh_->tail(side);
-    spokes_.push_back({a == v ? b : a, mesh_->edge_length(edge), angle, own != alike});
+    const Index first = mesh().edge_halfedge(edge);
+    const bool alike = first == side || mesh().tail(first) != mesh().tail(side);
+    spokes_.push_back({a == v ? b : a, mesh().edge_length(edge), angle, own != alike});
   }
 
   const Spoke* back(Index from, Index to) const {
@@ -320,7 +342,6 @@ class ShortTermVectors final : public GeodesicMethod {
     return least;
   }
 
-  std::shared_ptr<const Mesh> mesh_;
   int memory_;
   std::vector<Spoke> spokes_;
   std::vector<std::size_t> begin_;
@@ -338,10 +359,7 @@ MethodEntry stvd_entry() {
            {"MSAD", "angles", "none", "any on vectors", "field k n log n"},
            false,
            false},
-          [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress&) {
-            return std::make_unique<ShortTermVectors>(mesh, static_cast<int>(options.at("k")));
-          },
-          {}};
+          prepared<ShortTermVectors>};
 }
 
 }  // namespace vorogeo

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "exact/exact_solver.h"
+#include "mesh/vectors.h"
 #include "methods/method.h"
 #include "support/error.h"
 #include "support/progress.h"
@@ -53,22 +54,20 @@ struct UnfoldedPoint {
   double x, y;
 };
 
-/// Where a point lies above the line from (0, 0) to (length, 0), by its distances from both ends.
-UnfoldedPoint above(double length, double to_first, double to_second) {
-  const double x = (to_first * to_first - to_second * to_second + length * length) / (2.0 * length);
-  return {x, std::sqrt(std::max(0.0, to_first * to_first - x * x))};
-}
-
 class GeodesicTriangles final : public GeodesicMethod {
  public:
-  GeodesicTriangles(const std::shared_ptr<const Mesh>& mesh, Index most, const Progress& progress)
-      : mesh_(mesh), most_(most) {
+  GeodesicTriangles(const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options,
+                    const Progress& progress)
+      : GeodesicMethod(mesh, "Geodesic triangles"), most_(static_cast<Index>(options.at("m"))) {
     std::vector<Nearest> nearest(mesh->vertex_count());
-    take_samples(nearest, progress);
+    take_samples(mesh, nearest, progress);
     find_triangles(nearest);
   }
 
-  double pair(Index source, Index target) override {
+  std::size_t bytes() const override { return bytes_of(table_) + bytes_of(corners_); }
+
+ private:
+  double solve_pair(Index source, Index target) override {
     if (source == target) return 0.0;
     // Always in one order, so that the distance is symmetric.
     const Corners& from = corners_[std::min(source, target)];
@@ -93,19 +92,15 @@ class GeodesicTriangles final : public GeodesicMethod {
     return across(to, to_corner);
   }
 
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Geodesic triangles");
-    std::vector<double> distances(mesh_->vertex_count(), unreachable);
-    for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+  std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
+    std::vector<double> distances(mesh().vertex_count(), unreachable);
+    for (Index v = 0; v < mesh().vertex_count(); ++v) {
       if (v % elements_per_checkpoint == 0) checkpoint();
-      for (const Index source : sources) distances[v] = std::min(distances[v], pair(source, v));
+      for (const Index source : sources) distances[v] = std::min(distances[v], solve_pair(source, v));
     }
     return distances;
   }
 
-  std::size_t bytes() const override { return bytes_of(table_) + bytes_of(corners_); }
-
- private:
   /// Rows of the lower triangle: between samples.
   double between(Index first, Index second) const {
     if (first == no_index || second == no_index) return unreachable;
@@ -115,13 +110,14 @@ class GeodesicTriangles final : public GeodesicMethod {
   }
 
   /// Samples, each the vertex farthest from those before it, and an exact field from each.
-  void take_samples(std::vector<Nearest>& nearest, const Progress& progress) {
-    ExactSolver solver(mesh_);
+  void take_samples(const std::shared_ptr<const Mesh>& mesh, std::vector<Nearest>& nearest,
+                    const Progress& progress) {
+    ExactSolver solver(mesh);
     std::vector<Index> samples;
     const auto farthest = [&] {
       std::pair<double, Index> best{0.0, no_index};
-      for (Index v = 0; v < mesh_->vertex_count(); ++v) {
-        if (!mesh_->corners(v).empty() && nearest[v].distance[0] > best.first) {
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        if (!mesh->corners(v).empty() && nearest[v].distance[0] > best.first) {
           best = {nearest[v].distance[0], v};
         }
       }
@@ -142,7 +138,7 @@ class GeodesicTriangles final : public GeodesicMethod {
       solver.run_from_vertices({&at, 1}, limits);
       samples.push_back(at);
       for (const Index sample : samples) table_.push_back(solver.distance(sample));
-      for (Index v = 0; v < mesh_->vertex_count(); ++v) nearest[v].add(number, solver.distance(v));
+      for (Index v = 0; v < mesh->vertex_count(); ++v) nearest[v].add(number, solver.distance(v));
     }
   }
 
@@ -152,7 +148,7 @@ class GeodesicTriangles final : public GeodesicMethod {
     Index samples = 0;
     for (const Nearest& n : nearest) samples = std::max(samples, n.sample[0] + 1);
     std::vector<std::set<Triple>> at(samples);
-    for (const auto& face : mesh_->faces()) {
+    for (const auto& face : mesh().faces()) {
       Triple triple{nearest[face[0]].sample[0], nearest[face[1]].sample[0], nearest[face[2]].sample[0]};
       std::ranges::sort(triple);
       if (triple[0] == no_index || triple[0] == triple[1] || triple[1] == triple[2]) continue;
@@ -186,7 +182,11 @@ class GeodesicTriangles final : public GeodesicMethod {
 
   /// The third corner of a triangle whose first one is at (0, 0) and whose second one lies on the x axis.
   UnfoldedPoint apex_of(const Triple& sample) const {
-    return above(between(sample[0], sample[1]), between(sample[0], sample[2]), between(sample[1], sample[2]));
+    const double length = between(sample[0], sample[1]);
+    const double to_first = between(sample[0], sample[2]);
+    const double to_second = between(sample[1], sample[2]);
+    const double x = (to_first * to_first - to_second * to_second + length * length) / (2.0 * length);
+    return {x, std::sqrt(std::max(0.0, to_first * to_first - x * x))};
   }
 
   /// Its vertex in that plane: by the differences of the squares of its three distances, which a flat
@@ -221,19 +221,13 @@ class GeodesicTriangles final : public GeodesicMethod {
       const int j = (i + 1) % 3;
       over_corner = std::min(over_corner, from.distance[i] + apart[i]);
       const double length = between(from.sample[i], from.sample[j]);
-      const double farthest = std::max({from.distance[i], from.distance[j], apart[i], apart[j]});
-      if (!(length > 0.0 && length < unreachable && farthest < unreachable)) continue;
-      const UnfoldedPoint p = above(length, from.distance[i], from.distance[j]);
-      const UnfoldedPoint q = above(length, apart[i], apart[j]);
-      const double height = p.y + q.y;
-      const double crossing = height > 0.0 ? p.x + (q.x - p.x) * (p.y / height) : 0.5 * (p.x + q.x);
-      if (crossing < 0.0 || crossing > length) continue;
-      straight = std::min(straight, std::hypot(p.x - q.x, height));
+      if (!(length > 0.0 && length < unreachable)) continue;
+      straight = std::min(straight,
+                          unfolded_distance(length, from.distance[i], from.distance[j], apart[i], apart[j]));
     }
     return std::min(straight, over_corner);
   }
 
-  std::shared_ptr<const Mesh> mesh_;
   Index most_;
   std::vector<double> table_;
   std::vector<Corners> corners_;
@@ -256,10 +250,7 @@ MethodEntry gtu_entry() {
         "set-up m n^2 log n at most, pair constant"},
        false,
        true},
-      [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
-        return std::make_unique<GeodesicTriangles>(mesh, static_cast<Index>(options.at("m")), progress);
-      },
-      {}};
+      prepared<GeodesicTriangles>};
 }
 
 }  // namespace vorogeo

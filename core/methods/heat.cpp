@@ -1,6 +1,4 @@
 // The heat method on the intrinsic Delaunay triangulation.
-#include "methods/heat.h"
-
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <vector>
 
 #include "mesh/vectors.h"
 #include "methods/method.h"
@@ -25,7 +24,33 @@ constexpr double least_area_part = 1e-14;
 /// An edge whose angles sum to pi but for rounding stays.
 constexpr double cotangent_slack = 1e-9;
 
-}  // namespace
+/// Faces with vertices, edge lengths and neighbours; edge i of a face runs from corner i to corner i + 1.
+/// The vertices are those of the mesh. Two faces at an edge run along it in opposite directions where the
+/// surface allows that; edges where it does not (non-manifold or one-sided) have no neighbour.
+struct IntrinsicMesh {
+  struct Face {
+    std::array<Index, 3> vertex;
+    std::array<double, 3> length;
+    /// 3 f + i for edge i of face f on the other side; no_index: none.
+    std::array<Index, 3> across;
+  };
+  std::vector<Face> faces;
+
+  explicit IntrinsicMesh(const Mesh& mesh);
+
+  /// Flips edges until the angles opposite to each sum to at most pi (Bobenko, Springborn 2007). Distances on
+  /// the surface stay what they are.
+  void make_delaunay();
+
+  /// Twice the area, at least `least_area_part` of the longest edge squared.
+  static double double_area(const Face& face);
+  /// Cotangent of the angle opposite to edge i.
+  static double cotangent(const Face& face, int i);
+
+ private:
+  bool is_delaunay(Index f, int i) const;
+  bool flip(Index f, int i);
+};
 
 double IntrinsicMesh::double_area(const Face& face) {
   const double longest = *std::max_element(face.length.begin(), face.length.end());
@@ -132,7 +157,7 @@ bool IntrinsicMesh::flip(Index f, int i) {
   return true;
 }
 
-std::size_t IntrinsicMesh::make_delaunay() {
+void IntrinsicMesh::make_delaunay() {
   std::vector<Index> stack;
   for (Index edge = static_cast<Index>(3 * faces.size()) - 1; edge >= 0; --edge) stack.push_back(edge);
   // Each flip makes the triangulation "more Delaunay", but rounding on needles might not: the count is
@@ -152,12 +177,9 @@ std::size_t IntrinsicMesh::make_delaunay() {
       for (int k = 0; k < 2; ++k) stack.push_back(3 * face + k);
     }
   }
-  return flips;
 }
 
 // ---- The heat method: diffuse, normalise the gradient, integrate; both matrices are factorised once
-
-namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Solver = Eigen::SimplicialLDLT<Matrix>;
@@ -168,15 +190,15 @@ using Vector = Eigen::VectorXd;
 /// sources (borders of the mesh free), step 3 solves L d = divergence of the unit field -grad u.
 class Heat final : public GeodesicMethod {
  public:
-  Heat(const std::shared_ptr<const Mesh>& mesh, double time_step, bool delaunay, const Progress& progress)
-      : mesh_(mesh), surface_(*mesh) {
+  Heat(const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress)
+      : GeodesicMethod(mesh, "Heat method"), surface_(*mesh) {
     const Watch watch(progress, "Heat method: factorising");
     require_lengths(*mesh, "The heat method takes", 1e-60, 1e60);
-    if (delaunay) surface_.make_delaunay();
+    if (options.at("delaunay") != 0.0) surface_.make_delaunay();
     const Index count = mesh->vertex_count();
     std::vector<Eigen::Triplet<double>> laplacian;
     std::vector<Eigen::Triplet<double>> diffusion;
-    const double time = time_step * mesh->mean_edge_length() * mesh->mean_edge_length();
+    const double time = options.at("time_step") * mesh->mean_edge_length() * mesh->mean_edge_length();
     for (const auto& face : surface_.faces) {
       for (int i = 0; i < 3; ++i) {
         const Index a = face.vertex[i];
@@ -209,30 +231,6 @@ class Heat final : public GeodesicMethod {
     factorise(laplacian, poisson_);
   }
 
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    const Watch watch(progress, "Heat method");
-    const Index count = mesh_->vertex_count();
-    Vector start = Vector::Zero(count);
-    for (Index source : sources) start[source] = 1.0;
-    const Vector heat = diffusion_.solve(start);
-    checkpoint();
-    const Vector integrated = poisson_.solve(divergence(heat));
-    // The level at the sources becomes 0: their mean, in each component.
-    std::vector<double> level(mesh_->component_count(), 0.0);
-    std::vector<double> sources_in(mesh_->component_count(), 0.0);
-    for (Index v = 0; v < count; ++v) {
-      if (start[v] == 0.0) continue;
-      level[mesh_->component(v)] += integrated[v];
-      sources_in[mesh_->component(v)] += 1.0;
-    }
-    std::vector<double> distance(count, unreachable);
-    for (Index v = 0; v < count; ++v) {
-      const double sources_here = sources_in[mesh_->component(v)];
-      if (sources_here > 0.0) distance[v] = integrated[v] - level[mesh_->component(v)] / sources_here;
-    }
-    return distance;
-  }
-
   std::size_t bytes() const override {
     const auto of_solver = [](const Solver& solver) {
       const auto& factor = solver.matrixL().nestedExpression();
@@ -243,8 +241,31 @@ class Heat final : public GeodesicMethod {
   }
 
  private:
+  std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
+    const Index count = mesh().vertex_count();
+    Vector start = Vector::Zero(count);
+    for (Index source : sources) start[source] = 1.0;
+    const Vector heat = diffusion_.solve(start);
+    checkpoint();
+    const Vector integrated = poisson_.solve(divergence(heat));
+    // The level at the sources becomes 0: their mean, in each component.
+    std::vector<double> level(mesh().component_count(), 0.0);
+    std::vector<double> sources_in(mesh().component_count(), 0.0);
+    for (Index v = 0; v < count; ++v) {
+      if (start[v] == 0.0) continue;
+      level[mesh().component(v)] += integrated[v];
+      sources_in[mesh().component(v)] += 1.0;
+    }
+    std::vector<double> distance(count, unreachable);
+    for (Index v = 0; v < count; ++v) {
+      const double sources_here = sources_in[mesh().component(v)];
+      if (sources_here > 0.0) distance[v] = integrated[v] - level[mesh().component(v)] / sources_here;
+    }
+    return distance;
+  }
+
   void factorise(const std::vector<Eigen::Triplet<double>>& entries, Solver& solver) const {
-    Matrix matrix(mesh_->vertex_count(), mesh_->vertex_count());
+    Matrix matrix(mesh().vertex_count(), mesh().vertex_count());
     matrix.setFromTriplets(entries.begin(), entries.end());
     solver.compute(matrix);
     if (solver.info() != Eigen::Success) {
@@ -257,7 +278,7 @@ class Heat final : public GeodesicMethod {
 
   /// Of the unit field along the falling heat, summed over the corners at each vertex.
   Vector divergence(const Vector& heat) const {
-    Vector sums = Vector::Zero(mesh_->vertex_count());
+    Vector sums = Vector::Zero(mesh().vertex_count());
     for (const auto& face : surface_.faces) {
       // Corner 0 in the origin, corner 1 on the x axis.
       const auto [a, b, c] = face.length;
@@ -277,13 +298,12 @@ class Heat final : public GeodesicMethod {
         sums[face.vertex[(i + 1) % 3]] += part;
       }
     }
-    for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+    for (Index v = 0; v < mesh().vertex_count(); ++v) {
       if (held_[v] != 0) sums[v] = 0.0;
     }
     return sums;
   }
 
-  std::shared_ptr<const Mesh> mesh_;
   IntrinsicMesh surface_;
   std::vector<std::uint8_t> held_;
   Solver diffusion_;
@@ -307,10 +327,7 @@ MethodEntry heat_entry() {
         "set-up about n^1.5, field n log n"},
        false,
        false},
-      [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
-        return std::make_unique<Heat>(mesh, options.at("time_step"), options.at("delaunay") != 0.0, progress);
-      },
-      {}};
+      prepared<Heat>};
 }
 
 }  // namespace vorogeo

@@ -66,31 +66,14 @@ const MethodEntry& method_named(const std::string& name) {
                      names_of(all_methods(), [](const MethodEntry& entry) { return entry.info.name; }) + ".");
 }
 
-namespace {
-
-/// A method on a mesh where vertices became one over gaps: each gets the distance of the one that faces name.
-class MergedVertices final : public GeodesicMethod {
- public:
-  MergedVertices(std::shared_ptr<const Mesh> mesh, std::unique_ptr<GeodesicMethod> method)
-      : mesh_(std::move(mesh)), method_(std::move(method)) {}
-  std::vector<double> field(std::span<const Index> sources, const Progress& progress) override {
-    std::vector<Index> named(sources.begin(), sources.end());
-    for (Index& v : named) v = mesh_->representative(v);
-    std::vector<double> distances = method_->field(named, progress);
-    for (Index v = 0; v < mesh_->vertex_count(); ++v) distances[v] = distances[mesh_->representative(v)];
-    return distances;
-  }
-  double pair(Index source, Index target) override {
-    return method_->pair(mesh_->representative(source), mesh_->representative(target));
-  }
-  std::size_t bytes() const override { return method_->bytes(); }
-
- private:
-  std::shared_ptr<const Mesh> mesh_;
-  std::unique_ptr<GeodesicMethod> method_;
-};
-
-}  // namespace
+std::vector<double> GeodesicMethod::field(std::span<const Index> sources, const Progress& progress) {
+  const Watch watch(activity_.empty() ? Progress() : progress, activity_);
+  std::vector<Index> named(sources.begin(), sources.end());
+  for (Index& v : named) v = mesh_->representative(v);
+  std::vector<double> distances = solve(named, progress);
+  for (Index v = 0; v < mesh_->vertex_count(); ++v) distances[v] = distances[mesh_->representative(v)];
+  return distances;
+}
 
 std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,
                                                const std::shared_ptr<const Mesh>& mesh,
@@ -99,9 +82,7 @@ std::unique_ptr<GeodesicMethod> prepare_method(const std::string& name,
   if (entry.info.name != vorogeo_entry().info.name) {
     require_agreeing_faces(*mesh, "The method " + entry.info.name + " and others of the literature");
   }
-  auto method = entry.prepare(mesh, completed_options(entry.info, given), progress);
-  if (!mesh->has_merged_vertices()) return method;
-  return std::make_unique<MergedVertices>(mesh, std::move(method));
+  return entry.prepare(mesh, completed_options(entry.info, given), progress);
 }
 
 }  // namespace vorogeo

@@ -6,6 +6,8 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -50,15 +52,42 @@ using MethodOptions = std::map<std::string, double>;
 /// A method that has been prepared for a mesh. Belongs to one thread.
 class GeodesicMethod {
  public:
+  /// `activity`: what a field reports that it does; empty if solve() reports by itself.
+  explicit GeodesicMethod(std::shared_ptr<const Mesh> mesh, std::string activity = {})
+      : mesh_(std::move(mesh)), activity_(std::move(activity)) {}
   virtual ~GeodesicMethod() = default;
-  /// Distances from the nearest of the sources to every vertex; `unreachable` where there is none.
-  /// \pre The sources are vertices of the mesh. \throw Cancelled.
-  virtual std::vector<double> field(std::span<const Index> sources, const Progress& progress) = 0;
+  /// Distances from the nearest of the sources to every vertex; `unreachable` where there is none. Vertices
+  /// that became one over gaps have the same. \pre The sources are vertices of the mesh. \throw Cancelled.
+  std::vector<double> field(std::span<const Index> sources, const Progress& progress = {});
   /// Distance of two vertices. Without a faster method it is the value of a field.
-  virtual double pair(Index source, Index target) { return field({&source, 1}, {})[target]; }
+  double pair(Index source, Index target) {
+    return solve_pair(mesh_->representative(source), mesh_->representative(target));
+  }
   /// Bytes held beside the mesh, scratch memory of the last field included.
   virtual std::size_t bytes() const = 0;
+
+ protected:
+  const Mesh& mesh() const { return *mesh_; }
+  virtual std::vector<double> solve(std::span<const Index> sources, const Progress& progress) = 0;
+  virtual double solve_pair(Index source, Index target) { return solve({&source, 1}, {})[target]; }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+  std::string activity_;
 };
+
+/// A method made by a constructor that takes the mesh, and maybe options and a progress.
+template <class Method>
+std::unique_ptr<GeodesicMethod> prepared(const std::shared_ptr<const Mesh>& mesh,
+                                         const MethodOptions& options, const Progress& progress) {
+  if constexpr (std::is_constructible_v<Method, decltype(mesh), decltype(options), decltype(progress)>) {
+    return std::make_unique<Method>(mesh, options, progress);
+  } else if constexpr (std::is_constructible_v<Method, decltype(mesh), decltype(options)>) {
+    return std::make_unique<Method>(mesh, options);
+  } else {
+    return std::make_unique<Method>(mesh);
+  }
+}
 
 /// A row of the table of methods.
 struct MethodEntry {
@@ -67,7 +96,7 @@ struct MethodEntry {
                                                 const MethodOptions& options, const Progress& progress)>
       prepare;
   /// What a user ought to know before it runs on this mesh; empty if nothing. May be unset.
-  std::function<std::string(const Mesh& mesh)> warning;
+  std::function<std::string(const Mesh& mesh)> warning = {};
 };
 
 /// The field that the last run of a solver has found.
@@ -86,10 +115,10 @@ std::size_t bytes_of(const std::vector<T>& values) {
 
 // ---- The table of all geodesic methods, by their names
 
-// Each in the file of its name.
+MethodEntry vorogeo_entry();
 MethodEntry mmp_entry();
 MethodEntry ammp_entry();
-MethodEntry ch_entry();  // in chen_han.cpp, with ich
+MethodEntry ch_entry();
 MethodEntry ich_entry();
 MethodEntry fast_marching_entry();
 MethodEntry heat_entry();
@@ -100,7 +129,6 @@ MethodEntry gtu_entry();
 MethodEntry campen_kobbelt_entry();
 MethodEntry stvd_entry();
 MethodEntry dijkstra_entry();
-MethodEntry vorogeo_entry();
 
 /// In the order in which they are offered.
 const std::vector<MethodEntry>& all_methods();

@@ -179,16 +179,10 @@ MethodField field_of(FilterCall& call, LayerSurface& layer, const std::shared_pt
 /// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
 /// scientific visualization" (2009), between its end colours.
 vcg::Color4b diverging_color(double t) {
-  constexpr std::array<double, 3> negative{59, 76, 192};
-  constexpr std::array<double, 3> middle{221, 221, 221};
-  constexpr std::array<double, 3> positive{180, 4, 38};
-  const double weight = std::min(1.0, std::abs(t));
-  std::array<unsigned char, 3> rgb{};
-  for (int i = 0; i < 3; ++i) {
-    const double end = t < 0.0 ? negative[i] : positive[i];
-    rgb[i] = static_cast<unsigned char>(std::lround(middle[i] + weight * (end - middle[i])));
-  }
-  return {rgb[0], rgb[1], rgb[2], 255};
+  const vcg::Color4b negative(59, 76, 192, 255), middle(221, 221, 221, 255), positive(180, 4, 38, 255);
+  vcg::Color4b color;
+  color.lerp(middle, t < 0.0 ? negative : positive, static_cast<float>(std::min(1.0, std::abs(t))));
+  return color;
 }
 
 /// Dark grey: vertices with nothing to compare.

@@ -110,7 +110,7 @@ TEST(MethodTable, PairsAreThoseOfTheFieldsAndCountedBytesAreNotNone) {
     const auto method = entry.info.name;
     const auto prepared = prepare_method(method, mesh, {}, {});
     const std::vector<Index> source{17};
-    const auto field = prepared->field(source, {});
+    const auto field = prepared->field(source);
     for (Index target : {17, 100, 161}) {
       EXPECT_NEAR(prepared->pair(17, target), field[target], 2e-3 * field[target] + 1e-12) << method;
     }

@@ -1,11 +1,9 @@
-// Methods that solve an equation: fast marching, waves across gaps, heat, and what these prepare of a mesh.
+// Methods that solve an equation: fast marching, waves across gaps, heat.
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "mesh/gaps.h"
-#include "methods/fast_marching.h"
-#include "methods/heat.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
@@ -54,40 +52,6 @@ TEST(FastMarchingMethod, ErrsInTheFirstOrderOnASphere) {
   EXPECT_LT(fine.mean, 0.7 * coarse.mean);
   EXPECT_GT(fine.mean, 0.3 * coarse.mean);
   EXPECT_GT(fine.mean, 0.005);
-}
-
-// Splits of obtuse corners, against the plane.
-
-TEST(ObtuseCorners, AcuteTrianglesStayAsTheyAre) {
-  const auto mesh = test::make_mesh(test::stretched_triangles(5, 1.0));
-  const auto triangles = marching_triangles(*mesh);
-  ASSERT_EQ(triangles.size(), 3u * mesh->face_count());
-  for (const auto& t : triangles) {
-    EXPECT_NEAR(t.cosine, 0.5, 1e-12);
-    EXPECT_NEAR(t.to_first, 0.2, 1e-12);
-  }
-}
-
-TEST(ObtuseCorners, InThePlaneSplitsAreTheVerticesThemselves) {
-  for (double stretch : {3.0, 8.0}) {
-    const test::Soup soup = test::stretched_triangles(12, stretch);
-    const auto mesh = test::make_mesh(soup);
-    const auto triangles = marching_triangles(*mesh);
-    std::size_t obtuse = 0;
-    for (const auto& t : triangles) {
-      const Point& a = soup.positions[t.vertex];
-      const Point& b = soup.positions[t.first];
-      const Point& c = soup.positions[t.second];
-      EXPECT_NEAR(t.to_first, distance_between(a, b), 1e-12);
-      EXPECT_NEAR(t.to_second, distance_between(a, c), 1e-12);
-      const double dot = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]);
-      EXPECT_NEAR(t.cosine, dot / (t.to_first * t.to_second), 1e-9);
-      obtuse += t.cosine < -1e-9 ? 1 : 0;
-    }
-    // One corner of each face was obtuse and became two triangles, but near the border.
-    EXPECT_GT(triangles.size(), 3.7 * mesh->face_count());
-    EXPECT_LT(obtuse, 0.3 * mesh->face_count());
-  }
 }
 
 // Waves across gaps: a plane in two parts, loose triangles, and the short cut between fingers that the
@@ -170,60 +134,31 @@ TEST(HeatMethod, NeedlesSpoilItAndTheIntrinsicTriangulationHelps) {
   EXPECT_LT(delaunay.mean, plain.mean);
 }
 
-// Intrinsic triangulations: area and angles that flips keep, and the Delaunay condition.
-
-double area_of(const IntrinsicMesh& surface) {
-  double area = 0.0;
-  for (const auto& face : surface.faces) area += 0.5 * IntrinsicMesh::double_area(face);
-  return area;
-}
-
-std::vector<double> angles_of(const IntrinsicMesh& surface, Index count) {
-  std::vector<double> angles(count, 0.0);
-  for (const auto& face : surface.faces) {
-    for (int i = 0; i < 3; ++i) {
-      angles[face.vertex[(i + 2) % 3]] += std::atan2(1.0, IntrinsicMesh::cotangent(face, i));
-    }
+TEST(HeatMethod, TheIntrinsicTriangulationDependsNeitherOnTheFacesNorOnTheirOrientation) {
+  // Of a rectangle, whichever diagonals it has; and of hills whose faces were turned over.
+  test::Soup grid = test::plane_grid(20, 10, 2.0, 1.0).soup;
+  const auto of = [](const test::Soup& soup) {
+    return test::method_field("heat", test::make_mesh(soup), {0}, {{"delaunay", 1.0}});
+  };
+  test::Soup hills = test::hills(20, 0.8);
+  const auto expect_same = [](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t v = 0; v < a.size(); ++v) EXPECT_NEAR(a[v], b[v], 1e-6) << v;
+  };
+  expect_same(of(test::with_flipped_faces(hills, 3)), of(hills));
+  for (Point& p : grid.positions) p[0] += 0.02 * p[1];  // so that one diagonal is the shorter one
+  const auto before = of(grid);
+  for (std::size_t f = 0; f < grid.faces.size(); f += 2) {  // the two faces of a cell
+    auto &one = grid.faces[f], &other = grid.faces[f + 1];
+    const auto alone = [](const auto& face, const auto& beside) {
+      return std::ranges::find_if(face, [&](Index v) { return std::ranges::count(beside, v) == 0; });
+    };
+    const Index p = *alone(one, other);
+    const Index q = *alone(other, one);
+    const Index shared = other[(alone(other, one) - other.begin() + 1) % 3];
+    std::ranges::replace(one, shared, q);
+    other = {p, q, shared};
   }
-  return angles;
-}
-
-void expect_delaunay_of_the_same_surface(const test::Soup& soup, bool flips) {
-  const auto mesh = test::make_mesh(soup);
-  IntrinsicMesh surface(*mesh);
-  const double area = area_of(surface);
-  const auto angles = angles_of(surface, mesh->vertex_count());
-  EXPECT_EQ(surface.make_delaunay() > 0, flips);
-  EXPECT_NEAR(area_of(surface), area, 1e-9 * area);
-  const auto after = angles_of(surface, mesh->vertex_count());
-  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_NEAR(after[v], angles[v], 1e-6);
-  for (Index f = 0; f < static_cast<Index>(surface.faces.size()); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      const Index across = surface.faces[f].across[i];
-      if (across == no_index) continue;
-      const auto& other = surface.faces[across / 3];
-      EXPECT_EQ(other.across[across % 3], 3 * f + i);
-      EXPECT_NEAR(other.length[across % 3], surface.faces[f].length[i], 1e-12);
-      EXPECT_EQ(other.vertex[across % 3], surface.faces[f].vertex[(i + 1) % 3]);
-      EXPECT_GE(IntrinsicMesh::cotangent(surface.faces[f], i) + IntrinsicMesh::cotangent(other, across % 3),
-                -1e-8);
-    }
-  }
-}
-
-TEST(IntrinsicMesh, FlipsKeepTheSurfaceAndEndDelaunay) {
-  expect_delaunay_of_the_same_surface(test::icosphere(3), false);
-  expect_delaunay_of_the_same_surface(test::hills(20, 0.8), true);
-  expect_delaunay_of_the_same_surface(test::with_flipped_faces(test::hills(20, 0.8), 3), true);
-  expect_delaunay_of_the_same_surface(test::drilled_plate(3, 2, 0.5, 4), true);
-  expect_delaunay_of_the_same_surface(test::gear(16, 8, 0.5), true);
-}
-
-TEST(IntrinsicMesh, AFlatParallelogramGetsItsShortDiagonal) {
-  test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {1.9, 1, 0}, {0.9, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  IntrinsicMesh surface(*test::make_mesh(soup));
-  EXPECT_EQ(surface.make_delaunay(), 1u);
-  EXPECT_NEAR(surface.faces[0].length[2], std::hypot(0.1, 1.0), 1e-14);
+  expect_same(of(grid), before);
 }
 
 }  // namespace

@@ -1,18 +1,31 @@
-// Fast marching, with obtuse corners unfolded.
-#include "methods/fast_marching.h"
-
+// Fast marching, with obtuse corners unfolded, and over raw meshes across gaps.
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "mesh/surface_locator.h"
+#include "mesh/vectors.h"
 #include "methods/method.h"
 #include "methods/vertex_search.h"
+#include "support/error.h"
 #include "support/progress.h"
 
 namespace vorogeo {
 
-// ---- Unfolds the faces opposite to an obtuse corner
+// ---- Obtuse corners of a mesh, split by a vertex that unfolding finds inside them
 
 namespace {
+
+constexpr int max_unfolded = 64;
+
+/// A triangle in the plane, as fast marching sees it from a corner: two vertices with known values, their
+/// distances from the corner's vertex and the angle between them there.
+struct MarchingTriangle {
+  Index vertex;         ///< the corner's, which gets a value
+  Index first, second;  ///< which have one
+  double to_first, to_second;
+  double cosine;  ///< of the angle at the corner; negative only where no split was found
+};
 
 struct Flat {
   double x, y;
@@ -28,7 +41,7 @@ Flat beside(const Flat& a, const Flat& b, double to_a, double to_b) {
   return {a.x + (along * dx + away * dy) / length, a.y + (along * dy - away * dx) / length};
 }
 
-double length_of(const Mesh& mesh, Index halfedge) { return mesh.edge_length(mesh.edge_of(halfedge)); }
+double side_length(const Mesh& mesh, Index halfedge) { return mesh.edge_length(mesh.edge_of(halfedge)); }
 
 struct Split {
   Index vertex = no_index;
@@ -50,8 +63,8 @@ Split split_of(const Mesh& mesh, Index corner, double to_first, double to_second
     const bool begins_right = same == from_right;
     const Index next = Mesh::next_in_face(twin);
     const Index previous = Mesh::previous_in_face(twin);
-    const double to_right = length_of(mesh, begins_right ? previous : next);
-    const double to_left = length_of(mesh, begins_right ? next : previous);
+    const double to_right = side_length(mesh, begins_right ? previous : next);
+    const double to_left = side_length(mesh, begins_right ? next : previous);
     const Flat apex = beside(right, left, to_right, to_left);
     const double with_right = apex.x;  // its sign is that of the cosine
     const double with_left = apex.x * cosine + apex.y * sine;
@@ -72,8 +85,10 @@ Split split_of(const Mesh& mesh, Index corner, double to_first, double to_second
   return {};
 }
 
-}  // namespace
-
+/// The triangles at all corners of the mesh. A corner of more than 90 degrees is split: the faces opposite to
+/// it are unfolded one after the other until a vertex lies in the sector that leaves two acute angles
+/// (Kimmel, Sethian 1998, section 4, "extending to non-acute triangulations"). Where the strip meets a border
+/// of the mesh or a non-manifold edge first, or after `max_unfolded` faces, the obtuse triangle stays.
 std::vector<MarchingTriangle> marching_triangles(const Mesh& mesh) {
   std::vector<MarchingTriangle> triangles;
   triangles.reserve(3 * static_cast<std::size_t>(mesh.face_count()));
@@ -81,8 +96,8 @@ std::vector<MarchingTriangle> marching_triangles(const Mesh& mesh) {
     const Index vertex = mesh.tail(corner);
     const Index first = mesh.head(corner);
     const Index second = mesh.apex(corner);
-    const double to_first = length_of(mesh, corner);
-    const double to_second = length_of(mesh, Mesh::previous_in_face(corner));
+    const double to_first = side_length(mesh, corner);
+    const double to_second = side_length(mesh, Mesh::previous_in_face(corner));
     const double cosine = std::cos(mesh.corner_angle(corner));
     if (!(to_first > 0.0 && to_second > 0.0)) {
       triangles.push_back({vertex, first, second, to_first, to_second, -1.0});
@@ -102,8 +117,6 @@ std::vector<MarchingTriangle> marching_triangles(const Mesh& mesh) {
 }
 
 // ---- Fast marching on triangles: a plane wave through each triangle, in order of arrival
-
-namespace {
 
 /// Arrival at the corner of a plane wave of speed 1 with the values `low` <= `high` at the other two
 /// vertices, which lie `to_low` and `to_high` away (Kimmel, Sethian 1998, section 4). A wave that does not
@@ -136,17 +149,32 @@ double through(const MarchingTriangle& t, const VertexSearch& search) {
   return arrival(second, first, t.to_second, t.to_first, t.cosine);
 }
 
-}  // namespace
+/// Plane waves through the triangles of a mesh, in order of arrival.
+class FastMarching final : public GeodesicMethod {
+ public:
+  explicit FastMarching(const std::shared_ptr<const Mesh>& mesh) : FastMarching(mesh, *mesh) {}
+  /// Over a surface with the vertices of the mesh and other faces.
+  FastMarching(const std::shared_ptr<const Mesh>& mesh, const Mesh& surface);
+  std::size_t bytes() const override;
 
-FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh)
-    : vertices_(mesh->vertex_count()), triangles_(marching_triangles(*mesh)) {
+ private:
+  std::vector<double> solve(std::span<const Index> sources, const Progress& progress) override;
+
+  std::vector<MarchingTriangle> triangles_;
+  std::vector<std::size_t> begin_;
+  std::vector<std::size_t> seen_from_;
+};
+
+FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh, const Mesh& surface)
+    : GeodesicMethod(mesh, "Fast marching"), triangles_(marching_triangles(surface)) {
   // The triangles in which a vertex is one of those with a value.
-  begin_.assign(static_cast<std::size_t>(vertices_) + 1, 0);
+  const Index vertices = mesh->vertex_count();
+  begin_.assign(static_cast<std::size_t>(vertices) + 1, 0);
   for (const auto& t : triangles_) {
     ++begin_[t.first + 1];
     ++begin_[t.second + 1];
   }
-  for (Index v = 0; v < vertices_; ++v) begin_[v + 1] += begin_[v];
+  for (Index v = 0; v < vertices; ++v) begin_[v + 1] += begin_[v];
   seen_from_.resize(begin_.back());
   std::vector<std::size_t> place(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -155,9 +183,8 @@ FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh)
   }
 }
 
-std::vector<double> FastMarching::field(std::span<const Index> sources, const Progress& progress) {
-  const Watch watch(progress, "Fast marching");
-  VertexSearch search(vertices_, sources);
+std::vector<double> FastMarching::solve(std::span<const Index> sources, const Progress&) {
+  VertexSearch search(mesh().vertex_count(), sources);
   for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
     for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) {
       const MarchingTriangle& t = triangles_[seen_from_[i]];
@@ -169,8 +196,10 @@ std::vector<double> FastMarching::field(std::span<const Index> sources, const Pr
 
 std::size_t FastMarching::bytes() const {
   return bytes_of(triangles_) + bytes_of(begin_) + bytes_of(seen_from_) +
-         static_cast<std::size_t>(vertices_) * VertexSearch::bytes_per_vertex;
+         static_cast<std::size_t>(mesh().vertex_count()) * VertexSearch::bytes_per_vertex;
 }
+
+}  // namespace
 
 MethodEntry fast_marching_entry() {
   return {{"fast_marching",
@@ -180,10 +209,83 @@ MethodEntry fast_marching_entry() {
            {"MSAD", "adjacency", "first order in the edge length", "speeds on vertices", "field n log n"},
            false,
            false},
-          [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress&) {
-            return std::make_unique<FastMarching>(mesh);
-          },
-          {}};
+          prepared<FastMarching>};
+}
+
+// ---- Waves over raw meshes that cross whatever is nearer in space than a tolerance
+
+namespace {
+
+/// Triangles across gaps for each vertex, in the mean, beyond which a gap is refused: it is many edges wide,
+/// and everything would be joined to everything around it.
+constexpr std::size_t max_triangles_per_vertex = 500;
+
+double distance_to_face(const Mesh& mesh, Index vertex, const std::array<Index, 3>& face) {
+  const Point& p = mesh.position(vertex);
+  const auto weights =
+      nearest_weights(p, mesh.position(face[0]), mesh.position(face[1]), mesh.position(face[2]));
+  Point away{};
+  for (int i = 0; i < 3; ++i) away = moved(away, weights[i], minus(mesh.position(face[i]), p));
+  return length_of(away);
+}
+
+/// The faces of the mesh without its bridges, and for each vertex and each face that is no farther from it
+/// than the gap and does not have it as a corner, the triangles from the vertex to the sides of the face.
+Mesh joined_wherever_near(const Mesh& mesh, double gap) {
+  if (mesh.has_metric() || !mesh.has_positions()) {
+    throw InvalidInput(
+        "The method campen_kobbelt crosses gaps by their width in space, so not in a metric; set its gap to "
+        "0 or leave out the metric.");
+  }
+  std::vector<std::array<Index, 3>> faces(mesh.faces().begin(), mesh.faces().begin() + mesh.first_bridge());
+  std::vector<Box> boxes;
+  for (const auto& face : faces) {
+    Box box{mesh.position(face[0]), mesh.position(face[0])};
+    for (const Index v : face) box.add({mesh.position(v), mesh.position(v)});
+    boxes.push_back(box);
+  }
+  const BoxTree tree(boxes);
+  const std::size_t most = faces.size() + max_triangles_per_vertex * mesh.vertex_count();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % 1024 == 0) checkpoint();
+    if (mesh.corners(v).empty()) continue;
+    const auto join = [&](Index f) {
+      const std::array<Index, 3> face = faces[f];
+      if (std::ranges::find(face, v) != face.end() || distance_to_face(mesh, v, face) > gap) return gap;
+      for (int i = 0; i < 3; ++i) faces.push_back({v, face[i], face[(i + 1) % 3]});
+      return gap;
+    };
+    tree.visit_near({mesh.position(v), mesh.position(v)}, gap, mesh.face_count(), join,
+                    [](Index) { return false; });
+    if (faces.size() > most) {
+      throw InvalidInput(
+          "The gap of the method campen_kobbelt is " + std::to_string(gap / mesh.typical_edge_length()) +
+          " typical edges wide, and joins each vertex to hundreds of faces; give a smaller one.");
+    }
+  }
+  return {mesh.positions(), faces};
+}
+
+}  // namespace
+
+// After the abstract of the paper: distances on raw meshes without a repair, holes and gaps bridged up to a
+// tolerance, whatever lies on their sides. The front is that of fast marching, not of the paper's cells.
+MethodEntry campen_kobbelt_entry() {
+  return {
+      {"campen_kobbelt",
+       "Waves across gaps (Campen, Kobbelt)",
+       "M. Campen, L. Kobbelt: Walking on broken mesh: defect-tolerant geodesic distances and "
+       "parameterizations. Computer Graphics Forum 30(2), 2011",
+       {{"gap", 0.0, 0.0, 1e60, false, "width in space that waves cross anywhere, in the unit of the mesh"}},
+       {"MSAD", "adjacency", "none; short cuts between what is near in space", "none", "field n log n"},
+       false,
+       false},
+      [](const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress) {
+        const Watch watch(progress, "Gaps");
+        const double gap = options.at("gap");
+        return gap > 0.0 ? std::make_unique<FastMarching>(mesh, joined_wherever_near(*mesh, gap))
+                         : std::make_unique<FastMarching>(mesh);
+      }};
 }
 
 }  // namespace vorogeo
