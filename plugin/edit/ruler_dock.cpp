@@ -35,25 +35,24 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   rows->addWidget(table_);
 
   auto* buttons = new QHBoxLayout;
-  prepare_ = new QPushButton("Prepare", body);
-  prepare_->setToolTip(
-      "Builds the index, which the filters use as well: then paths are found in about a millisecond on "
-      "large meshes, too. The window stays usable, and you can cancel.");
-  connect(prepare_, &QPushButton::clicked, this,
-          [this] { (is_preparing_ ? actions_.cancel : actions_.prepare)(); });
-  buttons->addWidget(prepare_);
-  auto* copy = new QPushButton("Copy", body);
-  copy->setToolTip("Copies the table (Ctrl+C).");
-  connect(copy, &QPushButton::clicked, this, [this] { actions_.copy(); });
-  buttons->addWidget(copy);
-  save_ = new QPushButton("Save...", body);
-  save_->setToolTip("Adds a layer with all paths on the current layer, and writes the table to a CSV file.");
-  connect(save_, &QPushButton::clicked, this, [this] { actions_.save(); });
-  buttons->addWidget(save_);
-  auto* remove = new QPushButton("Delete", body);
-  remove->setToolTip("Removes the selected measurements, or the last one (Delete).");
-  connect(remove, &QPushButton::clicked, this, [this] { actions_.remove(chosen()); });
-  buttons->addWidget(remove);
+  const auto add_button = [&](const char* text, const char* tip, const std::function<void()>& pressed) {
+    auto* button = new QPushButton(text, body);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, pressed);
+    buttons->addWidget(button);
+    return button;
+  };
+  prepare_ = add_button(
+      "Prepare",
+      "Builds the index, which the filters use as well: then paths are found in about a millisecond on large "
+      "meshes, too. The window stays usable, and you can cancel.",
+      [this] { (is_preparing_ ? actions_.cancel : actions_.prepare)(); });
+  add_button("Copy", "Copies the table (Ctrl+C).", [this] { actions_.copy(); });
+  save_ = add_button("Save...",
+                     "Adds a layer with all paths on the current layer, and writes the table to a CSV file.",
+                     [this] { actions_.save(); });
+  add_button("Delete", "Removes the selected measurements, or the last one (Delete).",
+             [this] { actions_.remove(chosen()); });
   rows->addLayout(buttons);
   setWidget(body);
 

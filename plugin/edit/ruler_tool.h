@@ -12,9 +12,9 @@
 
 #include "edit/background.h"
 #include "edit/drag_log.h"
-#include "edit/overlay.h"
 #include "edit/ruler_dock.h"
 #include "edit/ruler_surface.h"
+#include "edit/scene.h"
 #include "host/edit_host.h"
 #include "layers/layer_cache.h"
 

@@ -42,37 +42,33 @@ std::filesystem::path output_file(const FilterCall& call) {
 /// the values are computed if their number is known; an old file stays until the new one is complete.
 class NpyFile {
  public:
-  /// \throw InvalidInput or FileError if it cannot be written; the message names the file.
-  NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns);
-  /// Writes all values and puts the file in its place. \throw FileError.
-  void finish(std::span<const double> values);
+  /// Writes the header of version 1.0 of the format. \throw InvalidInput or FileError if the file cannot be
+  /// written; the message names it.
+  NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns) : out_(file, "The file") {
+    constexpr std::size_t alignment = 64;
+    constexpr std::size_t before_header = 10;
+    const char* order = std::endian::native == std::endian::little ? "<" : ">";
+    std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (" +
+                         std::to_string(rows) + ", " + std::to_string(columns) + "), }";
+    while ((before_header + header.size() + 1) % alignment != 0) header += ' ';
+    header += '\n';
+    std::string start("\x93NUMPY\x01\x00", 8);
+    start += static_cast<char>(header.size() % 256);
+    start += static_cast<char>(header.size() / 256);
+    start += header;
+    out_.reserve(start.size() + sizeof(double) * rows * columns);
+    out_.write(std::as_bytes(std::span(start)));
+  }
+
+  /// Writes all values as they are in memory, and puts the file in its place. \throw FileError.
+  void finish(std::span<const double> values) {
+    out_.write(std::as_bytes(values));
+    out_.finish();
+  }
 
  private:
   OutputFile out_;
 };
-
-/// The header of version 1.0 of the format; the values follow as they are in memory.
-NpyFile::NpyFile(const std::filesystem::path& file, std::size_t rows, std::size_t columns)
-    : out_(file, "The file") {
-  constexpr std::size_t alignment = 64;
-  constexpr std::size_t before_header = 10;
-  const char* order = std::endian::native == std::endian::little ? "<" : ">";
-  std::string header = std::string("{'descr': '") + order + "f8', 'fortran_order': False, 'shape': (" +
-                       std::to_string(rows) + ", " + std::to_string(columns) + "), }";
-  while ((before_header + header.size() + 1) % alignment != 0) header += ' ';
-  header += '\n';
-  std::string start("\x93NUMPY\x01\x00", 8);
-  start += static_cast<char>(header.size() % 256);
-  start += static_cast<char>(header.size() / 256);
-  start += header;
-  out_.reserve(start.size() + sizeof(double) * rows * columns);
-  out_.write(std::as_bytes(std::span(start)));
-}
-
-void NpyFile::finish(std::span<const double> values) {
-  out_.write(std::as_bytes(values));
-  out_.finish();
-}
 
 // ---- Filters: distances between all points given, and those of pairs within a radius
 
@@ -92,15 +88,17 @@ Results distance_matrix_of_selection(FilterCall& call) {
   const auto file = output_file(call);
   std::optional<NpyFile> output;
   if (!file.empty()) output.emplace(file, k, k);
-  TaskOfLayer found = task_of_layer(call, *layer);
-  std::vector<double> matrix(k * k);
-  distance_matrix(*found.surface, points.points, MatrixMethod::automatic, matrix, found.options);
+  auto [matrix, answered, results] =
+      ask_task(call, *layer, "Distance matrix", [&](Surface& surface, const TaskOptions& options) {
+        std::vector<double> distances(k * k);
+        distance_matrix(surface, points.points, MatrixMethod::automatic, distances, options);
+        return distances;
+      });
   if (output) {
     output->finish(matrix);
     call.log("Distance matrix: written to " + file.string());
   }
   call.log("Distance matrix of " + std::to_string(k) + " " + points.what);
-  Results results = std::move(found.about_index);
   results["rows"] = static_cast<int>(k);
   results["columns"] = static_cast<int>(k);
   results["vertices"] = as_vector(points.numbers);
@@ -120,8 +118,10 @@ Results pairs_of_selection(FilterCall& call) {
   const double radius = length_of(call, "radius", true);
   const TaskPoints points = task_points(call, *layer, "among which pairs are wanted");
   const auto file = output_file(call);
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const SparseDistances pairs = pairs_within(*found.surface, points.points, radius, 0, found.options);
+  auto [pairs, answered, results] =
+      ask_task(call, *layer, "Pairs within the radius", [&](Surface& surface, const TaskOptions& options) {
+        return pairs_within(surface, points.points, radius, 0, options);
+      });
   std::vector<int> first;
   std::vector<int> second;
   std::vector<double> distance;
@@ -141,7 +141,6 @@ Results pairs_of_selection(FilterCall& call) {
   }
   call.log(std::to_string(distance.size()) + " pairs of " + std::to_string(points.size()) + " " +
            points.what + " are within the radius");
-  Results results = std::move(found.about_index);
   results["pairs"] = static_cast<int>(distance.size());
   results["first"] = as_vector(first);
   results["second"] = as_vector(second);
@@ -173,9 +172,10 @@ Results nearest_points(FilterCall& call) {
                      std::to_string(queries.size()) + " points",
                  "Lower neighbour_number or give fewer points.");
   const TaskPoints set = snapped_layer(call, *layer, "source_layer", "points");
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const NearestOfSet nearest =
-      nearest_of_set(*found.surface, set.points, queries.points, count, found.options);
+  auto [nearest, answered, results] =
+      ask_task(call, *layer, "Nearest points", [&](Surface& surface, const TaskOptions& options) {
+        return nearest_of_set(surface, set.points, queries.points, count, options);
+      });
   std::vector<int> of_query;
   std::vector<double> place;
   std::vector<double> table;
@@ -191,7 +191,6 @@ Results nearest_points(FilterCall& call) {
   }
   call.log("The " + std::to_string(count) + " nearest of " + std::to_string(set.points.size()) +
            " points for " + std::to_string(queries.size()) + " " + queries.what);
-  Results results = std::move(found.about_index);
   results["rows"] = static_cast<int>(queries.size());
   results["columns"] = neighbours;
   results["vertices"] = as_vector(of_query);

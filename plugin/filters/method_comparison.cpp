@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <sstream>
 #include <string>
@@ -79,101 +80,104 @@ Results measure_methods(FilterCall& call) {
 
 // ---- Filter: where and by how much two geodesic methods differ, from one source, as a signed error map
 
-/// In the order of the choices in the dialog; scripts hold these numbers.
-enum class Compared { index, exact, fast_marching, heat, edge_graph };
-
-constexpr int own_methods = 5;
-
-/// The methods of core/methods that are not among the five in other words.
-const std::vector<MethodInfo>& further_methods() {
-  static const std::vector<MethodInfo> methods = [] {
-    std::vector<MethodInfo> infos;
-    for (const MethodEntry& entry : all_methods()) {
-      const std::string& name = entry.info.name;
-      if (name != "vorogeo" && name != "mmp" && name != "dijkstra") infos.push_back(entry.info);
-    }
-    return infos;
-  }();
-  return methods;
-}
-
-QStringList method_names() {
-  QStringList names{"VoroGeo index", "Exact (VoroGeo)", "Fast marching (MeshLab)", "Heat method (MeshLab)",
-                    "Shortest edge path (Dijkstra)"};
-  for (const MethodInfo& info : further_methods()) names.append(QString::fromStdString(info.title));
-  return names;
-}
-
-RichParameterList comparison_parameters(const MeshDocument& document) {
-  return list_of(start_parameters(document, "the nearest vertex that has a face"),
-                 RichEnum("method", int(Compared::index), method_names(), "Method",
-                          "The method that is judged. MeshLab 2022.02 has no heat method."),
-                 RichEnum("reference", int(Compared::exact), method_names(), "Reference",
-                          "The method it is compared with: differences are relative to its distances."));
-}
-
-Compared method_of(const FilterCall& call, const char* parameter) {
-  const int number = call.parameters.getEnum(parameter);
-  if (number < 0 || number >= method_names().size()) {
-    refuse(call, parameter, number,
-           ". Give the number of a method, 0 to " + std::to_string(method_names().size() - 1) + ".");
-  }
-  const auto method = static_cast<Compared>(number);
-  if (method == Compared::heat && !host_has_heat_method()) {
-    throw InvalidInput("MeshLab 2022.02 has no heat method; later versions have. Choose another method.");
-  }
-  return method;
-}
+/// A field that a method is asked for.
+struct FieldTask {
+  FilterCall& call;
+  LayerSurface& layer;
+  Index source;
+  Progress progress;
+  std::string activity;
+};
 
 /// From the index, which is built if there is none, or exact.
-MethodField surface_field(FilterCall call, LayerSurface& layer, Index source, AnswerMethod by,
-                          const Progress& progress) {
-  call.progress = progress;
+MethodField surface_field(const FieldTask& task, AnswerMethod by) {
+  FilterCall call = task.call;
+  call.progress = task.progress;
   MethodField field;
-  const auto ask = [&](Surface& surface, Answered& answered, const Progress& inner) {
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
     const Stopwatch preparing;
     if (by == AnswerMethod::exact) surface.geometry();
     field.build_seconds = preparing.seconds();
-    const std::array sources{ExactSource{SurfacePoint::at_vertex(source)}};
-    return surface.field(sources, unreachable, by, answered, inner).distance;
+    const std::array sources{ExactSource{SurfacePoint::at_vertex(task.source)}};
+    return surface.field(sources, unreachable, by, answered, progress).distance;
   };
-  auto answer = ask_surface(call, layer, "Geodesic distances", ask);
+  auto answer = ask_surface(call, task.layer, task.activity, ask);
   if (by == AnswerMethod::index) field.build_seconds = answer.answered.index_seconds;
-  if (by == AnswerMethod::exact && layer.mesh()->vertex_count() > max_vertices_kept) layer.rest();
+  if (by == AnswerMethod::exact && task.layer.mesh()->vertex_count() > max_vertices_kept) task.layer.rest();
   field.seconds = answer.answered.seconds;
   field.distances = std::move(answer.found);
   return field;
 }
 
-MethodField further_field(const MethodRequest& request, const std::shared_ptr<const Mesh>& mesh, Index source,
-                          const Progress& progress) {
-  MethodField field;
-  const Stopwatch preparing;
-  const auto method = prepare_method(request.name, mesh, request.options, progress.part(0.0, 0.5));
-  field.build_seconds = preparing.seconds();
-  const Stopwatch running;
-  field.distances = method->field(std::array{source}, progress.part(0.5, 1.0));
-  field.seconds = running.seconds();
-  return field;
+/// By one of MeshLab's own methods.
+MethodField host_field(const FieldTask& task, MethodField (*method)(const Mesh&, Index)) {
+  return run_ticking(task.progress, task.activity,
+                     [&](const Progress&) { return method(*task.layer.mesh(), task.source); });
 }
 
-MethodField field_of(FilterCall& call, LayerSurface& layer, const std::shared_ptr<const Mesh>& mesh,
-                     Index source, Compared method, const Progress& progress) {
-  const std::string activity = "Geodesic distances: " + method_names()[int(method)].toStdString();
-  progress.report(0.0, activity);
-  if (method == Compared::index) return surface_field(call, layer, source, AnswerMethod::index, progress);
-  if (method == Compared::exact) return surface_field(call, layer, source, AnswerMethod::exact, progress);
-  if (int(method) < own_methods) {
-    const auto run = method == Compared::fast_marching ? fast_marching_field
-                     : method == Compared::heat        ? heat_field
-                                                       : edge_graph_field;
-    return run_ticking(progress, activity, [&](const Progress&) { return run(*mesh, source); });
+/// By a method of core/methods.
+MethodField further_field(const FieldTask& task, const std::string& name) {
+  const auto mesh = task.layer.mesh();
+  const auto& warning = method_named(name).warning;
+  if (warning && !warning(*mesh).empty()) task.call.log(warning(*mesh));
+  const MethodRequest request = with_gap({name, {}}, task.layer.gap());
+  return run_ticking(task.progress, task.activity, [&](const Progress& progress) {
+    MethodField field;
+    const Stopwatch preparing;
+    const auto method = prepare_method(name, mesh, request.options, progress.part(0.0, 0.5));
+    field.build_seconds = preparing.seconds();
+    const Stopwatch running;
+    field.distances = method->field(std::array{task.source}, progress.part(0.5, 1.0));
+    field.seconds = running.seconds();
+    return field;
+  });
+}
+
+struct ComparedMethod {
+  QString title;
+  std::function<MethodField(const FieldTask&)> field;
+};
+
+/// In the order of the choices in the dialog; scripts hold their numbers. First five that are the product's
+/// or MeshLab's own, then the methods of core/methods that are none of these in other words.
+const std::vector<ComparedMethod>& compared_methods() {
+  using Task = const FieldTask&;
+  static const std::vector<ComparedMethod> methods = [] {
+    std::vector<ComparedMethod> all{
+        {"VoroGeo index", [](Task task) { return surface_field(task, AnswerMethod::index); }},
+        {"Exact (VoroGeo)", [](Task task) { return surface_field(task, AnswerMethod::exact); }},
+        {"Fast marching (MeshLab)", [](Task task) { return host_field(task, fast_marching_field); }},
+        {"Heat method (MeshLab)", [](Task task) { return host_field(task, heat_field); }},
+        {"Shortest edge path (Dijkstra)", [](Task task) { return host_field(task, edge_graph_field); }}};
+    for (const MethodEntry& entry : all_methods()) {
+      const std::string& name = entry.info.name;
+      if (name == "vorogeo" || name == "mmp" || name == "dijkstra") continue;
+      all.push_back({QString::fromStdString(entry.info.title),
+                     [name](Task task) { return further_field(task, name); }});
+    }
+    return all;
+  }();
+  return methods;
+}
+
+RichParameterList comparison_parameters(const MeshDocument& document) {
+  QStringList titles;
+  for (const ComparedMethod& method : compared_methods()) titles.append(method.title);
+  return list_of(start_parameters(document, "the nearest vertex that has a face"),
+                 RichEnum("method", 0, titles, "Method",
+                          "The method that is judged. MeshLab 2022.02 has no heat method."),
+                 RichEnum("reference", 1, titles, "Reference",
+                          "The method it is compared with: differences are relative to its distances."));
+}
+
+const ComparedMethod& method_of(const FilterCall& call, const char* parameter) {
+  const int number = call.parameters.getEnum(parameter);
+  const auto& methods = compared_methods();
+  if (number < 0 || static_cast<std::size_t>(number) >= methods.size()) {
+    refuse(call, parameter, number,
+           ". Give the number of a method, 0 to " + std::to_string(methods.size() - 1) + ".");
   }
-  const MethodEntry& entry = method_named(further_methods()[int(method) - own_methods].name);
-  if (entry.warning && !entry.warning(*mesh).empty()) call.log(entry.warning(*mesh));
-  const MethodRequest request = with_gap({entry.info.name, {}}, layer.gap());
-  return run_ticking(progress, activity,
-                     [&](const Progress& inner) { return further_field(request, mesh, source, inner); });
+  return methods[static_cast<std::size_t>(number)];
 }
 
 /// From blue (-1) over light grey (0) to red (1): the diverging map of Moreland, "Diverging color maps for
@@ -185,9 +189,6 @@ vcg::Color4b diverging_color(double t) {
   return color;
 }
 
-/// Dark grey: vertices with nothing to compare.
-vcg::Color4b color_not_compared() { return {90, 90, 90, 255}; }
-
 void write_difference(FilterCall& call, const LayerSurface& layer, const FieldDifference& difference) {
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   const double range = difference.p99 > 0.0 ? difference.p99 : 1.0;
@@ -195,7 +196,8 @@ void write_difference(FilterCall& call, const LayerSurface& layer, const FieldDi
     CVertexO& vertex = call.layer.cm.vert[layer.host_vertex(static_cast<Index>(v))];
     const double error = difference.relative[v];
     vertex.Q() = static_cast<Scalarm>(std::isnan(error) ? 0.0 : error);
-    vertex.C() = std::isnan(error) ? color_not_compared() : diverging_color(error / range);
+    const vcg::Color4b dark_grey(90, 90, 90, 255);  // there is nothing to compare
+    vertex.C() = std::isnan(error) ? dark_grey : diverging_color(error / range);
   }
 }
 
@@ -217,13 +219,15 @@ void log_difference(FilterCall& call, const FieldDifference& d, const std::strin
 }
 
 Results compare_methods(FilterCall& call) {
-  const Compared method = method_of(call, "method");
-  const Compared reference = method_of(call, "reference");
+  const ComparedMethod& method = method_of(call, "method");
+  const ComparedMethod& reference = method_of(call, "reference");
   const auto layer = layer_of(call);
   const Index start = start_vertex(call, *layer).point.vertex;
   const auto mesh = layer->mesh();
-  const auto measured = [&](Compared which, const Progress& progress) {
-    MethodField field = field_of(call, *layer, mesh, mesh->representative(start), which, progress);
+  const auto measured = [&](const ComparedMethod& which, const Progress& progress) {
+    const std::string activity = "Geodesic distances: " + which.title.toStdString();
+    progress.report(0.0, activity);
+    MethodField field = which.field({call, *layer, mesh->representative(start), progress, activity});
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       field.distances[v] = field.distances[mesh->representative(v)];
     }
@@ -234,9 +238,7 @@ Results compare_methods(FilterCall& call) {
   const FieldDifference difference = difference_of(a.distances, b.distances);
   call.progress.report(1.0, "Writing quality and colours");
   write_difference(call, *layer, difference);
-  const QStringList names = method_names();
-  log_difference(call, difference, names[int(method)].toStdString(), names[int(reference)].toStdString(), a,
-                 b);
+  log_difference(call, difference, method.title.toStdString(), reference.title.toStdString(), a, b);
   return {{"start_vertex", layer->host_vertex(start)},
           {"compared_vertices", difference.compared},
           {"vertices_by_one_method_only", difference.one_only},

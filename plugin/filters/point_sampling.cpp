@@ -35,13 +35,14 @@ Results farthest_sampling(FilterCall& call) {
   if (call.parameters.getBool("from_selection")) {
     start = task_points(call, *layer, "that the sampling shall begin with");
   }
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const FarthestSamples samples = sample_farthest(*found.surface, stop, start.points, seed, found.options);
-  Results results = std::move(found.about_index);
+  auto [samples, answered, results] =
+      ask_task(call, *layer, "Farthest point sampling", [&](Surface& surface, const TaskOptions& options) {
+        return sample_farthest(surface, stop, start.points, seed, options);
+      });
   results["samples"] = static_cast<int>(samples.points.size());
   results["covering_radius"] = samples.covering_radius;
   results["vertices"] =
-      add_surface_point_layer(call, "Farthest point samples", *layer, found.mesh(), samples.points);
+      add_surface_point_layer(call, "Farthest point samples", *layer, *layer->mesh(), samples.points);
   results["snap_distance"] = start.snap_distance;
   call.log(std::to_string(samples.points.size()) + " samples; every vertex is within " +
            logged_length(samples.covering_radius) + " of one");
@@ -58,12 +59,13 @@ Results poisson_disk_sampling(FilterCall& call) {
   const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", false);
   const std::uint64_t seed = seed_of(call);
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const auto samples = sample_poisson_disk(*found.surface, radius, seed, found.options);
-  Results results = std::move(found.about_index);
+  auto [samples, answered, results] =
+      ask_task(call, *layer, "Poisson-disk sampling", [&](Surface& surface, const TaskOptions& options) {
+        return sample_poisson_disk(surface, radius, seed, options);
+      });
   results["samples"] = static_cast<int>(samples.size());
   results["vertices"] =
-      add_surface_point_layer(call, "Poisson-disk samples", *layer, found.mesh(), PointList(samples));
+      add_surface_point_layer(call, "Poisson-disk samples", *layer, *layer->mesh(), PointList(samples));
   call.log(std::to_string(samples.size()) + " samples, at least " + logged_length(radius) + " apart");
   return results;
 }
@@ -79,13 +81,15 @@ Results lloyd_relaxation(FilterCall& call) {
   if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that shall be relaxed");
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const RelaxedPoints relaxed = relax_points(*found.surface, points.points, rounds, found.options);
-  Results results = std::move(found.about_index);
+  auto [relaxed, answered, results] =
+      ask_task(call, *layer, "Lloyd relaxation", [&](Surface& surface, const TaskOptions& options) {
+        return relax_points(surface, points.points, rounds, options);
+      });
   results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
   results["energy_before"] = relaxed.energy.front();
   results["energy_after"] = relaxed.energy.back();
-  results["vertices"] = add_surface_point_layer(call, "Relaxed points", *layer, found.mesh(), relaxed.points);
+  results["vertices"] =
+      add_surface_point_layer(call, "Relaxed points", *layer, *layer->mesh(), relaxed.points);
   results["snap_distance"] = points.snap_distance;
   call.log("Lloyd relaxation: the energy went from " + std::to_string(relaxed.energy.front()) + " to " +
            std::to_string(relaxed.energy.back()) + " in " + std::to_string(relaxed.energy.size() - 1) +

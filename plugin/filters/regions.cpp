@@ -53,9 +53,12 @@ void color_faces(FilterCall& call, const LayerSurface& layer, const Mesh& mesh, 
 Results color_voronoi_regions(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "whose regions are wanted");
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const Mesh& mesh = found.mesh();
-  const VoronoiRegions regions = voronoi_regions(*found.surface, points.points, found.options);
+  auto [regions, answered, results] =
+      ask_task(call, *layer, "Voronoi regions", [&](Surface& surface, const TaskOptions& options) {
+        return voronoi_regions(surface, points.points, options);
+      });
+  const auto shared_mesh = layer->mesh();
+  const Mesh& mesh = *shared_mesh;
   const PatchColoring coloring = coloring_of(mesh, regions, points.size());
   if (call.parameters.getBool("borders")) {
     add_polyline_layer(call.document, call.layer, "Voronoi borders", regions.borders, {}, false);
@@ -73,7 +76,6 @@ Results color_voronoi_regions(FilterCall& call) {
     call.log("No path leads to " + std::to_string(unreached) +
              " vertices, in other components than the points; their quality is -1");
   }
-  Results results = std::move(found.about_index);
   results["regions"] = static_cast<int>(points.size());
   results["vertices"] = as_vector(points.numbers);
   results["snap_distance"] = points.snap_distance;
@@ -95,7 +97,8 @@ Results color_patches(FilterCall& call) {
     refuse(call, "layer", number, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
   }
   const auto layer = layer_of(call);
-  Results results = require_index(call, *layer);
+  const bool is_reused = layer->index() != nullptr;
+  if (!is_reused) build_index(call, *layer, {}, call.progress.part(0.0, 0.9));
   const auto index = layer->index();
   const Mesh& mesh = *index->mesh();
   const auto patches = index->face_patches(number);
@@ -107,9 +110,10 @@ Results color_patches(FilterCall& call) {
   call.log("Patches of layer " + std::to_string(number) + ": " +
            std::to_string(coloring.color_of_patch.size()) + ", in " + std::to_string(coloring.colors_used) +
            " colours");
-  results["patches"] = static_cast<int>(coloring.color_of_patch.size());
-  results["colors"] = coloring.colors_used;
-  return results;
+  return {{"patches", static_cast<int>(coloring.color_of_patch.size())},
+          {"colors", coloring.colors_used},
+          {"index_reused", is_reused},
+          {"index_seconds", is_reused ? 0.0 : index->statistics().seconds}};
 }
 
 // ---- Filter: lines of equal vertex quality as a polyline layer
@@ -199,9 +203,12 @@ Results select_disk(FilterCall& call) {
   } else {
     sources = task_points(call, *layer, "around which the disk shall lie");
   }
-  TaskOfLayer found = task_of_layer(call, *layer);
-  const GeodesicDisk disk = geodesic_disk(*found.surface, sources.points, radius, found.options);
-  found.options.progress.report(1.0, "Selecting");
+  auto [disk, answered, results] =
+      ask_task(call, *layer, "Geodesic disk", [&](Surface& surface, const TaskOptions& options) {
+        return geodesic_disk(surface, sources.points, radius, options);
+      });
+  const auto mesh = layer->mesh();
+  call.progress.report(1.0, "Selecting");
   for (CVertexO& vertex : call.layer.cm.vert) {
     if (!vertex.IsD()) vertex.ClearS();
   }
@@ -209,10 +216,9 @@ Results select_disk(FilterCall& call) {
     if (!face.IsD()) face.ClearS();
   }
   for (Index v : disk.vertices) call.layer.cm.vert[layer->host_vertex(v)].SetS();
-  for (Index f : disk.faces) call.layer.cm.face[layer->host_face(found.mesh(), f)].SetS();
+  for (Index f : disk.faces) call.layer.cm.face[layer->host_face(*mesh, f)].SetS();
   call.log("Selected " + std::to_string(disk.vertices.size()) + " vertices and " +
            std::to_string(disk.faces.size()) + " faces");
-  Results results = std::move(found.about_index);
   results["selected_vertices"] = static_cast<int>(disk.vertices.size());
   results["selected_faces"] = static_cast<int>(disk.faces.size());
   results["snap_distance"] = sources.snap_distance;
@@ -232,10 +238,11 @@ Results measure_extent(FilterCall& call) {
   const auto layer = layer_of(call);
   const int number = call.parameters.getInt("vertex_index");
   Index start = number == -1 ? no_index : vertex_of(call, *layer, "vertex_index");
-  TaskOfLayer found = task_of_layer(call, *layer);
-  if (start == no_index) start = largest_component(found.mesh()).first_vertex;
-  const Extent extent = extent_of_component(*found.surface, start, fields, found.options);
-  Results results = std::move(found.about_index);
+  if (start == no_index) start = largest_component(*layer->mesh()).first_vertex;
+  auto [extent, answered, results] =
+      ask_task(call, *layer, "Diameter and centre", [&](Surface& surface, const TaskOptions& options) {
+        return extent_of_component(surface, start, fields, options);
+      });
   results["diameter_lower"] = extent.diameter.lower;
   results["diameter_upper"] = extent.diameter.upper;
   results["diameter_start"] = layer->host_vertex(extent.ends[0]);

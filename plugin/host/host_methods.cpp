@@ -105,8 +105,6 @@ MethodField edge_graph_field(const Mesh& mesh, Index source) {
 
 #if VOROGEO_HOST_VERSION >= 202301
 
-bool host_has_heat_method() { return true; }
-
 MethodField heat_field(const Mesh& mesh, Index source) {
   using Heat = vcg::tri::GeodesicHeat<MethodMesh>;
   Component taken;
@@ -129,8 +127,6 @@ MethodField heat_field(const Mesh& mesh, Index source) {
 }
 
 #else
-
-bool host_has_heat_method() { return false; }
 
 MethodField heat_field(const Mesh&, Index) {
   throw InvalidInput("MeshLab 2022.02 has no heat method; later versions have. Choose another method.");

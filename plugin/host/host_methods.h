@@ -16,9 +16,6 @@ struct MethodField {
   double seconds = 0.0;        ///< the field itself
 };
 
-/// Whether the headers of this MeshLab have the heat method (2022.02 has none).
-bool host_has_heat_method();
-
 /// Fast marching as in MeshLab's own filters (vcg::tri::Geodesic::Compute), without a limit. Numbers are of
 /// the host's scalar type, as in MeshLab's own filters.
 MethodField fast_marching_field(const Mesh& mesh, Index source);
@@ -27,7 +24,8 @@ MethodField fast_marching_field(const Mesh& mesh, Index source);
 MethodField edge_graph_field(const Mesh& mesh, Index source);
 
 /// Heat method with the step of MeshLab's own filter (vcg::tri::GeodesicHeat with m = 1; Crane, Weischedel,
-/// Wardetzky 2013). \throw InvalidInput if this MeshLab has none or its matrices cannot be factorised.
+/// Wardetzky 2013). \throw InvalidInput if this MeshLab has none, as 2022.02, or its matrices cannot be
+/// factorised.
 MethodField heat_field(const Mesh& mesh, Index source);
 
 }  // namespace vorogeo::plugin

@@ -76,15 +76,6 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
   return index;
 }
 
-Results require_index(FilterCall& call, LayerSurface& layer) {
-  if (layer.index()) {
-    call.log("Geodesic index: reused, the mesh has not changed since it was built");
-    return {{"index_reused", true}, {"index_seconds", 0.0}};
-  }
-  const auto index = build_index(call, layer, {}, call.progress.part(0.0, 0.9));
-  return {{"index_reused", false}, {"index_seconds", index->statistics().seconds}};
-}
-
 // ---- The method, and what is logged and returned about an answer
 
 namespace {
@@ -127,18 +118,6 @@ Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, cons
   }
   call.log(line);
   return results;
-}
-
-// ---- Takes the index from the cache or builds it, unless exact distances are wanted
-
-TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer) {
-  if (call.parameters.getBool("exact")) {
-    log_warnings(call, layer);
-    return {layer.surface(), {.by = AnswerMethod::exact, .progress = call.progress}, {}};
-  }
-  const Progress rest = layer.index() ? call.progress : call.progress.part(0.9, 1.0);
-  Results about_index = require_index(call, layer);
-  return {layer.surface(), {.by = AnswerMethod::index, .progress = rest}, std::move(about_index)};
 }
 
 }  // namespace vorogeo::plugin

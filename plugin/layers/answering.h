@@ -38,10 +38,6 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
                                                  const IndexOptions& options, const Progress& progress,
                                                  const std::filesystem::path& file = {});
 
-/// Makes sure that the layer has an index, whatever its options: builds one with default options if there is
-/// none, in the first nine tenths of the progress. \return index_reused and index_seconds.
-Results require_index(FilterCall& call, LayerSurface& layer);
-
 // ---- The parameter method of the distance filters, and answers by it
 
 /// The parameter method, the same in all filters that have it, and its value.
@@ -67,7 +63,7 @@ Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, cons
 /// The answer of ask(surface, answered, progress), which runs while the window stays responsive. Logs what a
 /// user should know about the mesh before, unless it has an index, and what answered after it.
 template <class Ask>
-auto ask_surface(FilterCall& call, LayerSurface& layer, const char* activity, Ask&& ask) {
+auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activity, Ask&& ask) {
   const bool had_index = layer.index() != nullptr;
   if (!had_index) log_warnings(call, layer);
   Answered answered;
@@ -78,17 +74,15 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const char* activity, As
   return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};
 }
 
-// ---- What answers a task: the index of the layer, or exact propagation
-
-struct TaskOfLayer {
-  std::shared_ptr<Surface> surface;
-  TaskOptions options;  ///< with what is left of the call's progress after building an index
-  Results about_index;
-
-  const Mesh& mesh() const { return *surface->mesh(); }
-};
-
-/// Reads the parameter exact.
-TaskOfLayer task_of_layer(FilterCall& call, LayerSurface& layer);
+/// The same for a task of the core, as the parameter exact says: from the index, which is built if there is
+/// none, or by exact propagation. The answer of ask(surface, options).
+template <class Ask>
+auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Ask&& ask) {
+  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::index;
+  return ask_surface(call, layer, activity,
+                     [&](Surface& surface, Answered& answered, const Progress& progress) {
+                       return ask(surface, TaskOptions{by, progress, &answered});
+                     });
+}
 
 }  // namespace vorogeo::plugin

@@ -50,11 +50,6 @@ MeshModel& new_layer(MeshDocument& document, const MeshModel& on, const QString&
 
 }  // namespace
 
-void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
-                     std::span<const double> quality, bool make_current) {
-  new_layer(call.document, call.layer, name, points, quality, make_current);
-}
-
 void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                         const SurfaceLines& lines, std::span<const double> quality, bool make_current) {
   MeshModel& layer = new_layer(document, on, name, lines.points, quality, make_current);
@@ -74,7 +69,7 @@ QVariant add_surface_point_layer(FilterCall& call, const QString& name, const La
     positions.push_back(position_of(mesh, point));
     numbers.push_back(point.is_vertex() ? layer.host_vertex(point.vertex) : -1);
   }
-  add_point_layer(call, name, positions, {}, true);
+  new_layer(call.document, call.layer, name, positions, {}, true);
   return as_vector(numbers);
 }
 

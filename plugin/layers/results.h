@@ -32,12 +32,8 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
 
 // ---- Layers that filters add to the document: points and polylines on the surface of the current layer
 
-/// Adds a layer with these points as vertices, with `quality` (as many values, or none). It has the transform
-/// of the current layer, so that it lies on it. `make_current`: as the host does for filters that generate.
-void add_point_layer(FilterCall& call, const QString& name, const std::vector<Point>& points,
-                     std::span<const double> quality, bool make_current);
-
-/// Adds a layer with vertices and edges, with the transform of the layer `on` which they lie.
+/// Adds a layer with vertices and edges, and with `quality` (a value for each vertex, or none). It has the
+/// transform of the layer `on` which it lies. `make_current`: as the host does for filters that generate.
 void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                         const SurfaceLines& lines, std::span<const double> quality, bool make_current);
 
