@@ -29,7 +29,10 @@ struct GeodesicQuery::State {
                        std::to_string(data.mesh->vertex_count() - 1) + ".");
   }
   PairDistance& pairs() {
-    if (!pair_distance) pair_distance.emplace(data, near);
+    if (!pair_distance) {
+      exact.emplace(data);
+      pair_distance.emplace(data, *exact);
+    }
     return *pair_distance;
   }
   SourceField& fields() {
@@ -43,6 +46,7 @@ struct GeodesicQuery::State {
   int most_threads;
   int threads;
   NearField near;
+  std::optional<ExactBetween> exact;
   std::optional<PairDistance> pair_distance;
   std::optional<SourceField> source_field;
 };

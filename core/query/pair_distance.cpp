@@ -5,16 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "query/near_field.h"
+
 namespace vorogeo {
 
 namespace {
-
-/// A sum of two table entries can be too short by their rounding; multiplied by this it nearly always is an
-/// upper bound. A run within less is much narrower: a tenth fewer windows than at 1.001.
-constexpr double bound_slack = 1.0003;
-/// Where nothing was found within that, and in a metric: where it jumps, propagated distances have errors of
-/// their own.
-constexpr double wide_bound_slack = 1.01;
 
 /// Bounds by tables where the metric jumps: their entries have errors as those of points on edges.
 constexpr double rest_slack = 0.99;
@@ -32,8 +27,8 @@ void for_each_patch(const IndexData& data, Index vertex, Visit&& visit) {
 
 }  // namespace
 
-PairDistance::PairDistance(const IndexData& data, NearField& near)
-    : data_(data), near_(near), router_(data), unfolder_(data) {}
+PairDistance::PairDistance(const IndexData& data, ExactBetween& exact)
+    : data_(data), exact_(exact), router_(data), unfolder_(data) {}
 
 /// If a patch of one vertex is or touches one of the other: an upper bound of their distance, over the border
 /// vertices that both patches share; otherwise unreachable. Leaves the patches in patches_.
@@ -73,10 +68,12 @@ double PairDistance::bound_by_tables(Index source, Index target) {
 }
 
 /// Lower bounds of the distances of all members of patches_ from the target, by the triangle inequality over
-/// the border nodes whose distance from the target is in a table. `vertex_of_run`: the vertex of the run's
-/// mesh that a work vertex is, or no_index; empty if it runs on the work mesh.
-void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run) {
+/// the border nodes whose distance from the target is in a table. By vertex of the run's mesh.
+std::span<const double> PairDistance::bound_rest(Index target) {
   const PatchLayer& second = data_.second;
+  for (const Index vertex : bounded_) least_rest_[vertex] = 0.0;
+  bounded_.clear();
+  least_rest_.resize(exact_.mesh_of_runs().vertex_count(), 0.0);
   for (const Index patch : patches_) {
     from_target_.assign(second.border_size(patch), std::numeric_limits<float>::quiet_NaN());
     const TableScale scale = second.scale[patch];
@@ -106,77 +103,29 @@ void PairDistance::bound_rest(Index target, std::span<const Index> vertex_of_run
       for (Index k = 0; k < count; ++k) {
         // Far members have an offset, infinite entries no distance.
         const bool is_far = second.offset_of(patch, begin + k) > 0.0f || second.complete[patch] == 0;
-        const Index vertex = vertex_of_run.empty() ? members[begin + k] : vertex_of_run[members[begin + k]];
+        const Index vertex = exact_.vertex_of_work(members[begin + k]);
         if (is_far || vertex == no_index) continue;
         least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * step);
         bounded_.push_back(vertex);
       }
     }
   }
+  return least_rest_;
 }
 
-/// Exact distance by propagation. What it may enter is limited by the bound and the straight line to the
-/// target, which keep it between the ends; where a metric leaves little of that line, by the patches.
-double PairDistance::distance_nearby(Index source, Index target, double bound) {
-  // Added points are no vertices of the user's.
+/// By propagation. What it may enter is limited by the bound and the straight line to the target; where a
+/// metric leaves little of that line, by the patches of both ends.
+double PairDistance::exact_distance(Index source, Index target, double bound) {
+  PathBounds bounds;
+  if (data_.work.mesh->has_metric()) {
+    bounds.upper = bound * slack::widest;
+    bounds.mask = exact_.mask_around(patches_);
+    if (data_.work.mesh->metric_jumps()) bounds.rest = bound_rest(target);
+  } else {
+    bounds.upper = bound * slack::of_entries;
+  }
   const auto& user = data_.work.user_vertex;
-  const bool are_users = user[source] != no_index && user[target] != no_index;
-  const UnsplitSurface* unsplit = are_users ? data_.unsplit() : nullptr;
-  if (unsplit != nullptr && !solver_) solver_.emplace(unsplit->geometry);
-  LocalSolver& solver = unsplit != nullptr ? *solver_ : near_.solver();
-  if (solver.mesh().has_metric()) return distance_around_patches(source, target, bound, unsplit);
-  if (unsplit != nullptr) {
-    source = user[source];
-    target = user[target];
-  }
-  ExactLimits limits;
-  limits.targets = std::span(&target, 1);
-  limits.corridor_target = target;
-  for (const double limit : {bound * bound_slack, bound * wide_bound_slack, unreachable}) {
-    limits.max_distance = limit;
-    solver.run_from_vertices(std::span(&source, 1), limits);
-    // Every path within the limit was followed.
-    if (const double found = solver.distance(target); found < unreachable) return found;
-  }
-  return unreachable;
-}
-
-/// The same inside patches_ and their halo. If a path could have left these, a second run over all faces
-/// decides, which the result of the first one keeps in a thin corridor. `unsplit`: the surface of the runs,
-/// if not the work mesh.
-double PairDistance::distance_around_patches(Index source, Index target, double bound,
-                                             const UnsplitSurface* unsplit) {
-  const auto& user = data_.work.user_vertex;
-  const Index target_at = target;
-  if (unsplit != nullptr) {
-    if (!halo_) halo_.emplace(*data_.mesh, unsplit->first_face, unsplit->faces);
-    source = user[source];
-    target = user[target];
-  }
-  Halo& halo = unsplit != nullptr ? *halo_ : near_.halo();
-  LocalSolver& solver = unsplit != nullptr ? *solver_ : near_.solver();
-  halo.surround(patches_);
-  ExactLimits limits;
-  limits.targets = std::span(&target, 1);
-  limits.corridor_target = target;
-  limits.distances_only = true;
-  limits.max_distance = bound * wide_bound_slack;
-  limits.face_allowed = halo.mask();
-  if (solver.mesh().metric_jumps()) {
-    for (const Index vertex : bounded_) least_rest_[vertex] = 0.0;
-    bounded_.clear();
-    least_rest_.resize(solver.mesh().vertex_count(), 0.0);
-    bound_rest(target_at, unsplit != nullptr ? std::span<const Index>(user) : std::span<const Index>());
-    limits.least_remaining = least_rest_;
-  }
-  solver.run_from_vertices(std::span(&source, 1), limits);
-  const double found = solver.distance(target);
-  if (found < unreachable && found <= solver.barrier_distance()) return found;
-  limits.face_allowed = {};
-  limits.max_distance = found * (1.0 + 1e-9);
-  solver.run_from_vertices(std::span(&source, 1), limits);
-  const double everywhere = solver.distance(target);
-  return everywhere < unreachable ? everywhere : found;
+  return exact_.distance(user[source], user[target], bounds);
 }
 
 /// Whether near ends are solved by propagation. Over points on edges it takes many times as long as by
@@ -207,10 +156,10 @@ double PairDistance::distance(Index a, Index b) {
   prefetch_end(data_, b);
   const auto [source, target] = std::minmax(a, b);
   const double bound = bound_by_tables(source, target);
-  if (is_solved(bound)) return distance_nearby(source, target, bound);
+  if (is_solved(bound)) return exact_distance(source, target, bound);
   const double routed = route_length(source, target);
   // Beyond a patch as narrow as this, crossings are so close to both ends that they are off by most.
-  if (is_close(routed) && !data_.work.mesh->has_metric()) return distance_nearby(source, target, routed);
+  if (is_close(routed) && !data_.work.mesh->has_metric()) return exact_distance(source, target, routed);
   return routed;
 }
 

@@ -1,21 +1,20 @@
 // The distance of two vertices: exact if they are near, otherwise unfolded along the shortest route.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "query/near_field.h"
+#include "query/between.h"
 #include "query/router.h"
 
 namespace vorogeo {
 
-/// Pairs of work vertices of one index. One object belongs to one thread.
+/// Pairs of work vertices of one index that are vertices of the user's mesh. One object belongs to one
+/// thread.
 class PairDistance {
  public:
-  /// `near` lends its solver where the work mesh is the surface of exact runs (IndexData::unsplit); both must
-  /// outlive the object.
-  PairDistance(const IndexData& data, NearField& near);
+  /// Both must outlive the object.
+  PairDistance(const IndexData& data, ExactBetween& exact);
 
   /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
   /// the source, which makes the answer symmetric to the last bit.
@@ -23,17 +22,14 @@ class PairDistance {
 
  private:
   double bound_by_tables(Index source, Index target);
-  void bound_rest(Index target, std::span<const Index> vertex_of_run);
+  std::span<const double> bound_rest(Index target);
   bool is_solved(double bound) const;
   bool is_close(double length) const;
-  double distance_nearby(Index source, Index target, double bound);
-  double distance_around_patches(Index source, Index target, double bound, const UnsplitSurface* unsplit);
+  double exact_distance(Index source, Index target, double bound);
   double route_length(Index source, Index target);
 
   const IndexData& data_;
-  NearField& near_;
-  std::optional<LocalSolver> solver_;  ///< on the unsplit surface, when first needed
-  std::optional<Halo> halo_;
+  ExactBetween& exact_;
   Router router_;
   RouteUnfolder unfolder_;
   RouteEnd from_;

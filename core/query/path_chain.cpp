@@ -70,24 +70,20 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
 
 // ---- Patches and border distances of end points
 
-PathEnd path_end(const IndexData& data, const SurfacePoint& user) {
-  const Mesh& mesh = *data.work.mesh;
-  PathEnd end;
-  end.point = work_point(data, user);
-  end.user = user;
-  if (end.point.is_vertex()) {
-    end.vertex = end.point.vertex;
-  } else {
-    const auto distances = distances_in_face(mesh, end.point);
-    const auto nearest = std::ranges::min_element(distances);
-    end.to_vertex = *nearest;
-    end.vertex = mesh.face_vertices(end.point.face)[nearest - distances.begin()];
-  }
-  for_each_face_at(mesh, end.point, [&](Index face, const std::array<double, 3>&) {
+PathEnd::PathEnd(const Mesh& mesh, const SurfacePoint& at) : point(at), vertex(at.vertex) {
+  if (point.is_vertex()) return;
+  const auto distances = distances_in_face(mesh, point);
+  const auto nearest = std::ranges::min_element(distances);
+  to_vertex = *nearest;
+  vertex = mesh.face_vertices(point.face)[nearest - distances.begin()];
+}
+
+PathEnd::PathEnd(const IndexData& data, const SurfacePoint& user)
+    : PathEnd(*data.work.mesh, work_point(data, user)) {
+  for_each_face_at(*data.work.mesh, point, [&](Index face, const std::array<double, 3>&) {
     const Index patch = data.work.second_layer[face];
-    if (std::ranges::find(end.patches, patch) == end.patches.end()) end.patches.push_back(patch);
+    if (std::ranges::find(patches, patch) == patches.end()) patches.push_back(patch);
   });
-  return end;
 }
 
 bool are_near(const IndexData& data, const PathEnd& a, const PathEnd& b) {

@@ -25,22 +25,22 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
 
 // ---- The end points of a path as the index sees them
 
-/// An end point in the work mesh.
+/// An end point in the mesh over which strips of faces are laid: the work mesh of an index, or the user's.
 struct PathEnd {
+  PathEnd(const Mesh& mesh, const SurfacePoint& point);
+  /// Of a point of the user's mesh, in the work mesh.
+  PathEnd(const IndexData& data, const SurfacePoint& user);
+
   SurfacePoint point;
-  SurfacePoint user;        ///< the same in the user's mesh
-  Index vertex = no_index;  ///< the point itself or the nearest corner of its face
-  double to_vertex = 0.0;   ///< distance of the point from that vertex
-  std::vector<Index> patches;
+  Index vertex = no_index;     ///< the point itself or the nearest corner of its face
+  double to_vertex = 0.0;      ///< distance of the point from that vertex
+  std::vector<Index> patches;  ///< second-layer patches at the point; none without an index
 
   /// Second-layer patch of an end in a face; no_index for a vertex.
   Index patch(const IndexData& data) const {
     return point.is_vertex() ? no_index : data.work.second_layer[point.face];
   }
 };
-
-/// The end at a point of the user's mesh.
-PathEnd path_end(const IndexData& data, const SurfacePoint& user);
 
 /// Whether a second-layer patch of one end is or touches one of the other.
 bool are_near(const IndexData& data, const PathEnd& a, const PathEnd& b);

@@ -1,27 +1,18 @@
-// From end points to a path: near ends by propagation, the others through the index.
+// From end points to a path: an upper bound, from edges or from the index, and an exact run within it.
 #include "query/path_query.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "index/index_data.h"
-#include "mesh/surface_point.h"
-#include "query/exact_search.h"
 #include "query/path_chain.h"
-#include "query/path_refine.h"
-#include "query/router.h"
 
 namespace vorogeo {
 
 namespace {
 
-/// A length from the tables, multiplied by this, is an upper bound in spite of their precision.
-constexpr double estimate_slack = 1.0 + 1e-3;
-/// The same where the metric jumps: there, propagated distances have errors of their own.
-constexpr double estimate_slack_of_jumps = 1.0 + 1e-2;
 /// A refined path that is this much longer (relative) than the index's distance is probably on the wrong side
 /// of something: exact propagation decides.
 constexpr double suspicious = 2e-4;
@@ -37,93 +28,122 @@ constexpr int rings_beside = 2;
 
 }  // namespace
 
-struct PathQuery::State {
-  explicit State(std::shared_ptr<const GeodesicIndex> shared_index)
-      : index(std::move(shared_index)),
-        data(index->data()),
-        exact(data),
-        router(data),
-        surroundings(*data.work.mesh),
-        unfolder(data) {
-    if (data.geometry->windows) refiner.emplace(*data.geometry->windows);
-  }
-
-  Index component(const SurfacePoint& point) const {
-    return data.mesh->component(point.is_vertex() ? point.vertex
-                                                  : data.mesh->face_vertices(point.face).front());
-  }
-  bool connected(const SurfacePoint& source, const SurfacePoint& target) const {
-    auto on_surface = [&](const SurfacePoint& p) {
-      return !p.is_vertex() || data.work.work_vertex[p.vertex] != no_index;
-    };
-    return on_surface(source) && on_surface(target) && component(source) == component(target);
-  }
-  GraphRoute route(const PathEnd& from, const PathEnd& to);
-  SurfacePath path_by_chain(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
-  double expected_length(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
-  void look_nearby(const PathEnd& from, const PathEnd& to, double expected, FoundPath& found);
-  FoundPath path(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found);
-  /// A path over the user's mesh, and its length along its points.
-  struct AskedPath {
-    SurfacePath path;
-    MeasuredLength measured;
-  };
-  AskedPath as_asked(const FoundPath& found, const SurfacePoint& source, const SurfacePoint& target) const;
-  /// See is_path() in core/exact.
-  bool is_whole(const AskedPath& found, const SurfacePoint& source, const SurfacePoint& target,
-                double distance) const {
-    return is_path(*data.mesh, found.path, found.measured, source, target, distance);
-  }
-
-  std::shared_ptr<const GeodesicIndex> index;
-  const IndexData& data;
-  ExactSearch exact;
-  Router router;
-  std::optional<PathRefiner> refiner;  ///< not where the metric jumps: there, lines refract
-  PathNeighbourhood surroundings;
-  FaceStrip strip;
-  RouteUnfolder unfolder;
-};
-
 PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
-    : state_(std::make_unique<State>(std::move(index))) {}
-PathQuery::~PathQuery() = default;
-PathQuery::PathQuery(PathQuery&&) noexcept = default;
-PathQuery& PathQuery::operator=(PathQuery&&) noexcept = default;
-const GeodesicIndex& PathQuery::index() const { return *state_->index; }
-void PathQuery::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
-  state_->exact.use_landmarks(std::move(landmarks));
+    : index_(std::move(index)),
+      mesh_(index_->mesh()),
+      strip_geometry_(index_->data().geometry),
+      exact_(index_->data()),
+      routes_(std::make_unique<Routes>(index_->data())),
+      surroundings_(*strip_geometry_->mesh) {
+  if (strip_geometry_->windows) refiner_.emplace(*strip_geometry_->windows);
 }
 
-GraphRoute PathQuery::State::route(const PathEnd& from, const PathEnd& to) {
-  if (from.vertex == to.vertex) return {0.0, {}, {}};
-  const RouteEnd a = route_end_of(data, from);
-  const RouteEnd b = route_end_of(data, to);
-  GraphRoute best;
-  router.route(a, b, best);
-  return best;
+PathQuery::PathQuery(const std::shared_ptr<const LocalGeometry>& geometry)
+    : mesh_(geometry->mesh), strip_geometry_(geometry), exact_(geometry), surroundings_(*mesh_) {
+  if (geometry->windows) refiner_.emplace(*geometry->windows);
+}
+
+/// The answer where no propagation is needed: to the point itself, or where no path exists.
+std::optional<ExactPath> PathQuery::known_path(const SurfacePoint& from, const SurfacePoint& to) const {
+  auto component = [&](const SurfacePoint& p) {
+    return mesh_->component(p.is_vertex() ? p.vertex : mesh_->face_vertices(p.face).front());
+  };
+  if (is_same_point(*mesh_, from, to)) return ExactPath{{{from, to}, 0.0}, true};
+  if (component(from) != component(to)) return ExactPath{{{}, unreachable}, true};
+  return std::nullopt;
+}
+
+// ---- Without an index: bounds from the shortest path along edges
+
+/// Lays a strip of faces along the shortest edge path. `length` receives that path's length. \return whether
+/// the strip joins the points.
+bool PathQuery::lay_strip_along_edges(const PathEnd& from, const PathEnd& to, double& length) {
+  const Mesh& mesh = *strip_geometry_->mesh;
+  std::vector<EdgeStep> steps;
+  if (!path_along_edges(mesh, from.vertex, to.vertex, steps)) return false;
+  length = from.to_vertex + to.to_vertex;
+  for (const EdgeStep& step : steps) length += mesh.edge_length(mesh.edge_of(step.halfedge));
+  strip_.clear();
+  strip_.source = from.point;
+  strip_.target = to.point;
+  if (!from.point.is_vertex()) strip_.faces.push_back(from.point.face);
+  for (const EdgeStep& step : steps) {
+    const Index face = Mesh::face_of(step.halfedge);
+    if (strip_.faces.empty()) {
+      strip_.faces.push_back(face);
+    } else if (!turn_around(mesh, strip_, step.from, face)) {
+      return false;
+    }
+  }
+  if (strip_.faces.empty()) strip_.faces.push_back(Mesh::face_of(mesh.corners(from.vertex).front()));
+  if (!to.point.is_vertex() && !turn_around(mesh, strip_, to.vertex, to.point.face)) return false;
+  tidy(mesh, strip_);
+  return true;
+}
+
+/// Between points that are near, or of a mesh without an index: the length of that path pulled tight.
+/// Unreachable where nothing can be pulled tight.
+double PathQuery::length_by_edges(const PathEnd& from, const PathEnd& to) {
+  double length = unreachable;
+  if (!refiner_ || !lay_strip_along_edges(from, to, length)) return length;
+  return std::min(length, refiner_->refine(strip_));
+}
+
+// ---- With an index: the route, refined
+
+void PathQuery::find_route(RoutedEnds& ends) {
+  const IndexData& data = routes_->data;
+  if (ends.from.vertex == ends.to.vertex) {
+    ends.route.length = 0.0;
+  } else {
+    routes_->router.route(route_end_of(data, ends.from), route_end_of(data, ends.to), ends.route);
+  }
+}
+
+/// By exact propagation, where the ends are near or, as the metric jumps, nothing can be refined; otherwise
+/// finds their route.
+std::optional<ExactPath> PathQuery::solved(const SurfacePoint& from, const SurfacePoint& to,
+                                           RoutedEnds& ends) {
+  const bool are_ends_near = are_near(routes_->data, ends.from, ends.to);
+  if (are_ends_near && refiner_) return exact_.path(from, to, {.upper = length_by_edges(ends.from, ends.to)});
+  find_route(ends);
+  if (refiner_) return std::nullopt;
+  PathBounds bounds;
+  bounds.upper = ends.length() * slack::widest;
+  bounds.is_proof = false;
+  if (are_ends_near) {
+    std::vector<Index> patches = ends.from.patches;
+    patches.insert(patches.end(), ends.to.patches.begin(), ends.to.patches.end());
+    std::ranges::sort(patches);
+    const auto repeated = std::ranges::unique(patches);
+    patches.erase(repeated.begin(), repeated.end());
+    bounds.mask = exact_.mask_around(patches);
+  } else {
+    bounds.rest = exact_.rest_of_work(routes_->bounds.fill(ends.from, ends.to, bounds.upper));
+  }
+  return exact_.path(from, to, bounds);
 }
 
 /// The path of the index, refined; without points if the tables do not lead to the other end.
-SurfacePath PathQuery::State::path_by_chain(const PathEnd& from, const PathEnd& to,
-                                            const GraphRoute& route_found) {
-  SurfacePath none;
-  none.length = unreachable;
-  if (route_found.length == unreachable) return none;
-  strip.source = from.point;
-  strip.target = to.point;
-  const PathChain chain =
-      chain_of_route(data, route_found, from.vertex, to.vertex, from.patch(data), to.patch(data));
-  if (!strip_along_chain(data, chain, strip)) return none;
-  refiner->refine(strip);
-  SurfacePath path = refiner->path();
-  return path.length < unreachable ? path : none;
+SurfacePath PathQuery::refined(const SurfacePoint& from, const SurfacePoint& to, const RoutedEnds& ends) {
+  const IndexData& data = routes_->data;
+  const SurfacePath none{{}, unreachable};
+  if (ends.route.length == unreachable) return none;
+  strip_.source = ends.from.point;
+  strip_.target = ends.to.point;
+  const PathChain chain = chain_of_route(data, ends.route, ends.from.vertex, ends.to.vertex,
+                                         ends.from.patch(data), ends.to.patch(data));
+  if (!strip_along_chain(data, chain, strip_)) return none;
+  refiner_->refine(strip_);
+  const SurfacePath path = refiner_->path();
+  if (!(path.length < unreachable)) return none;
+  return exact_.checked(user_path(data, path), unreachable, from, to).path;
 }
 
 /// The index's distance along a route; for points in faces, from the distances of their corners. Unreachable
 /// where the tables of the route do not hold the corners.
-double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
-                                         const GraphRoute& route_found) {
+double PathQuery::expected_length(const RoutedEnds& ends) {
+  const IndexData& data = routes_->data;
   const Mesh& mesh = *data.work.mesh;
   auto between = [&](const PathEnd& end, auto&& of_vertex) {
     if (end.point.is_vertex()) return of_vertex(end.point.vertex);
@@ -131,128 +151,88 @@ double PathQuery::State::expected_length(const PathEnd& from, const PathEnd& to,
     for (int i = 0; i < 3; ++i) corners[i] = of_vertex(mesh.face_vertices(end.point.face)[i]);
     return distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
   };
-  return between(from, [&](Index source) {
-    return between(to, [&](Index target) {
-      return unfolder.length(route_found, source, target, from.patch(data), to.patch(data));
+  return between(ends.from, [&](Index source) {
+    return between(ends.to, [&](Index target) {
+      return routes_->unfolder.length(ends.route, source, target, ends.from.patch(data), ends.to.patch(data));
     });
   });
 }
 
-/// Looks for a shorter path close to the refined one if that may be on the wrong side of something.
-void PathQuery::State::look_nearby(const PathEnd& from, const PathEnd& to, double expected,
-                                   FoundPath& found) {
-  const double doubtful = std::max(
-      least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(*data.work.mesh, refiner->line()));
-  if (!(found.path.length > expected * (1.0 + doubtful))) return;
-  // Within a few rings the shortest path may be missed, so this search proves nothing.
-  const auto nearby = surroundings.surround(refiner->line(), rings_beside);
-  found.join(exact.within(from, to, found.path.length, nearby).unproven());
+/// A refined path, or a shorter one if it may be on the wrong side of something.
+SurfacePath PathQuery::doubted(SurfacePath path, double expected, const SurfacePoint& from,
+                               const SurfacePoint& to) {
+  auto take_shorter = [&](SurfacePath other) {
+    if (other.length < path.length) path = std::move(other);
+  };
+  const Mesh& mesh = *strip_geometry_->mesh;
+  const double doubtful =
+      std::max(least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(mesh, refiner_->line()));
+  if (path.length > expected * (1.0 + doubtful)) {
+    const auto beside = surroundings_.surround(refiner_->line(), rings_beside);
+    const auto mask = exact_.mask_of_work(beside, surroundings_.faces());
+    take_shorter(exact_.path_within(from, to, {.upper = path.length, .mask = mask}));
+  }
+  if (path.length > expected * (1.0 + suspicious)) {
+    take_shorter(exact_.path(from, to, {.upper = path.length, .landmarks = landmarks_.get()}).path);
+  }
+  return path;
 }
 
-FoundPath PathQuery::State::path(const PathEnd& from, const PathEnd& to, const GraphRoute& route_found) {
-  FoundPath found;
-  const double slack = refiner ? estimate_slack : estimate_slack_of_jumps;
-  const double estimate = (from.to_vertex + route_found.length + to.to_vertex) * slack;
-  if (are_near(data, from, to)) {
-    found = exact.nearby(from, to, estimate);
-  } else if (!refiner) {
-    found = exact.by_index(from, to, estimate);
+// ---- Questions
+
+SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& target) {
+  SurfacePoint from = validated(*mesh_, source);
+  SurfacePoint to = validated(*mesh_, target);
+  if (auto known = known_path(from, to)) return std::move(known->path);
+  // Searches from either end may find different paths: both directions take the same one.
+  const bool swapped = canonical(*mesh_, to) < canonical(*mesh_, from);
+  if (swapped) std::swap(from, to);
+  RoutedEnds ends(routes_->data, from, to);
+  SurfacePath found;
+  if (auto exact = solved(from, to, ends)) {
+    found = std::move(exact->path);
   } else {
-    found.path = path_by_chain(from, to, route_found);
-    if (found.path.points.empty()) {
-      // The tables did not lead to the other end: exact propagation, within the length of the route.
-      found = exact.between_landmarks(from, to, estimate);
-    } else {
-      found.is_refined = true;
+    found = refined(from, to, ends);
+    if (!found.points.empty()) found = doubted(std::move(found), expected_length(ends), from, to);
+    if (!exact_.is_whole(found, from, to)) {
+      found = exact_.path(from, to, {.upper = ends.length() * slack::of_route}).path;
     }
   }
-  // On faces without area, lengths may be off by more than the slack.
-  if (found.path.points.empty()) found = exact.everywhere(from, to);
+  if (swapped) std::ranges::reverse(found.points);
   return found;
 }
 
-/// The same path over the user's mesh, between exactly the points that were asked for, with the length
-/// measured along its points.
-PathQuery::State::AskedPath PathQuery::State::as_asked(const FoundPath& found, const SurfacePoint& source,
-                                                       const SurfacePoint& target) const {
-  AskedPath result{found.on_user_mesh ? found.path : user_path(data, found.path), {}};
-  result.measured = set_ends(*data.mesh, source, target, result.path);
-  return result;
-}
-
-SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& target) {
-  State& state = *state_;
-  const Mesh& mesh = *state.data.mesh;
-  SurfacePoint s = validated(mesh, source);
-  SurfacePoint t = validated(mesh, target);
-  SurfacePath none;
-  none.length = unreachable;
-  if (is_same_point(mesh, s, t)) return {{s, t}, 0.0};
-  if (!state.connected(s, t)) return none;
-  // Searches from either end may find different paths: both directions take the same one.
-  const bool swapped = canonical(mesh, t) < canonical(mesh, s);
-  if (swapped) std::swap(s, t);
-  const PathEnd from = path_end(state.data, s);
-  const PathEnd to = path_end(state.data, t);
-  const GraphRoute route_found = state.route(from, to);
-  FoundPath first = state.path(from, to, route_found);
-  double expected = unreachable;
-  if (first.is_refined) {
-    expected = state.expected_length(from, to, route_found);
-    state.look_nearby(from, to, expected, first);
-  }
-  State::AskedPath found = state.as_asked(first, s, t);
-  // By its length over the user's mesh: across needles beside split edges, unfolding may have lost it.
-  if (found.path.length > expected * (1.0 + suspicious)) {
-    auto exact = state.as_asked(state.exact.between_landmarks(from, to, found.path.length), s, t);
-    if (exact.path.length < found.path.length) found = std::move(exact);
-  }
-  if (!state.is_whole(found, s, t, found.path.length)) {
-    found = state.as_asked(state.exact.everywhere(from, to), s, t);
-  }
-  if (swapped) std::ranges::reverse(found.path.points);
-  return std::move(found.path);
+ExactPath PathQuery::path_on_mesh(const SurfacePoint& from, const SurfacePoint& to) {
+  return exact_.path(from, to, {.upper = length_by_edges(PathEnd(*mesh_, from), PathEnd(*mesh_, to))});
 }
 
 ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
-  State& state = *state_;
-  const Mesh& mesh = *state.data.mesh;
-  const SurfacePoint s = validated(mesh, source);
-  const SurfacePoint t = validated(mesh, target);
-  ExactPath result;
-  result.path.length = unreachable;
-  result.certified = true;
-  if (is_same_point(mesh, s, t)) return {{{s, t}, 0.0}, true};
-  if (!state.connected(s, t)) return result;
-  const PathEnd from = path_end(state.data, s);
-  const PathEnd to = path_end(state.data, t);
-  FoundPath found = state.path(from, to, state.route(from, to));
-  if (!state.refiner) {
-    // Nothing is proven of distances by points on edges.
-    return {state.as_asked(found, s, t).path, false};
+  const SurfacePoint from = validated(*mesh_, source);
+  const SurfacePoint to = validated(*mesh_, target);
+  if (auto known = known_path(from, to)) return *std::move(known);
+  if (!index_) return path_on_mesh(from, to);
+  RoutedEnds ends(routes_->data, from, to);
+  if (auto exact = solved(from, to, ends)) return *std::move(exact);
+  PathBounds bounds;
+  bounds.upper = std::min(refined(from, to, ends).length, ends.length() * slack::of_route);
+  if (certify || routes_->data.has_branches) {
+    bounds.landmarks = landmarks_.get();
+  } else {
+    bounds.is_proof = false;
+    bounds.rest = exact_.rest_of_work(routes_->bounds.fill(ends.from, ends.to, bounds.upper));
   }
-  if (found.distance == unreachable) {
-    const bool with_proof = certify || state.data.has_branches;
-    found.join(with_proof ? state.exact.between_landmarks(from, to, found.path.length)
-                          : state.exact.by_index(from, to, found.path.length));
-  }
-  State::AskedPath asked = state.as_asked(found, s, t);
-  result.certified = state.is_whole(asked, s, t, found.distance);
-  const bool meant_to_be_proven = certify || state.data.has_branches || found.distance < unreachable;
-  if (!result.certified && (meant_to_be_proven || !state.is_whole(asked, s, t, asked.path.length))) {
-    // The bounds were wrong by more than rounding explains, or the path back was not found: search without
-    // bounds.
-    found = state.exact.everywhere(from, to);
-    State::AskedPath anywhere = state.as_asked(found, s, t);
-    const bool is_path_there = state.is_whole(anywhere, s, t, anywhere.path.length);
-    result.certified = is_path_there && state.is_whole(anywhere, s, t, found.distance);
-    if (result.certified || (is_path_there && anywhere.path.length < asked.path.length)) {
-      asked = std::move(anywhere);
-    }
-  }
-  result.certified = result.certified && is_provable(mesh);
-  result.path = std::move(asked.path);
-  return result;
+  return exact_.path(from, to, bounds);
+}
+
+ExactPath PathQuery::exact_path(PathsFromPoint& from_source, const SurfacePoint& target) {
+  const SurfacePoint& from = from_source.source();
+  const SurfacePoint to = validated(*mesh_, target);
+  if (auto known = known_path(from, to)) return *std::move(known);
+  SurfacePath path = from_source.path_to(to);
+  const double distance = exact_.can_prove() ? from_source.distance(to) : unreachable;
+  ExactPath found = exact_.checked(std::move(path), distance, from, to);
+  const bool is_answer = found.certified || (!exact_.can_prove() && exact_.is_whole(found.path, from, to));
+  return is_answer ? found : path_on_mesh(from, to);
 }
 
 }  // namespace vorogeo

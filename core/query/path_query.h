@@ -1,34 +1,27 @@
-// Shortest paths between two points of the surface, refined from the index or exact.
+// Shortest paths between two points of a surface, with an index or without: refined from it, or exact.
 #pragma once
 
 #include <memory>
+#include <optional>
 
-#include "exact/exact_landmarks.h"
-#include "exact/exact_solver.h"
+#include "exact/paths_from_point.h"
 #include "index/geodesic_index.h"
+#include "query/between.h"
+#include "query/index_bounds.h"
+#include "query/path_refine.h"
+#include "query/router.h"
 
 namespace vorogeo {
 
-/// A shortest path and what is known about it.
-struct ExactPath {
-  SurfacePath path;
-  /// Whether it is proven that no path is shorter (up to rounding), and the path passes is_path() for the
-  /// distance that was propagated: it runs between the points asked for, consecutive points share a face, and
-  /// its steps sum to that distance. Otherwise the propagation was kept in a corridor by the index's
-  /// distances less an error margin, or no path of that length was found among degenerate faces.
-  bool certified = false;
-};
-
-/// Answers path queries on an index. Holds scratch memory: one object belongs to one thread.
+/// Answers path queries. Holds scratch memory: one object belongs to one thread.
 ///
 /// Paths run from source to target over faces of the user's mesh; consecutive points share a face. Without a
 /// path (other component, a vertex without a face) a path has no points and its length is `unreachable`.
 class PathQuery {
  public:
   explicit PathQuery(std::shared_ptr<const GeodesicIndex> index);
-  ~PathQuery();
-  PathQuery(PathQuery&&) noexcept;
-  PathQuery& operator=(PathQuery&&) noexcept;
+  /// Without an index: exact paths only.
+  explicit PathQuery(const std::shared_ptr<const LocalGeometry>& geometry);
 
   /// The refined path: the path that the index gives, shortened to a geodesic. Never shorter than the
   /// shortest path, up to rounding; in nearly all cases it is that path. Exact where the ends lie in one
@@ -37,21 +30,58 @@ class PathQuery {
   /// faces crossed; if the result is doubtful, also that of exact propagation in the faces close to them.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
-  /// The shortest path, by exact propagation in a corridor given by the refined path's length and lower
-  /// bounds of the rest. `certify`: use only proven lower bounds, the straight line in space and those of
-  /// landmarks, so that the answer is always certified. Without it, the index's distance, less a margin that
-  /// is not proven, narrows the corridor: faster on large curved surfaces, but on meshes of needles a few
-  /// answers are too long.
+  /// The shortest path, by exact propagation in a corridor: from the length of the refined path, or without
+  /// an index of the shortest path along edges pulled tight, and lower bounds of the rest. Always proven
+  /// where faces are not degenerate; where the metric jumps at edges, a refracted path of which nothing is
+  /// proven. `certify`: with an index, use only proven lower bounds, the straight line in space and those of
+  /// landmarks. Without it, the index's distance, less a margin that is not proven, narrows the corridor:
+  /// faster on large curved surfaces, but on meshes of needles a few answers are too long. \throw
+  /// InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
+  /// The same from the source of a propagation that serves many targets.
+  ExactPath exact_path(PathsFromPoint& from_source, const SurfacePoint& target);
 
-  /// From this call on, landmarks (distance_matrix.h) narrow the corridors of certified paths.
-  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
-
-  const GeodesicIndex& index() const;
+  /// From this call on, landmarks narrow the corridors of certified paths from an index.
+  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) { landmarks_ = std::move(landmarks); }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  /// What only an index needs.
+  struct Routes {
+    explicit Routes(const IndexData& of) : data(of), router(of), unfolder(of), bounds(of) {}
+    const IndexData& data;
+    Router router;
+    RouteUnfolder unfolder;
+    IndexBounds bounds;
+  };
+  /// Both ends in the work mesh of the index, and the route between them.
+  struct RoutedEnds {
+    RoutedEnds(const IndexData& data, const SurfacePoint& source, const SurfacePoint& target)
+        : from(data, source), to(data, target) {}
+    PathEnd from;
+    PathEnd to;
+    GraphRoute route{};
+    /// Of the route, over border nodes; longer than the distance up to the precision of the tables.
+    double length() const { return from.to_vertex + route.length + to.to_vertex; }
+  };
+  std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;
+  ExactPath path_on_mesh(const SurfacePoint& from, const SurfacePoint& to);
+  bool lay_strip_along_edges(const PathEnd& from, const PathEnd& to, double& length);
+  double length_by_edges(const PathEnd& from, const PathEnd& to);
+  std::optional<ExactPath> solved(const SurfacePoint& from, const SurfacePoint& to, RoutedEnds& ends);
+  void find_route(RoutedEnds& ends);
+  SurfacePath refined(const SurfacePoint& from, const SurfacePoint& to, const RoutedEnds& ends);
+  double expected_length(const RoutedEnds& ends);
+  SurfacePath doubted(SurfacePath path, double expected, const SurfacePoint& from, const SurfacePoint& to);
+
+  const std::shared_ptr<const GeodesicIndex> index_;           ///< null without one
+  const std::shared_ptr<const Mesh> mesh_;                     ///< the user's
+  const std::shared_ptr<const LocalGeometry> strip_geometry_;  ///< of the faces that strips are laid over
+  ExactBetween exact_;
+  std::unique_ptr<Routes> routes_;      ///< with an index
+  std::optional<PathRefiner> refiner_;  ///< not where the metric jumps: there, lines refract
+  PathNeighbourhood surroundings_;
+  FaceStrip strip_;
+  std::shared_ptr<const ExactLandmarks> landmarks_;
 };
 
 }  // namespace vorogeo

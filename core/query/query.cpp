@@ -33,7 +33,7 @@ LocalSolver& Query::solver() {
   return *solver_;
 }
 
-MeshPathQuery& Query::mesh_paths() {
+PathQuery& Query::mesh_paths() {
   if (!mesh_paths_) mesh_paths_.emplace(surface_.geometry());
   return *mesh_paths_;
 }

@@ -12,7 +12,6 @@
 #include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
 #include "query/geodesic_query.h"
-#include "query/mesh_path.h"
 #include "query/path_query.h"
 
 namespace vorogeo {
@@ -61,7 +60,7 @@ class Query {
  private:
   GeodesicQuery& of_index(int threads);
   LocalSolver& solver();
-  MeshPathQuery& mesh_paths();
+  PathQuery& mesh_paths();
   const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
                             bool distances_only, const Progress& progress = {});
 
@@ -69,7 +68,7 @@ class Query {
   std::optional<GeodesicQuery> index_query_;
   std::optional<PathQuery> index_paths_;
   std::optional<LocalSolver> solver_;
-  std::optional<MeshPathQuery> mesh_paths_;
+  std::optional<PathQuery> mesh_paths_;
   std::optional<PathsFromPoint> propagation_;
   std::optional<VirtualSources> quick_;
 };

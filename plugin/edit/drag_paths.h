@@ -7,7 +7,7 @@
 
 #include "edit/background.h"
 #include "exact/paths_from_point.h"
-#include "query/mesh_path.h"
+#include "query/path_query.h"
 
 namespace vorogeo::plugin {
 
@@ -29,7 +29,7 @@ class DragPaths {
 
  private:
   const std::chrono::milliseconds wait_;
-  MeshPathQuery corridors_;
+  PathQuery corridors_;
   PathsFromPoint from_source_;  ///< the propagation's while that runs
   SurfacePoint source_;
   std::atomic<bool> has_failed_ = false;  ///< no memory was left: all paths are searched in corridors

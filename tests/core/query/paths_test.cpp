@@ -13,7 +13,6 @@
 #include "exact/exact_solver.h"
 #include "mesh/surface_locator.h"
 #include "query/geodesic_query.h"
-#include "query/mesh_path.h"
 #include "query/path_query.h"
 #include "support/error.h"
 #include "support/heavy.h"
@@ -162,15 +161,15 @@ TEST(PathQuery, RealMeshes) {
 
 // Exact paths without an index: many targets, many pages, and edges without digits.
 
-MeshPathQuery query_on(const std::shared_ptr<const Mesh>& mesh) {
-  return MeshPathQuery(std::make_shared<const LocalGeometry>(mesh));
+PathQuery query_on(const std::shared_ptr<const Mesh>& mesh) {
+  return PathQuery(std::make_shared<const LocalGeometry>(mesh));
 }
 
 TEST(MeshPath, IsTheSameFromAPropagationThatServesManyTargets) {
   const test::Shape box = test::box({1.0, 2.0, 1.5}, 4);
   const auto mesh = test::make_mesh(box.soup);
   const auto geometry = std::make_shared<const LocalGeometry>(mesh);
-  MeshPathQuery query(geometry);
+  PathQuery query(geometry);
   PathsFromPoint from_source(geometry);
   const auto source = SurfacePoint::in_face(3, {0.5, 0.2, 0.3});
   from_source.reset(source);
@@ -186,7 +185,7 @@ TEST(MeshPath, IsTheSameFromAPropagationThatServesManyTargets) {
 
 TEST(MeshPath, CrossesTheSpineOfABookOfThousandsOfPages) {
   const auto mesh = test::make_mesh(test::book_of_pages(8000));
-  MeshPathQuery query = query_on(mesh);
+  PathQuery query = query_on(mesh);
   const double start = thread_seconds();
   const auto from = SurfacePoint::at_vertex(5), to = SurfacePoint::at_vertex(4000);
   const ExactPath found = query.exact_path(from, to);
@@ -200,7 +199,7 @@ TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
   test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
   soup.positions[80][2] = 1e15;
   const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
-  MeshPathQuery query(geometry);
+  PathQuery query(geometry);
   PathsFromPoint from_source(geometry);
   from_source.reset(SurfacePoint::at_vertex(0));
   for (const Index v : {5, 40, 100}) {
@@ -214,7 +213,7 @@ TEST(MeshPath, NothingIsProvenBesideEdgesWithoutDigits) {
     test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
     soup.positions[40][2] = lift;
     const auto mesh = test::make_mesh(soup);
-    MeshPathQuery query = query_on(mesh);
+    PathQuery query = query_on(mesh);
     const ExactPath exact = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(26));
     EXPECT_EQ(exact.certified, lift < 1e13) << lift;
     EXPECT_NEAR(exact.path.length, std::hypot(8.0, 2.0), 1e-9);

@@ -1,0 +1,179 @@
+// The one exact run from point to point: within bounds, and within wider ones until nothing can be shorter.
+#include "query/between.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vorogeo {
+
+namespace {
+
+/// Up to edges this many typical ones long, exact distances between the other vertices keep their digits.
+constexpr double provable_edges = 1e13;
+
+bool is_provable(const Mesh& mesh) {
+  return !mesh.metric_jumps() && mesh.longest_edge_length() <= provable_edges * mesh.typical_edge_length();
+}
+
+/// The bounds of the runs that answer one question, one after the other.
+class Widening {
+ public:
+  explicit Widening(const PathBounds& bounds) : bounds_(bounds) {}
+  const PathBounds& bounds() const { return bounds_; }
+  /// After a run that did not answer, but found a path of length `found` or none. \return false after one
+  /// without bounds.
+  bool next(double found) {
+    if (!bounds_.mask.empty()) {
+      bounds_.mask = {};
+      bounds_.upper = std::min(bounds_.upper, found);
+      return true;
+    }
+    if (bounds_.upper == unreachable && bounds_.rest.empty()) return false;
+    const bool is_too_narrow = found == unreachable && !is_wide_;
+    is_wide_ = true;
+    bounds_ = {.upper = is_too_narrow ? slack::widest * bounds_.upper : unreachable};
+    return true;
+  }
+
+ private:
+  PathBounds bounds_;
+  bool is_wide_ = false;
+};
+
+}  // namespace
+
+ExactBetween::ExactBetween(std::shared_ptr<const LocalGeometry> geometry)
+    : geometry_(std::move(geometry)), mesh_(*geometry_->mesh), can_prove_(is_provable(mesh_)) {}
+
+ExactBetween::ExactBetween(const IndexData& data)
+    : data_(&data),
+      on_work_(data.unsplit() == nullptr),
+      geometry_(on_work_ ? data.geometry : data.unsplit()->geometry),
+      mesh_(*data.mesh),
+      can_prove_(is_provable(mesh_)) {}
+
+/// \return whether what was found within the bounds is the shortest of all: no path can have left the mask.
+bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds,
+                       bool for_path) {
+  if (!solver_) solver_.emplace(geometry_);
+  const Mesh& mesh = mesh_of_runs();
+  const ExactSource source{from};
+  ExactLimits limits;
+  limits.max_distance = bounds.upper * slack::of_path;
+  limits.face_allowed = bounds.mask;
+  limits.least_remaining = bounds.rest;
+  limits.landmarks = bounds.landmarks;
+  if (bounds.upper < unreachable || mesh.metric_jumps()) limits.corridor_point = &to;
+  if (!for_path || mesh.metric_jumps()) {
+    // A path needs the windows that come after its end, except where bounds are too weak to end a run.
+    limits.targets =
+        to.is_vertex() ? std::span(&to.vertex, 1) : std::span<const Index>(mesh.face_vertices(to.face));
+  }
+  limits.distances_only = !for_path && mesh.has_metric();
+  solver_->run(std::span(&source, 1), limits);
+  return bounds.mask.empty() || solver_->distance(to) <= solver_->barrier_distance();
+}
+
+/// Over the user's mesh.
+SurfacePath ExactBetween::path_of_run(const SurfacePoint& to) const {
+  SurfacePath path = solver_->path_to_source(to);
+  std::ranges::reverse(path.points);
+  if (path.points.empty()) return {{}, unreachable};
+  return on_work_ ? user_path(*data_, path) : path;
+}
+
+ExactPath ExactBetween::path(const SurfacePoint& from, const SurfacePoint& to, PathBounds bounds) {
+  const SurfacePoint begin = point_of_run(from);
+  const SurfacePoint end = point_of_run(to);
+  ExactPath best;
+  Widening widening(bounds);
+  do {
+    const PathBounds& now = widening.bounds();
+    const bool is_answer = run(begin, end, now, true);
+    const bool is_proof = is_answer && can_prove_ && now.is_proof;
+    ExactPath found = checked(path_of_run(end), is_proof ? solver_->distance(end) : unreachable, from, to);
+    if (found.certified) return found;
+    const bool was_whole = is_whole(best.path, from, to);
+    const bool is_shorter = found.path.length < best.path.length && is_whole(found.path, from, to);
+    if (!was_whole || is_shorter) best = std::move(found);
+    // Where nothing can be proven, a path is enough.
+    if (is_answer && !is_proof && is_whole(best.path, from, to)) return best;
+  } while (widening.next(best.path.length));
+  return best;
+}
+
+SurfacePath ExactBetween::path_within(const SurfacePoint& from, const SurfacePoint& to,
+                                      const PathBounds& bounds) {
+  const SurfacePoint end = point_of_run(to);
+  run(point_of_run(from), end, bounds, true);
+  return checked(path_of_run(end), unreachable, from, to).path;
+}
+
+double ExactBetween::distance(Index from, Index to, PathBounds bounds) {
+  const SurfacePoint begin = point_of_run(SurfacePoint::at_vertex(from));
+  const SurfacePoint end = point_of_run(SurfacePoint::at_vertex(to));
+  Widening widening(bounds);
+  double found = unreachable;
+  do {
+    const bool is_answer = run(begin, end, widening.bounds(), false);
+    found = solver_->distance(end);
+    if (is_answer && found < unreachable) break;
+  } while (widening.next(found));
+  return found;
+}
+
+ExactPath ExactBetween::checked(SurfacePath path, double distance, const SurfacePoint& from,
+                                const SurfacePoint& to) const {
+  if (path.points.empty()) return {};
+  if (is_same_point(mesh_, path.points.front(), from)) path.points.front() = from;
+  if (path.points.size() == 1) path.points.push_back(to);
+  if (is_same_point(mesh_, path.points.back(), to)) path.points.back() = to;
+  const MeasuredLength measured = measured_length(mesh_, path.points);
+  // Where they agree, the sum of the steps in the plane has less rounding.
+  if (!measured.agrees_with(path.length)) path.length = measured.length;
+  const bool certified = is_path(mesh_, path, measured, from, to, distance);
+  return {std::move(path), certified};
+}
+
+bool ExactBetween::is_whole(const SurfacePath& path, const SurfacePoint& from, const SurfacePoint& to) const {
+  return is_path(mesh_, path, from, to, path.length);
+}
+
+// ---- Bounds of an index for the mesh of the runs
+
+std::span<const std::uint8_t> ExactBetween::mask_around(std::span<const Index> patches) {
+  if (!halo_) {
+    if (on_work_) {
+      halo_.emplace(*data_->work.mesh, data_->first_face);
+    } else {
+      halo_.emplace(mesh_, data_->unsplit()->first_face, data_->unsplit()->faces);
+    }
+  }
+  halo_->surround(patches);
+  return halo_->mask();
+}
+
+std::span<const std::uint8_t> ExactBetween::mask_of_work(std::span<const std::uint8_t> mask,
+                                                         std::span<const Index> faces) {
+  if (on_work_) return mask;
+  for (const Index face : user_faces_) user_mask_[face] = 0;
+  user_faces_.clear();
+  user_mask_.resize(mesh_.face_count(), 0);
+  for (const Index face : faces) {
+    user_faces_.push_back(data_->work.user_face[face]);
+    user_mask_[user_faces_.back()] = 1;
+  }
+  return user_mask_;
+}
+
+std::span<const double> ExactBetween::rest_of_work(std::span<const double> rest) {
+  if (on_work_) return rest;
+  user_rest_.assign(mesh_.vertex_count(), unreachable);
+  for (std::size_t v = 0; v < user_rest_.size(); ++v) {
+    const Index work = data_->work.work_vertex[v];
+    if (work != no_index) user_rest_[v] = rest[work];
+  }
+  return user_rest_;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,46 @@
+// Lower bounds of the distance to one point, from the index: they keep exact propagation in a corridor.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "query/border_field.h"
+#include "query/path_chain.h"
+
+namespace vorogeo {
+
+/// The largest error assumed of the index: this fraction of the distance plus this fraction of the mean edge
+/// (a single border crossing errs by a fraction of an edge, however long the distance). About twice the
+/// largest error measured on shortest paths (docs/figures.md). It is not proven, so results that rely on it
+/// are not certified.
+inline constexpr double index_margin = 0.003;
+inline constexpr double index_margin_in_edges = 0.5;
+
+/// Lower bounds for the vertices on paths of at most a given length between two points.
+///
+/// The distances of the border nodes from the target come from the tables; each patch that neither they nor
+/// the landmarks exclude is swept. In the patches around the target, where the index is least accurate, the
+/// bound is 0: the straight line in space is used there. One object belongs to one thread.
+class IndexBounds {
+ public:
+  explicit IndexBounds(const IndexData& data);
+
+  /// For work vertices; infinity where no such path can pass. Valid until the next call. Complexity: that of
+  /// the second-layer tables of the patches passed.
+  std::span<const double> fill(const PathEnd& from, const PathEnd& to, double length);
+
+ private:
+  void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);
+
+  const IndexData& data_;
+  BorderField borders_;
+  std::vector<BorderField::Seed> seeds_;
+  FieldSweep sweep_;
+  std::vector<double> bound_;
+  std::vector<std::uint8_t> allowed_;
+  std::vector<std::uint8_t> is_near_;
+  std::vector<Index> swept_;
+};
+
+}  // namespace vorogeo
