@@ -258,6 +258,7 @@ AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, Pro
 
 AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, Answered& answered,
                              Progress& progress) {
+  if (fields <= 0.0 && !index()) return AnswerMethod::exact;  // nothing is asked, so nothing is built
   if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
   if (method != AnswerMethod::automatic) return method;
   if (reach <= short_reach(mesh_->vertex_count())) return AnswerMethod::exact;
@@ -345,6 +346,7 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   answered = {};
+  if (count == 0) return;
   std::optional<AnswerMethod> ordered_for;
   // Exact answers come in rounds, as after each of them an index may pay.
   std::size_t done = 0;
