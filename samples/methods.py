@@ -77,7 +77,7 @@ def draw_points(axes: plt.Axes, rows: list[dict[str, str]]) -> None:
 def draw_maps(figure: plt.Figure, mesh: pymeshlab.Mesh) -> None:
     """The vertices from the front, coloured by the signed error of a method, from vertex 0."""
     vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
-    exact = vorogeo.distance_field(vertices, faces, 0)
+    exact = vorogeo.exact_distance_field(vertices, faces, 0)
     order = np.argsort(vertices[:, 2])
     for axes, method in zip(figure.subplots(1, len(MAPS)), MAPS, strict=True):
         with np.errstate(divide="ignore", invalid="ignore"):

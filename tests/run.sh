@@ -172,7 +172,7 @@ check "format of C++" check_cpp_format
 check "format of Python" check_python_format
 check "rules for Python (ruff)" .venv/bin/ruff check .
 suite structure run_pytest structure .venv/bin/python tests/structure
-check "types of Python (mypy)" env -C pyfilter ../.venv/bin/mypy vorogeo
+check "types of Python (mypy)" .venv/bin/mypy --config-file pyfilter/pyproject.toml --package vorogeo  # as installed
 
 # The adapter is tested on a real VCG mesh where set-up has obtained the host's headers.
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"

@@ -1,22 +1,52 @@
 // The compiled extension vorogeo._core: the core behind the Python package, which checks all arguments.
-#include <nanobind/nanobind.h>
+#include "bindings.h"
+#include "support/error.h"
+#include "support/file.h"
+#include "support/memory.h"
 
-#include "arrays.h"
-#include "errors.h"
-#include "mesh_binding.h"
-#include "methods_binding.h"
-#include "surface_binding.h"
-#include "tasks_binding.h"
+namespace vorogeo::python {
+
+namespace {
+
+/// Raises the class of this name in vorogeo.errors.
+void raise(const char* name, const char* sentence) {
+  PyErr_SetString(nb::module_::import_("vorogeo.errors").attr(name).ptr(), sentence);
+}
+
+void translate(const std::exception_ptr& exception, void*) {
+  try {
+    std::rethrow_exception(exception);
+  } catch (const InvalidInput& e) {
+    raise("InvalidInput", e.what());
+  } catch (const IndexFileError& e) {
+    raise("IndexFileError", e.what());
+  } catch (const FileError& e) {
+    raise("FileError", e.what());
+  } catch (const Cancelled& e) {
+    raise("Cancelled", e.what());
+  } catch (const NotEnoughMemory& e) {
+    raise("NotEnoughMemory", e.what());
+  } catch (const Error& e) {
+    raise("Error", e.what());
+  } catch (const std::bad_alloc&) {
+    raise("NotEnoughMemory", out_of_memory_sentence);
+  }
+}
+
+}  // namespace
+
+}  // namespace vorogeo::python
 
 NB_MODULE(_core, module) {
+  using namespace vorogeo::python;
   module.doc() =
       "The core of VoroGeo; use the functions of the package vorogeo, which check their arguments.";
-  vorogeo::python::translate_errors();
-  vorogeo::python::bind_mesh_functions(module);
-  vorogeo::python::bind_methods(module);
-  vorogeo::python::bind_metrics(module);
-  vorogeo::python::bind_output(module);
-  vorogeo::python::bind_points(module);
-  vorogeo::python::bind_surface(module);
-  vorogeo::python::bind_tasks(module);
+  nb::register_exception_translator(translate);
+  nb::class_<HeldMesh> mesh(module, "Mesh");
+  nb::class_<HeldSurface> surface(module, "Surface");
+  bind_mesh(mesh, module);
+  bind_methods(mesh, module);
+  bind_surface(mesh, surface);
+  bind_tasks(surface);
+  bind_output(module);
 }

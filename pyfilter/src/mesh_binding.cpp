@@ -1,108 +1,158 @@
-// Meshes, points on them, metrics and checks.
-#include "mesh_binding.h"
-
-#include <nanobind/stl/string.h>
-
+// Meshes: how they are read, metrics on them, points in space and curves, checks, and what an index would
+// cost.
+#include <optional>
 #include <string>
 
-#include "arrays.h"
+#include "bindings.h"
 #include "index/build_estimate.h"
 #include "mesh/edge_points.h"
-#include "mesh/given_points.h"
+#include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"
-#include "progress_bridge.h"
 #include "tasks/curve_sources.h"
 
 namespace vorogeo::python {
 
-// ---- Points of a mesh in numpy arrays
-
-nb::tuple MeshPoints::snap(const VertexArray& points) {
-  PointRows rows;
-  std::vector<double> distances(points.shape(0));
-  {
-    nb::gil_scoped_release release;
-    const SurfaceLocator& on_surface = locator();
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-      const double* p = points.data() + 3 * i;
-      const SnappedPoint found = on_surface.nearest({p[0], p[1], p[2]});
-      distances[i] = found.distance;
-      rows.add(mesh(), found.point);
-    }
-  }
-  return nb::make_tuple(to_numpy(std::move(rows.face)), to_numpy(std::move(rows.weights)),
-                        to_numpy(std::move(distances)));
-}
-
-nb::tuple MeshPoints::along_edges(const EdgeArray& ends, double spacing) const {
-  std::vector<std::array<int, 2>> pairs;
-  for (std::size_t i = 0; i < ends.shape(0); ++i) pairs.push_back({ends(i, 0), ends(i, 1)});
-  const std::vector<Index> edges = edges_of_curve(mesh(), pairs);
-  PointRows rows;
-  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh().typical_edge_length();
-  for (const ExactSource& source : sources_along_edges(mesh(), edges, wanted)) rows.add(mesh(), source.point);
-  return nb::make_tuple(to_numpy(std::move(rows.vertex)), to_numpy(std::move(rows.face)),
-                        to_numpy(std::move(rows.weights)));
-}
-
-nb::tuple MeshPoints::path_arrays(const std::vector<ExactPath>& found) const {
-  PathArrays arrays(mesh());
-  for (const ExactPath& one : found) arrays.add(one.path, one.certified);
-  return arrays.take();
-}
-
-const SurfaceLocator& MeshPoints::locator() {
-  const std::lock_guard lock(mutex_);
-  if (!locator_) locator_ = std::make_unique<SurfaceLocator>(mesh_);
-  return *locator_;
-}
-
-// ---- The functions of _core about a mesh: its check, and what an index would cost
-
 namespace {
 
-nb::tuple finding(const MeshFinding& found) { return nb::make_tuple(found.count, found.first); }
+// ---- Reading a mesh
+
+/// What FaceSplits holds: ends of lines, faces, given faces, sides.
+using SplitArrays = std::tuple<EdgeArray, FaceArray, IdArray, VertexArray>;
+
+/// Lengths of the sides of the faces, each opposite its corner; the number of points on each edge where its
+/// faces may disagree (0: they agree); and the faces that are split. Nothing for lengths in space.
+using SideArrays = std::optional<std::tuple<VertexArray, Index, std::optional<SplitArrays>>>;
+
+/// Splits of the faces of a mesh of `vertices` and `given_faces`. \throw InvalidInput for numbers of vertices
+/// and faces that do not exist, and for faces without a given face or lengths: a metric may be a user's own.
+FaceSplits splits_of(const SplitArrays& arrays, std::size_t vertices, std::size_t given_faces) {
+  const auto& [middle_of, faces, given_face, sides] = arrays;
+  auto require = [](bool holds, const char* part, std::size_t row, const char* wanted) {
+    if (holds) return;
+    throw InvalidInput("splits." + std::string(part) + ": row " + std::to_string(row) + " is wrong; give " +
+                       wanted + ".");
+  };
+  auto is_below = [](Index number, std::size_t end) {
+    return number >= 0 && static_cast<std::size_t>(number) < end;
+  };
+  for (std::size_t i = 0; i < middle_of.shape(0); ++i) {
+    require(is_below(middle_of(i, 0), vertices + i) && is_below(middle_of(i, 1), vertices + i), "middle_of",
+            i, "two vertices that come before the one in their middle");
+  }
+  const std::size_t count = faces.shape(0);
+  if (given_face.shape(0) != count || sides.shape(0) != count) {
+    throw InvalidInput("splits: has " + std::to_string(count) + " faces, but " +
+                       std::to_string(given_face.shape(0)) + " given faces and lengths of " +
+                       std::to_string(sides.shape(0)) + "; give one of each for each face.");
+  }
+  for (std::size_t f = 0; f < count; ++f) {
+    for (int i = 0; i < 3; ++i) {
+      require(is_below(faces(f, i), vertices + middle_of.shape(0)), "faces", f, "vertices given or added");
+    }
+    require(is_below(given_face(f), given_faces) && (f == 0 || given_face(f - 1) <= given_face(f)),
+            "given_face", f, "numbers of the faces given, in ascending order");
+  }
+  const std::span<const Index> given = values_of(given_face);
+  return {rows_of<2>(middle_of), rows_of<3>(faces), {given.begin(), given.end()}, rows_of<3>(sides)};
+}
+
+/// The share of reading the mesh in the progress of a build.
+constexpr double reading_share = 0.01;
+
+HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const SideArrays& sides, double gap,
+                   bool folds, nb::object progress) {
+  ProgressBridge bridge(progress);
+  return bridge.run([&](const Progress& report) -> HeldMesh {
+    const Watch watch(report.part(0.0, reading_share), "Reading the mesh");
+    SideLengths lengths;
+    Index points_per_edge = 0;
+    FaceSplits splits;
+    if (sides) {
+      lengths = rows_of<3>(std::get<0>(*sides));
+      points_per_edge = std::get<1>(*sides);
+      const std::optional<SplitArrays>& split = std::get<2>(*sides);
+      if (split) splits = splits_of(*split, vertices.shape(0), faces.shape(0));
+    }
+    return {measured_mesh(rows_of<3>(vertices), rows_of<3>(faces), lengths, {gap, folds}, points_per_edge,
+                          splits),
+            faces.shape(0)};
+  });
+}
+
+// ---- Points and curves on a mesh
+
+/// Nearest points of the surface: faces, weights, distances.
+auto snap(const HeldMesh& self, const VertexArray& points) {
+  PointColumns columns;
+  std::vector<double> distances;
+  {
+    nb::gil_scoped_release release;
+    HeldMesh::Locator& locator = *self.locator;
+    std::call_once(locator.once, [&] { locator.made.emplace(self.mesh); });
+    for (const Point& point : rows_of<3>(points)) {
+      const SnappedPoint found = locator.made->nearest(point);
+      distances.push_back(found.distance);
+      columns.add(*self.mesh, found.point);
+    }
+  }
+  return std::tuple(to_numpy(std::move(columns.face)), to_numpy(std::move(columns.weights)),
+                    to_numpy(std::move(distances)));
+}
+
+/// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the typical
+/// edge. \throw InvalidInput if the mesh has no such edge.
+PointRows along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
+  const Mesh& mesh = *self.mesh;
+  const std::vector<Index> edges = edges_of_curve(mesh, rows_of<2>(ends));
+  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
+  PointColumns columns;
+  for (const ExactSource& source : sources_along_edges(mesh, edges, wanted)) columns.add(mesh, source.point);
+  return columns.take();
+}
+
+// ---- Checks, and what an index would cost
 
 nb::dict check(const VertexArray& vertices, const FaceArray& faces, double gap, bool folds) {
   MeshReport report;
   {
     nb::gil_scoped_release release;
-    report = check_mesh(points_of(vertices), triangles_of(faces), {gap, folds});
+    report = check_mesh(rows_of<3>(vertices), rows_of<3>(faces), {gap, folds});
   }
-  nb::list sentences;
+  nb::list sentences, component_vertices;
   for (const std::string& sentence : report.sentences()) sentences.append(sentence);
+  for (const MeshComponent& component : report.component_sizes) component_vertices.append(component.vertices);
+  auto pair = [](const auto& two) { return nb::make_tuple(two[0], two[1]); };
   nb::dict findings;
+  auto add = [&](const char* name, const auto& found) {
+    findings[name] = nb::make_tuple(found.count, found.first);
+  };
+  add("non_finite_vertices", report.non_finite_vertices);
+  add("faces_out_of_range", report.faces_out_of_range);
+  add("faces_with_repeated_vertex", report.faces_with_repeated_vertex);
+  add("duplicate_faces", report.duplicate_faces);
+  add("zero_area_faces", report.zero_area_faces);
+  add("duplicate_vertices", report.duplicate_vertices);
+  add("isolated_vertices", report.isolated_vertices);
+  add("non_manifold_edges", report.non_manifold_edges);
+  add("non_manifold_vertices", report.non_manifold_vertices);
+  add("inconsistent_edges", report.inconsistent_edges);
+  add("outliers", report.outliers);
+  add("t_junctions", report.t_junctions);
+  add("near_borders", report.near_borders);
   nb::dict d;
   d["findings"] = findings;
   d["vertices"] = report.vertices;
   d["faces"] = report.faces;
-  findings["non_finite_vertices"] = finding(report.non_finite_vertices);
-  findings["faces_out_of_range"] = finding(report.faces_out_of_range);
-  findings["faces_with_repeated_vertex"] = finding(report.faces_with_repeated_vertex);
-  findings["duplicate_faces"] = finding(report.duplicate_faces);
-  findings["zero_area_faces"] = finding(report.zero_area_faces);
-  findings["duplicate_vertices"] = finding(report.duplicate_vertices);
-  findings["isolated_vertices"] = finding(report.isolated_vertices);
-  findings["non_manifold_edges"] = finding(report.non_manifold_edges);
-  findings["non_manifold_vertices"] = finding(report.non_manifold_vertices);
-  findings["inconsistent_edges"] = finding(report.inconsistent_edges);
-  findings["outliers"] = finding(report.outliers);
-  findings["t_junctions"] = finding(report.t_junctions);
-  d["first_t_junction_edge"] =
-      nb::make_tuple(report.first_t_junction_edge[0], report.first_t_junction_edge[1]);
   d["outlier_ratio"] = report.outlier_ratio;
-  d["first_non_manifold_edge"] =
-      nb::make_tuple(report.first_non_manifold_edge[0], report.first_non_manifold_edge[1]);
+  d["first_non_manifold_edge"] = pair(report.first_non_manifold_edge);
+  d["first_t_junction_edge"] = pair(report.first_t_junction_edge);
   d["border_edges"] = report.border_edges;
-  nb::list component_vertices;
-  for (const MeshComponent& component : report.component_sizes) component_vertices.append(component.vertices);
-  d["components"] = report.components;
-  d["component_vertices"] = nb::tuple(component_vertices);
   d["border_loops"] = report.border_loops.count;
   d["longest_border_loop"] = report.border_loops.longest_length;
-  findings["near_borders"] = nb::make_tuple(report.near_borders.count, report.near_borders.first);
-  d["nearest_borders"] = nb::make_tuple(report.near_borders.closest[0], report.near_borders.closest[1]);
+  d["components"] = report.components;
+  d["component_vertices"] = nb::tuple(component_vertices);
+  d["nearest_borders"] = pair(report.near_borders.closest);
   d["near_border_gaps"] = nb::make_tuple(report.near_borders.least, report.near_borders.greatest);
   d["gap_to_join_all"] = report.gap_to_join_all;
   d["joined_borders"] = report.joined_borders;
@@ -116,15 +166,13 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces, double gap, 
   return d;
 }
 
-nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides, int threads,
-                  std::int64_t memory_budget, nb::object progress) {
+nb::dict estimate(const HeldMesh& self, int threads, std::int64_t memory_budget, nb::object progress) {
   IndexOptions options;
   options.threads = threads;
   options.memory_budget = memory_budget;
   ProgressBridge bridge(progress);
-  const BuildEstimate found = bridge.run([&](const Progress& report) {
-    return estimate_build(mesh_of(vertices, faces, sides), options, true, report);
-  });
+  const BuildEstimate found =
+      bridge.run([&](const Progress& report) { return estimate_build(self.mesh, options, true, report); });
   nb::dict d;
   d["build_seconds"] = found.build_seconds;
   d["core_seconds"] = found.core_seconds;
@@ -135,95 +183,70 @@ nb::dict estimate(const VertexArray& vertices, const FaceArray& faces, const Sid
   return d;
 }
 
-}  // namespace
+// ---- Metrics: lengths by costs and tensors, and costs and tensors that follow from the shape
 
-void bind_mesh_functions(nb::module_& module) {
-  module.def("estimate", &estimate, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
-             nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
-  module.def("check_mesh", &check, nb::arg("vertices"), nb::arg("faces"), nb::arg("gap"), nb::arg("folds"));
-}
-
-// ---- The functions of _core for metrics, without argument checks
-
-namespace {
-
-using ValueArray = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-
-std::vector<Tensor> tensors_of(const ValueArray& values) {
-  std::vector<Tensor> tensors(values.shape(0) / 9);
-  const double* value = values.data();
-  for (Tensor& tensor : tensors) {
-    for (double& entry : tensor) entry = *value++;
-  }
-  return tensors;
-}
+using SideRows = Rows<double, 3>;
+using SplitRows = std::tuple<Rows<Index, 2>, Rows<Index, 3>, Values<Index>, SideRows>;
 
 /// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
-nb::tuple as_tuple(const MetricLengths& found) {
-  nb::object splits = nb::none();
+std::tuple<SideRows, Index, Index, std::optional<SplitRows>> as_tuple(MetricLengths&& found) {
+  std::optional<SplitRows> splits;
   if (!found.splits.empty()) {
-    splits =
-        nb::make_tuple(flattened(found.splits.middle_of), flattened(found.splits.faces),
-                       to_numpy(std::vector<Index>(found.splits.given_face)), flattened(found.splits.sides));
+    FaceSplits& own = found.splits;
+    splits.emplace(to_numpy(std::move(own.middle_of)), to_numpy(std::move(own.faces)),
+                   to_numpy(std::move(own.given_face)), to_numpy(std::move(own.sides)));
   }
-  return nb::make_tuple(flattened(found.sides), found.shortened_edges, found.split_faces, splits);
+  return {to_numpy(std::move(found.sides)), found.shortened_edges, found.split_faces, std::move(splits)};
 }
 
-nb::tuple by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
-  return as_tuple(
-      lengths_by_cost(points_of(vertices), triangles_of(faces), std::span(cost.data(), cost.shape(0))));
+auto by_vertex_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
+  return as_tuple(lengths_by_cost(rows_of<3>(vertices), rows_of<3>(faces), values_of(cost)));
 }
 
-nb::tuple by_tensor(const VertexArray& vertices, const FaceArray& faces, const ValueArray& tensors) {
-  return as_tuple(lengths_by_tensor(points_of(vertices), triangles_of(faces), tensors_of(tensors)));
+auto by_vertex_tensor(const VertexArray& vertices, const FaceArray& faces, const TensorArray& tensors) {
+  return as_tuple(lengths_by_tensor(rows_of<3>(vertices), rows_of<3>(faces), rows_of<9>(tensors)));
 }
 
-DoubleArray slope(const VertexArray& vertices, const FaceArray& faces, double x, double y, double z,
-                  double penalty) {
-  return to_numpy(slope_cost(points_of(vertices), triangles_of(faces), {x, y, z}, penalty));
+SideRows by_face_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
+  return to_numpy(sides_by_face_cost(rows_of<3>(vertices), rows_of<3>(faces), values_of(cost)));
 }
 
-DoubleArray curvature(const VertexArray& vertices, const FaceArray& faces, double weight) {
-  return flattened(curvature_tensors(points_of(vertices), triangles_of(faces), weight));
-}
-
-DoubleArray sides_by_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
-  return flattened(
-      sides_by_face_cost(points_of(vertices), triangles_of(faces), std::span(cost.data(), cost.shape(0))));
-}
-
-DoubleArray sides_by_tensor(const VertexArray& vertices, const FaceArray& faces, const ValueArray& values) {
-  return flattened(sides_by_face_tensor(points_of(vertices), triangles_of(faces), tensors_of(values)));
+SideRows by_face_tensor(const VertexArray& vertices, const FaceArray& faces, const TensorArray& tensors) {
+  return to_numpy(sides_by_face_tensor(rows_of<3>(vertices), rows_of<3>(faces), rows_of<9>(tensors)));
 }
 
 Index points_for(const VertexArray& vertices, const FaceArray& faces, const VertexArray& sides) {
-  return edge_points_for(points_of(vertices), triangles_of(faces), points_of(sides));
+  return edge_points_for(rows_of<3>(vertices), rows_of<3>(faces), rows_of<3>(sides));
+}
+
+Values<double> slope(const VertexArray& vertices, const FaceArray& faces, const VertexArray& up,
+                     double penalty) {
+  return to_numpy(slope_cost(rows_of<3>(vertices), rows_of<3>(faces), rows_of<3>(up)[0], penalty));
+}
+
+/// Nine numbers for each vertex.
+Rows<double, 9> curvature(const VertexArray& vertices, const FaceArray& faces, double weight) {
+  return to_numpy(curvature_tensors(rows_of<3>(vertices), rows_of<3>(faces), weight));
 }
 
 }  // namespace
 
-void bind_metrics(nb::module_& module) {
-  const nb::arg vertices("vertices"), faces("faces");
-  module.def("lengths_by_cost", &by_cost, vertices, faces, nb::arg("cost"));
-  module.def("lengths_by_tensor", &by_tensor, vertices, faces, nb::arg("tensors"));
-  module.def("sides_by_face_cost", &sides_by_cost, vertices, faces, nb::arg("cost"));
-  module.def("sides_by_face_tensor", &sides_by_tensor, vertices, faces, nb::arg("tensors"));
+void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
+  const nb::arg vertices("vertices"), faces("faces"), gap("gap"), folds("folds"), cost("cost"),
+      tensors("tensors");
+  const auto progress = nb::arg("progress").none();
+  module.def("read_mesh", &read_mesh, vertices, faces, nb::arg("sides").none(), gap, folds, progress);
+  module.def("check_mesh", &check, vertices, faces, gap, folds);
+  mesh.def("snap", &snap, nb::arg("points"))
+      .def("along_edges", &along_edges, nb::arg("ends"), nb::arg("spacing"))
+      .def("estimate", &estimate, nb::arg("threads"), nb::arg("memory_budget"), progress);
+  module.def("lengths_by_cost", &by_vertex_cost, vertices, faces, cost);
+  module.def("lengths_by_tensor", &by_vertex_tensor, vertices, faces, tensors);
+  module.def("sides_by_face_cost", &by_face_cost, vertices, faces, cost);
+  module.def("sides_by_face_tensor", &by_face_tensor, vertices, faces, tensors);
   module.def("edge_points_for", &points_for, vertices, faces, nb::arg("sides"));
-  module.def("slope_cost", &slope, vertices, faces, nb::arg("x"), nb::arg("y"), nb::arg("z"),
-             nb::arg("penalty"));
+  module.def("slope_cost", &slope, vertices, faces, nb::arg("up"), nb::arg("penalty"));
   module.def("curvature_tensors", &curvature, vertices, faces, nb::arg("weight"));
-}
-
-// ---- The class _core.Points
-
-void bind_points(nb::module_& module) {
-  nb::class_<PointArrays>(module, "Points")
-      .def(
-          "__init__",
-          [](PointArrays* self, IdArray vertex, IdArray face, VertexArray weights) {
-            new (self) PointArrays{std::move(vertex), std::move(face), std::move(weights)};
-          },
-          nb::arg("vertex"), nb::arg("face"), nb::arg("weights"));
 }
 
 }  // namespace vorogeo::python

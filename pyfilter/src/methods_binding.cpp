@@ -1,14 +1,10 @@
 // The class _core.Method and the list of all methods.
-#include "methods_binding.h"
-
 #include <nanobind/stl/map.h>
-#include <nanobind/stl/string.h>
 
 #include <memory>
 
-#include "arrays.h"
+#include "bindings.h"
 #include "methods/method.h"
-#include "progress_bridge.h"
 
 namespace vorogeo::python {
 
@@ -20,22 +16,18 @@ struct BoundMethod {
   std::unique_ptr<GeodesicMethod> method;
 };
 
-BoundMethod* prepare(const std::string& name, const VertexArray& vertices, const FaceArray& faces,
-                     const SideArray& sides, const MethodOptions& options, nb::handle progress) {
-  ProgressBridge bridge{progress};
-  return bridge
-      .run([&](const Progress& inner) {
-        auto mesh = mesh_of(vertices, faces, sides);
-        auto method = prepare_method(name, mesh, options, inner);
-        return std::make_unique<BoundMethod>(std::move(mesh), std::move(method));
-      })
-      .release();
+BoundMethod prepare(const HeldMesh& held, const std::string& name, const MethodOptions& options,
+                    nb::object progress) {
+  ProgressBridge bridge(progress);
+  return {held.mesh, bridge.run([&](const Progress& report) {
+            return prepare_method(name, held.mesh, options, report);
+          })};
 }
 
-DoubleArray field(BoundMethod& self, const IdArray& sources) {
+Values<double> field(BoundMethod& self, const IdArray& sources) {
   ProgressBridge bridge{nb::none()};
   return of_given_vertices(*self.mesh, bridge.run([&](const Progress& progress) {
-    return self.method->field(ids_of(sources), progress);
+    return self.method->field(values_of(sources), progress);
   }));
 }
 
@@ -44,48 +36,40 @@ double pair(BoundMethod& self, Index source, Index target) {
   return self.method->pair(source, target);
 }
 
-std::string warning(const std::string& name, const VertexArray& vertices, const FaceArray& faces,
-                    const SideArray& sides) {
+std::string warning(const HeldMesh& held, const std::string& name) {
   const MethodEntry& entry = method_named(name);
-  return entry.warning ? entry.warning(*mesh_of(vertices, faces, sides)) : std::string();
+  return entry.warning ? entry.warning(*held.mesh) : std::string();
 }
 
+/// By method: what vorogeo.MethodInfo takes.
 nb::list describe() {
   nb::list rows;
   for (const MethodEntry& entry : all_methods()) {
     const MethodInfo& info = entry.info;
-    nb::list options;
+    nb::dict options;
     for (const MethodOption& option : info.options) {
-      options.append(nb::make_tuple(option.name, option.standard, option.least, option.greatest, option.whole,
-                                    option.meaning));
+      options[option.name.c_str()] =
+          nb::make_tuple(option.standard, option.least, option.greatest, option.whole, option.meaning);
     }
-    nb::dict row;
-    row["name"] = info.name;
-    row["title"] = info.title;
-    row["paper"] = info.paper;
-    row["options"] = nb::tuple(options);
-    row["claims"] = nb::make_tuple(info.claims.sources, info.claims.reuse, info.claims.bound,
-                                   info.claims.metrics, info.claims.growth);
-    row["exact"] = info.exact;
-    row["has_pairs"] = info.has_pairs;
-    row["warns"] = static_cast<bool>(entry.warning);
-    rows.append(row);
+    const MethodClaims& claims = info.claims;
+    rows.append(nb::make_tuple(
+        info.name, info.title, info.paper, options,
+        nb::make_tuple(claims.sources, claims.reuse, claims.bound, claims.metrics, claims.growth), info.exact,
+        info.has_pairs));
   }
   return rows;
 }
 
 }  // namespace
 
-void bind_methods(nb::module_& module) {
+void bind_methods(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   nb::class_<BoundMethod>(module, "Method")
-      .def_static("prepare", &prepare, nb::arg("name"), nb::arg("vertices"), nb::arg("faces"),
-                  nb::arg("sides").none(), nb::arg("options"), nb::arg("progress").none())
       .def("field", &field, nb::arg("sources"))
       .def("pair", &pair, nb::arg("source"), nb::arg("target"))
       .def("bytes", [](const BoundMethod& self) { return self.method->bytes(); });
+  mesh.def("prepare_method", &prepare, nb::arg("name"), nb::arg("options"), nb::arg("progress").none());
+  mesh.def("method_warning", &warning, nb::arg("name"));
   module.def("describe_methods", &describe);
-  module.def("method_warning", &warning, nb::arg("name"), nb::arg("vertices"), nb::arg("faces"),
-             nb::arg("sides").none());
 }
 
 }  // namespace vorogeo::python

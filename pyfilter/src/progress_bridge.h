@@ -46,9 +46,6 @@ class ProgressBridge {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr auto interval = std::chrono::milliseconds(20);
-  /// Frames above the binding: the package's own, then whoever called it.
-  static constexpr Py_ssize_t caller_of_the_package = 2;
-
   bool report(double fraction, const std::string& activity) {
     const auto now = Clock::now();
     const bool news = activity != activity_ || (fraction >= 1.0 && fraction_ < 1.0);
@@ -69,12 +66,22 @@ class ProgressBridge {
     }
   }
 
-  /// A UserWarning; if Python's filters make it an exception, that stops the computation.
+  /// A UserWarning at the line that called the package; if Python's filters make it an exception, that stops
+  /// the computation.
   bool warn(const std::string& sentence) {
     nb::gil_scoped_acquire acquire;
-    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), caller_of_the_package) == 0) return true;
+    Py_ssize_t level = 1;
+    nb::object frame = nb::module_::import_("sys").attr("_getframe")();
+    for (; !frame.is_none() && is_of_the_package(frame); ++level) frame = frame.attr("f_back");
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), level) == 0) return true;
     failure_ = std::make_exception_ptr(nb::python_error());
     return false;
+  }
+
+  static bool is_of_the_package(nb::handle frame) {
+    const std::string module =
+        nb::cast<std::string>(nb::str(frame.attr("f_globals").attr("get")("__name__")));
+    return module.starts_with("vorogeo.");
   }
 
   /// Comparisons of numpy numbers give numpy's False, which prints as "False".

@@ -1,72 +1,50 @@
 // The class _core.Surface: a surface with its queries, without argument checks.
-#include "surface_binding.h"
-
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
+#include <nanobind/stl/pair.h>
 
 #include <filesystem>
 #include <optional>
 
-#include "arrays.h"
-#include "mesh/given_points.h"
+#include "bindings.h"
+#include "exact/surface_path.h"
+#include "index/geodesic_index.h"
 #include "query/landmarks.h"
-#include "query/surface.h"
 
 namespace vorogeo::python {
 
-nb::tuple about(const Answered& answered) {
-  return nb::make_tuple(to_string(answered.by), answered.seconds, answered.index_seconds, answered.remark);
-}
-
 namespace {
 
-HeldSurface held(std::shared_ptr<Surface> surface, std::size_t input_faces) {
-  auto points = std::make_shared<MeshPoints>(surface->mesh());
-  return {std::move(surface), std::move(points), input_faces};
-}
+// ---- How a surface is made, and its index
 
-HeldSurface without_index(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                          int threads, std::int64_t memory_budget, double gap, bool folds) {
-  nb::gil_scoped_release release;
+HeldSurface without_index(const HeldMesh& held, int threads, std::int64_t memory_budget) {
   IndexOptions options;
   options.threads = threads;
   options.memory_budget = memory_budget;
-  return held(std::make_shared<Surface>(mesh_of(vertices, faces, sides, {gap, folds}), options),
-              faces.shape(0));
+  return {held, std::make_shared<Surface>(held.mesh, options)};
 }
 
-HeldSurface build(const VertexArray& vertices, const FaceArray& faces, const SideArray& sides,
-                  Index first_layer_patches, Index second_layer_patches, double delta, int threads,
-                  std::uint64_t seed, std::int64_t memory_budget, double gap, bool folds,
-                  const std::optional<std::filesystem::path>& file, nb::object progress) {
-  IndexOptions options;
-  options.first_layer_patches = first_layer_patches;
-  options.second_layer_patches = second_layer_patches;
-  options.delta = delta;
-  options.threads = threads;
-  options.seed = seed;
-  options.memory_budget = memory_budget;
+HeldSurface with_index(const HeldMesh& held, Index first_layer_patches, Index second_layer_patches,
+                       double delta, int threads, std::uint64_t seed, std::int64_t memory_budget,
+                       const std::optional<std::filesystem::path>& file, nb::object progress) {
+  const IndexOptions options{.first_layer_patches = first_layer_patches,
+                             .second_layer_patches = second_layer_patches,
+                             .delta = delta,
+                             .threads = threads,
+                             .seed = seed,
+                             .memory_budget = memory_budget};
   ProgressBridge bridge(progress);
   auto index = bridge.run([&](const Progress& report) {
-    std::shared_ptr<const Mesh> mesh;
-    {
-      const Watch watch(report.part(0.0, 0.01), "Reading the mesh");
-      mesh = mesh_of(vertices, faces, sides, {gap, folds});
-    }
-    const Progress rest = report.part(0.01, 1.0);
-    return file ? GeodesicIndex::build_in_file(*file, std::move(mesh), options, rest)
-                : GeodesicIndex::build(std::move(mesh), options, rest);
+    const Progress rest = report.part(0.01, 1.0);  // the mesh has been read
+    return file ? GeodesicIndex::build_in_file(*file, held.mesh, options, rest)
+                : GeodesicIndex::build(held.mesh, options, rest);
   });
-  return held(std::make_shared<Surface>(std::move(index), threads), faces.shape(0));
+  return {held, std::make_shared<Surface>(std::move(index), threads)};
 }
 
-HeldSurface load(const std::filesystem::path& file, const VertexArray& vertices, const FaceArray& faces,
-                 const SideArray& sides, int threads, double gap, bool folds, bool mapped) {
+HeldSurface load_index(const HeldMesh& held, const std::filesystem::path& file, int threads, bool mapped) {
   nb::gil_scoped_release release;
-  auto index = GeodesicIndex::load(file, mesh_of(vertices, faces, sides, {gap, folds}),
-                                   mapped ? TableStorage::mapped : TableStorage::copied);
-  return held(std::make_shared<Surface>(std::move(index), threads), faces.shape(0));
+  auto index = GeodesicIndex::load(file, held.mesh, mapped ? TableStorage::mapped : TableStorage::copied);
+  return {held, std::make_shared<Surface>(std::move(index), threads)};
 }
 
 bool has_index(const HeldSurface& self) { return self.surface->index() != nullptr; }
@@ -81,13 +59,9 @@ void save(const HeldSurface& self, const std::filesystem::path& file) {
   self.surface->index()->save(file);
 }
 
-/// Patches by input face, of one in parts that at its centre; no_index for a face that the mesh leaves out.
-IndexArray face_patches(const HeldSurface& self, int layer) {
+Values<Index> face_patches(const HeldSurface& self, int layer) {
   const auto index = self.surface->index();
-  const std::span<const Index> patches = index->face_patches(layer);
-  std::vector<Index> values(self.input_faces, no_index);
-  for (Index f : central_parts(self.mesh())) values[self.mesh().input_face(f)] = patches[f];
-  return to_numpy(std::move(values));
+  return by_input_face(self.held_mesh, index->face_patches(layer));
 }
 
 nb::dict statistics(const HeldSurface& self) {
@@ -119,53 +93,68 @@ nb::dict statistics(const HeldSurface& self) {
   return d;
 }
 
-/// The distance of two vertices that are in range, with as little around it as possible.
-double vertex_distance(const HeldSurface& self, Index source, Index target) {
+// ---- Questions
+
+/// The distance of two vertices that are in range, from the index, with as little around it as possible.
+std::pair<double, double> vertex_distance(const HeldSurface& self, Index source, Index target) {
   nb::gil_scoped_release release;
-  return self.surface->lend([&](Query& query) {
+  const Stopwatch watch;
+  const double found = self.surface->lend([&](Query& query) {
     return query.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
                           AnswerMethod::index);
   });
+  return {found, watch.seconds()};
 }
 
-nb::tuple field(const HeldSurface& self, const PointArrays& source, const ValueArray& offsets,
-                double max_distance, int method, nb::object progress) {
-  const Mesh& mesh = self.mesh();
-  const PointList points = points_on(mesh, points_from(mesh, source), "Source");
+auto field(const HeldSurface& self, const PointArrays& source, const ValueArray& offsets, double max_distance,
+           int method, nb::object progress) {
+  const PointList points = points_on(self.mesh(), self.points(source), "Source");
   std::vector<ExactSource> sources;
-  for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets.data()[i]});
-  Answered answered;
-  ProgressBridge bridge(progress);
-  LabelledField found = bridge.run([&](const Progress& report) {
-    return self.surface->field(sources, max_distance, static_cast<AnswerMethod>(method), answered, report);
+  for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets(i)});
+  auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
+    return self.surface->field(sources, max_distance, how.by, *how.answered, how.progress);
   });
-  return nb::make_tuple(of_given_vertices(mesh, std::move(found.distance)),
-                        of_given_vertices(mesh, std::move(found.source)), about(answered));
+  return std::tuple(of_given_vertices(self.mesh(), std::move(found.distance)),
+                    of_given_vertices(self.mesh(), std::move(found.source)), std::move(answered));
 }
 
-nb::tuple paths(const HeldSurface& self, const PointArrays& source, const PointArrays& target, int method,
-                bool exact, bool certify, nb::object progress) {
-  const PointList sources = points_from(self.mesh(), source);
-  const PointList targets = points_from(self.mesh(), target);
-  Answered answered;
-  ProgressBridge bridge(progress);
-  const auto found = bridge.run([&](const Progress& report) {
-    return self.surface->paths({sources, targets}, static_cast<AnswerMethod>(method), {exact, certify},
-                               answered, report);
+auto distances(const HeldSurface& self, const PointArrays& source, const PointArrays& target, int method,
+               nb::object progress) {
+  const PointList sources = self.points(source), targets = self.points(target);
+  auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
+    return self.surface->distances({sources, targets}, how.by, *how.answered, how.progress);
   });
-  return nb::make_tuple(self.points->path_arrays(found), about(answered));
+  return std::tuple(to_numpy(std::move(found)), std::move(answered));
 }
 
-nb::tuple distances(const HeldSurface& self, const PointArrays& source, const PointArrays& target, int method,
-                    nb::object progress) {
-  const PointList sources = points_from(self.mesh(), source);
-  const PointList targets = points_from(self.mesh(), target);
-  Answered answered;
-  ProgressBridge bridge(progress);
-  auto found = bridge.run([&](const Progress& report) {
-    return self.surface->distances({sources, targets}, static_cast<AnswerMethod>(method), answered, report);
+/// Lengths, certified, where the points of each path begin, positions, vertices, faces, weights, and which
+/// points begin a step over a gap.
+auto paths(const HeldSurface& self, const PointArrays& source, const PointArrays& target, bool exact,
+           bool certify, int method, nb::object progress) {
+  const Mesh& mesh = self.mesh();
+  const PointList sources = self.points(source), targets = self.points(target);
+  const auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
+    return self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress);
   });
-  return nb::make_tuple(to_numpy(std::move(found)), about(answered));
+  std::vector<double> lengths;
+  std::vector<Index> certified, over_gap;
+  std::vector<std::int64_t> begin{0};
+  std::vector<Point> positions;
+  PointColumns columns;
+  for (const ExactPath& one : found) {
+    lengths.push_back(one.path.length);
+    certified.push_back(one.certified ? 1 : 0);
+    for (const SurfacePoint& point : one.path.points) {
+      positions.push_back(position_of(mesh, point));
+      columns.add(mesh, point);
+    }
+    for (const bool over : steps_over_gaps(mesh, one.path.points)) over_gap.push_back(over ? 1 : 0);
+    begin.push_back(static_cast<std::int64_t>(positions.size()));
+  }
+  return std::tuple(to_numpy(std::move(lengths)), to_numpy(std::move(certified)), to_numpy(std::move(begin)),
+                    to_numpy(std::move(positions)), to_numpy(std::move(columns.vertex)),
+                    to_numpy(std::move(columns.face)), to_numpy(std::move(columns.weights)),
+                    to_numpy(std::move(over_gap)), answered);
 }
 
 /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,
@@ -186,35 +175,23 @@ std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progres
 
 }  // namespace
 
-void bind_surface(nb::module_& module) {
-  const nb::arg vertices("vertices"), faces("faces"), threads("threads"), memory_budget("memory_budget"),
-      gap("gap"), folds("folds"), sources("sources"), targets("targets"), method("method"), file("file");
-  const auto sides = nb::arg("sides").none();
+void bind_surface(nb::class_<HeldMesh>& mesh, nb::class_<HeldSurface>& surface) {
+  const nb::arg threads("threads"), memory_budget("memory_budget"), sources("sources"), targets("targets"),
+      method("method"), file("file");
   const auto progress = nb::arg("progress").none();
-  nb::class_<HeldSurface>(module, "Surface")
-      .def_static("without_index", &without_index, vertices, faces, sides, threads, memory_budget, gap, folds)
-      .def_static("build", &build, vertices, faces, sides, nb::arg("first_layer_patches"),
-                  nb::arg("second_layer_patches"), nb::arg("delta"), threads, nb::arg("seed"), memory_budget,
-                  gap, folds, nb::arg("file").none(), progress)
-      .def_static("load", &load, file, vertices, faces, sides, threads, gap, folds, nb::arg("mapped"))
+  mesh.def("surface", &without_index, threads, memory_budget)
+      .def("surface_with_index", &with_index, nb::arg("first_layer_patches"), nb::arg("second_layer_patches"),
+           nb::arg("delta"), threads, nb::arg("seed"), memory_budget, nb::arg("file").none(), progress)
+      .def("load_index", &load_index, file, threads, nb::arg("mapped"));
+  surface.def_ro("mesh", &HeldSurface::held_mesh)
       .def("has_index", &has_index)
       .def("build_index", &build_index, progress)
       .def("save", &save, file)
       .def("face_patches", &face_patches, nb::arg("layer"))
       .def("statistics", &statistics)
       .def("vertex_distance", &vertex_distance, nb::arg("source"), nb::arg("target"))
-      .def(
-          "snap",
-          [](const HeldSurface& self, const VertexArray& points) { return self.points->snap(points); },
-          nb::arg("points"))
-      .def(
-          "along_edges",
-          [](const HeldSurface& self, const EdgeArray& ends, double spacing) {
-            return self.points->along_edges(ends, spacing);
-          },
-          nb::arg("ends"), nb::arg("spacing"))
       .def("field", &field, sources, nb::arg("offsets"), nb::arg("max_distance"), method, progress)
-      .def("paths", &paths, sources, targets, method, nb::arg("exact"), nb::arg("certify"), progress)
+      .def("paths", &paths, sources, targets, nb::arg("exact"), nb::arg("certify"), method, progress)
       .def("distances", &distances, sources, targets, method, progress)
       .def("use_landmarks", &use_landmarks, nb::arg("count"), progress);
 }

@@ -11,9 +11,7 @@ from importlib.metadata import version as _version
 
 from ._output import matrix_bytes
 from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
-from .estimate import IndexEstimate, estimate
-from .exact import exact_distance_field, exact_path
-from .face_metrics import FaceCost, FaceTensor
+from .functions import estimate, exact_distance_field, exact_path
 from .geodesic_methods import (
     GeodesicMethod,
     MethodClaims,
@@ -27,6 +25,8 @@ from .mesh_check import MeshFinding, MeshReport, check_mesh
 from .mesh_files import read_mesh
 from .metrics import (
     EdgeLengths,
+    FaceCost,
+    FaceTensor,
     MetricLengths,
     VertexCost,
     VertexTensor,
@@ -42,6 +42,7 @@ from .results import (
     Extent,
     FarthestSamples,
     GeodesicPath,
+    IndexEstimate,
     IndexStatistics,
     Isolines,
     Polylines,

@@ -38,7 +38,8 @@ def _triples(name: str, array: NDArray[Any], wanted: str) -> None:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
 
 
-def _integers(name: str, array: NDArray[Any], wanted: str) -> None:
+def integers(name: str, array: NDArray[Any], wanted: str) -> None:
+    """Refuse an array of another type."""
     if array.dtype.kind not in "iu":
         raise InvalidInput(f"{name}: has type {array.dtype}, not integer; give {wanted}.")
 
@@ -53,12 +54,16 @@ def vertices(value: ArrayLike, finite: bool = True) -> NDArray[np.float64]:
     if len(array) > _INT32.max:
         raise InvalidInput(f"vertices: has {len(array)} rows; at most {_INT32.max} are possible.")
     points = np.ascontiguousarray(array, dtype=np.float64)
-    if finite and not np.isfinite(points).all():
-        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InvalidInput(
-            f"vertices[{row}]: {points[row].tolist()} is not finite; repair or remove this vertex and its faces."
-        )
+    if finite:
+        _finite("vertices", points, "repair or remove this vertex and its faces")
     return points
+
+
+def _finite(name: str, points: NDArray[np.float64], advice: str) -> None:
+    bad = ~np.isfinite(points).all(axis=1)
+    if bad.any():
+        row = int(np.flatnonzero(bad)[0])
+        raise InvalidInput(f"{name}[{row}]: {points[row].tolist()} is not finite; {advice}.")
 
 
 def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
@@ -93,7 +98,7 @@ def _face_array(value: ArrayLike) -> NDArray[Any]:
     wanted = "the vertex ids of the triangles as integers of shape (m, 3)"
     array = numbers("faces", value, wanted)
     _triples("faces", array, wanted)
-    _integers("faces", array, wanted)
+    integers("faces", array, wanted)
     if len(array) > _INT32.max // 3:
         raise InvalidInput(f"faces: has {len(array)} rows; at most {_INT32.max // 3} are possible.")
     return array
@@ -106,7 +111,7 @@ def _vertex_range(vertex_count: int) -> str:
 
 
 def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
-    """Vertex ids as contiguous int32 of shape () or (k,), each in [0, vertex_count)."""
+    """Any number of vertex ids, possibly none, as contiguous int32 of shape (k,), each in [0, vertex_count)."""
     wanted = "a vertex id or a one-dimensional array of vertex ids (integers)"
     array = numbers(name, value, wanted)
     if array.ndim == 2 and array.shape[1] == 1:
@@ -117,18 +122,18 @@ def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int
         return np.empty(0, dtype=np.int32)
     if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
         array = np.clip(array, -(2.0**62), 2.0**62).astype(np.int64)
-    _integers(name, array, wanted)
+    integers(name, array, wanted)
     bad = (array < 0) | (array >= vertex_count)
     if bad.any():
         place = "" if array.ndim == 0 else f"[{int(np.flatnonzero(bad)[0])}]"
         vertex = int(array[bad][0])
         raise InvalidInput(f"{name}{place}: there is no vertex {vertex}; {_vertex_range(vertex_count)}.")
-    return np.asarray(array, dtype=np.int32, order="C")
+    return np.ascontiguousarray(array, dtype=np.int32).reshape(-1)
 
 
 def source_ids(value: ArrayLike, vertex_count: int, name: str = "sources") -> NDArray[np.int32]:
     """One or more vertex ids as int32 of shape (k,), k >= 1."""
-    ids = np.atleast_1d(vertex_ids(name, value, vertex_count))
+    ids = vertex_ids(name, value, vertex_count)
     if ids.size == 0:
         raise InvalidInput(f"{name}: is empty; give at least one vertex id.")
     return ids
@@ -162,13 +167,7 @@ def real(name: str, value: Any, wanted: str) -> float:
 
 def max_distance(value: float | None) -> float:
     """A distance limit; infinity for None."""
-    if value is None:
-        return math.inf
-    wanted = "a length of 0 or more in the unit of the vertices, or None for no limit"
-    number = real("max_distance", value, wanted)
-    if number < 0:
-        raise InvalidInput(f"max_distance: {number} is negative; give {wanted}.")
-    return number
+    return math.inf if value is None else length("max_distance", value, ", or None for no limit")
 
 
 def delta(value: float) -> float:
@@ -231,14 +230,9 @@ def file_path(value: str | os.PathLike[str]) -> str:
     return path
 
 
-def id_list(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
-    """Any number of vertex ids, possibly none, as int32 of shape (k,)."""
-    return np.atleast_1d(vertex_ids(name, value, vertex_count))
-
-
-def length(name: str, value: Any) -> float:
-    """A length of 0 or more; infinity is allowed."""
-    wanted = "a length of 0 or more in the unit of the vertices"
+def length(name: str, value: Any, otherwise: str = "") -> float:
+    """A length of 0 or more; infinity is allowed. `otherwise`: what else the caller takes."""
+    wanted = f"a length of 0 or more in the unit of the vertices{otherwise}"
     number = real(name, value, wanted)
     if number < 0:
         raise InvalidInput(f"{name}: {number} is negative; give {wanted}.")
@@ -274,9 +268,7 @@ def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
         return np.empty((0, 3))
     _triples(name, array, wanted)
     points = np.ascontiguousarray(array, dtype=np.float64)
-    if not np.isfinite(points).all():
-        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InvalidInput(f"{name}[{row}]: {points[row].tolist()} is not finite; give {wanted}.")
+    _finite(name, points, f"give {wanted}")
     return points
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as check
 from .errors import FileError, InvalidInput
 from .points import SurfacePoints
-from .surface import GeodesicIndex
+from .surface import Surface
 
 #: Names of labels that are not cortex, in lower case without spaces and underscores.
 OUTSIDE = frozenset(("???", "unknown", "medialwall", "corpuscallosum", "mask", "background"))
@@ -68,7 +68,7 @@ def read_labels(file: str | os.PathLike[str], vertex_count: int | None = None) -
     if name.endswith(".label"):
         if vertex_count is None:
             raise InvalidInput(f"{path}: a .label file lists vertices only; give vertex_count.")
-        ids = check.id_list(path, _loaded(path, "read_label"), vertex_count)
+        ids = check.vertex_ids(path, _loaded(path, "read_label"), vertex_count)
         values = np.zeros(vertex_count, np.int32)
         values[ids] = 1
         return Labels(values, {})
@@ -152,9 +152,9 @@ def vertex_values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
     return values, names
 
 
-def _checked(index: GeodesicIndex, labels: ArrayLike | Labels) -> NDArray[Any]:
+def _checked(surface: Surface, labels: ArrayLike | Labels) -> NDArray[Any]:
     values: NDArray[Any] = np.asarray(labels.values if isinstance(labels, Labels) else labels)
-    count = len(index.vertices)
+    count = len(surface.vertices)
     if values.shape != (count,) or values.dtype.kind not in "biu":
         raise InvalidInput(
             f"labels: have shape {values.shape} and type {values.dtype}; give an integer for each of "
@@ -163,7 +163,7 @@ def _checked(index: GeodesicIndex, labels: ArrayLike | Labels) -> NDArray[Any]:
     return values
 
 
-def label_borders(index: GeodesicIndex, labels: ArrayLike | Labels, label: int | None = None) -> SurfacePoints:
+def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | None = None) -> SurfacePoints:
     """Points along the borders between labels, at most a quarter of an edge from the next.
 
     A border crosses an edge between two labels in its middle, goes straight through a face, and three meet in its
@@ -171,8 +171,8 @@ def label_borders(index: GeodesicIndex, labels: ArrayLike | Labels, label: int |
 
     Parameters
     ----------
-    index : GeodesicIndex
-        Of the surface; masked faces have no border.
+    surface : Surface
+        Or `GeodesicIndex`; masked faces have no border.
     labels : Labels or array_like of int, shape (n,)
     label : int, optional
         Only the borders of this one; None is all.
@@ -182,11 +182,11 @@ def label_borders(index: GeodesicIndex, labels: ArrayLike | Labels, label: int |
     InvalidInput
         (a ValueError) If there is not one label for each vertex.
     """
-    values = _checked(index, labels)
+    values = _checked(surface, labels)
     if label is not None:
         values = values == label
-    corner = values[index.faces]
-    used = np.ones(len(corner), bool) if index.mask is None else index.mask
+    corner = values[surface.faces]
+    used = np.ones(len(corner), bool) if surface.mask is None else surface.mask
     differs = np.stack([corner[:, k] != corner[:, (k + 1) % 3] for k in range(3)], axis=1) & used[:, None]
     middle = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
     faces, weights = [], []
@@ -205,20 +205,20 @@ def label_borders(index: GeodesicIndex, labels: ArrayLike | Labels, label: int |
 
 
 def border_distance(
-    index: GeodesicIndex,
+    surface: Surface,
     labels: ArrayLike | Labels,
     label: int | None = None,
     max_distance: float | None = None,
-    exact: bool = False,
+    method: str | None = None,
 ) -> NDArray[np.float64]:
     """Distance of every vertex from the nearest border between labels (`label_borders`).
 
     Parameters
     ----------
-    index, labels, label
+    surface, labels, label
         As for `label_borders`.
-    max_distance, exact
-        As for `GeodesicIndex.distance_field`.
+    max_distance, method
+        As for `Surface.distance_field`.
 
     Returns
     -------
@@ -226,29 +226,29 @@ def border_distance(
         Too long by at most an eighth of an edge beside a border, far away by much less; infinity where no path
         leads to one.
     """
-    points = label_borders(index, labels, label)
+    points = label_borders(surface, labels, label)
     if not len(points):
-        return np.full(len(index.vertices), np.inf)
-    return index.distance_field(points, max_distance, method="exact" if exact else None)
+        return np.full(len(surface.vertices), np.inf)
+    return surface.distance_field(points, max_distance, method=method)
 
 
 def nearest_label(
-    index: GeodesicIndex,
+    surface: Surface,
     labels: ArrayLike | Labels,
     background: Iterable[int] = (-1, 0),
     max_distance: float | None = None,
-    exact: bool = False,
+    method: str | None = None,
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
     """The geodesic Voronoi regions of labels: for every vertex the label of the nearest labelled vertex.
 
     Parameters
     ----------
-    index : GeodesicIndex
+    surface : Surface
     labels : Labels or array_like of int, shape (n,)
     background : iterable of int, default (-1, 0)
         Values that are no label; these vertices get one.
-    max_distance, exact
-        As for `GeodesicIndex.distance_field`.
+    max_distance, method
+        As for `Surface.distance_field`.
 
     Returns
     -------
@@ -262,13 +262,11 @@ def nearest_label(
     InvalidInput
         (a ValueError) If there is not one label for each vertex, or no vertex has one.
     """
-    values = _checked(index, labels)
+    values = _checked(surface, labels)
     labelled = np.flatnonzero(~np.isin(values, list(background)))
     if not len(labelled):
         raise InvalidInput("labels: no vertex has a label that is not background.")
-    distance, nearest = index.distance_field(
-        labelled, max_distance, return_labels=True, method="exact" if exact else None
-    )
+    distance, nearest = surface.distance_field(labelled, max_distance, return_labels=True, method=method)
     found = np.where(nearest < 0, -1, values[labelled][nearest]).astype(np.int32)
     found[labelled] = values[labelled]
     return found, distance

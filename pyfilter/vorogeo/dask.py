@@ -18,7 +18,9 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from .errors import InvalidInput
 from .mesh_files import Mesh, read_mesh
+from .mesh_input import MeshInput
 from .metrics import Metric
+from .on_mesh import Shared
 from .surface import GeodesicIndex
 
 _BLOCK_BYTES = 2**25
@@ -26,26 +28,21 @@ _BLOCK_BYTES = 2**25
 
 @dataclass(frozen=True)
 class IndexFiles:
-    """Where workers find an index and its mesh: an index file, and arrays that are mapped."""
+    """Where workers find an index and its mesh: an index file, and the mesh as a pickle; and its vertices."""
 
     index: str
-    folder: str
+    mesh: str
+    vertex_count: int
 
     def open(self) -> GeodesicIndex:
         """The index, read once in each process; its calls use one thread, as workers have several."""
-        return _opened(self.index, self.folder)
+        return _opened(self)
 
 
 @lru_cache(maxsize=2)
-def _opened(index: str, folder: str) -> GeodesicIndex:
-    vertices, faces = (np.load(Path(folder) / f"{name}.npy", mmap_mode="r") for name in ("vertices", "faces"))
-    mask = Path(folder) / "mask.npy"
-    kept = np.load(mask) if mask.is_file() else None
-    gap, folds = np.load(Path(folder) / "gap.npy")
-    metric: Metric | None = pickle.loads((Path(folder) / "metric.pickle").read_bytes())
-    return GeodesicIndex.load(
-        index, vertices, faces, threads=1, mask=kept, metric=metric, gap=gap, bridge_folds=bool(folds)
-    )
+def _opened(files: IndexFiles) -> GeodesicIndex:
+    given: MeshInput = pickle.loads(Path(files.mesh).read_bytes())
+    return GeodesicIndex.of(Shared(given, 1, 0, given.core_mesh().load_index(files.index, 1, True)))
 
 
 def write_files(
@@ -77,20 +74,17 @@ def write_files(
     else:
         file = os.path.join(folder, "index.vgi")
         index.save(file)
-    for name, array in (("vertices", index.vertices), ("faces", index.faces), ("mask", index.mask)):
-        if array is not None:
-            np.save(os.path.join(folder, f"{name}.npy"), array)
-    np.save(os.path.join(folder, "gap.npy"), index._input.gap)
-    Path(folder, "metric.pickle").write_bytes(pickle.dumps(index.metric))
-    return IndexFiles(file, folder)
+    mesh_file = os.path.join(folder, "mesh.pickle")
+    Path(mesh_file).write_bytes(pickle.dumps(index._shared.given, pickle.HIGHEST_PROTOCOL))
+    return IndexFiles(file, mesh_file, len(index.vertices))
 
 
-def matrix_rows(files: IndexFiles, rows: NDArray[Any], columns: NDArray[Any] | None, dtype: str, exact: bool) -> Any:
+def matrix_rows(
+    files: IndexFiles, rows: NDArray[Any], columns: NDArray[Any] | None, dtype: str, method: str | None
+) -> NDArray[Any]:
     """What one task computes: rows of the matrix."""
-    index = files.open()
-    if columns is None:
-        return index.fields(rows, dtype=dtype, method="exact" if exact else None)
-    return index.fields(rows, dtype=dtype, method="exact" if exact else None)[:, columns]
+    fields = files.open().fields(rows, dtype=dtype, method=method)
+    return fields if columns is None else fields[:, columns]
 
 
 def blocks_of(count: int, columns: int, itemsize: int, rows: int | None) -> list[tuple[int, int]]:
@@ -106,7 +100,7 @@ def matrix(
     mesh: Mesh | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
     metric: Metric | None = None,
-    exact: bool = False,
+    method: str | None = None,
     rows: int | None = None,
     folder: str | os.PathLike[str] | None = None,
     gap: float = 0.0,
@@ -126,8 +120,8 @@ def matrix(
         Needed with an index file.
     mask, metric, gap, bridge_folds
         Those that the index of the file was built with.
-    exact : bool, default False
-        Exact propagation instead of the index.
+    method : str, optional
+        As for `Surface`: "exact" propagates instead of asking the index.
     rows : int, optional
         Of each block; None is about 32 MiB.
     folder : str or path, optional
@@ -158,14 +152,14 @@ def matrix(
     try:
         os.makedirs(place, exist_ok=True)
         files = write_files(index, place, mesh, mask, metric, gap, bridge_folds)
-        count = len(np.load(os.path.join(place, "vertices.npy"), mmap_mode="r"))
-        ids = np.arange(count, dtype=np.int32) if points is None else check.id_list("points", points, count)
+        count = files.vertex_count
+        ids = np.arange(count, dtype=np.int32) if points is None else check.vertex_ids("points", points, count)
         columns = None if points is None else ids
         height = None if rows is None else check.integer("rows", rows, 1, 2**31 - 1)
         compute = delayed(matrix_rows, pure=True)
         parts = [
             array.from_delayed(
-                compute(files, ids[first:last], columns, entry.name, exact), (last - first, len(ids)), dtype=entry
+                compute(files, ids[first:last], columns, entry.name, method), (last - first, len(ids)), dtype=entry
             )
             for first, last in blocks_of(len(ids), len(ids), entry.itemsize, height)
         ]

@@ -6,14 +6,16 @@ import time
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import _core, metrics
+from . import _core
 from .errors import InvalidInput
+from .mesh_input import MeshInput
 from .metrics import Metric
 from .progress import ProgressFunction, reporter
 
@@ -95,44 +97,14 @@ class MethodInfo:
     has_pairs: bool
 
 
-def _described() -> dict[str, MethodInfo]:
-    return {
-        row["name"]: MethodInfo(
-            row["name"],
-            row["title"],
-            row["paper"],
-            {name: MethodOption(*rest) for name, *rest in row["options"]},
-            MethodClaims(*row["claims"]),
-            row["exact"],
-            row["has_pairs"],
-        )
-        for row in _core.describe_methods()
-    }
+def _described() -> Iterator[MethodInfo]:
+    for name, title, paper, options, claims, exact, has_pairs in _core.describe_methods():
+        own = {key: MethodOption(*option) for key, option in options.items()}
+        yield MethodInfo(name, title, paper, own, MethodClaims(*claims), exact, has_pairs)
 
 
-class Methods(Mapping[str, MethodInfo]):
-    """All methods by their names, in the order in which they are offered; read-only."""
-
-    def __init__(self, rows: dict[str, MethodInfo]) -> None:
-        self._rows = rows
-
-    def __getitem__(self, name: str) -> MethodInfo:
-        return self._rows[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._rows)
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __repr__(self) -> str:
-        return f"Methods({list(self._rows)})"
-
-
-methods = Methods(_described())
-
-#: What a method is for, instead of its name in the literature.
-_BY_PURPOSE = {"exact": "mmp", "quick": "gsp", "index": "vorogeo"}
+#: All methods by their names, in the order in which they are offered; read-only.
+methods: Mapping[str, MethodInfo] = MappingProxyType({info.name: info for info in _described()})
 
 
 class GeodesicMethod:
@@ -140,16 +112,14 @@ class GeodesicMethod:
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout.
-    faces : array_like of int, shape (m, 3)
-        Vertex ids of the triangles, 0 to n - 1.
+    vertices, faces
+        As for `Surface`: shapes (n, 3) and (m, 3).
     method : str
-        One of `methods`, or "exact", "quick" or "index", as for `distance_field`.
+        One of `methods`.
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
-    progress : callable, bool or None
-        Told (fraction, text) during preparation; a result of False cancels. True: a tqdm bar.
+    progress : callable or bool, optional
+        Of the preparation, as for `Surface.build_index`.
     **options : float
         Options of the method (``methods[method].options``).
 
@@ -180,22 +150,20 @@ class GeodesicMethod:
         progress: ProgressFunction | bool | None = None,
         **options: float,
     ) -> None:
-        method = _BY_PURPOSE.get(method, method) if isinstance(method, str) else method
         if not isinstance(method, str) or method not in methods:
             raise InvalidInput(f"method: {method!r} is not known; give one of {', '.join(map(repr, methods))}.")
         self.info = methods[method]
-        points = metrics.positions(vertices, faces, metric)
-        triangles = check.faces(faces, len(points))
-        sides = metrics.sides(metric, points, triangles)
-        self._vertex_count = len(points)
+        given = MeshInput.read(vertices, faces, metric=metric)
+        self._vertex_count = len(given.vertices)
         wanted = "a number (methods[method].options says which)"
         values = {name: check.real(name, value, wanted) for name, value in options.items()}
-        warning = _core.method_warning(method, points, triangles, sides)
+        mesh = given.core_mesh()
+        warning = mesh.method_warning(method)
         if warning:
             warnings.warn(warning, MethodWarning, stacklevel=2)
         start = time.perf_counter()
         with reporter(progress) as report:
-            self._method = _core.Method.prepare(method, points, triangles, sides, values, report)
+            self._method = mesh.prepare_method(method, values, report)
         self.seconds = time.perf_counter() - start
 
     def distance_field(self, sources: ArrayLike) -> NDArray[np.float64]:
@@ -231,19 +199,19 @@ def distance_field(
     vertices: ArrayLike | None,
     faces: ArrayLike,
     sources: ArrayLike,
-    method: str = "mmp",
+    method: str,
     *,
     metric: Metric | None = None,
     **options: float,
 ) -> NDArray[np.float64]:
-    """Distance of every vertex from its nearest source, by a method of choice.
+    """Distance of every vertex from its nearest source, by a method of the literature, to compare with.
 
     Parameters
     ----------
     vertices, faces, sources
         As for `exact_distance_field`.
     method : str
-        One of `methods`, or "exact", "quick" or "index" for what this project takes for that: "mmp", "gsp", "vorogeo".
+        One of `methods`.
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
     **options : float

@@ -136,7 +136,7 @@ def check_mesh(vertices: ArrayLike, faces: ArrayLike, gap: float = 0.0, bridge_f
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles; may be out of range.
     gap, bridge_folds
-        As for `GeodesicIndex`: what bridging would join is reported, too.
+        As for `Surface`: what bridging would join is reported, too.
 
     Returns
     -------

@@ -3,31 +3,32 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import metrics
+from . import _core
 from .errors import InvalidInput
-from .metrics import CoreSides, Metric, MetricLengths
-
-GapLimit = tuple[float, bool]
-"""The widest gap to bridge, and whether also where the surface turns back."""
+from .metrics import EdgeLengths, Metric, MetricLengths
 
 
 @dataclass(frozen=True, eq=False)
 class MeshInput:
-    """Checked arguments of a surface. Results refer to all vertices and faces, also to those that a mask leaves out."""
+    """Checked arguments of a surface. Results refer to all vertices and faces, also to those that a mask leaves out.
+
+    `gap` is the widest gap to bridge, and whether also where the surface turns back.
+    """
 
     vertices: NDArray[np.float64]
     faces: NDArray[np.int32]
     mask: NDArray[np.bool_] | None
     metric: Metric | None
     lengths: MetricLengths | None
-    gap: GapLimit
+    gap: tuple[float, bool]
 
     @classmethod
     def read(
@@ -46,19 +47,51 @@ class MeshInput:
         InvalidInput
             (a ValueError) If an argument has a wrong shape, type or range, naming the element.
         """
-        points = check.kept(metrics.positions(vertices, faces, metric), vertices)
+        points = check.kept(_positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
-        kept = face_mask(mask, triangles, len(points))
-        lengths = metrics.lengths(metric, points, without_masked(triangles, kept))
-        return cls(points, triangles, kept, metric, lengths, gap_limit(gap, bridge_folds))
+        kept = _face_mask(mask, triangles, len(points))
+        given = cls(points, triangles, kept, metric, None, gap_limit(gap, bridge_folds))
+        return replace(given, lengths=_lengths(metric, points, given.measured_faces))
 
     @property
-    def core_mesh(self) -> tuple[NDArray[np.float64], NDArray[np.int32], CoreSides | None]:
-        """Positions, faces and lengths as the compiled core takes them."""
-        return self.vertices, without_masked(self.faces, self.mask), metrics.core_sides(self.lengths)
+    def measured_faces(self) -> NDArray[np.int32]:
+        """The faces for the core: it leaves out those that name a vertex twice, and goes on counting them."""
+        return self.faces if self.mask is None else np.where(self.mask[:, None], self.faces, np.int32(0))
+
+    def core_mesh(self, report: Callable[[float, str], object] | None = None) -> _core.Mesh:
+        """The mesh of the compiled core."""
+        found = self.lengths
+        sides = None if found is None else (found.lengths, found.points, found.splits)
+        return _core.read_mesh(self.vertices, self.measured_faces, sides, *self.gap, report)
 
 
-def gap_limit(gap: float | None, bridge_folds: bool) -> GapLimit:
+def _positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDArray[np.float64]:
+    """Checked positions; all NaN where none are given, which only edge lengths allow."""
+    if vertices is not None:
+        return check.vertices(vertices)
+    if not isinstance(metric, EdgeLengths):
+        raise InvalidInput("vertices: is None; give positions of shape (n, 3), or the metric EdgeLengths.")
+    ids = check.unchecked_faces(faces)
+    beyond = np.flatnonzero((ids == np.iinfo(np.int32).max).any(axis=1))
+    if beyond.size:
+        raise InvalidInput(f"faces[{beyond[0]}]: names a vertex beyond {np.iinfo(np.int32).max - 1}; give smaller ids.")
+    return np.full((ids.max(initial=-1) + 1, 3), np.nan)
+
+
+def _lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> MetricLengths | None:
+    """What a metric makes of a mesh; None for lengths in space."""
+    if metric is None:
+        return None
+    # A class has the method of its objects.
+    if isinstance(metric, type) or not isinstance(metric, Metric):
+        raise InvalidInput(
+            f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "
+            "or None for lengths in space."
+        )
+    return metric.edge_lengths(vertices, faces)
+
+
+def gap_limit(gap: float | None, bridge_folds: bool) -> tuple[float, bool]:
     """The two arguments, checked.
 
     Raises
@@ -73,15 +106,8 @@ def gap_limit(gap: float | None, bridge_folds: bool) -> GapLimit:
     return number, bool(bridge_folds)
 
 
-def face_mask(mask: ArrayLike | None, faces: NDArray[np.int32], vertex_count: int) -> NDArray[np.bool_] | None:
-    """Which faces belong to the surface, read-only; None if all do.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If the mask has neither a value for each face nor one for each vertex, or values other than
-        false and true.
-    """
+def _face_mask(mask: ArrayLike | None, faces: NDArray[np.int32], vertex_count: int) -> NDArray[np.bool_] | None:
+    """Which faces belong to the surface, read-only; None if all do."""
     if mask is None:
         return None
     wanted = (
@@ -101,8 +127,3 @@ def face_mask(mask: ArrayLike | None, faces: NDArray[np.int32], vertex_count: in
         kept = np.logical_and.reduce(kept[faces], axis=1)
     kept.flags.writeable = False
     return kept
-
-
-def without_masked(faces: NDArray[np.int32], mask: NDArray[np.bool_] | None) -> NDArray[np.int32]:
-    """The faces for the core: it leaves out those that name a vertex twice, and goes on counting them."""
-    return faces if mask is None else np.where(mask[:, None], faces, np.int32(0))

@@ -1,4 +1,4 @@
-"""Metrics: what a path costs where it runs over a surface, instead of its length in space."""
+"""Metrics: what a path costs where it runs over a surface, instead of its length in space; linear or by faces."""
 
 from __future__ import annotations
 
@@ -82,20 +82,20 @@ class EdgeLengths:
 
     Notes
     -----
-    With it, ``vertices`` may be None: positions are only needed for points in space (`GeodesicIndex.snap`, lines).
+    With it, ``vertices`` may be None: positions are only needed for points in space (`Surface.snap`, lines).
     Points of paths are then NaN, but have their faces and weights.
 
     Examples
     --------
     >>> sides = np.linalg.norm(vertices[faces[:, [2, 0, 1]]] - vertices[faces[:, [1, 2, 0]]], axis=2)
-    >>> vorogeo.GeodesicIndex(None, faces, metric=vorogeo.EdgeLengths(sides))
+    >>> vorogeo.Surface(None, faces, metric=vorogeo.EdgeLengths(sides))
     """
 
     lengths: ArrayLike
 
     def __post_init__(self) -> None:
         wanted = "the length of the side opposite each corner, real numbers of shape (m, 3)"
-        object.__setattr__(self, "lengths", own_array("EdgeLengths", self.lengths, 2, (3,), wanted))
+        object.__setattr__(self, "lengths", _own_array("EdgeLengths", self.lengths, (3,), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The lengths that were given."""
@@ -124,7 +124,7 @@ class VertexCost:
 
     def __post_init__(self) -> None:
         wanted = "a number above 0 for each vertex, of shape (n,)"
-        object.__setattr__(self, "cost", own_array("VertexCost", self.cost, 1, (), wanted))
+        object.__setattr__(self, "cost", _own_array("VertexCost", self.cost, (), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The integrals of the cost along the edges.
@@ -134,8 +134,7 @@ class VertexCost:
         InvalidInput
             (a ValueError) If a cost is not above 0 and finite, or their number is not that of the vertices.
         """
-        points, triangles = arrays(self, vertices, faces)
-        return _lengths(*_core.lengths_by_cost(points, triangles, np.asarray(self.cost)))
+        return _lengths(*_core.lengths_by_cost(*_arrays(self, vertices, faces), np.asarray(self.cost)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,14 +151,14 @@ class VertexTensor:
     Examples
     --------
     >>> along = direction[:, :, None] * direction[:, None, :]  # unit vectors
-    >>> vorogeo.GeodesicIndex(vertices, faces, metric=vorogeo.VertexTensor(np.eye(3) + 3 * along))
+    >>> vorogeo.Surface(vertices, faces, metric=vorogeo.VertexTensor(np.eye(3) + 3 * along))
     """
 
     tensors: ArrayLike
 
     def __post_init__(self) -> None:
         wanted = "a symmetric 3 x 3 matrix for each vertex, of shape (n, 3, 3)"
-        object.__setattr__(self, "tensors", own_array("VertexTensor", self.tensors, 3, (3, 3), wanted))
+        object.__setattr__(self, "tensors", _own_array("VertexTensor", self.tensors, (3, 3), wanted))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The integrals of the root of v' G v along the edges.
@@ -169,8 +168,89 @@ class VertexTensor:
         InvalidInput
             (a ValueError) If a tensor is not finite, symmetric and positive on the faces of its vertex.
         """
-        points, triangles = arrays(self, vertices, faces)
-        return _lengths(*_core.lengths_by_tensor(points, triangles, np.asarray(self.tensors).ravel()))
+        return _lengths(*_core.lengths_by_tensor(*_arrays(self, vertices, faces), np.asarray(self.tensors)))
+
+
+@dataclass(frozen=True, eq=False)
+class FaceCost:
+    """A cost for each face: the weighted region problem. Paths refract at edges, and run along cheap ones.
+
+    Parameters
+    ----------
+    cost : array_like, shape (m,)
+        Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts.
+    points : int, default 6
+        Points on each edge, 1 to 1000, from which faces are crossed: errors fall with its square, time grows with it.
+
+    Notes
+    -----
+    Distances err by some hundredths of a percent even without an index; paths are refined until Snell's law holds.
+
+    Examples
+    --------
+    >>> vorogeo.exact_distance_field(vertices, faces, 0, metric=vorogeo.FaceCost(np.where(is_water, 5.0, 1.0)))
+    """
+
+    cost: ArrayLike
+    points: int = 6
+
+    def __post_init__(self) -> None:
+        wanted = "a number above 0 for each face, of shape (m,)"
+        object.__setattr__(self, "cost", _own_array("FaceCost", self.cost, (), wanted))
+        object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The sides of each face, times its cost: the two faces of an edge disagree.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a cost is not above 0 and finite, or their number is not that of the faces.
+        """
+        sides = _core.sides_by_face_cost(*_arrays(self, vertices, faces), np.asarray(self.cost))
+        return MetricLengths(sides, 0, points=self.points)
+
+
+@dataclass(frozen=True, eq=False)
+class FaceTensor:
+    """A tensor G for each face: the squared length of a step v in it is v' G v.
+
+    Parameters
+    ----------
+    tensors : array_like, shape (m, 3, 3)
+        Symmetric, and positive on the plane of the face: SQUARED LENGTH, not its inverse.
+    points : int, optional
+        As for `FaceCost`. By default 6, and more where tensors of neighbouring faces stretch lengths in different
+        directions: 2.5 times the stretch that a tenth of all edges exceed, up to 300.
+
+    Examples
+    --------
+    >>> across = np.eye(3) - fibres[:, :, None] * fibres[:, None, :]  # unit vectors, one for each face
+    >>> vorogeo.exact_path(vertices, faces, 0, 17, metric=vorogeo.FaceTensor(np.eye(3) + 8 * across))
+    """
+
+    tensors: ArrayLike
+    points: int | None = None
+
+    def __post_init__(self) -> None:
+        wanted = "a symmetric 3 x 3 matrix for each face, of shape (m, 3, 3)"
+        object.__setattr__(self, "tensors", _own_array("FaceTensor", self.tensors, (3, 3), wanted))
+        if self.points is not None:
+            object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The roots of v' G v for the sides v of each face: the two faces of an edge disagree.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If a tensor is not finite, symmetric and positive on its face; or if `points` is None and
+            more than 300 would be needed.
+        """
+        mesh = _arrays(self, vertices, faces)
+        sides = _core.sides_by_face_tensor(*mesh, np.asarray(self.tensors))
+        points = _core.edge_points_for(*mesh, sides) if self.points is None else self.points
+        return MetricLengths(sides, 0, points=points)
 
 
 def slope_cost(
@@ -194,13 +274,11 @@ def slope_cost(
     VertexCost
         The same uphill, downhill and along the slope: metrics are symmetric.
     """
-    points, triangles = _mesh(vertices, faces)
     towards = check.positions("up", up)
     if towards.shape != (1, 3):
         raise InvalidInput(f"up: has shape {np.shape(up)}; give one vector of three numbers.")
-    x, y, z = towards[0].tolist()
-    height = check.real("penalty", penalty, "a number of at least 0")
-    return VertexCost(_core.slope_cost(points, triangles, x, y, z, height))
+    least = check.real("penalty", penalty, "a number of at least 0")
+    return VertexCost(_core.slope_cost(*_mesh(vertices, faces), towards, least))
 
 
 def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0) -> VertexTensor:
@@ -226,63 +304,19 @@ def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0)
     -----
     Curvatures from the bends of edges (Cohen-Steiner, Morvan 2003), over a vertex and its neighbours.
     """
-    points, triangles = _mesh(vertices, faces)
-    found = _core.curvature_tensors(points, triangles, check.real("weight", weight, "a number"))
+    found = _core.curvature_tensors(*_mesh(vertices, faces), check.real("weight", weight, "a number"))
     return VertexTensor(found.reshape(-1, 3, 3))
 
 
-def positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDArray[np.float64]:
-    """Checked positions; all NaN where none are given, which only edge lengths allow."""
-    if vertices is not None:
-        return check.vertices(vertices)
-    if not isinstance(metric, EdgeLengths):
-        raise InvalidInput("vertices: is None; give positions of shape (n, 3), or the metric EdgeLengths.")
-    ids = check.unchecked_faces(faces)
-    beyond = np.flatnonzero((ids == np.iinfo(np.int32).max).any(axis=1))
-    if beyond.size:
-        raise InvalidInput(f"faces[{beyond[0]}]: names a vertex beyond {np.iinfo(np.int32).max - 1}; give smaller ids.")
-    return np.full((ids.max(initial=-1) + 1, 3), np.nan)
-
-
-def lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> MetricLengths | None:
-    """What a metric makes of a mesh; None for lengths in space."""
-    if metric is None:
-        return None
-    # A class has the method of its objects.
-    if isinstance(metric, type) or not isinstance(metric, Metric):
-        raise InvalidInput(
-            f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "
-            "or None for lengths in space."
-        )
-    return metric.edge_lengths(vertices, faces)
-
-
-CoreSides = tuple[NDArray[np.float64], int, FaceSplits | None]
-
-
-def sides(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> CoreSides | None:
-    """What the compiled core takes of a metric."""
-    return core_sides(lengths(metric, vertices, faces))
-
-
-def core_sides(found: MetricLengths | None) -> CoreSides | None:
-    """These lengths, the number of points on each edge, and splits of faces."""
-    return None if found is None else (found.lengths, found.points, found.splits)
-
-
 def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any) -> MetricLengths:
-    """What the compiled core returns, in shape."""
-    if splits is None:
-        return MetricLengths(sides.reshape(-1, 3), shortened)
-    ends, faces, given, lengths = splits
-    shaped = FaceSplits(ends.reshape(-1, 2), faces.reshape(-1, 3), given, lengths.reshape(-1, 3))
-    return MetricLengths(sides.reshape(-1, 3), shortened, split, shaped)
+    """What the compiled core returns."""
+    return MetricLengths(sides, shortened, split, None if splits is None else FaceSplits(*splits))
 
 
-def own_array(name: str, value: Any, ndim: int, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
-    """A read-only copy of an array of real numbers."""
+def _own_array(name: str, value: Any, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
+    """A read-only copy of an array of real numbers: of one for each element, or of `tail` numbers."""
     array = np.array(check.numbers(name, value, wanted), dtype=np.float64, order="C")
-    if array.ndim != ndim or array.shape[1:] != tail:
+    if array.ndim != 1 + len(tail) or array.shape[1:] != tail:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     array.flags.writeable = False
     return array
@@ -293,7 +327,7 @@ def _mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[np.float64], N
     return points, check.faces(faces, len(points))
 
 
-def arrays(metric: Any, vertices: Any, faces: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+def _arrays(metric: Any, vertices: Any, faces: Any) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """Positions, which this metric needs, and faces, both checked."""
     if vertices is None:
         raise InvalidInput(f"vertices: is None; {type(metric).__name__} needs positions of shape (n, 3).")

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
-from . import _core
 from .errors import InvalidInput
 
 
@@ -108,8 +107,8 @@ class EdgeCurve:
 Points: TypeAlias = ArrayLike | SurfacePoints | Sequence["ArrayLike | SurfacePoints"]
 Sources: TypeAlias = ArrayLike | SurfacePoints | EdgeCurve | Sequence["ArrayLike | SurfacePoints | EdgeCurve"]
 
-Rows = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]
-"""Vertex (-1: none), face and weights of points; faces and weights are empty if all are vertices."""
+Rows: TypeAlias = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]
+"""Points as the core takes them: vertex (-1: none), face and weights; the last two are empty if all are vertices."""
 
 
 def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
@@ -123,7 +122,7 @@ def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
     array = np.atleast_1d(check.numbers(name, value, wanted))
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
-    check._integers(name, array, wanted)
+    check.integers(name, array, wanted)
     bad = (array < 0) | (array > np.iinfo(np.int32).max)
     if array.ndim != 1 or bad.any():
         found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"
@@ -131,8 +130,8 @@ def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
-def rows(name: str, value: Any, vertex_count: int) -> Rows:
-    """Points as arrays; a single point or none is allowed."""
+def rows(name: str, value: Any, vertex_count: int, least: int = 0) -> Rows:
+    """Checked points; a single point is one row. At least `least`."""
     if isinstance(value, SurfacePoints):
         faces = _face_ids(f"{name}.faces", np.atleast_1d(value.faces))
         weights = check.positions(f"{name}.barycentric", value.barycentric)
@@ -140,10 +139,14 @@ def rows(name: str, value: Any, vertex_count: int) -> Rows:
             raise InvalidInput(
                 f"{name}: has {len(faces)} faces but {len(weights)} rows of weights; give one row for each."
             )
-        return np.full(len(faces), -1, np.int32), faces, weights
-    if holds(value, SurfacePoints):
-        return joined([rows(f"{name}[{i}]", part, vertex_count) for i, part in enumerate(value)])
-    return check.id_list(name, value, vertex_count), np.empty(0, np.int32), np.empty((0, 3))
+        found = np.full(len(faces), -1, np.int32), faces, weights
+    elif holds(value, SurfacePoints):
+        found = joined([rows(f"{name}[{i}]", part, vertex_count) for i, part in enumerate(value)])
+    else:
+        found = check.vertex_ids(name, value, vertex_count), np.empty(0, np.int32), np.empty((0, 3))
+    if len(found[0]) < least:
+        raise InvalidInput(f"{name}: is empty; give at least one vertex id or surface point.")
+    return found
 
 
 def joined(parts: list[Rows]) -> Rows:
@@ -158,6 +161,12 @@ def joined(parts: list[Rows]) -> Rows:
     return vertex, face, np.ascontiguousarray(weights)
 
 
+def taken(found: Rows, which: NDArray[Any]) -> Rows:
+    """The rows of these numbers, each as often as it is named."""
+    vertex, face, weights = found
+    return (vertex[which], face[which], weights[which]) if len(face) else (vertex[which], face, weights)
+
+
 def is_single(value: Any) -> bool:
     """Whether a value is one point rather than a list: a number, or SurfacePoints with one row."""
     if isinstance(value, SurfacePoints):
@@ -165,52 +174,21 @@ def is_single(value: Any) -> bool:
     return not holds(value, SurfacePoints) and np.ndim(value) == 0
 
 
-def is_pair(source: Any, target: Any) -> bool:
-    """Whether both ends are one point each."""
-    return is_single(source) and is_single(target)
-
-
-def pairs(
-    source: Any, target: Any, vertex_count: int, names: tuple[str, str] = ("source", "target")
-) -> tuple[_core.Points, _core.Points]:
-    """Both ends of k pairs as the core takes them; a single point goes with each of the others."""
+def pairs(names: tuple[str, str], source: Any, target: Any, vertex_count: int) -> tuple[Rows, Rows]:
+    """Both ends of k pairs; a single point goes with each of the others."""
     sources, targets = rows(names[0], source, vertex_count), rows(names[1], target, vertex_count)
     if is_single(source) and not is_single(target):
-        sources = _repeated(sources, len(targets[0]))
+        sources = taken(sources, np.zeros(len(targets[0]), int))
     elif is_single(target) and not is_single(source):
-        targets = _repeated(targets, len(sources[0]))
+        targets = taken(targets, np.zeros(len(sources[0]), int))
     if len(sources[0]) != len(targets[0]):
         raise InvalidInput(
             f"{names[0]} has {len(sources[0])} points, {names[1]} {len(targets[0])}; give as many of one as of the "
             "other, or a single one."
         )
-    return handed_over(sources), handed_over(targets)
+    return sources, targets
 
 
-def _repeated(found: Rows, count: int) -> Rows:
-    """One point, so many times."""
-    vertex, face, weights = found
-    return np.repeat(vertex, count), np.repeat(face, count), np.repeat(weights, count, axis=0)
-
-
-def handed_over(found: Rows) -> _core.Points:
-    """Points as the core takes them."""
-    return _core.Points(*found)
-
-
-def given(name: str, value: Any, vertex_count: int) -> _core.Points:
-    """Checked points as the core takes them; may be empty."""
-    return handed_over(rows(name, value, vertex_count))
-
-
-def some(name: str, value: Any, vertex_count: int) -> _core.Points:
-    """The same with at least one point."""
-    found = rows(name, value, vertex_count)
-    if not len(found[0]):
-        raise InvalidInput(f"{name}: is empty; give at least one vertex id or surface point.")
-    return handed_over(found)
-
-
-def surface_points(vertex: NDArray[np.int32], face: NDArray[np.int32], weights: NDArray[np.float64]) -> SurfacePoints:
-    """What the core returns for points: rows of the faces, vertices as corners."""
-    return SurfacePoints(face, weights.reshape(-1, 3))
+def surface_points(rows: Rows) -> SurfacePoints:
+    """Points that the core returns: vertices as corners of faces."""
+    return SurfacePoints(rows[1], rows[2])

@@ -234,7 +234,34 @@ class IndexStatistics:
 
 
 @dataclass(frozen=True)
-class Answered:
+class IndexEstimate:
+    """What an index of a mesh would cost, and what it would save, on this machine with nothing else to do.
+
+    Attributes
+    ----------
+    build_seconds : float
+        Of the build, on the threads asked for.
+    core_seconds : float
+        The same as work of one core.
+    bytes : int
+        Memory that the index would hold.
+    form : str
+        'tables' or 'graph', as for `IndexStatistics`.
+    field_seconds : float
+        Of a field from the index.
+    exact_field_seconds : float
+        Of an exact field, without an index.
+    """
+
+    build_seconds: float
+    core_seconds: float
+    bytes: int
+    form: str
+    field_seconds: float
+    exact_field_seconds: float
+
+
+class Answered(NamedTuple):
     """What gave an answer.
 
     Attributes
@@ -293,7 +320,7 @@ class GeodesicPath:
     certified : bool
         For exact paths: whether it is proven that none is shorter. False for refined paths.
     over_gap : ndarray of bool, shape (p,)
-        Whether the step from a point to the next one runs over a gap (`gap` of `GeodesicIndex`), so over no face. A
+        Whether the step from a point to the next one runs over a gap (`gap` of `Surface`), so over no face. A
         point between the borders of a gap has face -1 in `surface_points`.
     """
 

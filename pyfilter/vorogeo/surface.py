@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import os
-import tempfile
-from pathlib import Path
-from typing import Any, ClassVar, Literal, overload
+from typing import Any, ClassVar, Literal, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
-from . import _core
 from . import points as point_lists
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .on_mesh import METHODS
+from .on_mesh import METHODS, Shared
 from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-from .results import GeodesicPath, IndexStatistics
+from .results import Answered, GeodesicPath, IndexStatistics
 from .tasks import Tasks
+
+_Kind = TypeVar("_Kind", bound="Surface")
 
 
 class Surface(Tasks):
@@ -33,11 +32,24 @@ class Surface(Tasks):
     Parameters
     ----------
     vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout.
+        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`.
     faces : array_like of int, shape (m, 3)
         Vertex ids of the triangles, 0 to n - 1.
-    threads, memory_budget, mask, metric, gap, bridge_folds
-        As for `GeodesicIndex`, of an index that is built.
+    threads : int, optional
+        Threads of each answer and of the build of an index; None is one per core. What the index answers does not
+        depend on it; exact fields may differ in their last digits. Reading the mesh takes all cores in any case.
+    memory_budget : int, optional
+        MiB that an index may take; None is 4096. It consists of tables if they fit, otherwise of a pruned graph, which
+        is smaller and slower; `statistics.form` says which.
+    mask : array_like of bool, shape (m,) or (n,), optional
+        Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
+        many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
+        without a face are unreachable. Results refer to all vertices and faces.
+    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
+        What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
+    gap, bridge_folds : float and bool, optional
+        Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
+        the mesh that is measured on (``docs/gaps.md``). Not together with a metric.
 
     Attributes
     ----------
@@ -64,8 +76,6 @@ class Surface(Tasks):
     'exact'
     """
 
-    __slots__ = ("__weakref__", "_budget", "_threads")
-
     def __init__(
         self,
         vertices: ArrayLike | None,
@@ -79,37 +89,31 @@ class Surface(Tasks):
     ) -> None:
         given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
         workers, budget = check.threads(threads), check.memory_budget(memory_budget)
-        handle = _core.Surface.without_index(*given.core_mesh, workers, budget, *given.gap)
-        self._adopt(given, workers, budget, handle)
+        self._hold(Shared(given, workers, budget, given.core_mesh().surface(workers, budget)))
 
-    def _adopt(self, given: MeshInput, threads: int, budget: int, handle: _core.Surface) -> None:
-        self._input, self._threads, self._budget, self._handle = given, threads, budget, handle
-        self.last = None
+    def _hold(self, shared: Shared) -> None:
+        self._shared, self.last = shared, None
 
-    def __copy__(self) -> Surface:
-        # What answers is shared, as it never changes but for an index, which all may use; `last` is each one's own.
-        other = type(self).__new__(type(self))
-        other._adopt(self._input, self._threads, self._budget, self._handle)
-        return other
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> Surface:
-        return self.__copy__()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        index = _saved(self._handle) if self._handle.has_index() else None
-        return _restored, (type(self), self._input, self._threads, self._budget, index)
+    @classmethod
+    def of(cls: type[_Kind], shared: Shared) -> _Kind:
+        """Another object of the same surface."""
+        made = cls.__new__(cls)
+        made._hold(shared)
+        return made
 
     @property
     def index(self) -> GeodesicIndex | None:
         """The index, once there is one: the same surface, as a `GeodesicIndex`, which can be saved."""
-        if not self._handle.has_index():
-            return None
-        index = GeodesicIndex.__new__(GeodesicIndex)
-        index._adopt(self._input, self._threads, self._budget, self._handle)
-        return index
+        return GeodesicIndex.of(self._shared) if self._shared.core.has_index() else None
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
         """Build the index now, if there is none.
+
+        Parameters
+        ----------
+        progress : callable or bool, optional
+            Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never decreases; a
+            result of False cancels. True shows a tqdm bar.
 
         Raises
         ------
@@ -117,7 +121,7 @@ class Surface(Tasks):
             As for `GeodesicIndex`.
         """
         with reporter(progress) as report:
-            self._handle.build_index(report)
+            self._shared.core.build_index(report)
         index = self.index
         assert index is not None
         return index
@@ -175,7 +179,7 @@ class Surface(Tasks):
         dtype : {float64, float32}
             Of the distances.
         progress : callable or bool, optional
-            As for `GeodesicIndex`.
+            As for `build_index`.
 
         Returns
         -------
@@ -193,32 +197,15 @@ class Surface(Tasks):
         Cancelled
             If `progress` returned False.
         """
-        how, limit = self._method(method, METHODS), check.max_distance(max_distance)
-        entry = check.real_type(dtype)
+        limit, entry = check.max_distance(max_distance), check.real_type(dtype)
         rows, number = self._source_rows(sources)
         start = check.offsets(offsets, int(number[-1]) + 1)[number]
-        with reporter(progress) as report:
-            found, label, answered = self._handle.field(_core.Points(*rows), start, limit, how, report)
-        self._note(answered)
+        found, label = self._ask(
+            self._shared.core.field, rows, start, limit, method=method, progress=progress, choices=METHODS
+        )
         distance = found.astype(entry, copy=False)
         return (distance, np.where(label < 0, np.int32(-1), number[label])) if return_labels else distance
 
-    @overload
-    def distance(
-        self,
-        source: int | np.integer,
-        target: int | np.integer,
-        method: str | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> float: ...
-    @overload
-    def distance(
-        self,
-        source: Points,
-        target: Points,
-        method: str | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> Any: ...
     def distance(
         self,
         source: Points,
@@ -236,7 +223,7 @@ class Surface(Tasks):
             As for the class. From an index, distances of vertices err slightly (``docs/figures.md``); those of other
             points are lengths of refined paths (`path`).
         progress : callable or bool, optional
-            As for `GeodesicIndex`.
+            As for `build_index`.
 
         Returns
         -------
@@ -250,16 +237,16 @@ class Surface(Tasks):
         Cancelled
             If `progress` returned False.
         """
-        how, count = self._method(method), self._vertex_count
+        count, core = len(self.vertices), self._shared.core
         # One distance takes less than the arrays that carry it.
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:  # noqa: SIM102
-            if how != METHODS.index("exact") and self._handle.has_index():
-                return self._handle.vertex_distance(source, target)
-        ends = point_lists.pairs(source, target, count)
-        with reporter(progress) as report:
-            found, answered = self._handle.distances(*ends, how, report)
-        self._note(answered)
-        return float(found[0]) if point_lists.is_pair(source, target) else found
+            if METHODS[self._method(method)] != "exact" and core.has_index():
+                distance, seconds = core.vertex_distance(source, target)
+                self.last = Answered("index", seconds, 0.0, "")
+                return distance
+        ends = point_lists.pairs(("source", "target"), source, target, count)
+        (found,) = self._ask(core.distances, *ends, method=method, progress=progress)
+        return float(found[0]) if point_lists.is_single(source) and point_lists.is_single(target) else found
 
     def distances(
         self,
@@ -290,12 +277,11 @@ class Surface(Tasks):
         InvalidInput, Cancelled
             As for `distance`.
         """
-        how, entry = self._method(method), check.real_type(dtype)
-        ends = point_lists.pairs(sources, targets, self._vertex_count, ("sources", "targets"))
-        with reporter(progress) as report:
-            found, answered = self._handle.distances(*ends, how, report)
-        self._note(answered)
-        return found.astype(entry, copy=False)
+        entry = check.real_type(dtype)
+        ends = point_lists.pairs(("sources", "targets"), sources, targets, len(self.vertices))
+        (found,) = self._ask(self._shared.core.distances, *ends, method=method, progress=progress)
+        distances: NDArray[Any] = found.astype(entry, copy=False)
+        return distances
 
     def path(
         self,
@@ -314,7 +300,7 @@ class Surface(Tasks):
         source, target : a point, or k points
             Vertex ids, `SurfacePoints` or lists of both; one point goes with each of k.
         progress : callable or bool, optional
-            As for `GeodesicIndex`.
+            As for `build_index`.
         method : {"automatic", "index", "exact"}, optional
             As for the class.
 
@@ -396,7 +382,7 @@ class Surface(Tasks):
         """
         count = check.integer("landmarks", landmarks, 1, 32)
         with reporter(progress) as report:
-            return self._handle.use_landmarks(count, report)
+            return self._shared.core.use_landmarks(count, report)
 
     def _find_paths(
         self,
@@ -407,16 +393,25 @@ class Surface(Tasks):
         certify: bool,
         progress: ProgressFunction | bool | None,
     ) -> GeodesicPath | list[GeodesicPath]:
-        how = self._method(method)
-        ends = point_lists.pairs(source, target, self._vertex_count)
-        with reporter(progress) as report:
-            found, answered = self._handle.paths(*ends, how, exact, certify, report)
-        self._note(answered)
-        paths = _paths_of(found)
-        return paths[0] if point_lists.is_pair(source, target) else paths
+        ends = point_lists.pairs(("source", "target"), source, target, len(self.vertices))
+        lengths, certified, begin, points, vertices, faces, weights, over_gap = self._ask(
+            self._shared.core.paths, *ends, exact, certify, method=method, progress=progress
+        )
+        paths = [
+            GeodesicPath(
+                points[a:b],
+                float(length),
+                vertices[a:b],
+                SurfacePoints(faces[a:b], weights[a:b]),
+                bool(proven),
+                over_gap[a:b] > 0,
+            )
+            for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
+        ]
+        return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
 
     def __repr__(self) -> str:
-        held = "with an index" if self._handle.has_index() else "no index yet"
+        held = "with an index" if self._shared.core.has_index() else "no index yet"
         return f"Surface({len(self.vertices)} vertices, {len(self.faces)} faces, {held})"
 
 
@@ -425,40 +420,23 @@ class GeodesicIndex(Surface):
 
     A `Surface` that has its index from the beginning, and answers from it unless `method` says otherwise.
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
-    exists. It may be used by several threads at once; long computations release the GIL. It
-    can be pickled, and works in processes that were forked, spawned or served.
+    exists. Long computations release the GIL. It works in processes that were forked, spawned or served.
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`.
-    faces : array_like of int, shape (m, 3)
-        Vertex ids of the triangles, 0 to n - 1.
+    vertices, faces, threads, mask, metric, gap, bridge_folds
+        As for `Surface`.
     patches : (int, int), optional
         Numbers of patches: of the mesh, and of smaller ones in each of these. 0 (None for both): chosen from n.
     delta : float, default 0
         Average relative error that pruning of the graph may add, in [0, 1). 0 loses nothing; a value above 0 selects
         the form of a graph.
-    threads : int, optional
-        Threads of the build and of each field; None is one per core. The results do not depend on it. Reading the
-        mesh, the first percent of a build, takes all cores in any case.
     seed : int, default 0
         Seed of the random numbers that place the patches, 0 to 2**64 - 1.
     progress : callable or bool, optional
-        Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never decreases; a
-        result of False cancels. True shows a tqdm bar.
+        As for `Surface.build_index`.
     memory_budget : int, optional
-        MiB that the index may take; None is 4096, or any with `file`, whose tables are not counted. It consists of
-        tables if they fit, otherwise of a pruned graph, which is smaller and slower; `statistics.form` says which.
-    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
-        What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
-    mask : array_like of bool, shape (m,) or (n,), optional
-        Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
-        many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
-        without a face are unreachable. Results refer to all vertices and faces.
-    gap, bridge_folds : float and bool, optional
-        Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
-        the mesh that is measured on (``docs/gaps.md``). Not together with a metric.
+        As for `Surface`; None is 4096, or any with `file`, whose tables are not counted.
     file : str or path, optional
         Where the index is built (``docs/index-file.md``): its tables go there as they are filled and are mapped, so
         that it may be larger than the memory. If the file has the index of this mesh, it is loaded; if a build was
@@ -489,8 +467,6 @@ class GeodesicIndex(Surface):
     >>> index.distance_field([0, 17])
     """
 
-    __slots__ = ()
-
     _default_method: ClassVar[str] = "index"
 
     def __init__(
@@ -516,10 +492,8 @@ class GeodesicIndex(Surface):
         budget = check.memory_budget(memory_budget)
         path = None if file is None else check.file_path(file)
         with reporter(progress) as report:
-            handle = _core.Surface.build(
-                *given.core_mesh, n1, n2, delta, workers, seed, budget, *given.gap, path, report
-            )
-        self._adopt(given, workers, budget, handle)
+            core = given.core_mesh(report).surface_with_index(n1, n2, delta, workers, seed, budget, path, report)
+        self._hold(Shared(given, workers, budget, core))
 
     @classmethod
     def load(
@@ -540,14 +514,10 @@ class GeodesicIndex(Surface):
         ----------
         file : str or path
             A file written by `save`.
-        vertices : array_like, shape (n, 3)
-            Positions of the mesh that the index was built for.
-        faces : array_like of int, shape (m, 3)
-            Its triangles.
+        vertices, faces, mask, metric, gap, bridge_folds
+            As for `Surface`; those that the index was built with: an index of others is refused.
         threads : int, optional
             Threads of each field; None is one per core.
-        mask, metric, gap, bridge_folds
-            Those that the index was built with: an index of others is refused.
         mapped : bool, default True
             Leave the large tables in the file: all processes that load it share that memory. It may be removed or
             replaced (`save` does so) while it is used, but not be written to or cut in place, which ends the
@@ -562,10 +532,7 @@ class GeodesicIndex(Surface):
         """
         path, workers = check.file_path(file), check.threads(threads)
         given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
-        handle = _core.Surface.load(path, *given.core_mesh, workers, *given.gap, bool(mapped))
-        index = cls.__new__(cls)
-        index._adopt(given, workers, 0, handle)
-        return index
+        return cls.of(Shared(given, workers, 0, given.core_mesh().load_index(path, workers, bool(mapped))))
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the index, without the mesh, to a file.
@@ -577,7 +544,7 @@ class GeodesicIndex(Surface):
         IndexFileError
             (an OSError) If it cannot be written: a full disk, no permission, a folder, a device or a pipe.
         """
-        self._handle.save(check.file_path(file))
+        self._shared.core.save(check.file_path(file))
 
     def face_patches(self, layer: int) -> NDArray[np.int32]:
         """Patch of each face, numbered from 0.
@@ -597,14 +564,14 @@ class GeodesicIndex(Surface):
         InvalidInput
             (a ValueError) For another layer.
         """
-        return self._handle.face_patches(check.integer("layer", layer, 1, 2))
+        return self._shared.core.face_patches(check.integer("layer", layer, 1, 2))
 
     @property
     def statistics(self) -> IndexStatistics:
         """What the index holds and what it cost."""
-        lengths = self._input.lengths
+        lengths = self._shared.given.lengths
         of_metric = (0, 0) if lengths is None else (lengths.shortened_edges, lengths.split_faces)
-        return IndexStatistics(**self._handle.statistics(), shortened_edges=of_metric[0], split_faces=of_metric[1])
+        return IndexStatistics(**self._shared.core.statistics(), shortened_edges=of_metric[0], split_faces=of_metric[1])
 
     def __repr__(self) -> str:
         s = self.statistics
@@ -612,45 +579,3 @@ class GeodesicIndex(Surface):
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
-
-
-def _paths_of(found: Any) -> list[GeodesicPath]:
-    """The paths that the core returns as arrays."""
-    lengths, certified, begin, positions, vertices, faces, weights, over_gap = found
-    positions, weights = positions.reshape(-1, 3), weights.reshape(-1, 3)
-    return [
-        GeodesicPath(
-            positions[a:b],
-            float(length),
-            vertices[a:b],
-            SurfacePoints(faces[a:b], weights[a:b]),
-            bool(proven),
-            over_gap[a:b] > 0,
-        )
-        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
-    ]
-
-
-def _saved(handle: _core.Surface) -> NDArray[np.uint8]:
-    """The contents of an index file; an array, which pickle can hand over without a copy."""
-    with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
-        file = Path(folder) / "index.vgi"
-        handle.save(str(file))
-        return np.fromfile(file, np.uint8)
-
-
-def _restored(
-    cls: type[Surface], given: MeshInput, threads: int, budget: int, index: NDArray[np.uint8] | None
-) -> Surface:
-    """The surface that pickle took apart."""
-    if index is None:
-        handle = _core.Surface.without_index(*given.core_mesh, threads, budget, *given.gap)
-    else:
-        with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
-            file = Path(folder) / "index.vgi"
-            index.tofile(file)
-            # Copied, as the file goes.
-            handle = _core.Surface.load(str(file), *given.core_mesh, threads, *given.gap, mapped=False)
-    surface = cls.__new__(cls)
-    surface._adopt(given, threads, budget, handle)
-    return surface

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
-from . import _core
 from . import points as point_lists
 from ._output import Output, matrix, releasing, require_memory
 from .errors import InvalidInput
@@ -16,6 +16,7 @@ from .on_mesh import OnMesh
 from .points import Points, Sources, surface_points
 from .progress import ProgressFunction, reporter
 from .results import (
+    Answered,
     Disk,
     Extent,
     FarthestSamples,
@@ -35,13 +36,13 @@ _SAMPLES = 16
 class Tasks(OnMesh):
     """The tasks of `Surface`.
 
-    Points are vertex ids, `SurfacePoints` or lists of both; `progress` is as for `GeodesicIndex`; errors are
-    `InvalidInput` for arguments and `Cancelled` if `progress` returned False. `method` is "automatic", "index" or
-    "exact", as for `Surface`; None is what the class stands for. `dtype`, float64 or float32, is the type of the
-    result: float32 takes half the memory and rounds to 6e-8 of a distance.
+    What they have in common: points are vertex ids, `SurfacePoints` or lists of both. `method` is "automatic", "index"
+    or "exact", as for `Surface`; None is what the class stands for. `progress` is as for `Surface.build_index`.
+    `dtype`, float64 or float32, is the type of the result: float32 takes half the memory and rounds to 6e-8 of a
+    distance. `max_bytes` is the memory that the result may take; None: what is available. Errors are `InvalidInput` (a
+    ValueError that names the element) for arguments, `NotEnoughMemory` (a MemoryError) where the result does not fit,
+    and `Cancelled` if `progress` returned False.
     """
-
-    __slots__ = ()
 
     def distance_matrix(
         self,
@@ -70,14 +71,12 @@ class Tasks(OnMesh):
         out : str, path or ndarray, optional
             A file to write as .npy, or an array of float64 or float32 and the shape of the result. A file is mapped, so
             it may be larger than the memory; its space is reserved first, and an old file stays until it is complete.
-        max_bytes : int, optional
-            Memory that the result may take; None: what is available. `vorogeo.matrix_bytes` says how much it takes.
-        progress : callable or bool, optional
-            As for the constructor.
         method : str, optional
-            As for the class; exact distances are read from fields.
+            As for all tasks; exact distances are read from fields.
         dtype : {float64, float32}, optional
             None is the type of an array `out`, else float64.
+        max_bytes, progress
+            As for all tasks; `vorogeo.matrix_bytes` says how much memory the result takes.
 
         Returns
         -------
@@ -86,34 +85,38 @@ class Tasks(OnMesh):
 
         Raises
         ------
-        InvalidInput
-            (a ValueError) If an argument has a wrong shape, type or range, or `out` does not name a plain file in an
-            existing folder.
         FileError
-            (an OSError) If the file cannot be written, such as on a full disk; nothing was computed.
-        NotEnoughMemory
-            (a MemoryError) If the result does not fit; nothing was computed.
-        Cancelled
-            If `progress` returned False.
+            (an OSError) If the file cannot be written, such as on a full disk; as with the errors of all tasks, nothing
+            was computed.
+        InvalidInput
+            Also if `out` does not name a plain file in an existing folder.
 
         Notes
         -----
         Complexity: k (k - 1) / 2 distances (k m with `others`), or as many fields as the shorter list is long.
         """
-        how, by = check.choice("entries", entries, _ENTRIES), self._method(method)
-        rows = point_lists.rows("points", points, self._vertex_count)
-        columns = rows if others is None else point_lists.rows("others", others, self._vertex_count)
-        with matrix(len(rows[0]), len(columns[0]), out, max_bytes, dtype) as result, reporter(progress) as told:
-            report = releasing(result, told)
-            first = _core.Points(*rows)
-            if result.size == 0:
-                pass
-            elif others is None:
-                self._note(_core.fill_square_matrix(self._handle, first, how, by, result, report))
-            else:
-                second = _core.Points(*columns)
-                self._note(_core.fill_matrix(self._handle, first, second, how, by, result, report))
+        how = check.choice("entries", entries, _ENTRIES)
+        rows = self._rows("points", points)
+        columns = None if others is None else self._rows("others", others)
+        shape = len(rows[0]), len(rows[0] if columns is None else columns[0])
+        with matrix(*shape, out, max_bytes, dtype) as result:
+            self._fill(self._shared.core.fill_matrix, result, rows, columns, how, method=method, progress=progress)
         return _reopened(result, out)
+
+    def _fill(
+        self,
+        question: Callable[..., Any],
+        result: NDArray[Any],
+        *arguments: Any,
+        method: str | None,
+        progress: ProgressFunction | bool | None,
+    ) -> None:
+        """Fill an array, if it has entries; a large file hands its pages back meanwhile."""
+        by = self._method(method)
+        with reporter(progress) as told:
+            if result.size:
+                (answered,) = question(*arguments, result, by, releasing(result, told))
+                self.last = Answered(*answered)
 
     def fields(
         self,
@@ -133,27 +136,16 @@ class Tasks(OnMesh):
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         out, max_bytes, progress, method, dtype
-            As for `distance_matrix`.
+            As for `distance_matrix`; so are the errors.
 
         Returns
         -------
         ndarray, shape (k, n)
             Infinity where there is no path.
-
-        Raises
-        ------
-        InvalidInput, FileError, NotEnoughMemory, Cancelled
-            As for `distance_matrix`.
         """
-        rows, limit = point_lists.rows("sources", sources, self._vertex_count), check.max_distance(max_distance)
-        by = self._method(method)
-        with (
-            matrix(len(rows[0]), self._vertex_count, out, max_bytes, dtype) as result,
-            reporter(progress) as told,
-        ):
-            if result.size:
-                report = releasing(result, told)
-                self._note(_core.fill_fields(self._handle, _core.Points(*rows), limit, by, result, report))
+        rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
+        with matrix(len(rows[0]), len(self.vertices), out, max_bytes, dtype) as result:
+            self._fill(self._shared.core.fill_fields, result, rows, limit, method=method, progress=progress)
         return _reopened(result, out)
 
     def pairs_within(
@@ -179,12 +171,9 @@ class Tasks(OnMesh):
             Of the columns.
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
-        max_bytes : int, optional
-            Memory that may be used; None: what is available. `pairs_within_bytes` estimates it.
-        progress : callable or bool, optional
-            As for the constructor.
-        method, dtype
-            As for the class.
+        max_bytes, progress, method, dtype
+            As for all tasks; `pairs_within_bytes` estimates the memory, and what does not fit is noticed as soon as so
+            many pairs are found.
 
         Returns
         -------
@@ -192,38 +181,19 @@ class Tasks(OnMesh):
             Distances; those of 0 (repeated points) are stored as well. Without `others` symmetric to the last bit and
             without a diagonal. `SparseDistances` where scipy is not installed.
 
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an id is out of range, or the radius negative or NaN.
-        NotEnoughMemory
-            (a MemoryError) As soon as the pairs found do not fit.
-        Cancelled
-            If `progress` returned False.
-
         Notes
         -----
         Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others`
         they are read from the field of one point of each pair.
         """
-        rows, reach, limit = (
-            point_lists.rows("points", points, self._vertex_count),
-            check.length("radius", radius),
-            check.byte_limit(max_bytes),
+        rows = self._rows("points", points)
+        columns = None if others is None else self._rows("others", others)
+        reach, limit, entry = check.length("radius", radius), check.byte_limit(max_bytes), check.real_type(dtype)
+        begin, places, distances = self._ask(
+            self._shared.core.pairs_within, rows, columns, reach, limit, method=method, progress=progress
         )
-        columns = rows if others is None else point_lists.rows("others", others, self._vertex_count)
-        entry, by = check.real_type(dtype), self._method(method)
-        with reporter(progress) as report:
-            if others is None:
-                found = _core.pairs_within(self._handle, _core.Points(*rows), reach, by, limit, report)
-            else:
-                found = _core.pairs_within_others(
-                    self._handle, _core.Points(*rows), _core.Points(*columns), reach, by, limit, report
-                )
-        self._note(found[3])
-        sparse = SparseDistances(
-            found[2].astype(entry, copy=False), found[1], found[0], (len(rows[0]), len(columns[0]))
-        )
+        shape = len(rows[0]), len(rows[0] if columns is None else columns[0])
+        sparse = SparseDistances(distances.astype(entry, copy=False), places, begin, shape)
         if as_arrays:
             return sparse
         try:
@@ -234,21 +204,14 @@ class Tasks(OnMesh):
 
     def pairs_within_bytes(self, points: Points, radius: float, others: Points | None = None) -> int:
         """Memory that `pairs_within` will take, extrapolated from 16 of the points; in bytes."""
-        rows = point_lists.rows("points", points, self._vertex_count)
-        columns = rows if others is None else point_lists.rows("others", others, self._vertex_count)
-        count = len(rows[0])
+        rows = self._rows("points", points)
+        columns = rows if others is None else self._rows("others", others)
+        reach, count = check.length("radius", radius), len(rows[0])
         if count == 0 or len(columns[0]) == 0:
             return 0
         chosen = np.unique(np.linspace(0, count - 1, _SAMPLES).astype(int))
-        some = (
-            rows[0][chosen],
-            rows[1][chosen] if rows[1].size else rows[1],
-            rows[2][chosen] if rows[1].size else rows[2],
-        )
-        reach = check.length("radius", radius)
-        found = _core.pairs_within_others(
-            self._handle, _core.Points(*some), _core.Points(*columns), reach, self._method(None), 0, None
-        )
+        some = point_lists.taken(rows, chosen)
+        found = self._shared.core.pairs_within(some, columns, reach, 0, self._method(None), None)
         return int(_ENTRY_BYTES * found[2].size * count / chosen.size)
 
     def nearest(
@@ -269,10 +232,8 @@ class Tasks(OnMesh):
         queries : q points
         k : int, default 1
             Number of neighbours; may be larger than the set.
-        progress : callable or bool, optional
-            As for the constructor.
-        method, dtype
-            As for the class.
+        progress, method, dtype
+            As for all tasks.
 
         Returns
         -------
@@ -281,32 +242,17 @@ class Tasks(OnMesh):
         positions : ndarray of int32, shape (q, k)
             Positions in `points`, the first of equally near ones; -1 where fewer can be reached.
 
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an id or k is out of range.
-        NotEnoughMemory
-            (a MemoryError) If the result does not fit.
-        Cancelled
-            If `progress` returned False.
-
         Notes
         -----
         Complexity: as many fields as the shorter of `points` and `queries` is long.
         """
         entry = check.real_type(dtype)
-        chosen, asked = (
-            point_lists.rows("points", points, self._vertex_count),
-            point_lists.rows("queries", queries, self._vertex_count),
-        )
+        chosen, asked = self._rows("points", points), self._rows("queries", queries)
         count, size = check.integer("k", k, 1, 2**31 - 1), len(asked[0])
         require_memory(f"The result of {size} x {count} neighbours", 24.0 * size * count, None, "lower k.")
-        by = self._method(method)
-        with reporter(progress) as report:
-            positions, distances, answered = _core.nearest(
-                self._handle, _core.Points(*chosen), _core.Points(*asked), count, by, report
-            )
-        self._note(answered)
+        positions, distances = self._ask(
+            self._shared.core.nearest, chosen, asked, count, method=method, progress=progress
+        )
         return distances.reshape(-1, count).astype(entry, copy=False), positions.reshape(-1, count)
 
     def voronoi(
@@ -319,7 +265,7 @@ class Tasks(OnMesh):
         points : k points, k >= 1
             One that repeats an earlier one owns nothing.
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
@@ -331,12 +277,11 @@ class Tasks(OnMesh):
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point.
         """
-        chosen = point_lists.some("points", points, self._vertex_count)
-        with reporter(progress) as report:
-            found = _core.voronoi(self._handle, chosen, self._method(method), report)
-        self._note(found[7])
-        borders = Polylines(found[4].reshape(-1, 3), found[5].reshape(-1, 2))
-        return VoronoiRegions(*found[:4], borders, found[6].reshape(-1, 2))
+        chosen = self._rows("points", points, least=1)
+        vertex_region, distance, face_region, area, ends, edges, sides = self._ask(
+            self._shared.core.voronoi, chosen, method=method, progress=progress
+        )
+        return VoronoiRegions(vertex_region, distance, face_region, area, Polylines(ends, edges), sides)
 
     def isolines(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> Isolines:
         """Lines on which a field has given values.
@@ -357,9 +302,9 @@ class Tasks(OnMesh):
             Edges join points of one level.
         """
         values = check.real_values("field", field)
-        if values.size != self._vertex_count:
+        if len(values) != len(self.vertices):
             raise InvalidInput(
-                f"field: has {values.size} values; give one for each of the {self._vertex_count} vertices."
+                f"field: has {len(values)} values; give one for each of the {len(self.vertices)} vertices."
             )
         how = check.choice("interpolation", interpolation, _INTERPOLATIONS)
         if isinstance(levels, (int, np.integer)):
@@ -369,8 +314,8 @@ class Tasks(OnMesh):
             chosen = np.linspace(low, high, count + 2)[1:-1]
         else:
             chosen = check.real_values("levels", levels)
-        points, edges, level = _core.isolines(self._handle, values, chosen, how)
-        return Isolines(points.reshape(-1, 3), edges.reshape(-1, 2), chosen[level])
+        points, edges, level = self._shared.core.isolines(values, chosen, how)
+        return Isolines(points, edges, chosen[level])
 
     def sample_farthest(
         self,
@@ -394,7 +339,7 @@ class Tasks(OnMesh):
         seed : int, default 0
             Of the random first sample.
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
@@ -409,13 +354,11 @@ class Tasks(OnMesh):
         reach = check.length("radius", radius)
         if count is None and reach == 0:
             raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
-        first = point_lists.given("start", start, self._vertex_count)
-        seed = check.integer("seed", seed, 0, 2**64 - 1)
-        with reporter(progress) as report:
-            found = _core.sample_farthest(self._handle, limit, reach, first, seed, self._method(method), report)
-        rows, gaps, distance, covered = found[:4]
-        self._note(found[4])
-        return FarthestSamples(rows[0], gaps, distance, covered, surface_points(*rows))
+        first, seed = self._rows("start", start), check.integer("seed", seed, 0, 2**64 - 1)
+        rows, gaps, distance, covered = self._ask(
+            self._shared.core.sample_farthest, limit, reach, first, seed, method=method, progress=progress
+        )
+        return FarthestSamples(rows[0], gaps, distance, covered, surface_points(rows))
 
     def sample_poisson_disk(
         self, radius: float, seed: int = 0, method: str | None = None, progress: ProgressFunction | bool | None = None
@@ -429,7 +372,7 @@ class Tasks(OnMesh):
         seed : int, default 0
             Seed of the random numbers.
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
@@ -444,10 +387,9 @@ class Tasks(OnMesh):
         if not 0 < reach < np.inf:
             raise InvalidInput(f"radius: {reach} is out of range; give a finite length above 0.")
         seed = check.integer("seed", seed, 0, 2**64 - 1)
-        with reporter(progress) as report:
-            samples, answered = _core.sample_poisson_disk(self._handle, reach, seed, self._method(method), report)
-        self._note(answered)
-        return samples
+        (samples,) = self._ask(self._shared.core.sample_poisson_disk, reach, seed, method=method, progress=progress)
+        found: NDArray[np.int32] = samples
+        return found
 
     def disk(self, sources: Sources, radius: float, method: str | None = None) -> Disk:
         """Vertices and faces within a radius of the nearest source.
@@ -459,17 +401,14 @@ class Tasks(OnMesh):
         radius : float
             0 or more.
         method : str, optional
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
         Disk
         """
         rows, _ = self._source_rows(sources)
-        reach, by = check.length("radius", radius), self._method(method)
-        found = _core.disk(self._handle, _core.Points(*rows), reach, by)
-        self._note(found[3])
-        return Disk(*found[:3])
+        return Disk(*self._ask(self._shared.core.disk, rows, check.length("radius", radius), method=method))
 
     def eccentricity(
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
@@ -480,17 +419,15 @@ class Tasks(OnMesh):
         ----------
         points : k points
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
         distances : ndarray of float64, shape (k,)
         farthest : ndarray of int32, shape (k,)
         """
-        chosen = point_lists.given("points", points, self._vertex_count)
-        with reporter(progress) as report:
-            distances, farthest, answered = _core.eccentricity(self._handle, chosen, self._method(method), report)
-        self._note(answered)
+        chosen = self._rows("points", points)
+        distances, farthest = self._ask(self._shared.core.eccentricity, chosen, method=method, progress=progress)
         return distances, farthest
 
     def extent(
@@ -509,7 +446,7 @@ class Tasks(OnMesh):
         fields : int, default 20
             Distance fields that may be computed, at least 2; more bring the bounds closer together.
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
@@ -519,13 +456,9 @@ class Tasks(OnMesh):
         -----
         A double sweep, then vertices chosen by the bounds that the triangle inequality gives (Takes, Kosters 2011).
         """
-        last = max(self._vertex_count - 1, 0)
-        first = -1 if start is None else check.integer("start", start, 0, last)
+        first = -1 if start is None else check.integer("start", start, 0, max(len(self.vertices) - 1, 0))
         limit = check.integer("fields", fields, 2, 2**31 - 1)
-        with reporter(progress) as report:
-            found = _core.extent(self._handle, first, limit, self._method(method), report)
-        self._note(found[5])
-        return Extent(*found[:5])
+        return Extent(*self._ask(self._shared.core.extent, first, limit, method=method, progress=progress))
 
     def relax(
         self,
@@ -543,7 +476,7 @@ class Tasks(OnMesh):
         rounds : int, default 10
             At most this many; fewer if no point finds a better vertex.
         method, progress
-            As for the class.
+            As for all tasks.
 
         Returns
         -------
@@ -554,12 +487,9 @@ class Tasks(OnMesh):
         A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
         fields for each point and round, bounded by the size of the regions.
         """
-        chosen = point_lists.some("points", points, self._vertex_count)
-        limit = check.integer("rounds", rounds, 0, 2**31 - 1)
-        with reporter(progress) as report:
-            rows, energy, answered = _core.relax(self._handle, chosen, limit, self._method(method), report)
-        self._note(answered)
-        return RelaxedPoints(rows[0], energy, surface_points(*rows))
+        chosen, limit = self._rows("points", points, least=1), check.integer("rounds", rounds, 0, 2**31 - 1)
+        rows, energy = self._ask(self._shared.core.relax, chosen, limit, method=method, progress=progress)
+        return RelaxedPoints(rows[0], energy, surface_points(rows))
 
 
 def _reopened(result: NDArray[Any], out: Output) -> NDArray[Any]:

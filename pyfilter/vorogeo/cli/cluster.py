@@ -113,7 +113,7 @@ def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
                 for block in waiting:
                     rows = ids[slice(*block)]
                     future = client.submit(
-                        matrix_rows, files, rows, columns, task.dtype, task.exact, pure=False, retries=_RETRIES
+                        matrix_rows, files, rows, columns, task.dtype, task.method, pure=False, retries=_RETRIES
                     )
                     running[future] = block
                     return future

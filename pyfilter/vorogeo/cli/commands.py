@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
-from ..exact import exact_distance_field
 from ..mesh_check import check_mesh
 from ..results import GeodesicPath
 from .comparison import compare
@@ -18,22 +17,9 @@ from .outputs import Result, format_of
 
 def field(task: MeshTask) -> Result:
     """Distance of every vertex from the nearest source."""
-    limit = task.options.get("max_distance")
-    sources = task.points("from")
-    if task.exact and isinstance(sources, np.ndarray):  # needs no index
-        values = exact_distance_field(
-            task.vertices,
-            task.faces,
-            sources,
-            limit,
-            dtype=task.dtype,
-            mask=task.mask,
-            metric=task.metric,
-            gap=task.gap,
-            threads=task.options.get("threads"),
-        )
-    else:
-        values = task.index.distance_field(sources, limit, method=task.method, dtype=task.dtype)
+    values = task.surface.distance_field(
+        task.points("from"), task.options.get("max_distance"), method=task.method, dtype=task.dtype
+    )
     reached = values[np.isfinite(values)]
     text = f"{reached.size} of {values.size} vertices reached, the farthest at {reached.max(initial=0):.6g}"
     return Result("distance", {"distance": values}, task.shown_mesh, per_vertex="distance", text=text)
@@ -41,37 +27,21 @@ def field(task: MeshTask) -> Result:
 
 def distance(task: MeshTask) -> Result:
     """Distances of pairs; one source may have many targets, or one target many sources."""
-    sources, targets = _pairs(task)
-    values = task.index.distances(sources, targets, progress=task.progress, method=task.method, dtype=task.dtype)
+    values = task.surface.distances(*_ends(task), progress=task.progress, method=task.method, dtype=task.dtype)
     text = "\n".join(f"{value:.12g}" for value in values.tolist())
     return Result("distance", {"distance": values}, task.shown_mesh, text=text)
 
 
-def _pairs(task: MeshTask) -> tuple[Any, Any]:
-    sources, targets = list(task.points("from")), list(task.points("to"))  # type: ignore[arg-type]
-    sources, targets = _singles(sources), _singles(targets)
-    if len(sources) == 1:
-        sources *= len(targets)
-    elif len(targets) == 1:
-        targets *= len(sources)
-    return sources, targets
-
-
-def _singles(points: list[Any]) -> list[Any]:
-    """One entry for each point; only lists without surface points are arrays."""
-    if all(np.ndim(point) == 0 and isinstance(point, (int, np.integer)) for point in points):
-        return [int(point) for point in points]
-    flat: list[Any] = []
-    for part in points:
-        flat += [part[i] for i in range(len(part))] if hasattr(part, "barycentric") else np.atleast_1d(part).tolist()
-    return flat
+def _ends(task: MeshTask) -> tuple[Any, Any]:
+    """Both ends of pairs; one that is alone goes with each of the others."""
+    ends: list[Any] = [task.points("from"), task.points("to")]
+    return tuple(points[0] if len(points) == 1 else points for points in ends)
 
 
 def path(task: MeshTask) -> Result:
     """Shortest paths of pairs: their points, one path after the other."""
-    sources, targets = _pairs(task)
-    find = task.index.exact_path if task.exact else task.index.path
-    found = find(sources, targets, progress=task.progress)
+    find = task.surface.exact_path if task.exact else task.surface.path
+    found = find(*_ends(task), progress=task.progress)
     paths: list[GeodesicPath] = found if isinstance(found, list) else [found]
     begin = np.concatenate([[0], np.cumsum([len(one.points) for one in paths])])
     points = np.concatenate([one.points for one in paths]) / task.scale
@@ -100,7 +70,7 @@ def matrix(task: MeshTask) -> Result:
     points = task.points("points") if task.options.get("points") else np.arange(count)
     others = task.points("to") if task.options.get("to") else None
     direct = format_of(task.target) == ".npy"
-    values = task.index.distance_matrix(
+    values = task.surface.distance_matrix(
         points,
         others,
         entries=task.options.get("method") or "automatic",
@@ -116,7 +86,7 @@ def matrix(task: MeshTask) -> Result:
 def neighbours(task: MeshTask) -> Result:
     """All pairs within a radius, as a sparse matrix."""
     points = task.points("points") if task.options.get("points") else np.arange(len(task.vertices))
-    found = task.index.pairs_within(
+    found = task.surface.pairs_within(
         points, task.options["radius"], progress=task.progress, method=task.method, dtype=task.dtype
     )
     if not hasattr(found, "tocoo"):
@@ -127,7 +97,7 @@ def neighbours(task: MeshTask) -> Result:
 
 def voronoi(task: MeshTask) -> Result:
     """The nearest point of every vertex and face, and areas of the regions."""
-    found = task.index.voronoi(task.points("from"), method=task.method, progress=task.progress)
+    found = task.surface.voronoi(task.points("from"), method=task.method, progress=task.progress)
     arrays: dict[str, NDArray[Any]] = {
         "vertex_region": found.vertex_region,
         "face_region": found.face_region,
@@ -147,10 +117,10 @@ def sample(task: MeshTask) -> Result:
     if task.options.get("method") == "poisson":
         if radius is None:
             raise InvalidInput("--radius: is missing; Poisson-disk sampling needs the least distance of two samples.")
-        ids = task.index.sample_poisson_disk(radius, seed, method=task.method, progress=task.progress)
+        ids = task.surface.sample_poisson_disk(radius, seed, method=task.method, progress=task.progress)
         covered = ""
     else:
-        found = task.index.sample_farthest(
+        found = task.surface.sample_farthest(
             task.options.get("count"), radius or 0.0, seed=seed, method=task.method, progress=task.progress
         )
         ids, covered = found.vertices, f", every vertex within {found.covering_radius:.6g} of one"

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
-from ..exact import exact_distance_field
 from ..geodesic_methods import GeodesicMethod, MethodWarning, methods
-from ..mesh_input import face_mask, without_masked
+from ..mesh_input import MeshInput
 from .job import MeshTask
 from .outputs import Result
 
@@ -33,12 +32,7 @@ def compare(task: MeshTask) -> Result:
     """Errors and times of the index, of chosen methods or of a field made elsewhere, against the exact field."""
     sources = task.points("from")
     began = time.perf_counter()
-    if isinstance(sources, np.ndarray):
-        exact = exact_distance_field(
-            task.vertices, task.faces, sources, mask=task.mask, metric=task.metric, gap=task.gap
-        )
-    else:
-        exact = task.index.distance_field(sources, method="exact")
+    exact = task.plain.distance_field(sources, method="exact")
     exact_took = time.perf_counter() - began
     left_out: list[str] = []
     if task.options.get("with"):
@@ -93,8 +87,8 @@ def _field(task: MeshTask, name: str, sources: Any) -> _Compared:
     else:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", MethodWarning)  # the table shows what they warn of
-            surface = without_masked(task.faces, face_mask(task.mask, task.faces, len(task.vertices)))
-            answer = GeodesicMethod(task.vertices, surface, name, metric=task.metric).distance_field
+            faces = MeshInput.read(task.vertices, task.faces, task.mask).measured_faces
+            answer = GeodesicMethod(task.vertices, faces, name, metric=task.metric).distance_field
     between = time.perf_counter()
     values = answer(sources)
     ended = time.perf_counter()

@@ -17,9 +17,8 @@ from ..errors import InvalidInput
 from ..mesh_files import read_mesh
 from ..metrics import Metric
 from ..points import Points
-from ..surface import GeodesicIndex
-from .metric_options import metric_of
-from .sources import points_of
+from ..surface import GeodesicIndex, Surface
+from .sources import metric_of, points_of
 
 
 @dataclass(frozen=True)
@@ -46,7 +45,7 @@ class Job:
 
 
 class MeshTask:
-    """The mesh of a job, scaled as asked for, and its index, each made when first needed."""
+    """The mesh of a job, scaled as asked for, and what answers on it, each made when first needed."""
 
     def __init__(self, job: Job) -> None:
         self.job = job
@@ -86,47 +85,45 @@ class MeshTask:
         shown = bool(self.options.get("progress")) and sys.stderr.isatty()
         return shown and importlib.util.find_spec("tqdm") is not None
 
-    @property
-    def gap(self) -> float:
-        """The widest gap that is bridged."""
-        return self.options.get("gap") or 0.0
-
     @cached_property
     def metric(self) -> Metric | None:
         """What paths cost; None is their length."""
         return metric_of(self.options, self.vertices, self.faces)
 
+    @property
+    def _measured(self) -> dict[str, Any]:
+        """What every surface takes."""
+        names = ("mask", "metric", "vertices", "faces")
+        own = {name: getattr(self, name) for name in names}
+        return {**own, "gap": self.options.get("gap") or 0.0, "threads": self.options.get("threads")}
+
+    @property
+    def plain(self) -> Surface:
+        """A surface without an index, which has answered nothing yet."""
+        return Surface(**self._measured, memory_budget=self.options.get("memory_budget"))
+
     @cached_property
     def index(self) -> GeodesicIndex:
         """The index: read from the file of --index, or built, in its file by the command that makes one."""
-        threads = self.options.get("threads")
         if self.options.get("index"):
-            return GeodesicIndex.load(
-                self.options["index"],
-                self.vertices,
-                self.faces,
-                threads,
-                mask=self.mask,
-                metric=self.metric,
-                gap=self.gap,
-            )
+            return GeodesicIndex.load(self.options["index"], **self._measured)
         return GeodesicIndex(
-            self.vertices,
-            self.faces,
+            **self._measured,
             patches=self.options.get("patches"),
             delta=self.options.get("delta") or 0.0,
-            threads=threads,
             progress=self.progress,
             memory_budget=self.options.get("memory_budget"),
-            mask=self.mask,
-            metric=self.metric,
-            gap=self.gap,
             file=self.job.out if self.job.command == "index" else None,
         )
 
+    @cached_property
+    def surface(self) -> Surface:
+        """What answers: the index, unless distances are exact and no file of one is named."""
+        return self.plain if self.exact and not self.options.get("index") else self.index
+
     def points(self, option: str) -> Points:
         """The points of an option such as ``--from``."""
-        return points_of(f"--{option}", self.options[option], lambda where: self.index.snap(where), self.scale)
+        return points_of(f"--{option}", self.options[option], lambda where: self.surface.snap(where), self.scale)
 
     @property
     def shown_mesh(self) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -1,7 +1,8 @@
-"""Points named on the command line: vertex ids, positions, or files that hold either."""
+"""Points and metrics named on the command line: vertex ids, positions, or files that hold these or values."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,11 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..brain import vertex_values
 from ..errors import InvalidInput
 from ..mesh_files import read_mesh
+from ..metrics import FaceCost, FaceTensor, Metric, VertexCost, VertexTensor, curvature_tensor, slope_cost
 from ..points import Points, SurfacePoints
 
-TABLES = (".npy", ".txt", ".csv", ".dat")
+_TABLES = (".npy", ".txt", ".csv", ".dat")
 """Endings of files that hold numbers."""
 
 
@@ -46,7 +49,7 @@ def _points_of_word(name: str, word: str, snap: Callable[[Any], SurfacePoints], 
         raise InvalidInput(
             f"{name} {word}: is neither a vertex id, nor a position x,y,z, nor a file with ids or positions."
         )
-    values = numbers_in(path) if path.suffix.lower() in TABLES else read_mesh(path)[0]
+    values = numbers_in(path) if path.suffix.lower() in _TABLES else read_mesh(path)[0]
     if values.ndim == 2 and values.shape[1] == 3:
         return snap(scale * values.astype(float))
     if (values.ndim == 2 and values.shape[1] == 1) or values.ndim <= 1:
@@ -74,3 +77,40 @@ def numbers_in(file: str | Path) -> NDArray[Any]:
         return np.array([[float(number) for number in line.split()] for line in text if line.strip()])
     except ValueError as error:
         raise InvalidInput(f"{path}: is no table of numbers ({error}); give rows of equal length.") from None
+
+
+def metric_of(options: dict[str, Any], vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> Metric | None:
+    """What paths cost on this mesh; None is their length.
+
+    Raises
+    ------
+    InvalidInput
+        If the file holds neither a cost nor a tensor for each vertex or face, or a number is out of range.
+    """
+    if options.get("metric"):
+        return _metric_from_file(options["metric"], len(vertices), len(faces))
+    if options.get("slope_penalty") is not None:
+        return slope_cost(vertices, faces, penalty=options["slope_penalty"])
+    if options.get("curvature_weight") is not None:
+        return curvature_tensor(vertices, faces, options["curvature_weight"])
+    return None
+
+
+def _metric_from_file(file: str, count: int, face_count: int) -> Metric:
+    if not os.path.isfile(file):
+        raise InvalidInput(f"--metric {file}: there is no such file.")
+    values = numbers_in(file) if file.lower().endswith(_TABLES) else vertex_values(file)[0]
+    if values.ndim == 2 and values.shape[1] == 1:
+        values = values[:, 0]
+    if values.shape == (count,):
+        return VertexCost(values)
+    if values.shape == (count, 3, 3):
+        return VertexTensor(values)
+    if values.shape == (face_count,):
+        return FaceCost(values)
+    if values.shape == (face_count, 3, 3):
+        return FaceTensor(values)
+    raise InvalidInput(
+        f"--metric {file}: holds numbers of shape {values.shape}; give a cost for each of the {count} vertices or "
+        f"{face_count} faces, or a tensor of shape (3, 3) for each."
+    )

@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _arguments as check
-from .. import _core
 from ..errors import InvalidInput
-from ..exact import exact_distance_field
-from ..on_mesh import METHODS
+from ..functions import exact_distance_field
+from ..surface import Surface
 
 
 def compute_gdist(
@@ -58,7 +57,7 @@ def compute_gdist(
     if target_indices is None:
         return exact_distance_field(vertices, faces, sources, _limit(max_distance))
     field = exact_distance_field(vertices, faces, sources)
-    found: NDArray[np.float64] = field[check.id_list("target_indices", target_indices, len(field))]
+    found: NDArray[np.float64] = field[check.vertex_ids("target_indices", target_indices, len(field))]
     return found
 
 
@@ -69,13 +68,10 @@ def local_gdist_matrix(
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-    triangles : array_like of int, shape (m, 3)
-        Vertex ids of the faces.
+    vertices, triangles, is_one_indexed
+        As for `compute_gdist`.
     max_distance : float, default 1e100
         Pairs that are farther apart are left out.
-    is_one_indexed : bool, default False
-        Whether the ids in `triangles` begin with 1.
 
     Returns
     -------
@@ -89,8 +85,8 @@ def local_gdist_matrix(
     NotEnoughMemory
         (a MemoryError) If the pairs do not fit.
     """
-    points, faces = _mesh(vertices, triangles, is_one_indexed)
-    return _pairs(points, faces, np.arange(len(points), dtype=np.int32), max_distance)
+    surface = Surface(vertices, _faces(triangles, is_one_indexed))
+    return _pairs(surface, np.arange(len(surface.vertices)), max_distance)
 
 
 def distance_matrix_of_selected_points(
@@ -119,29 +115,20 @@ def distance_matrix_of_selected_points(
     InvalidInput, NotEnoughMemory
         As `local_gdist_matrix`.
     """
-    where, faces = _mesh(vertices, triangles, is_one_indexed)
-    chosen = np.unique(check.id_list("points", points, len(where)))
-    return _pairs(where, faces, chosen, max_distance)
+    surface = Surface(vertices, _faces(triangles, is_one_indexed))
+    return _pairs(surface, np.unique(check.vertex_ids("points", points, len(surface.vertices))), max_distance)
 
 
-def _pairs(points: NDArray[np.float64], faces: NDArray[np.int32], ids: NDArray[np.int32], reach: float) -> Any:
+def _pairs(surface: Surface, ids: NDArray[Any], max_distance: float) -> Any:
     try:
         from scipy.sparse import csc_matrix
     except ImportError:
         raise ImportError("The result is a matrix of scipy, which is not installed; run 'pip install scipy'.") from None
-    surface = _core.Surface.without_index(points, faces, None, 0, 0, 0.0, False)
-    asked = _core.Points(ids, np.empty(0, np.int32), np.empty((0, 3)))
-    begin, columns, distances, _ = _core.pairs_within(surface, asked, _limit(reach), METHODS.index("exact"), 0, None)
-    rows = np.repeat(ids, np.diff(begin))
-    real = np.isfinite(distances) & (distances > 0)
-    return csc_matrix((distances[real], (rows[real], ids[columns[real]])), shape=(len(points), len(points)))
-
-
-def _mesh(
-    vertices: ArrayLike, triangles: ArrayLike, is_one_indexed: bool
-) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    points = check.vertices(vertices)
-    return points, check.faces(_faces(triangles, is_one_indexed), len(points))
+    found = surface.pairs_within(ids, _limit(max_distance), as_arrays=True, method="exact")
+    real = np.isfinite(found.data) & (found.data > 0)
+    rows = np.repeat(ids, np.diff(found.indptr))[real]
+    count = len(surface.vertices)
+    return csc_matrix((found.data[real], (rows, ids[found.indices[real]])), shape=(count, count))
 
 
 def _faces(triangles: ArrayLike, is_one_indexed: bool) -> ArrayLike:

@@ -1,4 +1,4 @@
-"""Exact geodesic distances and paths on numpy arrays, without an index."""
+"""Single answers on a mesh that is not kept: exact distances and paths, and what an index would cost."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
+from .mesh_input import MeshInput
 from .metrics import Metric
 from .points import Points
-from .progress import ProgressFunction
-from .results import GeodesicPath
+from .progress import ProgressFunction, reporter
+from .results import GeodesicPath, IndexEstimate
 from .surface import Surface
 
 
@@ -27,29 +28,19 @@ def exact_distance_field(
     bridge_folds: bool = False,
     threads: int | None = None,
 ) -> NDArray[Any]:
-    """Exact distance of every vertex from its nearest source.
+    """Exact distance of every vertex from its nearest source: a `Surface` asked once, by the method "exact".
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`.
-    faces : array_like of int, shape (m, 3)
-        Vertex ids of the triangles, 0 to n - 1.
+    vertices, faces, mask, metric, gap, bridge_folds, threads
+        As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, distances are not exact but close, and one
+        thread does all.
     sources : int or array_like of int, shape (k,), k >= 1
         Vertex ids; repeated ones make no difference.
     max_distance : float, optional
         Distances above it are not computed and become infinity; None for no limit.
     dtype : {float64, float32}
         Of the result.
-    mask : array_like of bool, shape (m,) or (n,), optional
-        Which faces or vertices belong to the surface, as for `GeodesicIndex`.
-    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
-        What paths cost; None is their length in space. With values of faces, distances are not exact but close.
-    gap, bridge_folds
-        Which gaps are bridged, as for `GeodesicIndex`.
-    threads : int, optional
-        That share the work on a mesh of some ten thousand faces or more; None for one per core. With another number,
-        distances may differ in their last digits. With values of faces, one thread does all.
 
     Returns
     -------
@@ -83,22 +74,15 @@ def exact_path(
     gap: float = 0.0,
     bridge_folds: bool = False,
 ) -> GeodesicPath | list[GeodesicPath]:
-    """Exact shortest path between two points, or of each of k pairs, without an index.
-
-    Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
-    values of faces, by one propagation from each source, as far as its targets.
+    """Exact shortest path between two points, or of each of k pairs: a `Surface` asked once.
 
     Parameters
     ----------
-    vertices, faces, mask, gap, bridge_folds
-        As for `exact_distance_field`.
-    source, target : a point, or k points
-        Vertex ids, `SurfacePoints` or lists of both; one point goes with each of k.
-    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
-        What paths cost; None is their length in space. With values of faces, the edges that a path crosses are found by
+    vertices, faces, mask, metric, gap, bridge_folds
+        As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, the edges that a path crosses are found by
         points on edges, and its crossings are then moved to where it is shortest.
-    progress : callable or bool, optional
-        As for `GeodesicIndex`.
+    source, target, progress
+        As for `Surface.path`.
 
     Returns
     -------
@@ -109,6 +93,47 @@ def exact_path(
     ------
     InvalidInput
         (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+
+    Notes
+    -----
+    Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
+    values of faces, by one propagation from each source, as far as its targets.
     """
     surface = Surface(vertices, faces, None, None, mask, metric, gap, bridge_folds)
     return surface.path(source, target, progress, method="exact")
+
+
+def estimate(
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    threads: int | None = None,
+    memory_budget: int | None = None,
+    mask: ArrayLike | None = None,
+    metric: Metric | None = None,
+    progress: ProgressFunction | bool | None = None,
+) -> IndexEstimate:
+    """What an index would cost, from some of the work that its build does; takes a few percent of it.
+
+    Parameters
+    ----------
+    vertices, faces, threads, memory_budget, mask, metric
+        As for `Surface`: shapes (n, 3) and (m, 3).
+    progress : callable or bool, optional
+        As for `Surface.build_index`.
+
+    Returns
+    -------
+    IndexEstimate
+        Within a factor of about two.
+
+    Raises
+    ------
+    InvalidInput
+        (a ValueError) If an argument has a wrong shape, type or range, or the mesh has no face.
+    Cancelled
+        If `progress` returned False.
+    """
+    given = MeshInput.read(vertices, faces, mask, metric)
+    workers, budget = check.threads(threads), check.memory_budget(memory_budget)
+    with reporter(progress) as report:
+        return IndexEstimate(**given.core_mesh().estimate(workers, budget, report))
