@@ -81,17 +81,17 @@ def test_distance_from_a_straight_border(index):
     np.testing.assert_allclose([points[:, 1].min(), points[:, 1].max()], [0, 1.6])
     gaps = np.diff(np.unique(points[:, 1].round(9)))
     assert gaps.max() <= 0.25 * np.hypot(0.1, 0.1)
-    for exact, of_the_index in ((True, 0), (False, 0.01)):
-        found = brain.border_distance(index, HALVES, exact=exact)
+    for method, of_the_index in (("exact", 0), (None, 0.01)):
+        found = brain.border_distance(index, HALVES, method=method)
         np.testing.assert_allclose(found, np.abs(X - 1.05), rtol=of_the_index, atol=2e-3)
     assert np.isinf(brain.border_distance(index, np.ones(len(X), int))).all()
-    near = brain.border_distance(index, HALVES, max_distance=0.3, exact=True)
+    near = brain.border_distance(index, HALVES, max_distance=0.3, method="exact")
     np.testing.assert_array_equal(np.isfinite(near), np.abs(X - 1.05) < 0.3)
 
 
 def test_borders_of_one_label_and_where_three_meet(index):
     three = np.where(Y > 0.85, 3, HALVES)
-    found = brain.border_distance(index, three, label=3, exact=True)
+    found = brain.border_distance(index, three, label=3, method="exact")
     np.testing.assert_allclose(found, np.abs(Y - 0.85), atol=2e-3)
     points = brain.label_borders(index, three)
     where = points.positions(VERTICES, FACES)
@@ -111,8 +111,8 @@ def test_the_mask_has_no_borders():
 def test_nearest_labels_are_the_voronoi_regions_of_sets(index):
     seeds = np.zeros(len(X), int)
     seeds[X < 0.15], seeds[X > 1.65] = 4, 9
-    for exact in (True, False):
-        label, distance = brain.nearest_label(index, seeds, exact=exact)
+    for answerer in (index, vorogeo.Surface(VERTICES, FACES)):
+        label, distance = brain.nearest_label(answerer, seeds)
         expected = np.minimum(np.maximum(X - 0.1, 0), np.maximum(1.7 - X, 0))
         np.testing.assert_allclose(distance, expected, atol=5e-3)
         clear = np.abs(X - 0.9) > 0.01

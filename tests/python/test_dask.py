@@ -73,7 +73,7 @@ def test_blocks_of_rows_are_the_fields(index, dtype):
 def test_of_chosen_points_from_an_index_file_and_exactly(index, tmp_path):
     index.save(tmp_path / "m.vgi")
     points = [3, 99, 650, 4]
-    lazy = vorogeo_dask.matrix(tmp_path / "m.vgi", points=points, mesh=MESH, exact=True, folder=tmp_path / "shared")
+    lazy = vorogeo_dask.matrix(tmp_path / "m.vgi", points=points, mesh=MESH, method="exact", folder=tmp_path / "shared")
     expected = np.array([vorogeo.exact_distance_field(*MESH, point)[points] for point in points])
     np.testing.assert_allclose(lazy.compute(scheduler="sync"), expected, rtol=1e-12, atol=1e-15)
     with pytest.raises(vorogeo.InvalidInput, match="mesh: is missing"):

@@ -37,15 +37,6 @@ def test_files_and_copies_know_the_gap(plates, index, tmp_path):
 
 
 def test_the_report_says_what_a_gap_would_join(plates):
-    report = vorogeo.check_mesh(*plates)
-    assert report.gap_to_join_all == pytest.approx(GAP, rel=1e-9)
     report = vorogeo.check_mesh(*plates, gap=2 * GAP)
     assert (report.joined_borders, report.components_after_bridging) == (2, 1)
     assert any("joins 2 borders of 2" in sentence for sentence in report.sentences)
-
-
-def test_a_gap_and_a_metric_are_refused(plates):
-    vertices, faces = plates
-    metric = vorogeo.VertexCost(np.ones(len(vertices)))
-    with pytest.raises(vorogeo.InvalidInput, match="leave out the gap or the metric"):
-        vorogeo.exact_distance_field(vertices, faces, 0, gap=GAP, metric=metric)

@@ -6,8 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import vorogeo
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from sample_meshes import bent_grid
 
@@ -26,15 +24,6 @@ def saved(index, tmp_path_factory):
     return file
 
 
-def test_takes_strings_and_paths_and_overwrites(index, saved, tmp_path):
-    file = tmp_path / "a.index"
-    file.write_bytes(b"something else")
-    index.save(str(file))
-    assert file.read_bytes() == saved.read_bytes()
-    assert [entry.name for entry in tmp_path.iterdir()] == ["a.index"]
-    vorogeo.GeodesicIndex.load(str(file), *MESH, threads=1)
-
-
 @pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="this system does not list mappings")
 def test_large_tables_lie_in_the_file_unless_they_are_copied(index, saved, tmp_path):
     file = shutil.copy(saved, tmp_path / "own.index")
@@ -49,52 +38,6 @@ def test_large_tables_lie_in_the_file_unless_they_are_copied(index, saved, tmp_p
     np.testing.assert_array_equal(shared.distance_field(7), mine.distance_field(7))
     del shared
     assert str(file) not in Path("/proc/self/maps").read_text()
-
-
-def test_stale_after_any_edit_of_the_mesh(saved):
-    vertices, faces = MESH
-    moved = vertices.copy()
-    moved[17, 2] = np.nextafter(moved[17, 2], 9)
-    swapped = faces.copy()
-    swapped[[0, 1]] = swapped[[1, 0]]
-    longer = np.vstack([vertices, [9, 9, 9]])
-    for edited in ((moved, faces), (vertices, swapped), (vertices, faces[:-1]), (longer, faces)):
-        with pytest.raises(vorogeo.IndexFileError, match="mesh"):
-            vorogeo.GeodesicIndex.load(saved, *edited)
-
-
-def test_missing_file_is_an_os_error(tmp_path):
-    with pytest.raises(OSError, match=r"There is no index file .*no\.index; check the name"):
-        vorogeo.GeodesicIndex.load(tmp_path / "no.index", *MESH)
-    with pytest.raises(vorogeo.IndexFileError, match="is a folder; name a file in it"):
-        vorogeo.GeodesicIndex.load(tmp_path, *MESH)
-
-
-def test_unwritable_place(index, tmp_path):
-    with pytest.raises(vorogeo.IndexFileError, match="nowhere"):
-        index.save(tmp_path / "nowhere" / "a.index")
-    with pytest.raises(vorogeo.IndexFileError, match="is a folder; name a file in it"):
-        index.save(tmp_path)
-
-
-@pytest.mark.parametrize("content", [b"", b"ply\nformat ascii 1.0\n", bytes(5000), b"\xff" * 5000])
-def test_other_files_are_refused(tmp_path, content):
-    file = tmp_path / "other"
-    file.write_bytes(content)
-    with pytest.raises(vorogeo.IndexFileError):
-        vorogeo.GeodesicIndex.load(file, *MESH)
-
-
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.data())
-def test_flipped_bits_are_refused(saved, tmp_path, data):
-    content = bytearray(saved.read_bytes())
-    place = data.draw(st.one_of(st.integers(0, 255), st.integers(0, len(content) - 1)))
-    content[place] ^= 1 << data.draw(st.integers(0, 7))
-    file = tmp_path / "flipped"
-    file.write_bytes(content)
-    with pytest.raises(vorogeo.IndexFileError):
-        vorogeo.GeodesicIndex.load(file, *MESH)
 
 
 @pytest.mark.parametrize("file", ["", "a\0b", 3, None])

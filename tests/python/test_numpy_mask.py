@@ -6,42 +6,17 @@ import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, plane_grid
+from sample_meshes import plane_grid
 
 VERTICES, FACES = plane_grid(21, 21)
 X, Y = VERTICES[:, 0], VERTICES[:, 1]
 WALL = (np.abs(X - 0.5) < 0.09) & (Y < 0.79)  # a bar from the lower side, vertices
 KEPT = ~WALL
-BENDS = np.array([[0.4, 0.75], [0.45, 0.8], [0.6, 0.8]])  # of paths around it: faces with a vertex in the bar are gone
 
 
 @pytest.fixture(scope="module")
 def index():
     return vorogeo.GeodesicIndex(VERTICES, FACES, patches=(4, 3), mask=KEPT)
-
-
-def around(source):
-    """Distances of the vertices right of the bar from one left of it, and lower than its end."""
-    corners = np.vstack([VERTICES[source, :2], BENDS])
-    legs = np.linalg.norm(np.diff(corners, axis=0), axis=1).sum()
-    return legs + np.hypot(X - BENDS[-1, 0], Y - BENDS[-1, 1])
-
-
-def test_exact_distances_go_around_the_mask(index):
-    source = 21 * 4 + 2
-    behind = (X > 0.7) & (Y < 0.75)
-    fields = (
-        vorogeo.exact_distance_field(VERTICES, FACES, source, mask=KEPT),
-        index.distance_field(source, method="exact"),
-        index.fields([source], method="exact")[0],
-    )
-    for field in fields:
-        np.testing.assert_allclose(field[behind], around(source)[behind], rtol=1e-12)
-        assert np.isinf(field[WALL]).all()
-    np.testing.assert_allclose(index.distance_field(source)[behind], around(source)[behind], rtol=0.01)
-    path = index.exact_path(source, int(np.flatnonzero(behind)[0]))
-    assert path.length == pytest.approx(around(source)[behind][0], rel=1e-9)
-    assert index.mask[path.surface_points.faces].all()
 
 
 def test_a_mask_of_vertices_is_that_of_their_faces(index):
@@ -95,17 +70,6 @@ def test_a_mask_is_kept_by_pickle_and_needed_to_load(index, tmp_path):
         np.testing.assert_array_equal(one.distance_field(3), index.distance_field(3))
     with pytest.raises(vorogeo.IndexFileError):
         vorogeo.GeodesicIndex.load(tmp_path / "m.vgi", VERTICES, FACES)
-
-
-def test_equals_the_reduced_mesh():
-    vertices, faces = bent_grid(20, 16)
-    kept = np.hypot(vertices[:, 0] - 1, vertices[:, 1] - 0.6) > 0.25
-    inside = kept[faces].all(axis=1)
-    used, rows = np.unique(faces[inside], return_inverse=True)
-    expected = vorogeo.exact_distance_field(vertices[used], rows.reshape(-1, 3), 0)
-    field = vorogeo.exact_distance_field(vertices, faces, used[0], mask=kept)
-    np.testing.assert_allclose(field[used], expected, rtol=1e-12)
-    assert np.isinf(np.delete(field, used)).all()
 
 
 @pytest.mark.parametrize(

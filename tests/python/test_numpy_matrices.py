@@ -1,15 +1,13 @@
-"""Matrices, pairs within a radius and nearest: values against distances and fields, files, memory, bad input."""
+"""Matrices, pairs within a radius and nearest: types of entries, memory, and what is left when they are stopped."""
 
 import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, plane_grid, side_by_side
+from sample_meshes import bent_grid
 
-GRID = bent_grid(40, 30)
-MESH = side_by_side(GRID, plane_grid(5, 5))
-POINTS = np.random.default_rng(3).integers(0, 1200, 25)
-ACROSS = np.append(POINTS[:12], [1200, 1224, POINTS[0]])  # both components, one vertex twice
+MESH = bent_grid(40, 30)
+POINTS = np.random.default_rng(5).integers(0, 1200, 12)
 
 
 @pytest.fixture(scope="module")
@@ -17,14 +15,35 @@ def index():
     return vorogeo.GeodesicIndex(*MESH, patches=(5, 4))
 
 
-def test_pairs_within_as_arrays_and_between_two_lists(index):
-    found = index.pairs_within(POINTS[:5], 0.4, others=ACROSS, as_arrays=True)
-    assert isinstance(found, vorogeo.SparseDistances)
-    assert found.shape == (5, len(ACROSS))
-    for row, point in enumerate(POINTS[:5]):
-        columns = found.indices[found.indptr[row] : found.indptr[row + 1]]
-        field = index.distance_field(point, max_distance=0.4)[ACROSS]
-        np.testing.assert_array_equal(columns, np.flatnonzero(np.isfinite(field)))
+CALLS = {
+    "distances": lambda i, **how: i.distances(POINTS, POINTS[::-1], **how),
+    "distance_matrix": lambda i, **how: i.distance_matrix(POINTS, **how),
+    "distance_matrix of two lists": lambda i, **how: i.distance_matrix(POINTS, POINTS[:3], entries="fields", **how),
+    "fields": lambda i, **how: i.fields(POINTS[:3], max_distance=0.7, **how),
+    "nearest": lambda i, **how: i.nearest(POINTS, POINTS[:5], k=3, **how)[0],
+    "pairs_within": lambda i, **how: i.pairs_within(POINTS, 0.9, as_arrays=True, **how).data,
+    "distance_field": lambda i, **how: i.distance_field(POINTS[:2], **how),
+    "labelled field": lambda i, **how: i.distance_field(POINTS[:2], return_labels=True, **how)[0],
+    "exact_distance_field": lambda i, **how: vorogeo.exact_distance_field(*MESH, POINTS[:2], **how),
+}
+
+
+@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS.keys())
+def test_float32_is_the_rounded_float64(index, call):
+    wide = call(index)
+    narrow = call(index, dtype="float32")
+    assert wide.dtype == np.float64
+    assert narrow.dtype == np.float32
+    assert np.isfinite(wide).any()
+    np.testing.assert_array_equal(narrow, wide.astype(np.float32))
+
+
+def test_pages_of_a_large_file_leave_the_process(index, tmp_path, monkeypatch):
+    monkeypatch.setattr("vorogeo._output._MAPPED_BYTES", 20_000)
+    everyone, seen = np.arange(0, 1200, 6), []
+    index.distance_matrix(everyone, entries="fields", out=tmp_path / "m.npy", progress=lambda f, _: seen.append(f))
+    np.testing.assert_array_equal(np.load(tmp_path / "m.npy"), index.distance_matrix(everyone, entries="fields"))
+    assert seen[-1] == 1
 
 
 def test_pairs_within_without_scipy(index, monkeypatch):
@@ -32,22 +51,12 @@ def test_pairs_within_without_scipy(index, monkeypatch):
     assert isinstance(index.pairs_within(POINTS, 0.3), vorogeo.SparseDistances)
 
 
-def test_matrix_in_a_file_is_mapped(index, tmp_path):
-    file = tmp_path / "matrix.npy"
-    mapped = index.distance_matrix(POINTS, out=file)
-    assert isinstance(mapped, np.memmap)
-    np.testing.assert_array_equal(np.load(file), index.distance_matrix(POINTS))
-    index.fields(POINTS[:2], out=str(file))
-    np.testing.assert_array_equal(np.load(file), index.fields(POINTS[:2]))
-    assert index.distance_matrix([], out=file).shape == (0, 0)
-    assert np.load(file).shape == (0, 0)
-    assert [path.name for path in tmp_path.iterdir()] == ["matrix.npy"]
-
-
 def test_memory_is_checked_before_it_is_taken(index):
-    assert vorogeo.matrix_bytes(25, 25) == 5000
-    with pytest.raises(MemoryError, match=r"25 x 25.*max_bytes"):
-        index.distance_matrix(POINTS, max_bytes=4999)
+    assert vorogeo.matrix_bytes(12, 12) == 1152
+    with pytest.raises(MemoryError, match=r"12 x 12.*max_bytes"):
+        index.distance_matrix(POINTS, max_bytes=1151)
+    with pytest.raises(vorogeo.InvalidInput, match="out: is an array of float32"):
+        index.fields(POINTS[:1], out=np.empty((1, 1200), np.float32), dtype=np.float64)
     with pytest.raises(vorogeo.NotEnoughMemory, match="available"):
         index.distance_matrix(np.zeros(10**7, dtype=int))
     with pytest.raises(vorogeo.NotEnoughMemory, match="smaller radius"):
@@ -60,28 +69,3 @@ def test_cancelled_leaves_no_file(index, tmp_path):
     with pytest.raises(vorogeo.Cancelled):
         index.distance_matrix(POINTS, entries="fields", out=tmp_path / "m.npy", progress=lambda *_: False)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_progress_ends_at_one(index):
-    seen = []
-    index.fields(POINTS, progress=lambda fraction, text: seen.append(fraction))
-    assert seen == sorted(seen)
-    assert seen[-1] == 1
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda i: i.distance_matrix([0, 5000]), r"points\[1\]: there is no vertex 5000"),
-        (lambda i: i.distance_matrix([0], entries="guess"), "entries: 'guess' is unknown"),
-        (lambda i: i.distance_matrix([0], out="/nowhere/x.npy"), "out:"),
-        (lambda i: i.distances([0, 1], [2]), "give as many of one as of the other"),
-        (lambda i: i.fields([0], max_distance=-1), "max_distance: -1.0 is negative"),
-        (lambda i: i.pairs_within([0], -1), "radius: -1.0 is negative"),
-        (lambda i: i.pairs_within([0], float("nan")), "radius: is NaN"),
-        (lambda i: i.nearest([0], [0], k=0), "k: 0 is out of range"),
-    ],
-)
-def test_bad_arguments_are_named(index, call, message):
-    with pytest.raises(vorogeo.InvalidInput, match=message):
-        call(index)

@@ -120,4 +120,4 @@ def test_what_is_refused_is_named(method, options, words):
         vorogeo.distance_field(*cube(), 0, method, **options)
     assert words in str(caught.value)
     with pytest.raises(vorogeo.InvalidInput, match="sources: there is no vertex 8"):
-        vorogeo.distance_field(*cube(), 8)
+        vorogeo.distance_field(*cube(), 8, "mmp")

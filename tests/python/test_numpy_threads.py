@@ -12,19 +12,6 @@ from sample_meshes import bent_grid
 MESH = bent_grid(50, 40)
 
 
-def test_threads_give_the_results_of_one():
-    index = vorogeo.GeodesicIndex(*MESH)
-    sources = list(range(0, 2000, 250))
-    targets = np.arange(0, 2000, 5)
-    fields = [index.distance_field(source) for source in sources]
-    pairs = [index.distance(np.full(400, source), targets) for source in sources]
-    with ThreadPoolExecutor(8) as pool:
-        again = list(pool.map(index.distance_field, sources * 3))
-        pairs_again = list(pool.map(lambda source: index.distance(np.full(400, source), targets), sources))
-    np.testing.assert_array_equal(again, fields * 3)
-    np.testing.assert_array_equal(pairs_again, pairs)
-
-
 def test_index_outlives_its_last_name_while_threads_use_it():
     index = vorogeo.GeodesicIndex(*MESH)
     expected = index.distance_field(7)
