@@ -9,36 +9,24 @@ namespace vorogeo::contract {
 namespace {
 
 void expect_formula(const Case& one, By by) {
-  if (!one.answers(by)) return;
-  SCOPED_TRACE(one.name + ", " + to_string(by));
-  const auto points = one.points();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      expect_close(one.ask.distance(points[i], points[j], by), one.distance(points[i], points[j]),
-                   one.tolerance(by, points[i], points[j]), one.ask,
-                   std::to_string(i) + " to " + std::to_string(j));
-    }
-  }
+  for_each_pair(one.points(), [&](const SurfacePoint& a, const SurfacePoint& b, const std::string& where) {
+    expect_close(one.ask.distance(a, b, by), one.distance(a, b), one.tolerance(by, a, b), one.ask, where);
+  });
 }
 
 TEST(DistanceContract, ExactDistancesAreExactBetweenVerticesFacesAndEdgesInEveryMetric) {
-  for (const Case& one : cases()) expect_formula(one, By::exact);
+  ask_each(cases(), expect_formula, {By::exact});
 }
 
 TEST(DistanceContract, DistancesFromAnIndexErrByLittleInEveryMetric) {
-  for (const Case& one : cases()) expect_formula(one, By::index);
+  ask_each(cases(), expect_formula, {By::index});
 }
 
 TEST(DistanceContract, DistancesFromAnIndexAreSymmetricToTheLastBit) {
   for (const Case& one : cases_in_turn()) {
-    const auto points = one.points();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_EQ(one.ask.distance(points[i], points[j], By::index),
-                  one.ask.distance(points[j], points[i], By::index))
-            << one.name << ", " << i << " and " << j;
-      }
-    }
+    for_each_pair(one.points(), [&](const SurfacePoint& a, const SurfacePoint& b, const std::string& where) {
+      EXPECT_EQ(one.ask.distance(a, b, By::index), one.ask.distance(b, a, By::index)) << one.name << where;
+    });
   }
 }
 
@@ -55,13 +43,11 @@ TEST(DistanceContract, APointIsAtDistanceZeroFromItself) {
 TEST(DistanceContract, AnIndexOfOnePatchIsExact) {
   for (const KnownSurface& surface : known_surfaces()) {
     const Ask ask(surface.soup, {.patches = 1, .patches_in_each = 1});
-    const auto points = test::spread_points(surface.soup);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        expect_close(ask.distance(points[i], points[j], By::index), surface.distance(points[i], points[j]),
-                     1e-10, ask, surface.name + ", " + std::to_string(i) + " to " + std::to_string(j));
-      }
-    }
+    SCOPED_TRACE(surface.name);
+    for_each_pair(test::spread_points(surface.soup),
+                  [&](const SurfacePoint& a, const SurfacePoint& b, const std::string& where) {
+                    expect_close(ask.distance(a, b, By::index), surface.distance(a, b), 1e-10, ask, where);
+                  });
   }
 }
 

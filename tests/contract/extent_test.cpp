@@ -24,24 +24,20 @@ std::vector<double> true_eccentricities(const Case& one) {
 }
 
 TEST(ExtentContract, AnEccentricityIsTheDistanceOfTheFarthestVertex) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const auto points = one.points();
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const auto found = one.ask.eccentricities(points, by);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        double greatest = 0.0;
-        for (Index v = 0; v < one.ask.vertex_count(); ++v) {
-          const double distance = one.distance(points[i], vertex(v));
-          if (distance != unreachable) greatest = std::max(greatest, distance);
-        }
-        expect_close(found[i].distance, greatest, one.tolerance(by), one.ask, std::to_string(i));
-        expect_close(one.distance(points[i], vertex(found[i].farthest)), greatest, 2.0 * one.tolerance(by),
-                     one.ask, std::to_string(i));
+    const auto found = one.ask.eccentricities(points, by);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double greatest = 0.0;
+      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+        const double distance = one.distance(points[i], vertex(v));
+        if (distance != unreachable) greatest = std::max(greatest, distance);
       }
+      expect_close(found[i].distance, greatest, one.tolerance(by), one.ask, std::to_string(i));
+      expect_close(one.distance(points[i], vertex(found[i].farthest)), greatest, 2.0 * one.tolerance(by),
+                   one.ask, std::to_string(i));
     }
-  }
+  });
 }
 
 TEST(ExtentContract, BoundsOfDiameterAndRadiusBracketTheTruthAndMeet) {
@@ -77,27 +73,23 @@ TEST(ExtentContract, BoundsOfDiameterAndRadiusBracketTheTruthAndMeet) {
 }
 
 TEST(ExtentContract, ADiskIsWhatLiesWithinTheRadius) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const SurfacePoint centre = one.points()[5];
     const double radius = 0.8 * one.scale;
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const GeodesicDisk disk = one.ask.disk({centre}, radius, by);
-      const std::set<Index> inside(disk.vertices.begin(), disk.vertices.end());
-      ASSERT_TRUE(std::ranges::is_sorted(disk.vertices));
-      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
-        const double distance = one.distance(centre, vertex(v));
-        if (std::abs(distance - radius) <= one.tolerance(by) * radius) continue;
-        EXPECT_EQ(inside.contains(v), distance < radius) << "vertex " << v;
-      }
-      for (std::size_t i = 0; i < disk.vertices.size(); ++i) {
-        const SurfacePoint there = vertex(disk.vertices[i]);
-        expect_close(disk.distance[i], one.distance(centre, there), one.tolerance(by), one.ask,
-                     "vertex " + std::to_string(disk.vertices[i]));
-      }
+    const GeodesicDisk disk = one.ask.disk({centre}, radius, by);
+    const std::set<Index> inside(disk.vertices.begin(), disk.vertices.end());
+    ASSERT_TRUE(std::ranges::is_sorted(disk.vertices));
+    for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+      const double distance = one.distance(centre, vertex(v));
+      if (std::abs(distance - radius) <= one.tolerance(by) * radius) continue;
+      EXPECT_EQ(inside.contains(v), distance < radius) << "vertex " << v;
     }
-  }
+    for (std::size_t i = 0; i < disk.vertices.size(); ++i) {
+      const SurfacePoint there = vertex(disk.vertices[i]);
+      expect_close(disk.distance[i], one.distance(centre, there), one.tolerance(by), one.ask,
+                   "vertex " + std::to_string(disk.vertices[i]));
+    }
+  });
 }
 
 TEST(ExtentContract, ADiskOfSeveralSourcesIsTheUnionOfTheirDisks) {

@@ -23,12 +23,10 @@ TEST(GapsContract, TwoPlatesAreOnePlaneOnceTheirGapIsClosed) {
         const double tolerance = by == By::exact ? 1e-11 : by == By::index ? 0.03 : 0.15;
         for (const SurfacePoint& source :
              {vertex(0), vertex(50), SurfacePoint::in_face(20, {0.2, 0.3, 0.5})}) {
-          const Field field = ask.field({{source}}, by);
-          for (Index v = 0; v < ask.vertex_count(); ++v) {
-            expect_close(field.distance[v], plates.distance(source, vertex(v)), tolerance, ask,
-                         std::to_string(gap) + ", " + std::to_string(right) + ", " + to_string(by) +
-                             ", vertex " + std::to_string(v));
-          }
+          SCOPED_TRACE(std::to_string(gap) + ", " + std::to_string(right) + ", " + to_string(by));
+          expect_all_close(
+              ask.field({{source}}, by).distance, [&](Index v) { return plates.distance(source, vertex(v)); },
+              tolerance, ask);
         }
       }
     }
@@ -69,11 +67,10 @@ TEST(GapsContract, LooseTrianglesAreTheWholeSurface) {
     const test::Cut loose = test::exploded(surface.soup);
     const Ask ask({loose.soup, {}, 1e-12});
     for (const Index source : {Index{0}, ask.vertex_count() / 2}) {
-      const Field field = ask.field({{vertex(source)}}, By::exact);
-      for (Index v = 0; v < ask.vertex_count(); ++v) {
-        expect_close(field.distance[v], surface.distance_of(loose.origin[source], loose.origin[v]), 1e-11,
-                     ask, surface.name + ", vertex " + std::to_string(v));
-      }
+      SCOPED_TRACE(surface.name);
+      expect_all_close(
+          ask.field({{vertex(source)}}, By::exact).distance,
+          [&](Index v) { return surface.distance_of(loose.origin[source], loose.origin[v]); }, 1e-11, ask);
     }
   }
 }

@@ -8,43 +8,35 @@ namespace vorogeo::contract {
 namespace {
 
 TEST(MatrixContract, EntriesAreTheDistancesOfTheirPoints) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const auto rows = one.points();
     const std::vector<SurfacePoint> columns{rows[1], rows[5], rows[0], rows[1]};
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      const auto matrix = one.ask.matrix(rows, columns, by);
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (std::size_t j = 0; j < columns.size(); ++j) {
-          expect_close(matrix[i * columns.size() + j], one.distance(rows[i], columns[j]),
-                       one.tolerance(by, rows[i], columns[j]), one.ask, one.name + ", " + to_string(by));
-        }
+    const auto matrix = one.ask.matrix(rows, columns, by);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        expect_close(matrix[i * columns.size() + j], one.distance(rows[i], columns[j]),
+                     one.tolerance(by, rows[i], columns[j]), one.ask, std::to_string(i));
       }
     }
-  }
+  });
 }
 
 TEST(MatrixContract, OfOneListItIsSymmetricToTheLastBitWithZerosForEqualPoints) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     auto points = one.points();
     points.push_back(points[4]);
     const std::size_t n = points.size();
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const auto matrix = one.ask.matrix(points, by);
-      for (std::size_t i = 0; i < n; ++i) {
-        EXPECT_EQ(matrix[i * n + i], 0.0);
-        for (std::size_t j = 0; j < i; ++j) {
-          EXPECT_EQ(matrix[i * n + j], matrix[j * n + i]) << i << ", " << j;
-          expect_close(matrix[i * n + j], one.distance(points[i], points[j]),
-                       one.tolerance(by, points[i], points[j]), one.ask,
-                       std::to_string(i) + ", " + std::to_string(j));
-        }
+    const auto matrix = one.ask.matrix(points, by);
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_EQ(matrix[i * n + i], 0.0);
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_EQ(matrix[i * n + j], matrix[j * n + i]) << i << ", " << j;
+        expect_close(matrix[i * n + j], one.distance(points[i], points[j]),
+                     one.tolerance(by, points[i], points[j]), one.ask, std::to_string(i));
       }
-      EXPECT_EQ(matrix[4 * n + n - 1], 0.0);
     }
-  }
+    EXPECT_EQ(matrix[4 * n + n - 1], 0.0);
+  });
 }
 
 TEST(MatrixContract, NeitherThreadsNorOrderChangeAnEntry) {

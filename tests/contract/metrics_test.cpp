@@ -35,11 +35,9 @@ test::Soup stretched(test::Soup soup, const Matrix& m) {
 void expect_fields_of(const KnownSurface& other, const Ask& ask, By by, double tolerance) {
   SCOPED_TRACE(other.name + ", " + to_string(by));
   for (const SurfacePoint& source : test::spread_points(other.soup)) {
-    const Field field = ask.field({{source}}, by);
-    for (Index v = 0; v < ask.vertex_count(); ++v) {
-      expect_close(field.distance[v], other.distance(source, vertex(v)), tolerance, ask,
-                   "vertex " + std::to_string(v));
-    }
+    expect_all_close(
+        ask.field({{source}}, by).distance, [&](Index v) { return other.distance(source, vertex(v)); },
+        tolerance, ask);
   }
 }
 

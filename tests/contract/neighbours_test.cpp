@@ -67,30 +67,26 @@ TEST(NeighboursContract, PairsOfOneListAreSymmetricToTheLastBitAndWithoutThePoin
 }
 
 TEST(NeighboursContract, TheNearestOfASetAreTheFirstOfTheSortedDistances) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const auto set = one.points();
     const auto queries = vertices_of(one.ask);
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const Nearest found = one.ask.nearest(set, queries, 4, by);
-      ASSERT_EQ(found.position.size(), 4 * queries.size());
-      for (std::size_t q = 0; q < queries.size(); ++q) {
-        std::vector<double> sorted;
-        for (const SurfacePoint& p : set) sorted.push_back(one.distance(p, queries[q]));
-        std::ranges::sort(sorted);
-        for (std::size_t k = 0; k < 4; ++k) {
-          const Index position = found.position[4 * q + k];
-          const std::string where = std::to_string(k) + " of query " + std::to_string(q);
-          expect_close(found.distance[4 * q + k], sorted[k], one.tolerance(by), one.ask, where);
-          ASSERT_EQ(position == no_index, sorted[k] == unreachable) << where;
-          if (position == no_index) continue;
-          expect_close(found.distance[4 * q + k], one.distance(set[position], queries[q]), one.tolerance(by),
-                       one.ask, where);
-        }
+    const Nearest found = one.ask.nearest(set, queries, 4, by);
+    ASSERT_EQ(found.position.size(), 4 * queries.size());
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+      std::vector<double> sorted;
+      for (const SurfacePoint& p : set) sorted.push_back(one.distance(p, queries[q]));
+      std::ranges::sort(sorted);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Index position = found.position[4 * q + k];
+        const std::string where = std::to_string(k) + " of query " + std::to_string(q);
+        expect_close(found.distance[4 * q + k], sorted[k], one.tolerance(by), one.ask, where);
+        ASSERT_EQ(position == no_index, sorted[k] == unreachable) << where;
+        if (position == no_index) continue;
+        expect_close(found.distance[4 * q + k], one.distance(set[position], queries[q]), one.tolerance(by),
+                     one.ask, where);
       }
     }
-  }
+  });
 }
 
 TEST(NeighboursContract, OfEquallyNearPointsTheFirstInTheListComesFirst) {

@@ -90,13 +90,11 @@ TEST(PathContract, RefinedPathsAreNeverTooShortAndLongerByLittle) {
 TEST(PathContract, WithinOnePatchRefinedPathsAreShortest) {
   for (const KnownSurface& surface : known_surfaces()) {
     const Ask ask(surface.soup, {.patches = 1, .patches_in_each = 1});
-    const auto points = test::spread_points(surface.soup);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        expect_close(ask.path(points[i], points[j], By::index).length(),
-                     surface.distance(points[i], points[j]), 1e-10, ask, surface.name);
-      }
-    }
+    SCOPED_TRACE(surface.name);
+    for_each_pair(test::spread_points(surface.soup), [&](const SurfacePoint& a, const SurfacePoint& b,
+                                                         const std::string& where) {
+      expect_close(ask.path(a, b, By::index).length(), surface.distance(a, b), 1e-10, ask, where);
+    });
   }
 }
 

@@ -22,24 +22,20 @@ double area_of(const test::Soup& soup, const std::array<Index, 3>& face) {
 }
 
 TEST(RegionsContract, EveryVertexBelongsToItsNearestSite) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const auto sites = one.points();
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const Regions found = one.ask.regions(sites, by);
-      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
-        double least = unreachable;
-        for (const SurfacePoint& site : sites) least = std::min(least, one.distance(site, vertex(v)));
-        const std::string where = "vertex " + std::to_string(v);
-        expect_close(found.distance[v], least, one.tolerance(by), one.ask, where);
-        ASSERT_EQ(found.vertex_region[v] == no_index, least == unreachable) << where;
-        if (least == unreachable) continue;
-        expect_close(one.distance(sites[found.vertex_region[v]], vertex(v)), least, 2.0 * one.tolerance(by),
-                     one.ask, where);
-      }
+    const Regions found = one.ask.regions(sites, by);
+    for (Index v = 0; v < one.ask.vertex_count(); ++v) {
+      double least = unreachable;
+      for (const SurfacePoint& site : sites) least = std::min(least, one.distance(site, vertex(v)));
+      const std::string where = "vertex " + std::to_string(v);
+      expect_close(found.distance[v], least, one.tolerance(by), one.ask, where);
+      ASSERT_EQ(found.vertex_region[v] == no_index, least == unreachable) << where;
+      if (least == unreachable) continue;
+      expect_close(one.distance(sites[found.vertex_region[v]], vertex(v)), least, 2.0 * one.tolerance(by),
+                   one.ask, where);
     }
-  }
+  });
 }
 
 TEST(RegionsContract, RegionsTileTheSurfaceThatCanBeReached) {

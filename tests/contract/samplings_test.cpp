@@ -26,41 +26,33 @@ double covering_radius(const Case& one, const std::vector<SurfacePoint>& samples
 }
 
 TEST(SamplingsContract, EachFarthestPointIsTheFarthestFromThoseBefore) {
-  for (const Case& one : cases_in_turn()) {
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const Samples found = one.ask.farthest_points(9, 0.0, {one.points()[4], vertex(5)}, by);
-      ASSERT_EQ(found.points.size(), 9U);
-      EXPECT_EQ(found.radius[0], unreachable);
-      for (std::size_t i = 2; i < 9; ++i) {
-        const double there = from_nearest(one, found.points, i, found.vertices[i]);
-        expect_close(found.radius[i], there, one.tolerance(by), one.ask, "sample " + std::to_string(i));
-        expect_close(there, covering_radius(one, found.points, i), 2.0 * one.tolerance(by), one.ask,
-                     "sample " + std::to_string(i));
-      }
-      for (Index v = 0; v < one.ask.vertex_count(); ++v) {
-        expect_close(found.distance[v], from_nearest(one, found.points, 9, v), one.tolerance(by), one.ask,
-                     "vertex " + std::to_string(v));
-      }
-      expect_close(found.covering_radius, covering_radius(one, found.points, 9), one.tolerance(by), one.ask,
-                   "all");
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
+    const Samples found = one.ask.farthest_points(9, 0.0, {one.points()[4], vertex(5)}, by);
+    ASSERT_EQ(found.points.size(), 9U);
+    EXPECT_EQ(found.radius[0], unreachable);
+    for (std::size_t i = 2; i < 9; ++i) {
+      const double there = from_nearest(one, found.points, i, found.vertices[i]);
+      expect_close(found.radius[i], there, one.tolerance(by), one.ask, "sample " + std::to_string(i));
+      expect_close(there, covering_radius(one, found.points, i), 2.0 * one.tolerance(by), one.ask,
+                   "sample " + std::to_string(i));
     }
-  }
+    expect_all_close(
+        found.distance, [&](Index v) { return from_nearest(one, found.points, 9, v); }, one.tolerance(by),
+        one.ask);
+    expect_close(found.covering_radius, covering_radius(one, found.points, 9), one.tolerance(by), one.ask,
+                 "all");
+  });
 }
 
 TEST(SamplingsContract, ARadiusIsReachedWithPointsThatFarApart) {
-  for (const Case& one : cases_by_length()) {
-    for (const By by : {By::exact, By::index}) {
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const Samples found = one.ask.farthest_points(0, 0.8, {}, by, 3);
-      EXPECT_LE(found.covering_radius, 0.8);
-      EXPECT_LE(covering_radius(one, found.points, found.points.size()), 0.8 * (1.0 + one.tolerance(by)));
-      for (std::size_t i = 1; i < found.points.size(); ++i) {
-        EXPECT_GE(from_nearest(one, found.points, i, found.vertices[i]), 0.8 * (1.0 - one.tolerance(by)));
-      }
+  ask_each(cases_by_length(), [](const Case& one, By by) {
+    const Samples found = one.ask.farthest_points(0, 0.8, {}, by, 3);
+    EXPECT_LE(found.covering_radius, 0.8);
+    EXPECT_LE(covering_radius(one, found.points, found.points.size()), 0.8 * (1.0 + one.tolerance(by)));
+    for (std::size_t i = 1; i < found.points.size(); ++i) {
+      EXPECT_GE(from_nearest(one, found.points, i, found.vertices[i]), 0.8 * (1.0 - one.tolerance(by)));
     }
-  }
+  });
 }
 
 TEST(SamplingsContract, EveryComponentGetsAFarthestPointAndNoVertexWithoutAFaceIsTaken) {
@@ -80,18 +72,14 @@ TEST(SamplingsContract, EveryComponentGetsAFarthestPointAndNoVertexWithoutAFaceI
 }
 
 TEST(SamplingsContract, PoissonDisksAreApartAndLeaveNoRoom) {
-  for (const Case& one : cases_in_turn()) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
     const double radius = 0.9 * one.scale;
-    for (const By by : {By::exact, By::index}) {
-      if (!one.answers(by)) continue;
-      SCOPED_TRACE(one.name + ", " + to_string(by));
-      const auto samples = vertices(one.ask.poisson_disk(radius, by, 7));
-      for (std::size_t i = 1; i < samples.size(); ++i) {
-        EXPECT_GE(from_nearest(one, samples, i, samples[i].vertex), radius * (1.0 - one.tolerance(by)));
-      }
-      EXPECT_LE(covering_radius(one, samples, samples.size()), radius * (1.0 + one.tolerance(by)));
+    const auto samples = vertices(one.ask.poisson_disk(radius, by, 7));
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      EXPECT_GE(from_nearest(one, samples, i, samples[i].vertex), radius * (1.0 - one.tolerance(by)));
     }
-  }
+    EXPECT_LE(covering_radius(one, samples, samples.size()), radius * (1.0 + one.tolerance(by)));
+  });
 }
 
 TEST(SamplingsContract, RelaxedPointsStayDistinctAndTheirEnergyNeverRises) {

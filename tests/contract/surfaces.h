@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 #include <string>
@@ -291,6 +292,38 @@ inline void expect_close(double actual, double expected, double tolerance, const
     return;
   }
   EXPECT_NEAR(actual, expected, tolerance * std::max(expected, 0.01 * ask.longest_edge())) << where;
+}
+
+/// Asks each of the cases in each of these ways in which it is answered, its error bounded.
+template <class Range, class Question>
+void ask_each(const Range& cases, Question&& question,
+              std::initializer_list<By> ways = {By::exact, By::index}) {
+  for (const Case& one : cases) {
+    for (const By by : ways) {
+      if (!one.answers(by)) continue;
+      SCOPED_TRACE(one.name + ", " + to_string(by));
+      question(one, by);
+    }
+  }
+}
+
+/// The values of all vertices are `expected` of each to `tolerance`.
+template <class Expected>
+void expect_all_close(const std::vector<double>& values, Expected&& expected, double tolerance,
+                      const Ask& ask) {
+  for (Index v = 0; v < ask.vertex_count(); ++v) {
+    expect_close(values[v], expected(v), tolerance, ask, "vertex " + std::to_string(v));
+  }
+}
+
+/// Every two of the points, once, with a text that says which.
+template <class Question>
+void for_each_pair(const std::vector<SurfacePoint>& points, Question&& question) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      question(points[i], points[j], std::to_string(i) + " to " + std::to_string(j));
+    }
+  }
 }
 
 /// A seed for a random test, to be named with SCOPED_TRACE so that a failure can be repeated.

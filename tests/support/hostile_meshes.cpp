@@ -132,15 +132,6 @@ std::string HostileMesh::sentence() const {
          std::to_string(soup.faces.size()) + " faces";
 }
 
-void add_defect(HostileMesh& mesh, HostileDefect defect, HostileRandom& random) {
-  if (mesh.soup.faces.empty() || mesh.soup.positions.empty()) return;
-  if (defect < HostileDefect::doubled_sheet) {
-    move_vertices(mesh, defect, random);
-  } else {
-    change_faces(mesh, defect, random);
-  }
-}
-
 HostileMesh hostile_mesh(unsigned seed, int vertices) {
   // Neighbouring seeds give unrelated meshes.
   HostileRandom random(0x9E3779B97F4A7C15ULL * (seed + 1));

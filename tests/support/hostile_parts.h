@@ -48,13 +48,4 @@ std::string short_number(double value);
 /// One closed or open scrap of a few faces at `centre`: triangle, tetrahedron or two-sided quad.
 void add_crumb(Soup& soup, const Point& centre, double size, HostileRandom& random);
 
-/// Bases by name (HostileBase).
-HostileMesh hostile_extrusion(int vertices, HostileRandom& random);
-HostileMesh hostile_plate(int vertices, HostileRandom& random);
-HostileMesh hostile_pipe(int vertices, HostileRandom& random);
-/// The parts of add_defect().
-void move_vertices(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
-void split_hostile_edges(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
-void change_faces(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
-
 }  // namespace vorogeo::test

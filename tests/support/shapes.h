@@ -107,4 +107,17 @@ Soup with_flipped_faces(const Soup& soup, unsigned seed);
 /// gap (the last face).
 Soup with_zero_area_cap(const Soup& soup, Index face, int corner);
 
+/// A part of the edges, none of which share a vertex, scaled about their first end: to length 0 by factor 0
+/// (two vertices at the same place), to twice their length by 2.
+Soup with_scaled_edges(const Soup& soup, double part, double factor, unsigned seed);
+
+/// A part of the inner edges, none of which share a face, cut open: each is given two midpoints at the same
+/// place, one for the face on either side, so that the surface has a slit there. The new vertices come last,
+/// in pairs; the faces are renumbered.
+Soup with_slit_edges(const Soup& soup, double part, unsigned seed);
+
+/// The soup and a copy of it, `ratio` times as large and 0.5 higher, that share one vertex in 110: needles
+/// join the two.
+Soup with_small_copy(const Soup& soup, double ratio);
+
 }  // namespace vorogeo::test

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "support/hostile_parts.h"
 
@@ -103,6 +104,23 @@ double SurfaceWalk::length(const SurfacePath& path) const {
     sum += step(place_of(path.points[i - 1]), place_of(path.points[i]));
   }
   return sum;
+}
+
+std::string path_fault(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& target,
+                       const SurfacePoint& source) {
+  Soup soup{{}, mesh.faces()};
+  for (Index v = 0; v < mesh.vertex_count(); ++v) soup.positions.push_back(mesh.position(v));
+  const SurfaceWalk walk(soup, soup.faces);
+  SurfacePath checked = path;
+  for (SurfacePoint& point : checked.points) point = validated(mesh, point);
+  const std::string fault = walk.fault(checked, validated(mesh, target), validated(mesh, source));
+  if (!fault.empty()) return fault;
+  const double length = walk.length(checked);
+  if (std::abs(length - path.length) <= 1e-9 * path.length + 1e-14 * mesh.longest_edge_length()) return {};
+  std::ostringstream text;
+  text.precision(17);
+  text << "its steps sum to " << length << ", not " << path.length;
+  return text.str();
 }
 
 }  // namespace vorogeo::test

@@ -38,4 +38,9 @@ class SurfaceWalk {
   std::vector<std::vector<Index>> faces_of_vertex_;
 };
 
+/// What is wrong with the path, or an empty string, for a mesh in space: it has to lie on the surface and
+/// begin at `target` and end at `source`, and its steps have to sum to `path.length`, to 1e-9 of it.
+std::string path_fault(const Mesh& mesh, const SurfacePath& path, const SurfacePoint& target,
+                       const SurfacePoint& source);
+
 }  // namespace vorogeo::test

@@ -15,7 +15,6 @@
 #include "support/near.h"
 #include "support/parallel.h"
 #include "support/progress.h"
-#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {

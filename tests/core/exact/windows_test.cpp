@@ -15,7 +15,6 @@
 #include "exact/path_tracing.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
-#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {

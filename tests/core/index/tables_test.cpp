@@ -20,7 +20,6 @@
 #include "support/indexes.h"
 #include "support/near.h"
 #include "support/shapes.h"
-#include "support/small_copy.h"
 
 namespace vorogeo {
 namespace {

@@ -12,8 +12,8 @@
 #include "query/surface.h"
 #include "support/error.h"
 #include "support/indexes.h"
-#include "support/path_check.h"
 #include "support/shapes.h"
+#include "support/surface_walk.h"
 
 namespace vorogeo {
 namespace {

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "query/path_refine.h"
-#include "support/path_check.h"
 #include "support/shapes.h"
+#include "support/surface_walk.h"
 
 namespace vorogeo {
 namespace {

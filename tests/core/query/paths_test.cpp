@@ -16,12 +16,11 @@
 #include "query/path_query.h"
 #include "support/error.h"
 #include "support/heavy.h"
-#include "support/hurt_edges.h"
 #include "support/indexes.h"
 #include "support/parallel.h"
-#include "support/path_check.h"
 #include "support/ply.h"
 #include "support/shapes.h"
+#include "support/surface_walk.h"
 
 namespace vorogeo {
 namespace {

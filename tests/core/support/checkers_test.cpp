@@ -11,7 +11,6 @@
 #include "mesh/mesh_check.h"
 #include "support/exhaustive.h"
 #include "support/hostile_meshes.h"
-#include "support/path_check.h"
 #include "support/ply.h"
 #include "support/shapes.h"
 #include "support/subdivided_graph.h"
@@ -257,10 +256,11 @@ TEST(PathCheck, FindsEachFault) {
   const auto mesh = make_mesh(plane_grid(2, 2, 2.0, 2.0).soup);
   auto at = [](Index v) { return SurfacePoint::at_vertex(v); };
   EXPECT_EQ(path_fault(*mesh, {{at(0), at(4), at(5)}, std::sqrt(2.0) + 1.0}, at(0), at(5)), "");
-  EXPECT_EQ(path_fault(*mesh, {{}, 0.0}, at(0), at(5)), "the path is empty");
-  EXPECT_EQ(path_fault(*mesh, {{at(1), at(4)}, 1.0}, at(0), at(4)), "it does not begin at the target");
-  EXPECT_EQ(path_fault(*mesh, {{at(1), at(4)}, 1.0}, at(1), at(5)), "it does not end at the source");
-  EXPECT_EQ(path_fault(*mesh, {{at(0), at(2)}, 2.0}, at(0), at(2)), "points 0 and 1 share no face");
+  EXPECT_EQ(path_fault(*mesh, {{}, 0.0}, at(0), at(5)), "it has no points");
+  EXPECT_EQ(path_fault(*mesh, {{at(1), at(4)}, 1.0}, at(0), at(4)), "it begins elsewhere");
+  EXPECT_EQ(path_fault(*mesh, {{at(1), at(4)}, 1.0}, at(1), at(5)), "it ends elsewhere");
+  EXPECT_EQ(path_fault(*mesh, {{at(0), at(2)}, 2.0}, at(0), at(2)),
+            "its point 1 shares no face with the one before");
   EXPECT_NE(path_fault(*mesh, {{at(0), at(1), at(2)}, 1.9}, at(0), at(2)), "");
   // A point on the edge between two faces is in both; a point beside the edge is not.
   const auto& face = mesh->face_vertices(0);
@@ -268,7 +268,8 @@ TEST(PathCheck, FindsEachFault) {
   const auto on_diagonal = SurfacePoint::in_face(0, {0.5, 0.0, 0.5});
   EXPECT_EQ(path_fault(*mesh, {{at(3), on_diagonal}, std::sqrt(0.5)}, at(3), on_diagonal), "");
   const auto inside = SurfacePoint::in_face(0, {0.5, 0.25, 0.25});
-  EXPECT_EQ(path_fault(*mesh, {{at(3), inside}, 0.0}, at(3), inside), "points 0 and 1 share no face");
+  EXPECT_EQ(path_fault(*mesh, {{at(3), inside}, 0.0}, at(3), inside),
+            "its point 1 shares no face with the one before");
 }
 
 class PlyFile : public testing::Test {
