@@ -178,6 +178,14 @@ def test_the_table_of_constants_names_what_the_sources_have() -> None:
     none(found)
 
 
+def test_the_list_of_calls_names_functions_of_the_sources() -> None:
+    calls = weight.calls(tree.text(Path("docs/architecture.md")))
+    assert len(calls) >= 4
+    product = "".join(tree.text(file) for file in tree.sources() if file.parts[0] in weight.PRODUCT)
+    names = {name for functions in calls.values() for name in functions}
+    none({name: "is no function" for name in names if not re.search(rf"\b{re.split(r'[.:]+', name)[-1]}\(", product)})
+
+
 def test_every_module_of_the_core_has_tests() -> None:
     for module in tree.ORDER["core"]:
         tests = [file for file in tree.sources(".cpp") if file.parts[:3] == ("tests", "core", module)]

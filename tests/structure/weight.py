@@ -1,8 +1,9 @@
-"""Prints how heavy checkouts are, side by side: lines, files, constants, pages.
+"""Prints how heavy checkouts are, side by side: lines, files, constants, pages, and how deep a question goes.
 
 Usage: python tests/structure/weight.py [CHECKOUT ...]
 
-Without a checkout, this one. Counts what git tracks in the work tree; comments and blank lines count like others.
+Without a checkout, this one. Counts what git tracks in the work tree; comments and blank lines count like others. Ways
+and hops are counted in the list of calls of docs/architecture.md, whose names the tests of this folder check.
 To compare with an earlier tree: `git worktree add /tmp/before COMMIT`, then give both folders.
 """
 
@@ -16,6 +17,9 @@ from pathlib import Path
 SOURCES = (".h", ".cpp", ".py", ".pyi")
 PRODUCT = ("core", "plugin", "pyfilter", "include")
 CONSTANT = re.compile(r"\bconstexpr\s+(?:double|float|int|Index|std::\w+)\s+\w+\s*=\s*[-0-9.(1]")
+
+#: An item of the list of calls: what is counted, and the functions, of which `>` says that one calls the next.
+CALLS = re.compile(r"^- ((?:ways|hops) [^:]+): (.+?)\.$", re.MULTILINE | re.DOTALL)
 
 
 def tracked(checkout: Path) -> list[Path]:
@@ -32,6 +36,7 @@ def weight(checkout: Path) -> dict[str, int]:
     product = [file for file in lines if file.parts[0] in PRODUCT and file.suffix in SOURCES]
     tests = [file for file in lines if file.parts[0] == "tests" and file.suffix in SOURCES]
     pages = [file for file in lines if file.suffix == ".md"]
+    table = calls(text.get(Path("docs/architecture.md"), ""))
     return {
         "product lines (core, plugin, pyfilter, include)": sum(lines[file] for file in product),
         "product files": len(product),
@@ -39,7 +44,13 @@ def weight(checkout: Path) -> dict[str, int]:
         "tracked files": len(files),
         "lines of .md": sum(lines[file] for file in pages),
         "numeric constants of the product": sum(len(CONSTANT.findall(text[file])) for file in product),
+        **{name: len(functions) - name.startswith("hops") for name, functions in table.items()},
     }
+
+
+def calls(page: str) -> dict[str, list[str]]:
+    """The functions of each item of the list of calls."""
+    return {name: re.findall(r"`([^`]+)`", functions) for name, functions in CALLS.findall(page)}
 
 
 def main() -> None:
@@ -47,8 +58,8 @@ def main() -> None:
     checkouts = [Path(name).resolve() for name in sys.argv[1:]] or [Path(__file__).resolve().parents[2]]
     columns = [weight(checkout) for checkout in checkouts]
     print(f"{'':50}" + "".join(f"{checkout.name:>14}" for checkout in checkouts))
-    for name in columns[0]:
-        print(f"{name:50}" + "".join(f"{column[name]:>14,}" for column in columns))
+    for name in dict.fromkeys(name for column in columns for name in column):
+        print(f"{name:50}" + "".join(f"{column[name]:>14,}" if name in column else f"{'-':>14}" for column in columns))
 
 
 if __name__ == "__main__":
