@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib
 import importlib.metadata
 import os
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -57,9 +58,13 @@ METHODS = {
     "meshlab_point": Description("PyMeshLab, from a point", "pymeshlab"),
     "meshlab_heat": Description("PyMeshLab, heat", "pymeshlab"),
 }
-#: Ours of docs/methods.md, measured where they are asked for.
-OURS = ("ammp", "dgg", "dijkstra", "fast_marching", "gsp", "gtu", "heat", "ich", "mmp", "stvd", "svg")
-METHODS |= {f"our_{name}": Description(f"VoroGeo, {name}", "vorogeo") for name in OURS}
+
+
+def description(name: str) -> Description:
+    """Of one in the table, or of `our_NAME(OPTION=VALUE, ...)`, ours of docs/methods.md."""
+    if name.startswith("our_"):
+        return Description(f"VoroGeo, {name.removeprefix('our_')}", "vorogeo")
+    return METHODS[name]
 
 
 #: What is imported before the clock starts.
@@ -68,7 +73,7 @@ MODULES = {"vorogeo": "vorogeo", "libigl": "igl", "pygeodesic": "pygeodesic.geod
 
 def import_package(name: str) -> None:
     """Import the package of a method, so that its set-up is the method's; an ImportError if it is not installed."""
-    package = METHODS[name].package
+    package = description(name).package
     if package == "vorogeo":
         sys.modules["pymeshlab"] = None  # type: ignore[assignment]  # its filters are not used: no time, no memory
     importlib.import_module(MODULES.get(package, package))
@@ -81,13 +86,15 @@ def make(name: str, vertices: Field, faces: Faces, threads: int, index_file: str
     if name.startswith("our_"):
         import vorogeo
 
-        return Method(vorogeo.GeodesicMethod(vertices, faces, name.removeprefix("our_")).distance_field)
+        method, _, rest = name.removeprefix("our_").partition("(")
+        options = {key: float(value) for key, value in re.findall(r"(\w+)=([^,)]+)", rest)}
+        return Method(vorogeo.GeodesicMethod(vertices, faces, method, **options).distance_field)
     return globals()[name](vertices, faces)
 
 
 def version(name: str) -> str:
     """Version of the package of a method."""
-    return importlib.metadata.version(METHODS[name].package)
+    return importlib.metadata.version(description(name).package)
 
 
 def vorogeo_index(vertices: Field, faces: Faces, threads: int, index_file: str | None) -> Method:

@@ -19,6 +19,7 @@ import summary
 import tables
 
 RESULTS = meshes.WORK / "results"
+NAMES = ", ".join([*methods.METHODS, "our_NAME(OPTION=VALUE)"])
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +31,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--threads", type=int, default=2, help="threads of build and field (default 2)")
     parser.add_argument("--one-build", action="store_true", help="no build on one thread")
     parser.add_argument("--no-peers", action="store_true", help="VoroGeo alone")
-    parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these of: {', '.join(methods.METHODS)}")
+    parser.add_argument("--methods", nargs="+", metavar="NAME", help=f"only these: {NAMES}")
 
 
 def run(options: argparse.Namespace) -> dict[str, str]:
@@ -57,7 +58,7 @@ def names(only: list[str] | None, peers: bool) -> list[str]:
     ]
     for name in chosen:
         if name not in methods.METHODS:
-            sys.exit(f"there is no method {name}; there are {', '.join(methods.METHODS)}")
+            sys.exit(f"there is no method {name}; there are {NAMES}")
     return chosen
 
 
@@ -96,7 +97,7 @@ def measure_mesh(
 
     found: dict[str, Any] = {}
     for name in chosen:
-        print(f"  {methods.METHODS[name].title} ...", flush=True)
+        print(f"  {methods.description(name).title} ...", flush=True)
         result = exact if name == "vorogeo_exact" else measure.run(name, task, limits)
         found[name] = summary.of_method(result, exact.fields, exact_pairs, len(far_pairs))
     if "vorogeo_index" in found:  # it was read from the file that the core wrote

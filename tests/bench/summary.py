@@ -66,7 +66,7 @@ def of_method(
     result: Result, exact_fields: NDArray[np.float64], exact_pairs: NDArray[np.float64], first_near: int
 ) -> Summary:
     """The figures of a method; its pairs are far ones, near ones from the number `first_near` on."""
-    description = methods.METHODS[result.name]
+    description = methods.description(result.name)
     summary: Summary = {
         "title": description.title,
         "package": description.package,
