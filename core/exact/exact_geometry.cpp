@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "mesh/mesh.h"
 #include "mesh/outliers.h"
@@ -123,10 +124,17 @@ void ExactGeometry::find_long_edges() {
   // is, and on all edges between two pieces from the same side, or windows would come back changed by
   // rounding.
   const Outliers outliers = find_outliers(*mesh);
+  // Of pieces of the same size, as where a tiny part makes every other edge a long one: the finer one.
+  std::vector<double> finest(outliers.piece.size(), unreachable);
+  for (Index v = 0; v < static_cast<Index>(outliers.piece.size()); ++v) {
+    finest[outliers.piece[v]] = std::min(finest[outliers.piece[v]], shortest[v]);
+  }
   auto counts_from_second = [&](Index a, Index b) {
     if (outliers.piece.empty() || outliers.piece[a] == outliers.piece[b]) return shortest[b] < shortest[a];
-    return std::pair(outliers.piece_size[b], outliers.piece[b]) >
-           std::pair(outliers.piece_size[a], outliers.piece[a]);
+    const Index piece_a = outliers.piece[a];
+    const Index piece_b = outliers.piece[b];
+    return std::tuple(outliers.piece_size[b], finest[piece_a], piece_b) >
+           std::tuple(outliers.piece_size[a], finest[piece_b], piece_a);
   };
   for (Index e = 0; e < mesh->edge_count(); ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
