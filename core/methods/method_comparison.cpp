@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <regex>
 
 #include "exact/exact_solver.h"
 #include "support/error.h"
@@ -33,29 +32,40 @@ std::string printed(const char* format, double value) {
   return text.data();
 }
 
-[[noreturn]] void refuse_list(const char* at) {
-  throw InvalidInput("The list of methods cannot be read at \"" + std::string(at) +
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+[[noreturn]] void refuse_list(const std::string& at) {
+  throw InvalidInput("The list of methods cannot be read at \"" + at +
                      "\". Give names with commas between, options in parentheses: vorogeo, svg(K=100).");
 }
 
-/// What a pattern matches at the beginning of a text, which is left with the rest.
-std::cmatch taken(const char*& text, const std::regex& pattern) {
-  std::cmatch found;
-  if (!std::regex_search(text, found, pattern, std::regex_constants::match_continuous)) refuse_list(text);
-  text = found[0].second;
-  return found;
-}
-
-MethodOptions options_of(const char* text) {
-  static const std::regex option(R"(\s*([^=,\s]+)\s*=\s*([^=,\s]+)\s*(?:,|$))");
-  MethodOptions options;
-  while (*text != '\0') {
-    const std::cmatch found = taken(text, option);
-    char* end = nullptr;
-    options[found.str(1)] = std::strtod(found[2].first, &end);
-    if (end != found[2].second) refuse_list(found[0].first);
+MethodRequest parse_one(const std::string& text) {
+  const auto open = text.find('(');
+  MethodRequest request{trimmed(text.substr(0, open)), {}, false};
+  if (request.name.empty()) refuse_list(text);
+  if (open != std::string::npos) {
+    const auto close = text.find(')', open);
+    if (close == std::string::npos || !trimmed(text.substr(close + 1)).empty()) refuse_list(text);
+    std::string rest = text.substr(open + 1, close - open - 1);
+    while (!trimmed(rest).empty()) {
+      const auto comma = rest.find(',');
+      const std::string option = rest.substr(0, comma);
+      const auto equals = option.find('=');
+      if (equals == std::string::npos) refuse_list(text);
+      const std::string value = trimmed(option.substr(equals + 1));
+      char* end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      if (value.empty() || *end != '\0') refuse_list(text);
+      request.options[trimmed(option.substr(0, equals))] = number;
+      rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
+    }
   }
-  return options;
+  completed_options(method_named(request.name).info, request.options);
+  return request;
 }
 
 struct Column {
@@ -149,20 +159,21 @@ MethodRequest with_gap(MethodRequest request, const GapLimit& limit) {
 }
 
 std::vector<MethodRequest> parse_methods(const std::string& text) {
-  static const std::regex method(R"(\s*([^(),\s]+)\s*(?:\(([^()]*)\)\s*)?(,|$))");
   std::vector<MethodRequest> requests;
-  const char* rest = text.c_str();
-  for (bool is_more = true; is_more;) {
-    const std::cmatch found = taken(rest, method);
-    is_more = found.length(3) > 0;
-    if (text.find_first_of("(,") == std::string::npos && found[1] == "all") {
-      for (const MethodEntry& entry : all_methods()) {
-        if (!entry.warning) requests.push_back({entry.info.name, {}, true});
-      }
-      continue;
+  if (trimmed(text) == "all") {
+    for (const MethodEntry& entry : all_methods()) {
+      if (!entry.warning) requests.push_back({entry.info.name, {}, true});
     }
-    requests.push_back({found.str(1), options_of(found.str(2).c_str()), false});
-    completed_options(method_named(requests.back().name).info, requests.back().options);
+    return requests;
+  }
+  std::size_t begin = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ',';
+    depth += c == '(' ? 1 : (c == ')' ? -1 : 0);
+    if (c != ',' || (depth > 0 && i < text.size())) continue;
+    requests.push_back(parse_one(text.substr(begin, i - begin)));
+    begin = i + 1;
   }
   return requests;
 }
