@@ -6,7 +6,6 @@
 #include <string>
 
 #include "index/index_data.h"
-#include "query/near_field.h"
 #include "query/pair_distance.h"
 #include "query/source_field.h"
 #include "support/error.h"
@@ -19,8 +18,7 @@ struct GeodesicQuery::State {
       : index(std::move(shared_index)),
         data(index->data()),
         most_threads(resolve_thread_count(requested_threads)),
-        threads(most_threads),
-        near(data) {}
+        threads(most_threads) {}
 
   void check(Index vertex, const char* role) const {
     if (vertex >= 0 && vertex < data.mesh->vertex_count()) return;
@@ -29,14 +27,11 @@ struct GeodesicQuery::State {
                        std::to_string(data.mesh->vertex_count() - 1) + ".");
   }
   PairDistance& pairs() {
-    if (!pair_distance) {
-      exact.emplace(data);
-      pair_distance.emplace(data, *exact);
-    }
+    if (!pair_distance) pair_distance.emplace(data);
     return *pair_distance;
   }
   SourceField& fields() {
-    if (!source_field) source_field.emplace(data, near, most_threads);
+    if (!source_field) source_field.emplace(data, most_threads);
     source_field->use_threads(threads);
     return *source_field;
   }
@@ -45,8 +40,6 @@ struct GeodesicQuery::State {
   const IndexData& data;
   int most_threads;
   int threads;
-  NearField near;
-  std::optional<ExactBetween> exact;
   std::optional<PairDistance> pair_distance;
   std::optional<SourceField> source_field;
 };

@@ -8,16 +8,6 @@ namespace vorogeo {
 
 NearField::NearField(const IndexData& data) : data_(data), is_near_(data.second.patch_count, 0) {}
 
-LocalSolver& NearField::solver() {
-  if (!solver_) solver_.emplace(data_.geometry);
-  return *solver_;
-}
-
-Halo& NearField::halo() {
-  if (!halo_) halo_.emplace(*data_.work.mesh, data_.first_face);
-  return *halo_;
-}
-
 void NearField::clear() {
   for (Index p : patches_) is_near_[p] = 0;
   patches_.clear();
@@ -53,7 +43,7 @@ void NearField::solve(std::span<const ExactSource> sources, double max_distance,
   limits.targets = targets_;
   limits.distances_only = distances_only;
   limits.max_distance = max_distance;
-  solver().run(sources, limits);
+  solver_->run(sources, limits);
   certain_ = std::min(solver_->settled_distance(), solver_->barrier_distance());
 }
 
@@ -85,7 +75,11 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance, b
                      [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
     nearest_offset = std::min(nearest_offset, one.offset);
   }
-  halo().surround(patches_, growth);
+  if (!solver_) {
+    solver_.emplace(data_.geometry);
+    halo_.emplace(*data_.work.mesh, data_.first_face);
+  }
+  halo_->surround(patches_, growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
   const double members = static_cast<double>(targets_.size()) / patches;
   halo_->widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),

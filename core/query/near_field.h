@@ -73,10 +73,6 @@ class NearField {
     }
   }
 
-  /// The solver and the halo, created when first asked for; other runs may use them between those of the near
-  /// field.
-  LocalSolver& solver();
-  Halo& halo();
   /// After run().
   const LocalSolver& solver() const { return *solver_; }
   const Halo& halo() const { return *halo_; }
@@ -86,8 +82,8 @@ class NearField {
   double median_distance(std::span<const ExactSource> sources);
 
   const IndexData& data_;
-  std::optional<LocalSolver> solver_;
-  std::optional<Halo> halo_;
+  std::optional<LocalSolver> solver_;  ///< when first needed
+  std::optional<Halo> halo_;           ///< likewise
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;
   std::vector<Index> targets_;

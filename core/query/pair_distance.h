@@ -13,8 +13,8 @@ namespace vorogeo {
 /// thread.
 class PairDistance {
  public:
-  /// Both must outlive the object.
-  PairDistance(const IndexData& data, ExactBetween& exact);
+  /// `data` must outlive the object.
+  explicit PairDistance(const IndexData& data);
 
   /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
   /// the source, which makes the answer symmetric to the last bit.
@@ -29,7 +29,7 @@ class PairDistance {
   double route_length(Index source, Index target);
 
   const IndexData& data_;
-  ExactBetween& exact_;
+  ExactBetween exact_;
   Router router_;
   RouteUnfolder unfolder_;
   RouteEnd from_;

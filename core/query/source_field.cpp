@@ -12,9 +12,9 @@
 
 namespace vorogeo {
 
-SourceField::SourceField(const IndexData& data, NearField& near, int threads)
+SourceField::SourceField(const IndexData& data, int threads)
     : data_(data),
-      near_(near),
+      near_(data),
       threads_(resolve_thread_count(threads)),
       borders_(data, threads_),
       sweeps_(threads_) {}
@@ -139,7 +139,6 @@ double SourceField::distance_at(const SurfacePoint& user) const {
   if (sources_.empty()) return unreachable;
   const SurfacePoint point = work_point(data_, user);
   if (point.is_vertex()) return distance_[point.vertex];
-  const NearField& near = near_;
   double by_index = unreachable;
   bool inside = false;
   bool in_halo = false;
@@ -147,12 +146,12 @@ double SourceField::distance_at(const SurfacePoint& user) const {
     std::array<double, 3> corners{};
     for (int i = 0; i < 3; ++i) corners[i] = distance_[data_.work.mesh->face_vertices(face)[i]];
     by_index = std::min(by_index, distance_in_face(*data_.work.mesh, face, weights, corners));
-    inside = inside || near.inside(face);
-    in_halo = in_halo || near.halo().mask()[face] != 0;
+    inside = inside || near_.inside(face);
+    in_halo = in_halo || near_.halo().mask()[face] != 0;
   });
   if (!in_halo) return by_index;
-  const double exact = near.solver().distance(point);
-  return near.holds(exact, by_index, inside) ? exact : by_index;
+  const double exact = near_.solver().distance(point);
+  return near_.holds(exact, by_index, inside) ? exact : by_index;
 }
 
 std::vector<double> SourceField::field(std::span<const ExactSource> sources, double max_distance,

@@ -49,8 +49,8 @@ LabelledField labelled_field_of(const Solver& solver, double max_distance = unre
 /// One object belongs to one thread.
 class SourceField {
  public:
-  /// `near` lends its solver; it must outlive the object. `threads`: 0 is one per core.
-  SourceField(const IndexData& data, NearField& near, int threads);
+  /// `data` must outlive the object. `threads`: 0 is one per core.
+  SourceField(const IndexData& data, int threads);
   /// At most those of the constructor.
   void use_threads(int threads) {
     threads_ = threads;
@@ -80,7 +80,7 @@ class SourceField {
   double distance_at(const SurfacePoint& user) const;
 
   const IndexData& data_;
-  NearField& near_;
+  NearField near_;
   int threads_;
   BorderField borders_;
   PerWorker<FieldSweep> sweeps_;
