@@ -97,8 +97,7 @@ void ExactSolver::State::require_windows() const {
 
 int ExactSolver::solvers_for(const ExactLimits& limits) const {
   const bool is_whole_field = limits.distances_only && limits.targets.empty() &&
-                              limits.face_allowed.empty() && limits.corridor_target == no_index &&
-                              limits.corridor_point == nullptr;
+                              limits.face_allowed.empty() && limits.corridor_point == nullptr;
   return is_whole_field ? std::clamp(limits.threads, 1, most_threads) : 1;
 }
 
@@ -106,9 +105,6 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   State& state = *state_;
   std::vector<ExactSource> checked = validated(state.mesh, sources);
   std::optional<SurfacePoint> corridor;
-  if (limits.corridor_target != no_index) {
-    corridor = validated(state.mesh, SurfacePoint::at_vertex(limits.corridor_target));
-  }
   if (limits.corridor_point != nullptr) corridor = validated(state.mesh, *limits.corridor_point);
   for (Index target : limits.targets) validated(state.mesh, SurfacePoint::at_vertex(target));
   state.reset();

@@ -47,11 +47,9 @@ struct ExactLimits {
   /// Neighbouring windows are merged if one window represents them with a deviation of up to this fraction of
   /// their edge's length and of their distance; distances become too short by about as much. 0: exact.
   double merge_tolerance = 0.0;
-  /// If set, with a max_distance that is known to be an upper bound of this vertex's distance: only what can
+  /// If set, with a max_distance that is known to be an upper bound of this point's distance: only what can
   /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this
-  /// vertex's distance is then meant to be read.
-  Index corridor_target = no_index;
-  /// The same for any point of the surface; takes the place of corridor_target.
+  /// point's distance is then meant to be read.
   const SurfacePoint* corridor_point = nullptr;
   /// With a corridor, if not empty: for each vertex a lower bound of its distance to the corridor's target
   /// (size: number of vertices); used where it is larger than the straight line in space.

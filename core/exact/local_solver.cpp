@@ -38,8 +38,6 @@ std::size_t LocalGeometry::memory_bytes() const {
 
 LocalSolver::LocalSolver(const std::shared_ptr<const LocalGeometry>& geometry)
     : solver_(solver_of(*geometry)) {}
-LocalSolver::LocalSolver(std::shared_ptr<const Mesh> mesh)
-    : solver_(solver_of(LocalGeometry(std::move(mesh)))) {}
 
 // ---- A run that its progress stops
 

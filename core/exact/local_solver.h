@@ -34,7 +34,6 @@ struct LocalGeometry {
 class LocalSolver {
  public:
   explicit LocalSolver(const std::shared_ptr<const LocalGeometry>& geometry);
-  explicit LocalSolver(std::shared_ptr<const Mesh> mesh);
 
   // See ExactSolver.
   const Mesh& mesh() const {
@@ -73,8 +72,6 @@ class LocalSolver {
 };
 
 // ---- How long an exact field of a mesh takes, without waiting for all of it
-
-struct LocalGeometry;
 
 /// A run from one vertex that was stopped after some time.
 struct FieldTiming {

@@ -37,10 +37,9 @@ WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
 
 void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimits& limits) {
   std::vector<ExactSource> checked = validated(mesh(), sources);
-  has_corridor_ = limits.corridor_target != no_index || limits.corridor_point != nullptr;
+  has_corridor_ = limits.corridor_point != nullptr;
   if (has_corridor_) {
-    corridor_point_ = limits.corridor_point != nullptr ? validated(mesh(), *limits.corridor_point)
-                                                       : SurfacePoint::at_vertex(limits.corridor_target);
+    corridor_point_ = validated(mesh(), *limits.corridor_point);
     corridor_at_ = position_of(mesh(), corridor_point_);
   }
   corridor_distance_ = unreachable;

@@ -57,7 +57,8 @@ TEST(ExactLandmarks, ExactPathsKeepTheirLengthAndFollowFewerWindows) {
     const auto source = static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count()));
     const double exact = exact_distance_field(mesh, std::array{source})[target];
     ExactLimits limits;
-    limits.corridor_target = target;
+    const SurfacePoint end = SurfacePoint::at_vertex(target);
+    limits.corridor_point = &end;
     limits.max_distance = exact * (1.0 + 1e-9);
     solver.run_from_vertices(std::array{source}, limits);
     EXPECT_NEAR(solver.distance(target), exact, 1e-11 * exact);

@@ -172,12 +172,13 @@ TEST(ExactLimits, CorridorKeepsTheDistanceOfItsTarget) {
     for (int i = 0; i < 40; ++i) {
       const Index source = static_cast<Index>(random() % mesh->vertex_count());
       const Index target = static_cast<Index>(random() % mesh->vertex_count());
+      const SurfacePoint end = SurfacePoint::at_vertex(target);
       whole.run_from_vertices(std::array{source});
       const double exact = whole.distance(target);
       for (double slack : {1.0, 1.01, 1.3}) {
         ExactLimits limits;
         limits.targets = std::span(&target, 1);
-        limits.corridor_target = target;
+        limits.corridor_point = &end;
         limits.max_distance = slack * exact * (1.0 + 1e-12);
         corridor.run_from_vertices(std::array{source}, limits);
         expect_near(corridor.distance(target), exact, *mesh, 1e-11, "slack " + std::to_string(slack));
@@ -198,7 +199,8 @@ TEST(ExactLimits, BoundsAndCorridorsSaveWork) {
   const std::size_t all = windows(0, {});
   const Index corner = mesh->vertex_count() - 1;
   const double bound = solver.distance(corner) * (1.0 + 1e-6);
-  EXPECT_LT(windows(0, {.max_distance = bound, .corridor_target = corner}), all / 5);
+  const SurfacePoint end = SurfacePoint::at_vertex(corner);
+  EXPECT_LT(windows(0, {.max_distance = bound, .corridor_point = &end}), all / 5);
 }
 
 TEST(ExactLimits, DistancesUpToTheBarrierAreThoseOfTheWholeMesh) {

@@ -156,10 +156,11 @@ TEST(WeightedLimits, TargetsAndCorridorsAreAsWithoutLimits) {
   without.run_from_vertices(from);
   for (Index target = 0; target < layers.mesh->vertex_count(); target += 7) {
     const double exact = without.distance(target);
+    const SurfacePoint end = SurfacePoint::at_vertex(target);
     with.run_from_vertices(from, {.targets = std::span(&target, 1)});
     EXPECT_NEAR(with.distance(target), exact, 1e-10 * exact);
     EXPECT_GE(with.settled_distance(), exact * (1.0 - 1e-10));
-    with.run_from_vertices(from, {.max_distance = exact * (1.0 + 1e-9), .corridor_target = target});
+    with.run_from_vertices(from, {.max_distance = exact * (1.0 + 1e-9), .corridor_point = &end});
     EXPECT_NEAR(with.distance(target), exact, 1e-9 * exact);
   }
   const Index edge = 30;
