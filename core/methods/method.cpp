@@ -26,6 +26,11 @@ std::string names_of(const Rows& rows, Name&& name) {
 
 }  // namespace
 
+std::string warning_of(const std::string& name, const Mesh& mesh) {
+  const MethodEntry& entry = method_named(name);
+  return entry.warning ? entry.warning(mesh) : std::string();
+}
+
 MethodOptions completed_options(const MethodInfo& info, const MethodOptions& given) {
   MethodOptions options;
   for (const MethodOption& option : info.options) options[option.name] = option.standard;

@@ -136,6 +136,9 @@ const std::vector<MethodEntry>& all_methods();
 /// \throw InvalidInput for a name that is not known; it lists those that are.
 const MethodEntry& method_named(const std::string& name);
 
+/// What a user ought to know before the method of this name runs on this mesh; empty if nothing.
+std::string warning_of(const std::string& name, const Mesh& mesh);
+
 /// Options of a method with standard values for those that are not given.
 /// \throw InvalidInput for an unknown option, or a value out of range.
 MethodOptions completed_options(const MethodInfo& info, const MethodOptions& given);

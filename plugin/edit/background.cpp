@@ -5,11 +5,11 @@
 
 namespace vorogeo::plugin {
 
-void Background::add(Waiting waiting) {
+void Background::post(Work work, bool is_kept) {
   {
     const std::lock_guard lock(mutex_);
     std::erase_if(waiting_, [](const Waiting& other) { return !other.is_kept; });
-    waiting_.push_back(std::move(waiting));
+    waiting_.push_back({std::move(work), is_kept});
   }
   if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
   changed_.notify_all();

@@ -29,10 +29,9 @@ class Background {
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Drops what waits, if it is not kept, and lets this wait in its place.
-  void post(Work work) { add({std::move(work), false}); }
-  /// Work that will be done, before later work; it, too, replaces what waits.
-  void post_kept(Work work) { add({std::move(work), true}); }
+  /// Drops what waits, if it is not kept, and lets this wait in its place. `is_kept`: it will be done, before
+  /// later work.
+  void post(Work work, bool is_kept = false);
   /// Drops all that waits and cancels what runs.
   void clear();
   /// As clear(), and returns when the thread has ended. The next work starts a new one.
@@ -47,7 +46,6 @@ class Background {
     Work work;
     bool is_kept;
   };
-  void add(Waiting waiting);
   void run();
   void require_wanted() const;
 

@@ -219,7 +219,7 @@ void RulerTool::post(RulerRequest request) {
     QMetaObject::invokeMethod(
         this, [this, request, found = std::move(found)] { take(request, found); }, Qt::QueuedConnection);
   };
-  is_kept ? worker_.post_kept(std::move(work)) : worker_.post(std::move(work));
+  worker_.post(std::move(work), is_kept);
 }
 
 /// An answer has come. The surface may be another one by now, the drag may have ended.

@@ -93,7 +93,7 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   auto [field, answered, results] = ask_surface(call, layer, "Geodesic distances", ask);
   field.distance.resize(mesh->given_vertex_count());
   const Reach reach = reach_of(*mesh, sources, field.distance);
-  if (answered.by == AnswerMethod::exact && reach.reached > max_vertices_kept) layer.rest();
+  rest_if_large(layer, answered, reach.reached);
   call.progress.report(1.0, "Writing quality and colours");
 
   write_distances(call.layer, layer.arrays().input_of_vertex, field.distance, reach.largest);

@@ -52,8 +52,7 @@ Results measure_methods(FilterCall& call) {
   const auto mesh = layer->mesh();
   for (MethodRequest& request : requests) {
     request = with_gap(request, layer->gap());
-    const auto& warning = method_named(request.name).warning;
-    if (warning && !warning(*mesh).empty()) call.log(warning(*mesh));
+    if (const std::string warning = warning_of(request.name, *mesh); !warning.empty()) call.log(warning);
   }
   const auto sources = spread_vertices(*mesh, count);
   const auto measures = run_ticking(call.progress, "Measuring geodesic methods", [&](const Progress& inner) {
@@ -103,7 +102,7 @@ MethodField surface_field(const FieldTask& task, AnswerMethod by) {
   };
   auto answer = ask_surface(call, task.layer, task.activity, ask);
   if (by == AnswerMethod::index) field.build_seconds = answer.answered.index_seconds;
-  if (by == AnswerMethod::exact && task.layer.mesh()->vertex_count() > max_vertices_kept) task.layer.rest();
+  rest_if_large(task.layer, answer.answered, task.layer.mesh()->vertex_count());
   field.seconds = answer.answered.seconds;
   field.distances = std::move(answer.found);
   return field;
@@ -118,8 +117,7 @@ MethodField host_field(const FieldTask& task, MethodField (*method)(const Mesh&,
 /// By a method of core/methods.
 MethodField further_field(const FieldTask& task, const std::string& name) {
   const auto mesh = task.layer.mesh();
-  const auto& warning = method_named(name).warning;
-  if (warning && !warning(*mesh).empty()) task.call.log(warning(*mesh));
+  if (const std::string warning = warning_of(name, *mesh); !warning.empty()) task.call.log(warning);
   const MethodRequest request = with_gap({name, {}}, task.layer.gap());
   return run_ticking(task.progress, task.activity, [&](const Progress& progress) {
     MethodField field;

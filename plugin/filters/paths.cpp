@@ -38,7 +38,7 @@ Results distance_between_points(FilterCall& call) {
   };
   auto answer = ask_surface(call, *layer, "Geodesic distance", ask);
   const double distance = answer.found;
-  if (answer.answered.by == AnswerMethod::exact && mesh->vertex_count() > max_vertices_kept) layer->rest();
+  rest_if_large(*layer, answer.answered, mesh->vertex_count());
   std::ostringstream text;
   text << name_of(*layer, *mesh, source.point) << " to " << name_of(*layer, *mesh, target.point) << ": ";
   if (std::isfinite(distance)) {
@@ -78,7 +78,7 @@ Results draw_path(FilterCall& call) {
   };
   auto answer = ask_surface(call, *layer, "Shortest path", ask);
   const ExactPath& result = answer.found;
-  if (answer.answered.by == AnswerMethod::exact && mesh->vertex_count() > max_vertices_kept) layer->rest();
+  rest_if_large(*layer, answer.answered, mesh->vertex_count());
   call.progress.report(1.0, "Shortest path");
   const PathLines polyline = lines_of(*mesh, result.path);
   const std::vector<bool> over_gap = steps_over_gaps(*mesh, result.path.points);

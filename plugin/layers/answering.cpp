@@ -83,7 +83,14 @@ namespace {
 /// By AnswerMethod.
 constexpr const char* answered_by[] = {"", "the index", "exact propagation", "virtual sources (quick)"};
 
+/// Of an exact answer whose solvers are kept.
+constexpr Index max_vertices_kept = 1000000;
+
 }  // namespace
+
+void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices) {
+  if (answered.by == AnswerMethod::exact && vertices > max_vertices_kept) layer.rest();
+}
 
 RichEnum method_parameter() {
   QStringList names;

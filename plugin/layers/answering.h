@@ -53,9 +53,9 @@ struct AnswerOfLayer {
   Results about;
 };
 
-/// Exact fields that reach more vertices, and exact paths on meshes that have more, leave gigabytes in
-/// solvers, which are soon made anew compared with such an answer: LayerSurface::rest().
-inline constexpr Index max_vertices_kept = 1000000;
+/// Frees what an exact answer has left in solvers where that is gigabytes, which are soon made anew compared
+/// with such an answer. `vertices`: those that a field has reached, or the mesh of a path has.
+void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices);
 
 /// Logs what answered.
 Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered);

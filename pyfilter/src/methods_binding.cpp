@@ -36,10 +36,7 @@ double pair(BoundMethod& self, Index source, Index target) {
   return self.method->pair(source, target);
 }
 
-std::string warning(const HeldMesh& held, const std::string& name) {
-  const MethodEntry& entry = method_named(name);
-  return entry.warning ? entry.warning(*held.mesh) : std::string();
-}
+std::string warning(const HeldMesh& held, const std::string& name) { return warning_of(name, *held.mesh); }
 
 /// By method: what vorogeo.MethodInfo takes.
 nb::list describe() {

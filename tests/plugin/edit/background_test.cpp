@@ -47,8 +47,8 @@ TEST(Background, WorkThatWaitsIsReplacedByTheNextUnlessItIsKept) {
   background.post(numbers.work(1));
   numbers.wait_until_started(1);
   for (int number = 2; number <= 4; ++number) background.post(numbers.work(number));
-  background.post_kept(numbers.work(5));
-  background.post_kept(numbers.work(6));
+  background.post(numbers.work(5), true);
+  background.post(numbers.work(6), true);
   for (int number = 7; number <= 9; ++number) background.post(numbers.work(number));
   numbers.gate_is_open = true;
   EXPECT_EQ(numbers.wait_until_idle(), (std::vector<int>{1, 5, 6, 9}));
@@ -56,9 +56,9 @@ TEST(Background, WorkThatWaitsIsReplacedByTheNextUnlessItIsKept) {
 
 TEST(Background, WhatIsClearedIsNotDoneAndTheNextIs) {
   Numbers numbers;
-  numbers.background.post_kept(numbers.work(1));
+  numbers.background.post(numbers.work(1), true);
   numbers.wait_until_started(1);
-  numbers.background.post_kept(numbers.work(2));
+  numbers.background.post(numbers.work(2), true);
   numbers.background.clear();
   numbers.background.post(numbers.work(3));
   numbers.wait_until_started(2);
