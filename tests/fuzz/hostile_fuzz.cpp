@@ -90,7 +90,8 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   const int vertices = size_of(seed, options);
   std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d", vertices);
   HostileCase hostile(seed, hostile_mesh(seed, vertices), tally);
-  examine(hostile, options, options.costs ? &scans : nullptr);
+  // What a check itself throws, as where its reference finds no memory, is a finding as well.
+  hostile.attempt([&] { examine(hostile, options, options.costs ? &scans : nullptr); });
   ++tally.meshes;
 }
 
