@@ -6,10 +6,8 @@
 #include <utility>
 
 #include "index/build_estimate.h"
-#include "mesh/edge_points.h"
-#include "mesh/gaps.h"
-#include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_input.h"
 #include "mesh/metric.h"
 #include "mesh/outliers.h"
 #include "mesh/surface_locator.h"
@@ -43,7 +41,6 @@ using vorogeo::Mesh;
 using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
 using vorogeo::Query;
-using vorogeo::SideLengths;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
 using vorogeo::SurfaceLocator;
@@ -102,21 +99,7 @@ auto translated(Body&& body) {
 // ---- Points in and out
 
 inner::SurfacePoint point_in(const inner::Mesh& mesh, const SurfacePoint& point) {
-  if (point.face < 0 || point.vertex >= 0) {
-    if (point.vertex < 0 || point.vertex >= mesh.given_vertex_count()) {
-      throw InvalidInput("Vertex " + std::to_string(point.vertex) +
-                         " does not exist: the mesh has vertices 0 to " +
-                         std::to_string(mesh.given_vertex_count() - 1) + ".");
-    }
-    return inner::SurfacePoint::at_vertex(point.vertex);
-  }
-  const int first = first_part(mesh, point.face);
-  if (first < 0) {
-    throw InvalidInput("Face " + std::to_string(point.face) +
-                       " does not exist or is left out of the surface (it is masked, names a vertex twice "
-                       "or repeats a face), so no point lies in it.");
-  }
-  return point_in_given(mesh, first, point.weights);
+  return InputMap(mesh).point_in({point.vertex, point.face, point.weights});
 }
 
 inner::PointList points_in(const inner::Mesh& mesh, const PointList& points) {
@@ -128,13 +111,8 @@ inner::PointList points_in(const inner::Mesh& mesh, const PointList& points) {
 
 /// A point over a gap lies in no face that was given.
 SurfacePoint point_out(const inner::Mesh& mesh, const inner::SurfacePoint& point) {
-  if (point.is_vertex() && point.vertex < mesh.given_vertex_count()) return point.vertex;
-  SurfacePoint out;
-  for_each_face_at(mesh, point, [&](int face, const std::array<double, 3>& weights) {
-    if (out.face >= 0 || mesh.is_bridge(face)) return;
-    out = {mesh.input_face(face), weights_in_given(mesh, face, weights)};
-  });
-  return out;
+  const InputPoint out = InputMap(mesh).point_out(point);
+  return out.vertex >= 0 ? SurfacePoint(out.vertex) : SurfacePoint(out.face, out.weights);
 }
 
 std::vector<SurfacePoint> points_out(const inner::Mesh& mesh,
@@ -143,13 +121,6 @@ std::vector<SurfacePoint> points_out(const inner::Mesh& mesh,
   out.reserve(points.size());
   for (const auto& point : points) out.push_back(point_out(mesh, point));
   return out;
-}
-
-/// Values of all vertices without those of vertices that a metric has added.
-template <class Value>
-std::vector<Value> of_given_vertices(const inner::Mesh& mesh, std::vector<Value> values) {
-  values.resize(static_cast<std::size_t>(mesh.given_vertex_count()));
-  return values;
 }
 
 // ---- The mesh that is measured on
@@ -181,9 +152,7 @@ std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
                                            std::vector<std::array<int, 3>> faces,
                                            const SurfaceOptions& options) {
   leave_out_masked(options.mask, positions.size(), faces);
-  inner::SideLengths sides;
-  FaceSplits splits;
-  int points_per_edge = 0;
+  Metric metric;
   std::string given;
   // What is given of one metric: true if it is this one.
   const auto is_given = [&](const auto& values, const char* name, std::size_t wanted, const char* element) {
@@ -193,27 +162,22 @@ std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
     require_count(values.size(), wanted, name, element);
     return true;
   };
-  const auto take = [&](MetricLengths lengths) {
-    sides = std::move(lengths.sides);
-    splits = std::move(lengths.splits);
-  };
   if (is_given(options.vertex_cost, "vertex_cost", positions.size(), "vertices")) {
-    take(lengths_by_cost(positions, faces, options.vertex_cost));
+    metric = lengths_by_cost(positions, faces, options.vertex_cost);
   }
   if (is_given(options.vertex_tensor, "vertex_tensor", positions.size(), "vertices")) {
-    take(lengths_by_tensor(positions, faces, options.vertex_tensor));
+    metric = lengths_by_tensor(positions, faces, options.vertex_tensor);
   }
   if (is_given(options.face_cost, "face_cost", faces.size(), "faces")) {
-    sides = sides_by_face_cost(positions, faces, options.face_cost);
-    points_per_edge = FaceSides{}.points_per_edge;
+    metric = {sides_by_face_cost(positions, faces, options.face_cost), usual_edge_points};
   }
   if (is_given(options.face_tensor, "face_tensor", faces.size(), "faces")) {
-    sides = sides_by_face_tensor(positions, faces, options.face_tensor);
-    points_per_edge = edge_points_for(positions, faces, sides);
+    const auto sides = sides_by_face_tensor(positions, faces, options.face_tensor);
+    metric = {sides, edge_points_for(positions, faces, sides)};
   }
-  if (is_given(options.side_lengths, "side_lengths", faces.size(), "faces")) sides = options.side_lengths;
+  if (is_given(options.side_lengths, "side_lengths", faces.size(), "faces")) metric = options.side_lengths;
   const inner::GapLimit gap{options.gap, options.bridge_folds};
-  return measured_mesh(positions, faces, sides, gap, points_per_edge, splits);
+  return measured_mesh({std::move(positions), std::move(faces), std::move(metric), gap});
 }
 
 }  // namespace
@@ -275,8 +239,8 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
     auto found = state_->current()->field(from, options.limit, static_cast<inner::AnswerMethod>(options.by),
                                           answered, Progress(options.progress));
     Field field;
-    field.distance = of_given_vertices(mesh, std::move(found.distance));
-    if (options.labels) field.label = of_given_vertices(mesh, std::move(found.source));
+    field.distance = InputMap(mesh).of_vertices(std::move(found.distance));
+    if (options.labels) field.label = InputMap(mesh).of_vertices(std::move(found.source));
     field.answered_by = static_cast<Answer>(answered.by);
     field.remark = std::move(answered.remark);
     return field;
@@ -492,7 +456,7 @@ std::vector<double> Query::distances_from(const PointList& sources, double limit
     require_limit(limit);
     std::vector<inner::ExactSource> from;
     for (const auto& point : state_->in(sources, "Source")) from.push_back({point});
-    return of_given_vertices(*state_->surface->mesh(), state_->query.field(from, limit, state_->by, 1));
+    return InputMap(*state_->surface->mesh()).of_vertices(state_->query.field(from, limit, state_->by, 1));
   });
 }
 
@@ -600,12 +564,10 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
   return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
     auto found = voronoi_regions(asked, points_in(mesh, sites), core_options(options));
     VoronoiRegions regions;
-    regions.face_region.assign(static_cast<std::size_t>(surface.face_count()), -1);
-    for (const int face : central_parts(mesh)) {
-      regions.face_region[static_cast<std::size_t>(mesh.input_face(face))] = found.face_region[face];
-    }
-    regions.vertex_region = of_given_vertices(mesh, std::move(found.vertex_region));
-    regions.distance = of_given_vertices(mesh, std::move(found.distance));
+    regions.face_region =
+        InputMap(mesh).of_faces(found.face_region, static_cast<std::size_t>(surface.face_count()));
+    regions.vertex_region = InputMap(mesh).of_vertices(std::move(found.vertex_region));
+    regions.distance = InputMap(mesh).of_vertices(std::move(found.distance));
     regions.area = std::move(found.area);
     regions.borders = {std::move(found.borders.points), std::move(found.borders.segments)};
     regions.border_regions = std::move(found.border_regions);

@@ -174,7 +174,7 @@ check "rules for Python (ruff)" .venv/bin/ruff check .
 suite structure run_pytest structure .venv/bin/python tests/structure
 check "types of Python (mypy)" .venv/bin/mypy --config-file pyfilter/pyproject.toml --package vorogeo  # as installed
 
-# The adapter is tested on a real VCG mesh where set-up has obtained the host's headers.
+# The public header for VCG meshes is tested where set-up has obtained the host's headers.
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
   cpp_suite core_tests cpp

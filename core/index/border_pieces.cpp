@@ -10,6 +10,7 @@
 #include <span>
 
 #include "mesh/outliers.h"
+#include "mesh/vectors.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -32,13 +33,7 @@ double angle_beyond(const Mesh& mesh, Index vertex) {
 }
 
 double distance_from_segment(const Point& point, const Point& a, const Point& b) {
-  double along = 0.0;
-  double square = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    along += (point[k] - a[k]) * (b[k] - a[k]);
-    square += (b[k] - a[k]) * (b[k] - a[k]);
-  }
-  const double t = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  const double t = along_segment(point, a, b);
   return distance_between(point,
                           {std::lerp(a[0], b[0], t), std::lerp(a[1], b[1], t), std::lerp(a[2], b[2], t)});
 }
@@ -86,7 +81,11 @@ double NearSaddles::piece_factor(Index edge, double size) const {
   };
   Box around{a, a};
   around.add({b, b});
-  tree_.visit_near(around, reach, max_saddles, look_at, [](Index) { return false; });
+  const auto box_of = [&](Index item) {
+    const Point& p = mesh_.position(vertex_[item]);
+    return Box{p, p};
+  };
+  tree_.visit_near(around, reach, max_saddles, box_of, look_at);
   return factor;
 }
 

@@ -59,16 +59,12 @@ std::uint64_t bits_of(double coordinate) {
 Fingerprint fingerprint_of(const Mesh& mesh) {
   WordHash hash;
   hash.add(static_cast<std::uint64_t>(mesh.vertex_count()), static_cast<std::uint64_t>(mesh.face_count()));
-  constexpr Index per_checkpoint = 1 << 16;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % per_checkpoint == 0) checkpoint();
-    if (!mesh.has_positions()) break;
+  for (const Index v : checked(mesh.has_positions() ? mesh.vertex_count() : 0)) {
     const Point& p = mesh.position(v);
     hash.add(bits_of(p[0]), bits_of(p[1]));
     hash.add(bits_of(p[2]), 0);
   }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (f % per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(mesh.face_count())) {
     const auto& face = mesh.face_vertices(f);
     const auto low = static_cast<std::uint32_t>(face[0]);
     const auto high = static_cast<std::uint32_t>(face[1]);
@@ -77,16 +73,15 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
   // A metric with the lengths in space is a metric, too: distances differ by rounding.
   if (mesh.metric_jumps()) {
     hash.add(static_cast<std::uint64_t>(mesh.points_per_edge()), 0);
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-      if (f % per_checkpoint == 0) checkpoint();
+    for (const Index f : checked(mesh.face_count())) {
       const auto side = mesh.side_lengths(f);
       hash.add(bits_of(side[0]), bits_of(side[1]));
       hash.add(bits_of(side[2]), static_cast<std::uint64_t>(f));
     }
     return {hash.finished()};
   }
-  for (Index e = 0; mesh.has_metric() && e < mesh.edge_count(); ++e) {
-    if (e % per_checkpoint == 0) checkpoint();
+  if (!mesh.has_metric()) return {hash.finished()};
+  for (const Index e : checked(mesh.edge_count())) {
     hash.add(bits_of(mesh.edge_length(e)), static_cast<std::uint64_t>(e));
   }
   return {hash.finished()};

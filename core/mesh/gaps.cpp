@@ -7,9 +7,13 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <memory>
+#include <queue>
 #include <string>
+#include <unordered_map>
 
 #include "mesh/mesh_check.h"
+#include "mesh/surface_locator.h"
 #include "mesh/vectors.h"
 #include "support/disjoint_sets.h"
 #include "support/error.h"
@@ -22,8 +26,7 @@ namespace vorogeo {
 std::vector<SideOfFace> sorted_sides(std::span<const std::array<Index, 3>> faces) {
   std::vector<SideOfFace> sides;
   sides.reserve(3 * faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const std::size_t f : checked(faces.size())) {
     if (!is_usable(faces[f])) continue;
     for (int i = 0; i < 3; ++i) {
       const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
@@ -49,7 +52,7 @@ std::vector<SideOfFace> sides_in_mesh(std::span<const std::array<Index, 3>> face
   return sides;
 }
 
-// ---- Directions, neighbours and distances of border edges
+// ---- The border edges of a mesh with what decides whether two of them are the sides of one gap
 
 namespace {
 
@@ -57,6 +60,23 @@ namespace {
 constexpr double max_cosine = 0.5;
 /// Faces may overlap by this part of their height, as rounding and noise make borders that meet overlap.
 constexpr double max_overlap = 0.1;
+
+/// An edge with one face.
+struct BorderSide {
+  Index halfedge;  ///< of the face
+  Index tail, head;
+  Point
+      out;  ///< unit vector in the plane of the face, across the edge and away from the face; 0 without area
+  double depth;  ///< height of the face over the edge
+};
+
+/// The part of two sides that runs beside each other.
+struct SidePair {
+  double apart;    ///< their distance in the middle of that part
+  double nearest;  ///< in its middle or at one of its ends
+  double overlap;  ///< its length
+  Point across;    ///< from the first side to the second, in the middle
+};
 
 std::uint64_t key_of(Index a, Index b) {
   const auto [low, high] = std::minmax(a, b);
@@ -96,254 +116,321 @@ std::vector<Box> boxes_of(const Mesh& mesh, const std::vector<BorderSide>& sides
   return boxes;
 }
 
-}  // namespace
-
-BorderSides::BorderSides(const Mesh& mesh)
-    : mesh_(mesh), sides_(sides_of(mesh)), tree_(boxes_of(mesh, sides_)) {
-  side_between_.reserve(sides_.size());
-  for (Index s = 0; s < count(); ++s) side_between_[key_of(sides_[s].tail, sides_[s].head)] = s;
-}
-
-Box BorderSides::box(Index side) const { return box_of(mesh_, sides_[side]); }
-
-Index BorderSides::between(Index a, Index b) const {
-  const auto found = side_between_.find(key_of(a, b));
-  return found == side_between_.end() ? no_index : found->second;
-}
-
-Index BorderSides::next(Index side, Index vertex) const {
-  Index h = sides_[side].halfedge;
-  for (;;) {
-    const Index other = mesh_.head(h) == vertex ? Mesh::next_in_face(h) : Mesh::previous_in_face(h);
-    const Index twin = mesh_.next_around_edge(other);
-    if (twin == other) return between(mesh_.tail(other), mesh_.head(other));
-    if (mesh_.next_around_edge(twin) != other) return no_index;
-    h = twin;
+/// All border edges, by numbers of their own. Holds the mesh by reference. Immutable.
+class BorderSides {
+ public:
+  explicit BorderSides(const Mesh& mesh)
+      : mesh_(mesh), sides_(sides_of(mesh)), tree_(boxes_of(mesh, sides_)) {
+    side_between_.reserve(sides_.size());
+    for (Index s = 0; s < count(); ++s) side_between_[key_of(sides_[s].tail, sides_[s].head)] = s;
   }
-}
 
-Point BorderSides::nearest_on(Index side, const Point& position) const {
-  const Point& a = mesh_.position(sides_[side].tail);
-  const Point along = minus(mesh_.position(sides_[side].head), a);
-  const double square = dot(along, along);
-  const double t = square > 0.0 ? std::clamp(dot(minus(position, a), along) / square, 0.0, 1.0) : 0.0;
-  return moved(a, t, along);
-}
-
-SidePair BorderSides::beside(Index first, Index second) const {
-  const Point& a = mesh_.position(sides_[first].tail);
-  const Point along = minus(mesh_.position(sides_[first].head), a);
-  const double square = dot(along, along);
-  const auto place = [&](Index vertex) {
-    const double t = square > 0.0 ? dot(minus(mesh_.position(vertex), a), along) / square : 0.0;
-    return std::clamp(t, 0.0, 1.0);
-  };
-  const auto [from, to] = std::minmax({place(sides_[second].tail), place(sides_[second].head)});
-  SidePair pair{};
-  pair.overlap = (to - from) * std::sqrt(square);
-  const Point middle = moved(a, 0.5 * (from + to), along);
-  pair.across = minus(nearest_on(second, middle), middle);
-  pair.apart = length_of(pair.across);
-  pair.nearest = pair.apart;
-  for (const double t : {from, to}) {
-    const Point at = moved(a, t, along);
-    pair.nearest = std::min(pair.nearest, distance_between(at, nearest_on(second, at)));
+  Index count() const { return static_cast<Index>(sides_.size()); }
+  const BorderSide& operator[](Index side) const { return sides_[side]; }
+  const BoxTree& tree() const { return tree_; }
+  Box box(Index side) const { return box_of(mesh_, sides_[side]); }
+  /// Calls visit(other) for the sides near one; see BoxTree.
+  template <class Visit, class Skip = BoxTree::SkipNone>
+  void visit_near(Index side, double reach, int max_visits, Visit&& visit, const Skip& skip = {}) const {
+    const auto box_of = [&](Index other) { return box(other); };
+    tree_.visit_near(box(side), reach, max_visits, box_of, visit, skip);
   }
-  return pair;
-}
+  const Point& position(Index vertex) const { return mesh_.position(vertex); }
 
-bool BorderSides::continues(Index first, Index second, const Point& across, bool folds) const {
-  const BorderSide& a = sides_[first];
-  const BorderSide& b = sides_[second];
-  return (folds || dot(a.out, b.out) <= max_cosine) && dot(a.out, across) >= -max_overlap * a.depth &&
-         -dot(b.out, across) >= -max_overlap * b.depth;
-}
+  /// The side between two vertices; no_index if there is none.
+  Index between(Index a, Index b) const {
+    const auto found = side_between_.find(key_of(a, b));
+    return found == side_between_.end() ? no_index : found->second;
+  }
+  Index other_end(Index side, Index vertex) const {
+    return sides_[side].tail == vertex ? sides_[side].head : sides_[side].tail;
+  }
+  /// The side that follows at one of its ends, along the faces that it bounds; no_index at a non-manifold
+  /// edge.
+  Index next(Index side, Index vertex) const {
+    Index h = sides_[side].halfedge;
+    for (;;) {
+      const Index other = mesh_.head(h) == vertex ? Mesh::next_in_face(h) : Mesh::previous_in_face(h);
+      const Index twin = mesh_.next_around_edge(other);
+      if (twin == other) return between(mesh_.tail(other), mesh_.head(other));
+      if (mesh_.next_around_edge(twin) != other) return no_index;
+      h = twin;
+    }
+  }
 
-// ---- Rows of triangles between borders, narrowest gaps first
+  /// The point of a side nearest to a position.
+  Point nearest_on(Index side, const Point& position) const {
+    const Point& a = mesh_.position(sides_[side].tail);
+    const Point& b = mesh_.position(sides_[side].head);
+    return moved(a, along_segment(position, a, b), minus(b, a));
+  }
+  double distance(Index side, Index vertex) const {
+    return distance_between(mesh_.position(vertex), nearest_on(side, mesh_.position(vertex)));
+  }
+  SidePair beside(Index first, Index second) const {
+    const Point& a = mesh_.position(sides_[first].tail);
+    const Point& b = mesh_.position(sides_[first].head);
+    const Point along = minus(b, a);
+    const auto place = [&](Index vertex) { return along_segment(mesh_.position(vertex), a, b); };
+    const auto [from, to] = std::minmax({place(sides_[second].tail), place(sides_[second].head)});
+    SidePair pair{};
+    pair.overlap = (to - from) * std::sqrt(dot(along, along));
+    const Point middle = moved(a, 0.5 * (from + to), along);
+    pair.across = minus(nearest_on(second, middle), middle);
+    pair.apart = length_of(pair.across);
+    pair.nearest = pair.apart;
+    for (const double t : {from, to}) {
+      const Point at = moved(a, t, along);
+      pair.nearest = std::min(pair.nearest, distance_between(at, nearest_on(second, at)));
+    }
+    return pair;
+  }
 
-namespace {
+  /// Whether the surface goes on across a gap from one side to the other (docs/gaps.md): its direction turns
+  /// by at most 120 degrees, and `across`, from the first side to the second, does not lead back over the
+  /// face of either. `folds`: however much it turns.
+  bool continues(Index first, Index second, const Point& across, bool folds) const {
+    const BorderSide& a = sides_[first];
+    const BorderSide& b = sides_[second];
+    return (folds || dot(a.out, b.out) <= max_cosine) && dot(a.out, across) >= -max_overlap * a.depth &&
+           -dot(b.out, across) >= -max_overlap * b.depth;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<BorderSide> sides_;
+  std::unordered_map<std::uint64_t, Index> side_between_;
+  BoxTree tree_;
+};
+
+// ---- Closes gaps between borders like a zipper: rows of triangles along both of them, narrowest gaps first
 
 /// Holes with more edges than this belong to the surface; smaller ones are left where gaps meet.
 constexpr std::size_t max_hole_edges = 16;
 /// Rather than that a row grows, a new one begins where the gap is narrower by this factor.
 constexpr double begin_early = 2.0;
 
-}  // namespace
+/// Makes the triangles between borders. Each border edge becomes the side of one triangle at most.
+class GapZipper {
+ public:
+  GapZipper(const Mesh& mesh, const BorderSides& sides, const GapLimit& limit)
+      : mesh_(mesh), sides_(sides), limit_(limit), used_(sides.count(), 0) {}
 
-/// The ends of the two sides between which a row begins, moved back along their borders as long as each lies
-/// beside the other side: triangles from the middle of a long side to its far end would cover what lies
-/// between.
-GapZipper::Front GapZipper::front_between(Index first, Index second) const {
-  const auto direction = [&](Index side) {
-    return minus(mesh_.position(sides_[side].head), mesh_.position(sides_[side].tail));
+  /// Two sides that run beside each other, `apart` from each other: rows of triangles may begin there.
+  void add_start(double apart, Index first, Index second) { starts_.push_back({apart, first, second}); }
+  /// Bridges the gaps: at every moment the row of triangles grows, or begins, where the gap is narrowest, so
+  /// that where several gaps meet each border is joined to the one across and not to one round the corner.
+  void close() {
+    std::ranges::sort(starts_);
+    auto next = starts_.begin();
+    while (next != starts_.end() || !growing_.empty()) {
+      if (growing_.empty() || (next != starts_.end() && begin_early * next->apart < growing_.top().apart)) {
+        begin(*next++);
+        continue;
+      }
+      const Growing row = growing_.top();
+      growing_.pop();
+      grow(row.front);
+    }
+  }
+  /// Small holes that are left where several gaps meet.
+  void fill_holes() {
+    std::map<Index, std::vector<Index>> at;  // ordered, so that the bridges do not depend on a hash
+    for (const auto& [p, q] : ends_) {
+      if (distance_between(mesh_.position(p), mesh_.position(q)) > limit_.length) continue;
+      at[p].push_back(q);
+      at[q].push_back(p);
+    }
+    std::vector<Index> ring;
+    for (auto& [first, neighbours] : at) {
+      if (neighbours.size() != 2) continue;
+      ring = {first};
+      Index previous = neighbours[1];
+      Index here = first;
+      for (;;) {
+        auto& adjacent = at[here];
+        const Index next = adjacent[0] == previous ? adjacent[1] : adjacent[0];
+        if (next == first || ring.size() > max_hole_edges || at[next].size() != 2) break;
+        previous = here;
+        here = next;
+        ring.push_back(here);
+      }
+      const bool closed = ring.size() >= 3 && ring.size() <= max_hole_edges &&
+                          (at[here][0] == first || at[here][1] == first) && at[here].size() == 2;
+      if (!closed) continue;
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) faces_.push_back({first, ring[i], ring[i + 1]});
+      for (const Index v : ring) at[v].clear();
+    }
+  }
+
+  std::vector<std::array<Index, 3>> take_faces() { return std::move(faces_); }
+
+ private:
+  /// The end of a row of triangles: a vertex of each border and the sides that leave them.
+  struct Front {
+    Index p, q;
+    Index from_p, from_q;  ///< no_index: that border ends
+    Index last_p, last_q;  ///< the sides passed last, which give the directions where a border ends
   };
-  const bool same = dot(direction(first), direction(second)) >= 0.0;
-  Front front{
-      sides_[first].tail, same ? sides_[second].tail : sides_[second].head, first, second, first, second};
-  const auto lies_beside = [&](Index side, Index from, Index vertex) {
-    const Point& a = mesh_.position(from);
-    const Point along = minus(mesh_.position(sides_.other_end(side, from)), a);
-    const Point to = minus(mesh_.position(vertex), a);
-    return dot(to, along) > 0.0 && sides_.distance(side, vertex) <= limit_.length;
+
+  /// A pair of sides to begin at.
+  struct Start {
+    double apart;
+    Index first, second;
+    auto operator<=>(const Start&) const = default;
   };
-  const auto slide = [&](Index& vertex, Index& side, Index opposite, Index opposite_side) {
-    const Index began = vertex;
-    for (;;) {
-      const Index back = free_next(side, vertex);
-      if (back == no_index || back == opposite_side) return;
-      const Index previous = sides_.other_end(back, vertex);
-      if (previous == opposite || previous == began || !lies_beside(opposite_side, opposite, previous))
-        return;
-      const Point across =
-          minus(sides_.nearest_on(opposite_side, mesh_.position(previous)), mesh_.position(previous));
-      if (!sides_.continues(back, opposite_side, across, limit_.folds)) return;
-      vertex = previous;
-      side = back;
+  /// A row that grows next where the gap is `apart` wide.
+  struct Growing {
+    double apart;
+    std::size_t number;  ///< for an order of its own
+    Front front;
+    bool operator>(const Growing& other) const {
+      return apart != other.apart ? apart > other.apart : number > other.number;
     }
   };
-  slide(front.p, front.from_p, front.q, front.from_q);
-  slide(front.q, front.from_q, front.p, front.from_p);
-  front.last_p = front.from_p;
-  front.last_q = front.from_q;
-  return front;
-}
 
-Index GapZipper::free_next(Index side, Index vertex) const {
-  const Index next = sides_.next(side, vertex);
-  return is_free(next) ? next : no_index;
-}
-
-void GapZipper::close() {
-  std::ranges::sort(starts_);
-  auto next = starts_.begin();
-  while (next != starts_.end() || !growing_.empty()) {
-    if (growing_.empty() || (next != starts_.end() && begin_early * next->apart < growing_.top().apart)) {
-      begin(*next++);
-      continue;
+  /// The ends of the two sides between which a row begins, moved back along their borders as long as each
+  /// lies beside the other side: triangles from the middle of a long side to its far end would cover what
+  /// lies between.
+  Front front_between(Index first, Index second) const {
+    const auto direction = [&](Index side) {
+      return minus(mesh_.position(sides_[side].head), mesh_.position(sides_[side].tail));
+    };
+    const bool same = dot(direction(first), direction(second)) >= 0.0;
+    Front front{
+        sides_[first].tail, same ? sides_[second].tail : sides_[second].head, first, second, first, second};
+    const auto lies_beside = [&](Index side, Index from, Index vertex) {
+      const Point& a = mesh_.position(from);
+      const Point along = minus(mesh_.position(sides_.other_end(side, from)), a);
+      const Point to = minus(mesh_.position(vertex), a);
+      return dot(to, along) > 0.0 && sides_.distance(side, vertex) <= limit_.length;
+    };
+    const auto slide = [&](Index& vertex, Index& side, Index opposite, Index opposite_side) {
+      const Index began = vertex;
+      for (;;) {
+        const Index back = free_next(side, vertex);
+        if (back == no_index || back == opposite_side) return;
+        const Index previous = sides_.other_end(back, vertex);
+        if (previous == opposite || previous == began || !lies_beside(opposite_side, opposite, previous))
+          return;
+        const Point across =
+            minus(sides_.nearest_on(opposite_side, mesh_.position(previous)), mesh_.position(previous));
+        if (!sides_.continues(back, opposite_side, across, limit_.folds)) return;
+        vertex = previous;
+        side = back;
+      }
+    };
+    slide(front.p, front.from_p, front.q, front.from_q);
+    slide(front.q, front.from_q, front.p, front.from_p);
+    front.last_p = front.from_p;
+    front.last_q = front.from_q;
+    return front;
+  }
+  void begin(const Start& start) {
+    if (!is_free(start.first) || !is_free(start.second)) return;
+    const Front forward = front_between(start.first, start.second);
+    if (forward.p == forward.q) return begin_at_corner(forward);
+    const double width = std::min(next_width_p(forward), next_width_q(forward));
+    if (width == unreachable) return;
+    grow(forward);
+    push({forward.p, forward.q, free_next(forward.from_p, forward.p), free_next(forward.from_q, forward.q),
+          forward.from_p, forward.from_q});
+  }
+  /// The first triangle between two sides that meet: both of them and the edge between their other ends.
+  void begin_at_corner(Front front) {
+    if (front.from_p == front.from_q || !is_free(front.from_p) || !is_free(front.from_q)) return;
+    const Index p = sides_.other_end(front.from_p, front.p);
+    const Index q = sides_.other_end(front.from_q, front.q);
+    const double apart = std::min(sides_.distance(front.from_q, p), sides_.distance(front.from_p, q));
+    if (p == q || !(apart <= limit_.length)) return;
+    faces_.push_back({front.p, p, q});
+    used_[front.from_p] = used_[front.from_q] = 1;
+    push({p, q, sides_.next(front.from_p, p), sides_.next(front.from_q, q), front.from_p, front.from_q});
+  }
+  /// Width of the gap at the next vertex of one border; `unreachable` if the row may not go on to it.
+  double next_width(Index side, Index from, Index opposite, Index opposite_side, Index last,
+                    Index last_own) const {
+    if (!is_free(side)) return unreachable;
+    const Index to = sides_.other_end(side, from);
+    if (to == opposite) return unreachable;
+    const Point& at = mesh_.position(to);
+    const Point near =
+        is_free(opposite_side) ? sides_.nearest_on(opposite_side, at) : mesh_.position(opposite);
+    const Point across = minus(near, at);
+    const double width = length_of(across);
+    if (!(width <= limit_.length)) return unreachable;
+    // Ragged borders turn from edge to edge: any two of the edges at both ends may face each other.
+    for (const Index own : {side, last_own}) {
+      if (is_free(opposite_side) && sides_.continues(own, opposite_side, across, limit_.folds)) return width;
+      if (sides_.continues(own, last, across, limit_.folds)) return width;
     }
-    const Growing row = growing_.top();
-    growing_.pop();
-    grow(row.front);
+    return unreachable;
   }
-}
-
-void GapZipper::begin(const Start& start) {
-  if (!is_free(start.first) || !is_free(start.second)) return;
-  const Front forward = front_between(start.first, start.second);
-  if (forward.p == forward.q) return begin_at_corner(forward);
-  const double width = std::min(next_width_p(forward), next_width_q(forward));
-  if (width == unreachable) return;
-  grow(forward);
-  push({forward.p, forward.q, free_next(forward.from_p, forward.p), free_next(forward.from_q, forward.q),
-        forward.from_p, forward.from_q});
-}
-
-/// The first triangle between two sides that meet: both of them and the edge between their other ends.
-void GapZipper::begin_at_corner(Front front) {
-  if (front.from_p == front.from_q || !is_free(front.from_p) || !is_free(front.from_q)) return;
-  const Index p = sides_.other_end(front.from_p, front.p);
-  const Index q = sides_.other_end(front.from_q, front.q);
-  const double apart = std::min(sides_.distance(front.from_q, p), sides_.distance(front.from_p, q));
-  if (p == q || !(apart <= limit_.length)) return;
-  faces_.push_back({front.p, p, q});
-  used_[front.from_p] = used_[front.from_q] = 1;
-  push({p, q, sides_.next(front.from_p, p), sides_.next(front.from_q, q), front.from_p, front.from_q});
-}
-
-double GapZipper::next_width(Index side, Index from, Index opposite, Index opposite_side, Index last,
-                             Index last_own) const {
-  if (!is_free(side)) return unreachable;
-  const Index to = sides_.other_end(side, from);
-  if (to == opposite) return unreachable;
-  const Point& at = mesh_.position(to);
-  const Point near = is_free(opposite_side) ? sides_.nearest_on(opposite_side, at) : mesh_.position(opposite);
-  const Point across = minus(near, at);
-  const double width = length_of(across);
-  if (!(width <= limit_.length)) return unreachable;
-  // Ragged borders turn from edge to edge: any two of the edges at both ends may face each other.
-  for (const Index own : {side, last_own}) {
-    if (is_free(opposite_side) && sides_.continues(own, opposite_side, across, limit_.folds)) return width;
-    if (sides_.continues(own, last, across, limit_.folds)) return width;
+  double next_width_p(const Front& front) const {
+    return next_width(front.from_p, front.p, front.q, front.from_q, front.last_q, front.last_p);
   }
-  return unreachable;
-}
-
-/// Notes where a row of triangles will grow, or that it ends.
-void GapZipper::push(const Front& front) {
-  // Where the border itself joins the two vertices, the gap ends there.
-  const Index end = sides_.between(front.p, front.q);
-  if (is_free(end)) {
-    used_[end] = 1;
-    return;
+  double next_width_q(const Front& front) const {
+    return next_width(front.from_q, front.q, front.p, front.from_p, front.last_p, front.last_q);
   }
-  const double width = std::min(next_width_p(front), next_width_q(front));
-  if (width == unreachable) {
-    ends_.push_back({front.p, front.q});
-  } else {
-    growing_.push({width, pushed_++, front});
-  }
-}
-
-void GapZipper::advance(Index& vertex, Index& side, Index& last, Index opposite) {
-  const Index to = sides_.other_end(side, vertex);
-  faces_.push_back({vertex, to, opposite});
-  used_[side] = 1;
-  last = side;
-  side = sides_.next(side, to);
-  vertex = to;
-}
-
-/// One triangle more, unless its side has been used since the row was noted.
-void GapZipper::grow(Front front) {
-  const bool p = next_width_p(front) < unreachable;
-  const bool q = next_width_q(front) < unreachable;
-  bool take_p = p;
-  if (p && q) {
-    const Point& next_p = mesh_.position(sides_.other_end(front.from_p, front.p));
-    const Point& next_q = mesh_.position(sides_.other_end(front.from_q, front.q));
-    take_p = distance_between(next_p, mesh_.position(front.q)) <=
-             distance_between(next_q, mesh_.position(front.p));
-  }
-  if (take_p) {
-    advance(front.p, front.from_p, front.last_p, front.q);
-  } else if (q) {
-    advance(front.q, front.from_q, front.last_q, front.p);
-  }
-  push(front);
-}
-
-void GapZipper::fill_holes() {
-  std::map<Index, std::vector<Index>> at;  // ordered, so that the bridges do not depend on a hash
-  for (const auto& [p, q] : ends_) {
-    if (distance_between(mesh_.position(p), mesh_.position(q)) > limit_.length) continue;
-    at[p].push_back(q);
-    at[q].push_back(p);
-  }
-  std::vector<Index> ring;
-  for (auto& [first, neighbours] : at) {
-    if (neighbours.size() != 2) continue;
-    ring = {first};
-    Index previous = neighbours[1];
-    Index here = first;
-    for (;;) {
-      auto& adjacent = at[here];
-      const Index next = adjacent[0] == previous ? adjacent[1] : adjacent[0];
-      if (next == first || ring.size() > max_hole_edges || at[next].size() != 2) break;
-      previous = here;
-      here = next;
-      ring.push_back(here);
+  /// Notes where a row of triangles will grow, or that it ends.
+  void push(const Front& front) {
+    // Where the border itself joins the two vertices, the gap ends there.
+    const Index end = sides_.between(front.p, front.q);
+    if (is_free(end)) {
+      used_[end] = 1;
+      return;
     }
-    const bool closed = ring.size() >= 3 && ring.size() <= max_hole_edges &&
-                        (at[here][0] == first || at[here][1] == first) && at[here].size() == 2;
-    if (!closed) continue;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) faces_.push_back({first, ring[i], ring[i + 1]});
-    for (const Index v : ring) at[v].clear();
+    const double width = std::min(next_width_p(front), next_width_q(front));
+    if (width == unreachable) {
+      ends_.push_back({front.p, front.q});
+    } else {
+      growing_.push({width, pushed_++, front});
+    }
   }
-}
+  /// One triangle more, unless its side has been used since the row was noted.
+  void grow(Front front) {
+    const bool p = next_width_p(front) < unreachable;
+    const bool q = next_width_q(front) < unreachable;
+    bool take_p = p;
+    if (p && q) {
+      const Point& next_p = mesh_.position(sides_.other_end(front.from_p, front.p));
+      const Point& next_q = mesh_.position(sides_.other_end(front.from_q, front.q));
+      take_p = distance_between(next_p, mesh_.position(front.q)) <=
+               distance_between(next_q, mesh_.position(front.p));
+    }
+    if (take_p) {
+      advance(front.p, front.from_p, front.last_p, front.q);
+    } else if (q) {
+      advance(front.q, front.from_q, front.last_q, front.p);
+    }
+    push(front);
+  }
+  void advance(Index& vertex, Index& side, Index& last, Index opposite) {
+    const Index to = sides_.other_end(side, vertex);
+    faces_.push_back({vertex, to, opposite});
+    used_[side] = 1;
+    last = side;
+    side = sides_.next(side, to);
+    vertex = to;
+  }
+  bool is_free(Index side) const { return side != no_index && used_[side] == 0; }
+  Index free_next(Index side, Index vertex) const {
+    const Index next = sides_.next(side, vertex);
+    return is_free(next) ? next : no_index;
+  }
+
+  const Mesh& mesh_;
+  const BorderSides& sides_;
+  GapLimit limit_;
+  std::vector<std::uint8_t> used_;  ///< by side
+  std::vector<Start> starts_;
+  std::priority_queue<Growing, std::vector<Growing>, std::greater<>> growing_;
+  std::size_t pushed_ = 0;
+  std::vector<std::array<Index, 3>> faces_;
+  std::vector<std::array<Index, 2>> ends_;  ///< edges at which rows of triangles end
+};
 
 // ---- Equal positions, then rows of triangles from the closest sides on, then single triangles
-
-namespace {
 
 /// Sides that run beside each other for less than this part of the shorter one only meet at a corner.
 constexpr double least_overlap = 0.1;
@@ -412,7 +499,7 @@ void add_starts(const BorderSides& sides, Index side, const GapLimit& limit, Gap
     if (nearest.size() > max_partners) nearest.pop_back();
     return nearest.size() < max_partners ? limit.length : std::min(limit.length, nearest.back().first);
   };
-  sides.tree().visit_near(sides.box(side), limit.length, max_looked_at, look_at, [](Index) { return false; });
+  sides.visit_near(side, limit.length, max_looked_at, look_at);
   for (const auto& [apart, other] : nearest) zipper.add_start(apart, side, other);
 }
 
@@ -440,8 +527,7 @@ std::vector<Link> join_components(const BorderSides& sides, DisjointSets& sets, 
     if (roots.size() < 2) break;
     best.assign(roots.size(), {});
     sides.tree().common_labels(root, common);
-    for (Index s = 0; s < sides.count(); ++s) {
-      if (s % elements_per_checkpoint == 0) checkpoint();
+    for (const Index s : checked(sides.count())) {
       Link& own = best[std::ranges::lower_bound(roots, root[s]) - roots.begin()];
       const auto look_at = [&](Index other) {
         const double reach = std::min(limit.length, own.apart);
@@ -457,8 +543,8 @@ std::vector<Link> join_components(const BorderSides& sides, DisjointSets& sets, 
         for (const Index v : {sides[other].tail, sides[other].head}) attempt(v, s, other);
         return std::min(limit.length, own.apart);
       };
-      sides.tree().visit_near(sides.box(s), std::min(limit.length, own.apart), max_looked_at, look_at,
-                              [&](Index node) { return common[node] == root[s]; });
+      sides.visit_near(s, std::min(limit.length, own.apart), max_looked_at, look_at,
+                       [&](Index node) { return common[node] == root[s]; });
     }
     for (const Link& link : best) {
       if (link.side == no_index || sets.root(link.vertex) == sets.root(sides[link.side].tail)) continue;
@@ -473,8 +559,7 @@ std::vector<Link> join_components(const BorderSides& sides, DisjointSets& sets, 
 std::vector<std::array<Index, 3>> rows_between_borders(const Mesh& mesh, const GapLimit& limit) {
   const BorderSides sides(mesh);
   GapZipper zipper(mesh, sides, limit);
-  for (Index s = 0; s < sides.count(); ++s) {
-    if (s % elements_per_checkpoint == 0) checkpoint();
+  for (const Index s : checked(sides.count())) {
     add_starts(sides, s, limit, zipper);
   }
   zipper.close();
@@ -531,33 +616,6 @@ GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit) {
     bridges.faces.push_back({sides[link.side].tail, sides[link.side].head, link.vertex});
   }
   return bridges;
-}
-
-std::shared_ptr<const Mesh> bridged_mesh(const std::vector<Point>& positions,
-                                         const std::vector<std::array<Index, 3>>& faces,
-                                         const GapLimit& limit) {
-  auto mesh = std::make_shared<const Mesh>(positions, faces);
-  require_gap(limit);
-  if (limit.length == 0.0) return mesh;
-  const GapBridges bridges = find_gap_bridges(*mesh, limit);
-  if (bridges.empty()) return mesh;
-  return std::make_shared<const Mesh>(positions, faces, bridges);
-}
-
-std::shared_ptr<const Mesh> measured_mesh(const std::vector<Point>& positions,
-                                          const std::vector<std::array<Index, 3>>& faces,
-                                          const SideLengths& sides, const GapLimit& limit,
-                                          Index points_per_edge, const FaceSplits& splits) {
-  if (sides.empty()) return bridged_mesh(positions, faces, limit);
-  if (limit.length > 0.0) {
-    throw InvalidInput(
-        "Gaps are bridged by their width in space, so not in a metric; leave out the gap or the metric.");
-  }
-  if (points_per_edge > 0) {
-    return std::make_shared<const Mesh>(positions, faces, FaceSides{sides, points_per_edge});
-  }
-  if (!splits.empty()) return std::make_shared<const Mesh>(positions, faces, splits);
-  return std::make_shared<const Mesh>(positions, faces, sides);
 }
 
 double gap_to_join_all(const Mesh& mesh, bool folds) {

@@ -46,46 +46,88 @@ void require_vertices(const std::vector<std::array<Index, 3>>& faces, Index vert
   }
 }
 
-void checkpoint_at(Index element) {
-  if (element % elements_per_checkpoint == 0) checkpoint();
-}
-
 }  // namespace
 
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces)
-    : Mesh(std::move(positions), faces, nullptr) {}
+Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric)
+    : positions_(std::move(positions)),
+      middle_of_(metric.splits.middle_of),
+      points_per_edge_(metric.points_per_edge),
+      has_metric_(!metric.sides.empty()) {
+  constexpr Index max_points = 1000;
+  if (points_per_edge_ < 0 || points_per_edge_ > max_points) {
+    throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
+                       "; give 1 to 1000.");
+  }
+  if (metric.splits.empty()) {
+    face_vertices_ = std::move(faces);
+    connect(metric.sides);
+    return;
+  }
+  for (const auto& [a, b] : middle_of_) {
+    positions_.push_back(moved(moved({}, 0.5, positions_[a]), 0.5, positions_[b]));
+  }
+  face_vertices_ = metric.splits.faces;
+  connect(metric.splits.sides);
+  count_given_faces(faces, metric.splits.given_face);
+}
 
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-           const SideLengths& sides)
-    : Mesh(std::move(positions), faces, &sides) {}
+Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges)
+    : positions_(std::move(positions)), face_vertices_(std::move(faces)), same_as_(bridges.same_as) {
+  const auto given = static_cast<Index>(face_vertices_.size());
+  const auto count = static_cast<Index>(same_as_.size());
+  for (auto& face : face_vertices_) {
+    for (Index& v : face) {
+      if (v >= 0 && v < count) v = same_as_[v];
+    }
+  }
+  face_vertices_.insert(face_vertices_.end(), bridges.faces.begin(), bridges.faces.end());
+  connect({});
+  if (bridges.faces.empty()) return;
+  const auto first = std::ranges::lower_bound(input_face_, given);
+  first_bridge_ = input_face_.empty() ? given : static_cast<Index>(first - input_face_.begin());
+}
 
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-           const SideLengths* sides, Index points_per_edge)
-    : positions_(std::move(positions)), points_per_edge_(points_per_edge), has_metric_(sides != nullptr) {
+void Mesh::connect(const SideLengths& sides) {
   constexpr auto max_count = static_cast<std::size_t>(std::numeric_limits<Index>::max());
-  if (positions_.size() > max_count || faces.size() > max_count / 3) {
+  if (positions_.size() > max_count || face_vertices_.size() > max_count / 3) {
     throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
   }
   has_positions_ = !has_metric_ || positions_.empty() || !std::isnan(positions_[0][0]);
   if (has_positions_) require_finite(positions_);
-  require_vertices(faces, vertex_count());
-  face_vertices_ = faces;
+  require_vertices(face_vertices_, vertex_count());
   list_corners();
   leave_out_faces();
   link_edges();
-  if (sides != nullptr) take_sides(*sides);
+  if (has_metric_) take_sides(sides);
   measure_edges();
   sort_fans();
-  if (sides != nullptr) bound_straight_lines();
+  if (has_metric_) bound_straight_lines();
   find_components();
+}
+
+void Mesh::count_given_faces(const std::vector<std::array<Index, 3>>& given,
+                             const std::vector<Index>& given_face) {
+  std::vector<Index> number_of(face_count());
+  for (Index f = 0; f < face_count(); ++f) {
+    const Index number = number_of[f] = given_face[input_face(f)];
+    const bool is_second_part =
+        f > 0 && number == number_of[f - 1] && (split_faces_.empty() || split_faces_.back().given != number);
+    if (is_second_part) split_faces_.push_back({number, given[number]});
+  }
+  input_face_ = std::move(number_of);
+}
+
+const std::array<Index, 3>& Mesh::given_corners(Index face) const {
+  const auto found = std::ranges::lower_bound(split_faces_, input_face(face), {}, &SplitFace::given);
+  const bool is_part = found != split_faces_.end() && found->given == input_face(face);
+  return is_part ? found->corners : face_vertices_[face];
 }
 
 void Mesh::measure_edges() {
   constexpr double typical_per_median = 10.0;
   double total = 0.0;
   std::size_t positive = 0;
-  for (Index e = 0; e < edge_count(); ++e) {
-    checkpoint_at(e);
+  for (const Index e : checked(edge_count())) {
     const double length = edge_length_[e];
     total += length;
     longest_edge_length_ = std::max(longest_edge_length_, length);
@@ -97,8 +139,7 @@ void Mesh::measure_edges() {
   const double greatest = typical_per_median * positive_of_rank(edge_length_, positive / 2);
   double typical_total = 0.0;
   std::size_t count = 0;
-  for (Index e = 0; e < edge_count(); ++e) {
-    checkpoint_at(e);
+  for (const Index e : checked(edge_count())) {
     const double length = edge_length_[e];
     if (length > greatest) continue;
     typical_total += length;
@@ -114,15 +155,13 @@ void Mesh::find_components() {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  for (Index e = 0; e < edge_count(); ++e) {
-    checkpoint_at(e);
+  for (const Index e : checked(edge_count())) {
     const auto& edge = edge_vertices_[e];
     const auto [a, b] = std::minmax({root(edge[0]), root(edge[1])});
     parent[b] = a;
   }
   component_.assign(positions_.size(), no_index);
-  for (Index v = 0; v < vertex_count(); ++v) {
-    checkpoint_at(v);
+  for (const Index v : checked(vertex_count())) {
     const Index r = root(v);
     component_[v] = r == v ? component_count_++ : component_[r];
   }
@@ -172,8 +211,7 @@ double factor_to_unit(double mean, double longest) {
 void Mesh::list_corners() {
   // A counting sort from behind: each count becomes the end of its vertex's part, then its beginning.
   corner_begin_.assign(positions_.size() + 1, 0);
-  for (Index f = 0; f < face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(face_count())) {
     for (Index v : face_vertices_[f]) ++corner_begin_[v];
   }
   std::partial_sum(corner_begin_.begin(), corner_begin_.end(), corner_begin_.begin());
@@ -346,16 +384,12 @@ Mesh::Fan Mesh::sort_fan(Index vertex, std::vector<Index>& chain) {
 
 namespace {
 
-Point from_to(const Point& a, const Point& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
-
-double scalar_product(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 double cross_length(const Point& a, const Point& b) {
-  const Point cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  const double square = scalar_product(cross, cross);
+  const Point across = cross(a, b);
+  const double square = dot(across, across);
   // Only there do squares keep all their digits.
   const bool in_range = square > 1e-270 && square < 1e270;
-  return in_range ? std::sqrt(square) : std::hypot(cross[0], cross[1], cross[2]);
+  return in_range ? std::sqrt(square) : length_of(across);
 }
 
 }  // namespace
@@ -363,9 +397,9 @@ double cross_length(const Point& a, const Point& b) {
 double Mesh::corner_angle(Index halfedge) const {
   const auto corners = face_corners(face_of(halfedge));
   const Point& corner = corners[halfedge % 3];
-  const Point to_next = from_to(corner, corners[next_in_face(halfedge) % 3]);
-  const Point to_previous = from_to(corner, corners[previous_in_face(halfedge) % 3]);
-  return std::atan2(cross_length(to_next, to_previous), scalar_product(to_next, to_previous));
+  const Point to_next = minus(corners[next_in_face(halfedge) % 3], corner);
+  const Point to_previous = minus(corners[previous_in_face(halfedge) % 3], corner);
+  return std::atan2(cross_length(to_next, to_previous), dot(to_next, to_previous));
 }
 
 /// The sum of the angles of the corners at a vertex. Angles add up where complex numbers are multiplied, so
@@ -378,13 +412,13 @@ double Mesh::angle_around(Index vertex) const {
     Point to_next, to_previous;
     if (has_metric_) {
       const auto corner = face_corners(face_of(h));
-      to_next = from_to(corner[h % 3], corner[next_in_face(h) % 3]);
-      to_previous = from_to(corner[h % 3], corner[previous_in_face(h) % 3]);
+      to_next = minus(corner[next_in_face(h) % 3], corner[h % 3]);
+      to_previous = minus(corner[previous_in_face(h) % 3], corner[h % 3]);
     } else {
-      to_next = from_to(positions_[vertex], positions_[head(h)]);
-      to_previous = from_to(positions_[vertex], positions_[apex(h)]);
+      to_next = minus(positions_[head(h)], positions_[vertex]);
+      to_previous = minus(positions_[apex(h)], positions_[vertex]);
     }
-    double along = scalar_product(to_next, to_previous);
+    double along = dot(to_next, to_previous);
     double across = cross_length(to_next, to_previous);
     const double size = std::abs(along) + across;
     if (!(size > 0.0 && size < unreachable)) {
@@ -421,8 +455,8 @@ double Mesh::face_area(Index face) const {
   const Index opposite = 3 * face + longest;
   const auto corners = face_corners(face);
   const Point& corner = corners[previous_in_face(opposite) % 3];
-  return 0.5 * cross_length(from_to(corner, corners[opposite % 3]),
-                            from_to(corner, corners[next_in_face(opposite) % 3]));
+  return 0.5 * cross_length(minus(corners[opposite % 3], corner),
+                            minus(corners[next_in_face(opposite) % 3], corner));
 }
 
 double Mesh::mean_angle_defect() const {
@@ -476,25 +510,10 @@ struct Gram {
 
 }  // namespace
 
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-           const FaceSides& sides)
-    : Mesh(std::move(positions), faces, &sides.sides, sides.points_per_edge) {
-  constexpr Index max_points = 1000;
-  if (points_per_edge_ < 1 || points_per_edge_ > max_points) {
-    throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
-                       "; give 1 to 1000.");
-  }
-}
-
 std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
-                                              const std::vector<std::array<Index, 3>>& faces,
-                                              SideLengths sides) {
-  if (mesh.metric_jumps()) {
-    return std::make_shared<const Mesh>(std::move(positions), faces,
-                                        FaceSides{std::move(sides), mesh.points_per_edge()});
-  }
-  return mesh.has_metric() ? std::make_shared<const Mesh>(std::move(positions), faces, sides)
-                           : std::make_shared<const Mesh>(std::move(positions), faces);
+                                              std::vector<std::array<Index, 3>> faces, SideLengths sides) {
+  const Metric metric = mesh.has_metric() ? Metric{std::move(sides), mesh.points_per_edge()} : Metric{};
+  return std::make_shared<const Mesh>(std::move(positions), std::move(faces), metric);
 }
 
 void require_agreeing_faces(const Mesh& mesh, const std::string& what) {
@@ -530,8 +549,7 @@ void Mesh::take_sides(const SideLengths& sides) {
   face_sides_.resize(metric_jumps() ? face_count() : 0);
   for (std::size_t f = 0; f < face_sides_.size(); ++f)
     face_sides_[f] = sides[input_face(static_cast<Index>(f))];
-  for (Index e = 0; e < edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(edge_count())) {
     // Side k is opposite corner k, so half-edge 3 f + i is side i + 2.
     auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
     const Index first = edge_halfedge_[e];
@@ -591,8 +609,7 @@ void Mesh::bound_straight_lines() {
   straight_scale_ = 0.0;
   if (!has_positions_) return;
   double least = unreachable;
-  for (Index f = 0; f < face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(face_count())) {
     const auto& v = face_vertices_[f];
     const Gram space({positions_[v[0]], positions_[v[1]], positions_[v[2]]});
     const Gram metric(face_corners(f));
@@ -605,79 +622,6 @@ void Mesh::bound_straight_lines() {
     least = std::min(least, 2.0 * product / (sum + root));
   }
   if (least < unreachable) straight_scale_ = straight_slack * std::sqrt(least);
-}
-
-// ---- A mesh whose faces were split for a metric, with what was given of it
-
-namespace {
-
-std::vector<Point> with_middles(std::vector<Point> positions,
-                                const std::vector<std::array<Index, 2>>& middle_of) {
-  for (const auto& [a, b] : middle_of) {
-    Point middle{};
-    for (int k = 0; k < 3; ++k) middle[k] = 0.5 * positions[a][k] + 0.5 * positions[b][k];
-    positions.push_back(middle);
-  }
-  return positions;
-}
-
-}  // namespace
-
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& given,
-           const FaceSplits& splits)
-    : Mesh(with_middles(std::move(positions), splits.middle_of), splits.faces, &splits.sides) {
-  middle_of_ = splits.middle_of;
-  std::vector<Index> given_face(face_count());
-  for (Index f = 0; f < face_count(); ++f) given_face[f] = splits.given_face[input_face(f)];
-  for (Index f = 1; f < face_count(); ++f) {
-    const Index number = given_face[f];
-    const bool is_second_part =
-        number == given_face[f - 1] && (split_faces_.empty() || split_faces_.back().given != number);
-    if (is_second_part) split_faces_.push_back({number, given[number]});
-  }
-  input_face_ = std::move(given_face);
-}
-
-const std::array<Index, 3>& Mesh::given_corners(Index face) const {
-  const auto found = std::ranges::lower_bound(split_faces_, input_face(face), {}, &SplitFace::given);
-  const bool is_part = found != split_faces_.end() && found->given == input_face(face);
-  return is_part ? found->corners : face_vertices_[face];
-}
-
-// ---- A mesh whose gaps are closed by bridges
-
-namespace {
-
-std::vector<std::array<Index, 3>> with_bridges(std::vector<std::array<Index, 3>> faces,
-                                               const GapBridges& bridges) {
-  const auto count = static_cast<Index>(bridges.same_as.size());
-  for (auto& face : faces) {
-    for (Index& v : face) {
-      if (v >= 0 && v < count) v = bridges.same_as[v];
-    }
-  }
-  faces.insert(faces.end(), bridges.faces.begin(), bridges.faces.end());
-  return faces;
-}
-
-}  // namespace
-
-Mesh::Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-           const GapBridges& bridges)
-    : Mesh(std::move(positions), with_bridges(faces, bridges)) {
-  if (!bridges.faces.empty()) {
-    Index low = 0;
-    for (Index high = face_count(); low < high;) {
-      const Index middle = low + (high - low) / 2;
-      const bool given = input_face(middle) < static_cast<Index>(faces.size());
-      (given ? low : high) = given ? middle + 1 : middle;
-    }
-    first_bridge_ = low;
-  }
-  if (bridges.same_as.empty()) return;
-  same_as_ = bridges.same_as;
-  component_count_ = 0;
-  find_components();
 }
 
 }  // namespace vorogeo

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/processor.h"
@@ -26,15 +27,6 @@ inline double distance_between(const Point& a, const Point& b) {
 
 /// Lengths of the sides of faces: each opposite the corner of the same number.
 using SideLengths = std::vector<std::array<double, 3>>;
-
-/// Sides of faces on which the faces of an edge may disagree: a metric that jumps at edges, where paths
-/// refract. An edge is as long as in the face where it is shortest.
-struct FaceSides {
-  SideLengths sides;
-  /// Points on each edge from which faces are crossed (core/weighted): errors fall with the square of their
-  /// number.
-  Index points_per_edge = 6;
-};
 
 /// The position of all vertices of a surface that was given none.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
@@ -64,6 +56,27 @@ struct FaceSplits {
   bool empty() const { return middle_of.empty(); }
 };
 
+/// Points on each edge of a metric that jumps, from which faces are crossed (core/exact): errors fall with
+/// the square of their number.
+inline constexpr Index usual_edge_points = 6;
+
+/// How long the sides of faces are, if not as long as in space.
+struct Metric {
+  Metric() = default;
+  Metric(SideLengths lengths, Index points = 0)  // NOLINT(google-explicit-constructor)
+      : sides(std::move(lengths)), points_per_edge(points) {}
+
+  /// Of the faces as given; none: lengths in space. In a face that is split, the longest has the length of
+  /// the others together.
+  SideLengths sides;
+  /// Above 0, the faces of an edge may disagree, so that paths refract: the metric jumps at edges. An edge is
+  /// as long as in the face where it is shortest.
+  Index points_per_edge = 0;
+  FaceSplits splits;          ///< what to measure on instead of `sides`; empty if no face is split
+  Index split_faces = 0;      ///< with a side longer than the two others together, and split for that
+  Index shortened_edges = 0;  ///< that were too long all the same, and have the length of two others
+};
+
 /// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
 /// three rounded lengths do not determine those of a needle or of a nearly flat face; with a metric, which
 /// gives other lengths to the edges, they follow from the lengths (`face_corners`).
@@ -83,28 +96,18 @@ class Mesh {
   /// \throw InvalidInput for a vertex index out of range (names the face), a coordinate that is NaN
   ///        or infinite (names the vertex), or more than 2^31 / 3 faces; Cancelled at a checkpoint.
   /// Complexity: O(n + m log m) for n vertices and m faces; large meshes are read on all cores.
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces);
-  /// The same with a metric: the sides of the faces have the given lengths. `positions` may all be
-  /// `no_position`; what only needs lengths then works, and positions in results are NaN.
-  /// \throw InvalidInput also for lengths that are negative or not finite, that two faces of an edge disagree
-  ///        on, or that break the triangle inequality, beyond rounding (names the face and its three
-  ///        lengths).
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-       const SideLengths& sides);
-  /// The same with a metric that jumps at edges. \throw InvalidInput for the same sides, except that faces
-  /// may disagree, and for a number of points on each edge outside 1 to 1000.
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces, const FaceSides& sides);
-  /// The same with its gaps closed: vertices keep their numbers, but faces name only the first of those that
+  ///
+  /// With a metric, the sides of the faces have the lengths it says. `positions` may then all be
+  /// `no_position`; what only needs lengths works, and positions in results are NaN. Vertices that its splits
+  /// add are vertices like others; InputMap tells hosts what they gave. \throw InvalidInput also for lengths
+  /// that are negative or not finite, on which two faces of an edge
+  ///        disagree though the metric does not jump, or that break the triangle inequality, beyond rounding
+  ///        (names the face and its three lengths), and for more than 1000 points on each edge.
+  Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric = {});
+  /// In space with its gaps closed: vertices keep their numbers, but faces name only the first of those that
   /// are one, and the bridges follow the other faces. The others of these have no face; wherever a
   /// point, a distance or a component is asked for, the first stands for them.
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces,
-       const GapBridges& bridges);
-
-  /// A mesh in a metric, `given` being the faces before they were split. The vertices added are vertices like
-  /// others; `given_vertex_count()` and `input_face()` tell hosts what they gave (given_points.h).
-  /// \throw InvalidInput as for side lengths.
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& given,
-       const FaceSplits& splits);
+  Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges);
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   /// Without the vertices that splits of faces have added, which follow them.
@@ -221,8 +224,11 @@ class Mesh {
   std::size_t memory_bytes() const;
 
  private:
-  Mesh(std::vector<Point> positions, const std::vector<std::array<Index, 3>>& faces, const SideLengths* sides,
-       Index points_per_edge = 0);
+  /// All that follows from positions and faces. `sides`: none without a metric.
+  void connect(const SideLengths& sides);
+  /// The faces are parts of the given ones.
+  void count_given_faces(const std::vector<std::array<Index, 3>>& given,
+                         const std::vector<Index>& given_face);
   void list_corners();
   void leave_out_faces();
   void link_edges();
@@ -274,8 +280,7 @@ class Mesh {
 /// A mesh of other faces, for example parts of those of `mesh`, with a metric of the same kind: in space, or
 /// with the given sides.
 std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
-                                              const std::vector<std::array<Index, 3>>& faces,
-                                              SideLengths sides);
+                                              std::vector<std::array<Index, 3>> faces, SideLengths sides);
 
 /// Refuses a metric that jumps at edges. `what` begins the sentence: "Windows". \throw InvalidInput.
 void require_agreeing_faces(const Mesh& mesh, const std::string& what);

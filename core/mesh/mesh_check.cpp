@@ -10,6 +10,7 @@
 
 #include "mesh/outliers.h"
 #include "mesh/surface_locator.h"
+#include "mesh/vectors.h"
 #include "support/disjoint_sets.h"
 #include "support/progress.h"
 
@@ -190,8 +191,8 @@ NearBorders find_near_borders(const Mesh& mesh) {
       least = distance;
       return least;
     };
-    tree.visit_near({mesh.position(u), mesh.position(u)}, least, max_neighbours, look_at,
-                    [](Index) { return false; });
+    const auto box_of = [&](Index place) -> const Box& { return boxes[place]; };
+    tree.visit_near({mesh.position(u), mesh.position(u)}, least, max_neighbours, box_of, look_at);
     if (nearest == no_index) continue;
     if (result.count++ == 0) result.first = u;
     if (result.closest[0] == no_index || least < result.least) {
@@ -263,9 +264,8 @@ TJunctions find_t_junctions(const Mesh& mesh) {
     boxes.push_back(box);
   }
   if (edges.empty()) return result;
-  const BoxTree tree(std::move(boxes));
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
+  const BoxTree tree(boxes);
+  for (const Index v : checked(mesh.vertex_count())) {
     if (!mesh.is_border(v)) continue;
     Index found = no_index;
     // Once an edge is found, nothing is near enough any more.
@@ -276,8 +276,8 @@ TJunctions find_t_junctions(const Mesh& mesh) {
       if (found == no_index && !is_corner && is_inside(mesh, edge, mesh.position(v))) found = edge;
       return found == no_index ? 0.0 : -1.0;
     };
-    tree.visit_near({mesh.position(v), mesh.position(v)}, 0.0, max_edges, look_at,
-                    [](Index) { return false; });
+    const auto box_of = [&](Index place) -> const Box& { return boxes[place]; };
+    tree.visit_near({mesh.position(v), mesh.position(v)}, 0.0, max_edges, box_of, look_at);
     if (found == no_index) continue;
     if (result.count++ == 0) {
       result.first = v;
@@ -301,14 +301,10 @@ void note(MeshFinding& finding, std::size_t element) {
 
 bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double squared_length(const Point& p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2]; }
-
 /// Computed from coordinates: from edge lengths, half of the digits of a small area would be lost.
 bool has_no_area(const Point& a, const Point& b, const Point& c) {
-  Point u = difference(b, a);
-  Point v = difference(c, a);
+  Point u = minus(b, a);
+  Point v = minus(c, a);
   // Scaled, so that squares of very small or large coordinates neither vanish nor overflow.
   double scale = 0.0;
   for (int k = 0; k < 3; ++k) scale = std::max({scale, std::abs(u[k]), std::abs(v[k])});
@@ -317,9 +313,10 @@ bool has_no_area(const Point& a, const Point& b, const Point& c) {
     u[k] /= scale;
     v[k] /= scale;
   }
-  const Point normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const double longest = std::max({squared_length(u), squared_length(v), squared_length(difference(u, v))});
-  return 0.5 * std::sqrt(squared_length(normal)) < zero_area_share * longest;
+  const Point normal = cross(u, v);
+  const Point third = minus(u, v);
+  const double longest = std::max({dot(u, u), dot(v, v), dot(third, third)});
+  return 0.5 * std::sqrt(dot(normal, normal)) < zero_area_share * longest;
 }
 
 void check_vertices(const std::vector<Point>& positions, MeshReport& report) {

@@ -1,10 +1,11 @@
-// Metrics: sides of faces by costs, tensors and slopes, and faces split where one triangle is too coarse.
+// Metrics: sides of faces by costs, tensors and slopes, faces split where one triangle is too coarse, and the
+// points on edges that a metric of face tensors needs.
 #include "mesh/metric.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <deque>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -17,15 +18,213 @@
 
 namespace vorogeo {
 
-// ---- Integrals along edges, checks of costs and tensors, and the repair of triangles
+// ---- Faces with a side longer than the two others together: bisected at that side, or the side shortened
+
+namespace {
+
+/// A metric on the edges of a mesh to which vertices can be added.
+struct LengthsAlongLines {
+  std::vector<Point> place;  ///< by vertex
+  /// The length of the line between two vertices, the smaller number first.
+  std::function<double(Index, Index)> length;
+  /// Adds what the metric is in the middle of a line, interpolated.
+  std::function<void(Index, Index)> add_value;
+
+  void add_middle(Index a, Index b) {
+    place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
+    add_value(a, b);
+  }
+  /// 0 between a vertex and itself.
+  std::array<double, 3> sides_of(const std::array<Index, 3>& face) const {
+    std::array<double, 3> sides{};
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(face[(i + 1) % 3], face[(i + 2) % 3]);
+      if (low != high) sides[i] = length(low, high);
+    }
+    return sides;
+  }
+};
+
+/// Whether the longest side of a face is longer than the two others together by more than `slack`, a
+/// fraction.
+bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
+  const auto k = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+  return sides[k] > (sides[(k + 1) % 3] + sides[(k + 2) % 3]) * (1.0 + slack);
+}
+
+/// A triangle inequality that is broken by less is rounding.
+constexpr double triangle_rounding = 1e-14;
+
+/// Less is rounding, which is not split but shortened.
+constexpr double split_slack = 1e-9;
+
+/// Bisections of a face one after the other: beside an edge that is nearly for free, parts of all sizes would
+/// be too long on one side, 16 times as many faces with these.
+constexpr Index most_splits = 6;
+
+struct Part {
+  std::array<Index, 3> corners;
+  Index given_face;
+  Index depth;  ///< bisections it took; no_index: it was split itself
+};
+
+class Splitter {
+ public:
+  Splitter(std::span<const std::array<Index, 3>> faces, LengthsAlongLines& lines) : lines_(lines) {
+    parts_.reserve(faces.size());
+    for (const std::size_t f : checked(faces.size())) {
+      const auto& v = faces[f];
+      parts_.push_back({v, static_cast<Index>(f), 0});
+      if (is_usable(v)) link(static_cast<Index>(f));
+    }
+  }
+
+  /// Splits some faces, and their parts and those of their neighbours as long as they need it.
+  void split_all(const std::vector<Index>& broken) {
+    const std::size_t given = parts_.size();
+    for (const Index f : broken) split(f);
+    for (std::size_t p = given; p < parts_.size(); ++p) {
+      checkpoint();
+      split(static_cast<Index>(p));
+    }
+  }
+
+  FaceSplits take() {
+    std::vector<Index> order;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (parts_[p].depth != no_index) order.push_back(static_cast<Index>(p));
+    }
+    std::ranges::stable_sort(order, {}, [&](Index p) { return parts_[p].given_face; });
+    for (Index p : order) {
+      splits_.faces.push_back(parts_[p].corners);
+      splits_.given_face.push_back(parts_[p].given_face);
+      splits_.sides.push_back(lines_.sides_of(parts_[p].corners));
+    }
+    return std::move(splits_);
+  }
+
+ private:
+  /// Splits a part, if it needs that and can be split.
+  void split(Index part) {
+    const Part at = parts_[part];
+    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return;
+    const auto sides = lines_.sides_of(at.corners);
+    if (!breaks_triangle(sides, split_slack)) return;
+    const auto apex = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+    const Index a = at.corners[(apex + 1) % 3];
+    const Index b = at.corners[(apex + 2) % 3];
+    const auto middle = static_cast<Index>(lines_.place.size());
+    const auto [low, high] = std::minmax(a, b);
+    splits_.middle_of.push_back({low, high});
+    lines_.add_middle(low, high);
+    const std::vector<Index> around = faces_at_[key(a, b)];
+    for (Index each : around) bisect(each, low, high, middle);
+  }
+
+  static std::uint64_t key(Index a, Index b) {
+    const auto [low, high] = std::minmax(a, b);
+    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
+  }
+
+  bool has_width(const std::array<Index, 3>& v) const {
+    constexpr double least_square = 1e-12;  // of the sine; rounding of the difference is 1e-15
+    const Point u = minus(lines_.place[v[1]], lines_.place[v[0]]);
+    const Point w = minus(lines_.place[v[2]], lines_.place[v[0]]);
+    return dot(u, u) * dot(w, w) - dot(u, w) * dot(u, w) > least_square * dot(u, u) * dot(w, w);
+  }
+
+  void link(Index part) {
+    const auto& v = parts_[part].corners;
+    for (int i = 0; i < 3; ++i) faces_at_[key(v[i], v[(i + 1) % 3])].push_back(part);
+  }
+
+  void bisect(Index part, Index low, Index high, Index middle) {
+    const Part old = parts_[part];
+    for (int i = 0; i < 3; ++i) {
+      auto& there = faces_at_[key(old.corners[i], old.corners[(i + 1) % 3])];
+      std::erase(there, part);
+    }
+    parts_[part].depth = no_index;
+    for (Index end : {low, high}) {
+      Part half{old.corners, old.given_face, old.depth + 1};
+      *std::ranges::find(half.corners, end) = middle;
+      parts_.push_back(half);
+      link(static_cast<Index>(parts_.size()) - 1);
+    }
+  }
+
+  LengthsAlongLines& lines_;
+  std::vector<Part> parts_;
+  std::unordered_map<std::uint64_t, std::vector<Index>> faces_at_;
+  FaceSplits splits_;
+};
+
+/// Splits each face that breaks the triangle inequality in the middle of its longest side, with the other
+/// faces at that side, and so on for their parts: the smaller the parts, the less the metric varies on them.
+/// Faces without width in space, and the last of many parts of a face, stay as they are. `split_faces`
+/// becomes the number of faces that break the inequality and are split. Complexity: linear in the faces, if
+/// few have to be split.
+FaceSplits split_faces_for(std::span<const std::array<Index, 3>> faces, const SideLengths& sides,
+                           LengthsAlongLines& lines, Index& split_faces) {
+  std::vector<Index> broken;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (breaks_triangle(sides[f], split_slack)) broken.push_back(static_cast<Index>(f));
+  }
+  if (broken.empty()) return {};
+  Splitter splitter(faces, lines);
+  splitter.split_all(broken);
+  FaceSplits splits = splitter.take();
+  if (splits.empty()) return {};
+  // A face may have been split by its neighbour only.
+  for (const Index f : broken) split_faces += std::ranges::equal_range(splits.given_face, f).size() > 1;
+  return splits;
+}
+
+/// Shortens every side that is longer than the two others together to their sum, in all faces of its edge,
+/// until the triangle inequality holds everywhere. \return the number of edges concerned.
+Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides) {
+  auto longest_of = [&](std::size_t f) {
+    return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());
+  };
+  auto is_broken = [&](std::size_t f) {
+    return is_usable(faces[f]) && breaks_triangle(sides[f], triangle_rounding);
+  };
+  std::vector<std::size_t> open;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (is_broken(f)) open.push_back(f);
+  }
+  if (open.empty()) return 0;
+  const std::vector<SideOfFace> sorted = sorted_sides(faces);
+  std::vector<std::uint8_t> changed(sorted.size(), 0);  // at the first side of each edge
+  // This loop ends: lengths only decrease, and each is that of a path along the edges as they were given.
+  Index count = 0;
+  while (!open.empty()) {
+    const std::size_t f = open.back();
+    open.pop_back();
+    if (!is_broken(f)) continue;
+    const int k = longest_of(f);
+    const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
+    const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
+    const auto edge = std::ranges::equal_range(sorted, std::array<Index, 2>{a, b}, {}, &SideOfFace::ends);
+    std::uint8_t& counted = changed[edge.begin() - sorted.begin()];
+    count += counted == 0;
+    counted = 1;
+    for (const SideOfFace& side : edge) {
+      sides[side.face][side.corner] = length;
+      open.push_back(side.face);
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+// ---- Integrals along edges, and checks of costs and tensors
 
 namespace {
 
 /// Relative to its largest entry: rounding of a symmetric product.
 constexpr double tensor_rounding = 1e-9;
-
-/// A triangle inequality that is broken by less is rounding.
-constexpr double triangle_rounding = 1e-14;
 
 void require_one_for_each(std::size_t values, const char* what, std::size_t elements, const char* names) {
   if (values == elements) return;
@@ -77,19 +276,13 @@ long double form(const Tensor& g, const Step& u, const Step& v) {
 
 /// Lengths of the sides of all faces that name three vertices. Lines are named by the smaller vertex first,
 /// so that both faces of an edge compute the same.
-MetricLengths lengths_of_sides(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                               const LengthsAlongLines& lines) {
-  MetricLengths result;
+Metric lengths_of_sides(std::span<const std::array<Index, 3>> faces, LengthsAlongLines& lines) {
+  Metric result;
   result.sides.assign(faces.size(), {});
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
-    if (!is_usable(faces[f])) continue;
-    for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
-      result.sides[f][i] = lines.length(a, b);
-    }
+  for (const std::size_t f : checked(faces.size())) {
+    if (is_usable(faces[f])) result.sides[f] = lines.sides_of(faces[f]);
   }
-  result.splits = split_faces_for(positions, faces, result.sides, lines, result.split_faces);
+  result.splits = split_faces_for(faces, result.sides, lines, result.split_faces);
   result.shortened_edges = repair_triangles(faces, result.sides);
   if (!result.splits.empty()) {
     result.shortened_edges = repair_triangles(result.splits.faces, result.splits.sides);
@@ -120,39 +313,33 @@ void require_positive(std::span<const Point> positions, const std::array<Index, 
 
 }  // namespace
 
-MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                              std::span<const double> cost) {
+Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                       std::span<const double> cost) {
   require_one_for_each(cost.size(), "costs", positions.size(), "vertices");
   for (std::size_t v = 0; v < cost.size(); ++v) require_cost(cost[v], "Vertex", v);
-  std::vector<Point> place(positions.begin(), positions.end());
   std::vector<double> there(cost.begin(), cost.end());
-  LengthsAlongLines lines;
+  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}};
   lines.length = [&](Index a, Index b) {
-    return distance_between(place[a], place[b]) * (0.5 * there[a] + 0.5 * there[b]);
+    return distance_between(lines.place[a], lines.place[b]) * (0.5 * there[a] + 0.5 * there[b]);
   };
-  lines.add_middle = [&](Index a, Index b) {
-    place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
-    there.push_back(0.5 * there[a] + 0.5 * there[b]);
-  };
-  return lengths_of_sides(positions, faces, lines);
+  lines.add_value = [&](Index a, Index b) { there.push_back(0.5 * there[a] + 0.5 * there[b]); };
+  return lengths_of_sides(faces, lines);
 }
 
-MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                                std::span<const Tensor> tensors) {
+Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                         std::span<const Tensor> tensors) {
   require_one_for_each(tensors.size(), "tensors", positions.size(), "vertices");
   for (std::size_t v = 0; v < tensors.size(); ++v) require_symmetric(tensors[v], "vertex", v);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const std::size_t f : checked(faces.size())) {
     if (!is_usable(faces[f])) continue;
     for (Index v : faces[f]) {
       require_positive(positions, faces[f], f, "vertex", static_cast<std::size_t>(v), tensors[v]);
     }
   }
-  std::vector<Point> place(positions.begin(), positions.end());
   std::vector<Tensor> there(tensors.begin(), tensors.end());
-  LengthsAlongLines lines;
+  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}};
   lines.length = [&](Index a, Index b) {
-    const Step edge = edge_vector(place, a, b);
+    const Step edge = edge_vector(lines.place, a, b);
     const long double first = std::max(0.0L, form(there[a], edge, edge));
     const long double second = std::max(0.0L, form(there[b], edge, edge));
     const long double at_first = std::sqrt(first);
@@ -162,13 +349,12 @@ MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<cons
     return static_cast<double>(2.0L / 3.0L * (first + at_first * at_second + second) /
                                (at_first + at_second));
   };
-  lines.add_middle = [&](Index a, Index b) {
-    place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
+  lines.add_value = [&](Index a, Index b) {
     Tensor middle{};
     for (int i = 0; i < 9; ++i) middle[i] = 0.5 * there[a][i] + 0.5 * there[b][i];
     there.push_back(middle);
   };
-  return lengths_of_sides(positions, faces, lines);
+  return lengths_of_sides(faces, lines);
 }
 
 SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
@@ -203,41 +389,6 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
   return sides;
 }
 
-Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides) {
-  auto longest_of = [&](std::size_t f) {
-    return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());
-  };
-  auto is_broken = [&](std::size_t f) {
-    return is_usable(faces[f]) && breaks_triangle(sides[f], triangle_rounding);
-  };
-  std::vector<std::size_t> open;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (is_broken(f)) open.push_back(f);
-  }
-  if (open.empty()) return 0;
-  const std::vector<SideOfFace> sorted = sorted_sides(faces);
-  std::vector<std::uint8_t> changed(sorted.size(), 0);  // at the first side of each edge
-  // This loop ends: lengths only decrease, and each is that of a path along the edges as they were given.
-  Index count = 0;
-  while (!open.empty()) {
-    const std::size_t f = open.back();
-    open.pop_back();
-    if (!is_broken(f)) continue;
-    const int k = longest_of(f);
-    const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
-    const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
-    const auto edge = std::ranges::equal_range(sorted, std::array<Index, 2>{a, b}, {}, &SideOfFace::ends);
-    std::uint8_t& counted = changed[edge.begin() - sorted.begin()];
-    count += counted == 0;
-    counted = 1;
-    for (const SideOfFace& side : edge) {
-      sides[side.face][side.corner] = length;
-      open.push_back(side.face);
-    }
-  }
-  return count;
-}
-
 // ---- Normals of vertices, bends of edges, and the principal directions of their sums
 
 namespace {
@@ -245,24 +396,15 @@ namespace {
 /// Bends below this, in radians, come from rounding: single precision has 1e-7.
 constexpr double flat_bend = 1e-6;
 
-Point cross_of(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot_of(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point step_to(const Point& a, const Point& b) { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
-
 /// The vector with length 1; zero stays zero.
 Point unit_of(const Point& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
+  const double length = length_of(a);
   return length > 0.0 ? Point{a[0] / length, a[1] / length, a[2] / length} : Point{};
 }
 
 /// Normal of a face, as long as twice its area.
 Point face_normal(std::span<const Point> positions, const std::array<Index, 3>& face) {
-  return cross_of(step_to(positions[face[0]], positions[face[1]]),
-                  step_to(positions[face[0]], positions[face[2]]));
+  return cross(minus(positions[face[1]], positions[face[0]]), minus(positions[face[2]], positions[face[0]]));
 }
 
 /// Sums of the normals of the faces at each vertex, scaled to length 1. Flipped faces would cancel out, so
@@ -273,7 +415,7 @@ std::vector<Point> vertex_normals(std::span<const Point> positions,
   for (const auto& face : faces) {
     const Point normal = face_normal(positions, face);
     for (Index v : face) {
-      const double sign = dot_of(normals[v], normal) < 0.0 ? -1.0 : 1.0;
+      const double sign = dot(normals[v], normal) < 0.0 ? -1.0 : 1.0;
       for (int k = 0; k < 3; ++k) normals[v][k] += sign * normal[k];
     }
   }
@@ -292,26 +434,23 @@ std::vector<Tensor> bend_tensors(std::span<const Point> positions,
     const auto& [next_ends, next_face, next_corner] = sides[i + 1];
     if (next_ends != ends) continue;
     const auto [a, b] = ends;
-    const Point along = step_to(positions[a], positions[b]);
+    const Point along = minus(positions[b], positions[a]);
     const Point edge = unit_of(along);
     // Directions in both faces away from the edge: opposite on a plane.
     auto away = [&](Index v) {
-      Point aside = step_to(positions[a], positions[v]);
-      const double x = dot_of(aside, edge);
-      for (int k = 0; k < 3; ++k) aside[k] -= x * edge[k];
-      return unit_of(aside);
+      const Point aside = minus(positions[v], positions[a]);
+      return unit_of(moved(aside, -dot(aside, edge), edge));
     };
     const Point left = away(faces[face][corner]);
     const Point right = away(faces[next_face][next_corner]);
     const Point bisector{left[0] + right[0], left[1] + right[1], left[2] + right[2]};
-    const Point across = unit_of(step_to(right, left));
+    const Point across = unit_of(minus(left, right));
     // The sign tells ridges from valleys; which is which does not matter.
     const Point normal = face_normal(positions, faces[face]);
-    const double sign = dot_of(bisector, normal) < 0.0 ? -1.0 : 1.0;
-    const double bend =
-        sign * 2.0 * std::asin(std::min(1.0, 0.5 * std::hypot(bisector[0], bisector[1], bisector[2])));
+    const double sign = dot(bisector, normal) < 0.0 ? -1.0 : 1.0;
+    const double bend = sign * 2.0 * std::asin(std::min(1.0, 0.5 * length_of(bisector)));
     if (std::abs(bend) < flat_bend) continue;
-    const double weight = bend * std::hypot(along[0], along[1], along[2]);
+    const double weight = bend * length_of(along);
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) {
         sum[a][3 * r + c] += weight * across[r] * across[c];
@@ -345,14 +484,14 @@ std::vector<double> slope_cost(std::span<const Point> positions, std::span<const
     throw InvalidInput("The slope penalty is " + std::to_string(penalty) + "; give a number of at least 0.");
   }
   const Point upwards = unit_of(up);
-  if (!(dot_of(upwards, upwards) > 0.5)) {
+  if (!(dot(upwards, upwards) > 0.5)) {
     throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
   }
   std::vector<double> cost;
   cost.reserve(positions.size());
   for (const Point& normal : vertex_normals(positions, faces)) {
-    const Point tilt = cross_of(normal, upwards);
-    cost.push_back(1.0 + penalty * std::min(1.0, std::hypot(tilt[0], tilt[1], tilt[2])));
+    const Point tilt = cross(normal, upwards);
+    cost.push_back(1.0 + penalty * std::min(1.0, length_of(tilt)));
   }
   return cost;
 }
@@ -367,8 +506,8 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
     // In the plane of the vertex: two directions across the normal.
     const Point& n = normals[v];
     const Point axis = std::abs(n[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
-    const Point u = unit_of(cross_of(n, axis));
-    const Point w = cross_of(n, u);
+    const Point u = unit_of(cross(n, axis));
+    const Point w = cross(n, u);
     auto entry = [&](const Point& a, const Point& b) {
       double value = 0.0;
       for (int i = 0; i < 9; ++i) value += a[i / 3] * bends[v][i] * b[i % 3];
@@ -393,152 +532,100 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
   return tensors;
 }
 
-// ---- Bisection of longest sides, in the order in which faces and their parts are found to need it
+// ---- The stretch of faces whose sides disagree with those of their neighbours
 
 namespace {
 
-/// Less is rounding, which is not split but shortened.
-constexpr double split_slack = 1e-9;
+/// Sides of one edge that are this many times apart turn paths.
+constexpr double side_jump = 1.5;
 
-/// Bisections of a face one after the other: beside an edge that is nearly for free, parts of all sizes would
-/// be too long on one side, 16 times as many faces with these.
-constexpr Index most_splits = 6;
+/// Of the edges between two faces. If fewer jump, errors are those of few crossings.
+constexpr double jumping_share = 0.1;
 
-struct Part {
-  std::array<Index, 3> corners;
-  Index given_face;
-  Index depth;  ///< bisections it took; no_index: it was split itself
-};
+/// For a mean error of about half a percent.
+constexpr double points_per_stretch = 2.5;
 
-class Splitter {
- public:
-  Splitter(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-           const LengthsAlongLines& lines)
-      : lines_(lines), positions_(positions.begin(), positions.end()) {
-    parts_.reserve(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (f % elements_per_checkpoint == 0) checkpoint();
-      const auto& v = faces[f];
-      parts_.push_back({v, static_cast<Index>(f), 0});
-      if (is_usable(v)) link(static_cast<Index>(f));
-    }
-  }
+/// Twice the area of a face, in parts of the square of its longest side: less is rounding.
+constexpr double no_area = 1e-7;
 
-  /// Splits a part, if it needs that and can be split.
-  void split(Index part) {
-    const Part at = parts_[part];
-    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return;
-    const auto sides = sides_of(at.corners);
-    if (!breaks_triangle(sides, split_slack)) return;
-    const auto apex = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
-    const Index a = at.corners[(apex + 1) % 3];
-    const Index b = at.corners[(apex + 2) % 3];
-    const auto middle = static_cast<Index>(positions_.size());
-    const auto [low, high] = std::minmax(a, b);
-    splits_.middle_of.push_back({low, high});
-    positions_.push_back(moved(positions_[low], 0.5, minus(positions_[high], positions_[low])));
-    lines_.add_middle(low, high);
-    const std::vector<Index> around = faces_at_[key(a, b)];
-    for (Index each : around) bisect(each, low, high, middle);
-  }
-
-  /// The parts that a split has made or changed since the last call.
-  std::vector<Index> take_new() { return std::exchange(new_, {}); }
-
-  FaceSplits take() {
-    std::vector<Index> order;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      if (parts_[p].depth != no_index) order.push_back(static_cast<Index>(p));
-    }
-    std::ranges::stable_sort(order, {}, [&](Index p) { return parts_[p].given_face; });
-    for (Index p : order) {
-      splits_.faces.push_back(parts_[p].corners);
-      splits_.given_face.push_back(parts_[p].given_face);
-      splits_.sides.push_back(sides_of(parts_[p].corners));
-    }
-    return std::move(splits_);
-  }
-
- private:
-  static std::uint64_t key(Index a, Index b) {
-    const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
-  }
-
-  std::array<double, 3> sides_of(const std::array<Index, 3>& v) const {
-    std::array<double, 3> sides{};
-    for (int i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
-      if (low != high) sides[i] = lines_.length(low, high);
-    }
-    return sides;
-  }
-
-  bool has_width(const std::array<Index, 3>& v) const {
-    constexpr double least_square = 1e-12;  // of the sine; rounding of the difference is 1e-15
-    const Point u = minus(positions_[v[1]], positions_[v[0]]);
-    const Point w = minus(positions_[v[2]], positions_[v[0]]);
-    return dot(u, u) * dot(w, w) - dot(u, w) * dot(u, w) > least_square * dot(u, u) * dot(w, w);
-  }
-
-  void link(Index part) {
-    const auto& v = parts_[part].corners;
-    for (int i = 0; i < 3; ++i) faces_at_[key(v[i], v[(i + 1) % 3])].push_back(part);
-  }
-
-  void bisect(Index part, Index low, Index high, Index middle) {
-    const Part old = parts_[part];
-    for (int i = 0; i < 3; ++i) {
-      auto& there = faces_at_[key(old.corners[i], old.corners[(i + 1) % 3])];
-      std::erase(there, part);
-    }
-    parts_[part].depth = no_index;
-    for (Index end : {low, high}) {
-      Part half{old.corners, old.given_face, old.depth + 1};
-      *std::ranges::find(half.corners, end) = middle;
-      new_.push_back(static_cast<Index>(parts_.size()));
-      parts_.push_back(half);
-      link(new_.back());
-    }
-  }
-
-  const LengthsAlongLines& lines_;
-  std::vector<Point> positions_;
-  std::vector<Part> parts_;
-  std::unordered_map<std::uint64_t, std::vector<Index>> faces_at_;
-  std::vector<Index> new_;
-  FaceSplits splits_;
-};
+double least_area(const std::array<double, 3>& sides) {
+  const double longest = std::ranges::max(sides);
+  return no_area * longest * longest;
+}
 
 }  // namespace
 
-bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
-  const auto k = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
-  return sides[k] > (sides[(k + 1) % 3] + sides[(k + 2) % 3]) * (1.0 + slack);
+double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space) {
+  const double area_in_space = twice_area(in_space);
+  if (!(area_in_space > least_area(in_space))) return 1.0;
+  // Where stretches leave rounding of the area, they are at least those that this one gives.
+  const double area = std::max(twice_area(sides), least_area(sides));
+  // The squared lengths of two sides and their product, in either metric: the ratio of the eigenvalues of one
+  // in the other follows from trace and determinant.
+  auto form = [](const std::array<double, 3>& s) {
+    const double first = s[1] * s[1];
+    const double second = s[2] * s[2];
+    return std::array{first, 0.5 * (first + second - s[0] * s[0]), second};
+  };
+  const auto [a, b, c] = form(in_space);
+  const auto [x, y, z] = form(sides);
+  const double root = area / area_in_space;  // of the determinant
+  const double half_trace = 0.5 * (c * x - 2.0 * b * y + a * z) / (area_in_space * area_in_space);
+  const double ratio = std::max(1.0, half_trace / root);
+  return ratio + std::sqrt((ratio - 1.0) * (ratio + 1.0));
 }
 
-FaceSplits split_faces_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                           const SideLengths& sides, const LengthsAlongLines& lines, Index& split_faces) {
-  split_faces = 0;
-  std::vector<Index> broken;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (breaks_triangle(sides[f], split_slack)) broken.push_back(static_cast<Index>(f));
+Index edge_points_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                      const SideLengths& sides) {
+  std::vector<double> stretch(faces.size(), 1.0);
+  double greatest = 1.0;
+  for (const std::size_t f : checked(faces.size())) {
+    if (!is_usable(faces[f])) continue;
+    std::array<double, 3> in_space{};
+    for (int i = 0; i < 3; ++i) {
+      in_space[i] = distance_between(positions[faces[f][(i + 1) % 3]], positions[faces[f][(i + 2) % 3]]);
+    }
+    stretch[f] = stretch_of(sides[f], in_space);
+    greatest = std::max(greatest, stretch[f]);
   }
-  if (broken.empty()) return {};
-  std::deque<Index> open(broken.begin(), broken.end());
-  Splitter splitter(positions, faces, lines);
-  while (!open.empty()) {
-    checkpoint();
-    const Index part = open.front();
-    open.pop_front();
-    splitter.split(part);
-    for (Index fresh : splitter.take_new()) open.push_back(fresh);
+  const Index fewest = usual_edge_points;
+  if (points_per_stretch * greatest <= fewest) return fewest;
+
+  struct Jump {
+    double stretch = 1.0;
+    Index face = 0;
+  };
+  std::vector<Jump> jumps;  // of edges between faces
+  std::size_t between = 0;
+  const std::vector<SideOfFace> sorted = sides_in_mesh(faces);
+  for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
+    end = std::find_if(begin, sorted.end(), [&](const SideOfFace& s) { return s.ends != begin->ends; });
+    if (end - begin < 2) continue;
+    ++between;
+    const std::ranges::subrange edge(begin, end);
+    const auto [least, most] =
+        std::ranges::minmax(edge, {}, [&](const SideOfFace& s) { return sides[s.face][s.corner]; });
+    if (!(sides[most.face][most.corner] > side_jump * sides[least.face][least.corner])) continue;
+    const Index face = std::ranges::max(edge, {}, [&](const SideOfFace& s) { return stretch[s.face]; }).face;
+    jumps.push_back({stretch[face], face});
   }
-  FaceSplits splits = splitter.take();
-  if (splits.empty()) return {};
-  // A face may have been split by its neighbour only.
-  for (const Index f : broken) split_faces += std::ranges::equal_range(splits.given_face, f).size() > 1;
-  return splits;
+  const auto rank = static_cast<std::size_t>(jumping_share * static_cast<double>(between));
+  if (rank >= jumps.size()) return fewest;
+  // A tenth of all edges lie at faces of at least this stretch.
+  std::ranges::nth_element(jumps, jumps.begin() + static_cast<std::ptrdiff_t>(rank), std::greater{},
+                           &Jump::stretch);
+  const double needed = std::ceil(points_per_stretch * jumps[rank].stretch);
+  if (needed <= most_edge_points) return std::max(fewest, static_cast<Index>(needed));
+  const auto& [stretched, face] = jumps[rank];
+  std::ostringstream text;
+  text << "The tensor of face " << face << " makes its sides " << sides[face][0] << ", " << sides[face][1]
+       << " and " << sides[face][2] << " long and stretches lengths " << stretched
+       << " times as much in one direction as in another, and a tenth of all edges lie between tensors of at "
+          "least "
+          "this stretch that disagree: distances would need some "
+       << needed
+       << " points on each edge. Give smoother or less stretched tensors, or `points` for a coarser answer.";
+  throw InvalidInput(text.str());
 }
 
 }  // namespace vorogeo

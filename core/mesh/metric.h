@@ -1,8 +1,8 @@
-// Metrics: sides of faces by costs, tensors and slopes, and faces split where one triangle is too coarse.
+// Metrics: sides of faces by costs, tensors and slopes, faces split where one triangle is too coarse, and the
+// points on edges that a metric of face tensors needs.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,26 +15,14 @@ namespace vorogeo {
 /// Symmetric 3 x 3 matrix, row by row.
 using Tensor = std::array<double, 9>;
 
-/// What a metric makes of the sides of faces.
-struct MetricLengths {
-  /// Of the faces as given. In one that is split, the longest has the length of the others together.
-  SideLengths sides;
-  /// Faces whose longest side would be longer than the two others together, and which are split for that.
-  Index split_faces = 0;
-  /// The mesh to measure on instead of `sides`; empty if no face is split.
-  FaceSplits splits;
-  /// Edges of that mesh that still were longer than two others, and have the length of these instead.
-  Index shortened_edges = 0;
-};
-
 /// A cost for each vertex, per unit of length, linear over each face: an edge is as long as the integral of
 /// the cost along it, which is its length times the mean cost of its ends.
 ///
 /// Where the cost varies strongly within a face, an edge may cost more than the other two sides together. The
 /// face is split then. Where it has no width, the edge gets the length of the two.
 /// \throw InvalidInput for a cost that is not above 0 and finite, or another number of costs than vertices.
-MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                              std::span<const double> cost);
+Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                       std::span<const double> cost);
 
 /// A tensor G for each vertex, linear over each face: the squared length of a vector v is v' G v. The length
 /// of an edge is the integral along it, in closed form.
@@ -42,8 +30,8 @@ MetricLengths lengths_by_cost(std::span<const Point> positions, std::span<const 
 /// Faces with a side longer than two others are split, as with costs. \throw InvalidInput for a tensor that
 /// is not finite, not symmetric, or not positive on the plane of a face at its vertex (names the face and the
 /// squared lengths of its sides), or another number of tensors than vertices.
-MetricLengths lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                                std::span<const Tensor> tensors);
+Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                         std::span<const Tensor> tensors);
 
 /// The sides of each face in a norm of its own, which jumps at edges: two faces of an edge need not agree.
 ///
@@ -54,10 +42,6 @@ SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const
 SideLengths sides_by_face_tensor(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces,
                                  std::span<const Tensor> tensors);
-
-/// Shortens every side that is longer than the two others together to their sum, in all faces of its edge,
-/// until the triangle inequality holds everywhere. \return the number of edges concerned.
-Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides);
 
 // ---- Costs and tensors that follow from the shape of a surface: slopes and principal directions
 
@@ -77,27 +61,21 @@ std::vector<double> slope_cost(std::span<const Point> positions, std::span<const
 std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
                                       std::span<const std::array<Index, 3>> faces, double weight);
 
-// ---- Splits faces on which a metric varies so much that one side is longer than the two others together
+// ---- How many points on each edge a metric of face tensors needs
 
-/// A metric on the edges of a mesh to which vertices can be added.
-struct LengthsAlongLines {
-  /// The length of the line between two vertices, the smaller number first.
-  std::function<double(Index, Index)> length;
-  /// Adds the vertex in the middle of a line, with the metric interpolated there.
-  std::function<void(Index, Index)> add_middle;
-};
+/// Points on each edge for sides by tensors of faces: the usual ones, and more where many
+/// faces stretch lengths in different directions. There, a crossing that is off by a part of its edge costs
+/// the path up to that part times the stretch. \throw InvalidInput where more than `most_edge_points` would
+/// be needed; names the face, its stretch and the lengths of its sides.
+Index edge_points_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                      const SideLengths& sides);
 
-/// Whether the longest side of a face is longer than the two others together by more than `slack`, a
-/// fraction.
-bool breaks_triangle(const std::array<double, 3>& sides, double slack);
+/// How many times longer the longest step of a unit of length is in a face with these sides than the
+/// shortest; 1 for faces that have no width in space. Those of over some 1e7, which sides of double precision
+/// do not tell apart, come out as that or more. `in_space`: its sides there.
+double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space);
 
-/// Splits each face that breaks the triangle inequality in the middle of its longest side, with the other
-/// faces at that side, and so on for their parts: the smaller the parts, the less the metric varies on them.
-/// Faces without width in space, and the last of many parts of a face, stay as they are.
-///
-/// \param split_faces Becomes the number of faces that break the inequality and are split.
-/// \return empty if there are none. Complexity: linear in the faces, if few have to be split.
-FaceSplits split_faces_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
-                           const SideLengths& sides, const LengthsAlongLines& lines, Index& split_faces);
+/// More are not chosen without being asked for: time and memory grow with them.
+inline constexpr Index most_edge_points = 300;
 
 }  // namespace vorogeo

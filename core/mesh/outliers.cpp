@@ -38,8 +38,6 @@ void join_at_first(DisjointSets& sets, Index a, Index b) {
   sets.join(high, low);
 }
 
-constexpr Index edges_per_checkpoint = 1 << 13;
-
 }  // namespace
 
 Outliers find_outliers(const Mesh& mesh) {
@@ -47,8 +45,7 @@ Outliers find_outliers(const Mesh& mesh) {
   const double longest = outlier_edges * mesh.typical_edge_length();
   if (!(mesh.longest_edge_length() > longest)) return result;
   DisjointSets pieces(mesh.vertex_count());
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % edges_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(mesh.edge_count())) {
     const auto [a, b] = mesh.edge_vertices(e);
     if (mesh.edge_length(e) <= longest) join_at_first(pieces, a, b);
   }

@@ -14,18 +14,61 @@
 
 namespace vorogeo {
 
+// ---- The tree of boxes
+
 namespace {
 
 constexpr Index max_in_leaf = 8;
+
+}  // namespace
+
+BoxTree::BoxTree(const std::vector<Box>& items) : order_(items.size()) {
+  std::iota(order_.begin(), order_.end(), 0);
+  if (!order_.empty()) build(items, 0, static_cast<Index>(order_.size()));
+}
+
+Index BoxTree::build(const std::vector<Box>& items, Index begin, Index end) {
+  const auto id = static_cast<Index>(nodes_.size());
+  Box bounds = items[order_[begin]];
+  for (Index i = begin; i < end; ++i) bounds.add(items[order_[i]]);
+  nodes_.push_back({bounds, begin, end});
+  if (end - begin <= max_in_leaf) return id;
+  const auto& [low, high] = bounds;
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+  }
+  const Index middle = begin + (end - begin) / 2;
+  const auto place = [&](Index item) { return items[item].low[axis] + items[item].high[axis]; };
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](Index u, Index v) { return place(u) < place(v); });
+  build(items, begin, middle);
+  const Index second = build(items, middle, end);
+  nodes_[id].second = second;
+  return id;
+}
+
+void BoxTree::common_labels(const std::vector<Index>& label_of_item, std::vector<Index>& label) const {
+  label.resize(nodes_.size());
+  for (auto id = static_cast<Index>(nodes_.size()) - 1; id >= 0; --id) {
+    const Node& node = nodes_[id];
+    if (node.second != no_index) {
+      label[id] = label[id + 1] == label[node.second] ? label[id + 1] : no_index;
+      continue;
+    }
+    label[id] = label_of_item[order_[node.begin]];
+    for (Index i = node.begin; i < node.end; ++i) {
+      if (label_of_item[order_[i]] != label[id]) label[id] = no_index;
+    }
+  }
+}
+
+// ---- The point of a triangle nearest to a point in space
+
+namespace {
+
 /// Weights below this are rounding: the point lies on the edge or at the vertex.
 constexpr double least_weight = 1e-12;
-
-/// Weights of the point of a segment a-b nearest to p.
-double along_segment(const Point& p, const Point& a, const Point& b) {
-  const Point ab = minus(b, a);
-  const double square = dot(ab, ab);
-  return square > 0.0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0.0;
-}
 
 }  // namespace
 
@@ -70,10 +113,10 @@ std::array<double, 3> nearest_weights(const Point& p, const Point& a, const Poin
 
 namespace {
 
-double square_to_box(const Point& p, const Point& low, const Point& high) {
+double square_to_box(const Point& p, const Box& box) {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
-    const double outside = std::max({0.0, low[k] - p[k], p[k] - high[k]});
+    const double outside = std::max({0.0, box.low[k] - p[k], p[k] - box.high[k]});
     sum += outside * outside;
   }
   return sum;
@@ -92,55 +135,33 @@ std::string in_words(const Point& point) {
   return text.str();
 }
 
-}  // namespace
-
-SurfaceLocator::SurfaceLocator(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-  if (mesh_->face_count() == 0) throw InvalidInput("The mesh has no face to which a point could be moved.");
-  if (!mesh_->has_positions()) {
+/// Without those of bridges. \throw InvalidInput for a mesh that has no points in space.
+std::vector<Box> boxes_of_faces(const Mesh& mesh) {
+  if (mesh.face_count() == 0) throw InvalidInput("The mesh has no face to which a point could be moved.");
+  if (!mesh.has_positions()) {
     throw InvalidInput(
         "Points in space cannot be moved to a surface that has edge lengths and no positions; name faces and "
         "barycentric weights, or give positions as well.");
   }
-  require_lengths(*mesh_, "moving points to the surface takes", exact_lengths.least_mean,
+  require_lengths(mesh, "moving points to the surface takes", exact_lengths.least_mean,
                   exact_lengths.greatest);
-  order_.resize(mesh_->first_bridge());
-  std::iota(order_.begin(), order_.end(), 0);
-  build(0, mesh_->first_bridge());
+  std::vector<Box> boxes;
+  boxes.reserve(mesh.first_bridge());
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+    const auto& [a, b, c] = mesh.face_vertices(f);
+    boxes.push_back({mesh.position(a), mesh.position(a)});
+    for (Index v : {b, c}) boxes.back().add({mesh.position(v), mesh.position(v)});
+  }
+  return boxes;
 }
 
-Index SurfaceLocator::build(Index begin, Index end) {
-  const auto id = static_cast<Index>(boxes_.size());
-  Box box{{unreachable, unreachable, unreachable}, {-unreachable, -unreachable, -unreachable}, begin, end};
-  for (Index i = begin; i < end; ++i) {
-    for (Index v : mesh_->face_vertices(order_[i])) {
-      for (int k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], mesh_->position(v)[k]);
-        box.high[k] = std::max(box.high[k], mesh_->position(v)[k]);
-      }
-    }
-  }
-  boxes_.push_back(box);
-  if (end - begin <= max_in_leaf) return id;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
-  }
-  auto middle_of = [&](Index face) {
-    double sum = 0.0;
-    for (Index v : mesh_->face_vertices(face)) sum += mesh_->position(v)[axis];
-    return sum;
-  };
-  const Index middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](Index f, Index g) { return middle_of(f) < middle_of(g); });
-  build(begin, middle);
-  const Index second = build(middle, end);
-  boxes_[id].second = second;
-  return id;
-}
+}  // namespace
+
+SurfaceLocator::SurfaceLocator(std::shared_ptr<const Mesh> mesh)
+    : mesh_(std::move(mesh)), tree_(boxes_of_faces(*mesh_)) {}
 
 Point SurfaceLocator::drawn_near(const Point& point) const {
-  const Box& all = boxes_.front();
+  const Box& all = tree_.bounds();
   Point middle;
   for (int k = 0; k < 3; ++k) middle[k] = 0.5 * all.low[k] + 0.5 * all.high[k];
   const double diagonal = length_of(minus(all.high, all.low));
@@ -167,39 +188,20 @@ SnappedPoint SurfaceLocator::nearest(const Point& given) const {
   const Point point = drawn_near(given);
   double least = unreachable;
   SurfacePoint best;
-  std::vector<std::pair<double, Index>> open{{0.0, 0}};
-  while (!open.empty()) {
-    const auto [square, id] = open.back();
-    open.pop_back();
-    if (square > least) continue;
-    const Box& box = boxes_[id];
-    if (box.second == no_index) {
-      for (Index i = box.begin; i < box.end; ++i) {
-        const Index face = order_[i];
-        const auto& corners = mesh_->face_vertices(face);
-        const auto weights = nearest_weights(point, mesh_->position(corners[0]), mesh_->position(corners[1]),
-                                             mesh_->position(corners[2]));
-        const SurfacePoint found = SurfacePoint::in_face(face, weights);
-        const Point away = minus(position_of(*mesh_, found), point);
-        const double found_square = dot(away, away);
-        if (found_square < least || (found_square == least && face < best.face)) {
-          least = found_square;
-          best = found;
-        }
-      }
-      continue;
+  auto look_at = [&](Index face) {
+    const auto& [a, b, c] = mesh_->face_vertices(face);
+    const SurfacePoint found = SurfacePoint::in_face(
+        face, nearest_weights(point, mesh_->position(a), mesh_->position(b), mesh_->position(c)));
+    const Point away = minus(position_of(*mesh_, found), point);
+    const double square = dot(away, away);
+    if (square < least || (square == least && face < best.face)) {
+      least = square;
+      best = found;
     }
-    const double first = square_to_box(point, boxes_[id + 1].low, boxes_[id + 1].high);
-    const double second = square_to_box(point, boxes_[box.second].low, boxes_[box.second].high);
-    // The nearer half is searched first.
-    if (first <= second) {
-      open.emplace_back(second, box.second);
-      open.emplace_back(first, id + 1);
-    } else {
-      open.emplace_back(first, id + 1);
-      open.emplace_back(second, box.second);
-    }
-  }
+    return least;
+  };
+  tree_.search(
+      unreachable, [&](const Box& box) { return square_to_box(point, box); }, look_at);
   double sum = 0.0;
   for (double& weight : best.barycentric) {
     if (weight < least_weight) weight = 0.0;

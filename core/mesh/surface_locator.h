@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -32,57 +32,61 @@ struct Box {
   }
 };
 
-/// Boxes that are split at the median of their longest side. Items are named by their places in the list.
+/// Boxes that are split at the median of their longest side. It keeps no items, only their order: whoever
+/// asks says how far away a box is. Items are named by their places in the list. Immutable.
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<Box> items) : items_(std::move(items)), order_(items_.size()) {
-    std::iota(order_.begin(), order_.end(), 0);
-    if (!order_.empty()) build(0, static_cast<Index>(order_.size()));
+  struct SkipNone {
+    bool operator()(Index) const { return false; }
+  };
+
+  explicit BoxTree(const std::vector<Box>& items);
+
+  /// Around all items. \pre There is one.
+  const Box& bounds() const { return nodes_.front().bounds; }
+  std::size_t memory_bytes() const {
+    return order_.capacity() * sizeof(Index) + nodes_.capacity() * sizeof(Node);
   }
 
-  /// Calls visit(item) for the items within a distance of a box, nearer halves first: `reach` at first, then
-  /// what visit last returned. Stops after `max_visits` calls. Boxes for which skip(node) holds are passed
-  /// over.
-  template <class Visit, class Skip>
-  void visit_near(const Box& around, double reach, int max_visits, Visit&& visit, Skip&& skip) const {
+  /// Calls visit(item) for the items of the leaves whose boxes are within reach, nearer halves first: `reach`
+  /// at first, then what visit last returned, below 0 to stop. distance(box): in any measure. Nodes for which
+  /// skip(node) holds are passed over.
+  template <class Distance, class Visit, class Skip = SkipNone>
+  void search(double reach, Distance&& distance, Visit&& visit, const Skip& skip = {}) const {
     if (order_.empty()) return;
-    std::vector<Open> open{{boxes_[0].bounds.distance(around), 0}};
+    std::vector<Open> open{{distance(bounds()), 0}};
     while (!open.empty()) {
-      const auto [distance, id] = open.back();
+      const auto [apart, id] = open.back();
       open.pop_back();
-      if (!(distance <= reach) || skip(id)) continue;
-      const Node& node = boxes_[id];
-      if (node.second != no_index) {
-        Open first{boxes_[id + 1].bounds.distance(around), id + 1};
-        Open second{boxes_[node.second].bounds.distance(around), node.second};
-        if (first.distance < second.distance) std::swap(first, second);
-        open.push_back(first);
-        open.push_back(second);
+      if (!(apart <= reach) || skip(id)) continue;
+      const Node& node = nodes_[id];
+      if (node.second == no_index) {
+        for (Index i = node.begin; i < node.end; ++i) reach = visit(order_[i]);
         continue;
       }
-      for (Index i = node.begin; i < node.end; ++i) {
-        if (!(items_[order_[i]].distance(around) <= reach)) continue;
-        if (max_visits-- == 0) return;
-        reach = visit(order_[i]);
-      }
+      Open first{distance(nodes_[id + 1].bounds), id + 1};
+      Open second{distance(nodes_[node.second].bounds), node.second};
+      if (first.apart < second.apart) std::swap(first, second);
+      open.push_back(first);
+      open.push_back(second);
     }
+  }
+
+  /// The same by the distances of boxes in space, box_of(item) being those of the items: calls visit(item)
+  /// for those within reach of a box, at most `max_visits` times.
+  template <class BoxOf, class Visit, class Skip = SkipNone>
+  void visit_near(const Box& around, double reach, int max_visits, BoxOf&& box_of, Visit&& visit,
+                  const Skip& skip = {}) const {
+    auto look_at = [&](Index item) {
+      if (box_of(item).distance(around) <= reach) reach = max_visits-- > 0 ? visit(item) : -1.0;
+      return reach;
+    };
+    search(
+        reach, [&](const Box& box) { return box.distance(around); }, look_at, skip);
   }
 
   /// For each node, the label that all items in it have; no_index where they differ.
-  void common_labels(const std::vector<Index>& label_of_item, std::vector<Index>& label) const {
-    label.resize(boxes_.size());
-    for (auto id = static_cast<Index>(boxes_.size()) - 1; id >= 0; --id) {
-      const Node& node = boxes_[id];
-      if (node.second != no_index) {
-        label[id] = label[id + 1] == label[node.second] ? label[id + 1] : no_index;
-        continue;
-      }
-      label[id] = label_of_item[order_[node.begin]];
-      for (Index i = node.begin; i < node.end; ++i) {
-        if (label_of_item[order_[i]] != label[id]) label[id] = no_index;
-      }
-    }
-  }
+  void common_labels(const std::vector<Index>& label_of_item, std::vector<Index>& label) const;
 
  private:
   struct Node {
@@ -93,35 +97,14 @@ class BoxTree {
                               ///< leaf
   };
   struct Open {
-    double distance;
+    double apart;
     Index node;
   };
 
-  Index build(Index begin, Index end) {
-    constexpr Index max_in_leaf = 8;
-    const auto id = static_cast<Index>(boxes_.size());
-    Node node{items_[order_[begin]], begin, end};
-    for (Index i = begin; i < end; ++i) node.bounds.add(items_[order_[i]]);
-    boxes_.push_back(node);
-    if (end - begin <= max_in_leaf) return id;
-    const auto& [low, high] = node.bounds;
-    int axis = 0;
-    for (int k = 1; k < 3; ++k) {
-      if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-    }
-    const Index middle = begin + (end - begin) / 2;
-    const auto place = [&](Index item) { return items_[item].low[axis] + items_[item].high[axis]; };
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](Index u, Index v) { return place(u) < place(v); });
-    build(begin, middle);
-    const Index second = build(middle, end);
-    boxes_[id].second = second;
-    return id;
-  }
+  Index build(const std::vector<Box>& items, Index begin, Index end);
 
-  std::vector<Box> items_;
   std::vector<Index> order_;
-  std::vector<Node> boxes_;
+  std::vector<Node> nodes_;
 };
 
 // ---- The point of a surface nearest to a point in space
@@ -149,26 +132,15 @@ class SurfaceLocator {
   /// only be named by vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or
   /// above 1e307; names the point. Complexity: O(log m) for points near the surface.
   SnappedPoint nearest(const Point& point) const;
-  std::size_t memory_bytes() const {
-    return order_.capacity() * sizeof(Index) + boxes_.capacity() * sizeof(Box);
-  }
+  std::size_t memory_bytes() const { return tree_.memory_bytes(); }
 
  private:
-  struct Box {
-    Point low;
-    Point high;
-    Index begin;  ///< into order_
-    Index end;
-    Index second = no_index;  ///< box of the second half; the first half's follows this one; no_index: a leaf
-  };
-  Index build(Index begin, Index end);
   /// A point from which the same point of the surface is nearest, and whose squared distances do not
   /// overflow.
   Point drawn_near(const Point& point) const;
 
   std::shared_ptr<const Mesh> mesh_;
-  std::vector<Index> order_;
-  std::vector<Box> boxes_;
+  BoxTree tree_;
 };
 
 }  // namespace vorogeo

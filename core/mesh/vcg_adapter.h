@@ -23,9 +23,7 @@ struct VcgMeshArrays {
   std::vector<Index> vertex_of_input;  ///< one entry per entry of mesh.vert; no_index for a deleted vertex
   std::vector<Index> input_of_vertex;  ///< index in mesh.vert
   std::vector<Index> input_of_face;    ///< index in mesh.face
-  SideLengths sides;                   ///< of the faces in the metric chosen; empty: lengths in space
-  FaceSplits splits;                   ///< that this metric needs; mostly empty
-  Index points_per_edge = 0;           ///< above 0 in a metric that jumps at edges (FaceSides)
+  Metric metric;                       ///< the one chosen
 };
 
 /// The vertex of `mesh` that a corner of a face names, by its index in mesh.vert; no_index if it is none of

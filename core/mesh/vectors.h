@@ -15,11 +15,20 @@ namespace vorogeo {
 
 inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 /// a + t d.
 inline Point moved(const Point& a, double t, const Point& d) {
   return {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
 }
 inline double length_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+/// The point of the segment from a to b that is nearest to p, as the part of the way to b.
+inline double along_segment(const Point& p, const Point& a, const Point& b) {
+  const Point ab = minus(b, a);
+  const double square = dot(ab, ab);
+  return square > 0.0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0.0;
+}
 
 // ---- The area of a triangle from its sides
 

@@ -255,8 +255,8 @@ Mesh joined_wherever_near(const Mesh& mesh, double gap) {
       for (int i = 0; i < 3; ++i) faces.push_back({v, face[i], face[(i + 1) % 3]});
       return gap;
     };
-    tree.visit_near({mesh.position(v), mesh.position(v)}, gap, mesh.face_count(), join,
-                    [](Index) { return false; });
+    const auto box_of = [&](Index f) -> const Box& { return boxes[f]; };
+    tree.visit_near({mesh.position(v), mesh.position(v)}, gap, mesh.face_count(), box_of, join);
     if (faces.size() > most) {
       throw InvalidInput(
           "The gap of the method campen_kobbelt is " + std::to_string(gap / mesh.typical_edge_length()) +

@@ -209,8 +209,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   std::vector<Index> all_faces(faces);
   for (Index f = 0; f < faces; ++f) all_faces[f] = f;
   std::vector<Index> all_vertices;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
+  for (const Index v : checked(mesh.vertex_count())) {
     if (!mesh.corners(v).empty()) all_vertices.push_back(v);
   }
   const auto vertices = static_cast<double>(all_vertices.size());

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -66,7 +65,6 @@ struct MeshPart {
 class Sampler {
  public:
   explicit Sampler(const Mesh& mesh);
-  ~Sampler();
 
   /// Samples of the part, spread by farthest-point sampling in the number of edges and then moved to the
   /// centres of their cells (Lloyd); counting edges rather than length gives dense regions more samples, so
@@ -77,8 +75,18 @@ class Sampler {
   std::vector<Index> spread(const MeshPart& part, Index count, std::uint64_t seed);
 
  private:
-  class EdgeCountField;
-  std::unique_ptr<EdgeCountField> field_;
+  void reset();
+  template <class Visit>
+  void for_each_neighbour(Index v, Visit&& visit) const;
+  /// Breadth-first over the edges of the part: lowers the counts of edges to those from the front, whose
+  /// vertices have 0; vertices for which `enters(from, to)` is false are not entered from there.
+  template <class Enters>
+  void grow(std::vector<Index> front, Enters&& enters);
+
+  const Mesh& mesh_;
+  MeshPart part_;
+  std::vector<Index> edge_counts_;
+  std::vector<Index> cell_;
 };
 
 // ---- Geodesic Voronoi cells of sample vertices, as labels of faces

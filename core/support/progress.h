@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <ranges>
 #include <string>
 
 #include "support/error.h"
@@ -77,6 +78,15 @@ inline constexpr Index elements_per_checkpoint = 1 << 13;
 /// Costs one reading of the clock: call it every few thousand elements. Does nothing outside a Watch.
 /// \throw Cancelled.
 void checkpoint();
+
+/// 0 to `count` - 1, for a loop that does little for each: with a checkpoint at every few thousandth.
+template <class Count>
+auto checked(Count count) {
+  return std::views::iota(Count{0}, count) | std::views::transform([](Count i) {
+           if (i % elements_per_checkpoint == 0) checkpoint();
+           return i;
+         });
+}
 
 /// As long as it lives, checkpoints of this thread report to its Progress, a fraction that always grows: each
 /// report covers a small part of what is left, so that a user sees work that is going on even where nobody

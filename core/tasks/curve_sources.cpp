@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -41,7 +41,7 @@ std::vector<Point> points_between(const Point& a, const Point& b, double spacing
 std::vector<Index> edges_of_curve(const Mesh& mesh, std::span<const std::array<int, 2>> ends) {
   std::vector<Index> edges;
   for (const auto& [a, b] : ends) {
-    const auto parts = edges_between(mesh, mesh.representative(a), mesh.representative(b));
+    const auto parts = InputMap(mesh).edges_between(mesh.representative(a), mesh.representative(b));
     if (parts.empty()) {
       throw InvalidInput("There is no edge between vertex " + std::to_string(a) + " and vertex " +
                          std::to_string(b) + "; a curve runs along edges of the mesh.");

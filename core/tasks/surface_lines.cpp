@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 
 namespace vorogeo {
@@ -89,7 +89,7 @@ Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<con
     throw InvalidInput("The field has " + std::to_string(given.size()) + " values, but the mesh has " +
                        std::to_string(mesh.given_vertex_count()) + " vertices; give one value for each.");
   }
-  const std::vector<double> values = with_middles(mesh, given);
+  const std::vector<double> values = InputMap(mesh).on_vertices(given);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (!std::isfinite(levels[i])) {
       throw InvalidInput("Level " + std::to_string(i) + " is " + std::to_string(levels[i]) +

@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/parallel.h"
 
@@ -353,9 +353,8 @@ std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
   constexpr std::array<double, 3> own{1.0, 1.0, 1.0};
   if (!mesh.has_split_faces() || mesh.is_bridge(face)) return own;
   constexpr double third = 1.0 / 3.0;
-  const SurfacePoint centre =
-      point_in_given(mesh, first_part(mesh, mesh.input_face(face)), {third, third, third});
-  return centre.face == face ? centre.barycentric : own;
+  const auto centre = InputMap(mesh).in_face(mesh.input_face(face), {third, third, third});
+  return centre->face == face ? centre->barycentric : own;
 }
 
 /// The site of least distance at each vertex; of equal ones, the first.

@@ -93,7 +93,7 @@ class DividedFaces {
 struct VoronoiRegions {
   std::vector<Index> vertex_region;  ///< of the nearest site; of equally near ones, the first
   std::vector<double> distance;      ///< of each vertex from its site
-  std::vector<Index> face_region;    ///< the region at the face's centre; see central_parts() for split faces
+  std::vector<Index> face_region;    ///< the region at the face's centre; see InputMap for split faces
   std::vector<double> area;          ///< of each region, in the square of the mesh's unit
   SurfaceLines borders;
   /// The two regions at each segment of the borders, the smaller one first.

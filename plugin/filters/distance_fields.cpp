@@ -12,7 +12,7 @@
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "tasks/curve_sources.h"
 
@@ -282,7 +282,7 @@ Results distances_from_edges(FilterCall& call) {
     for (int i = 0; i < 3; ++i) {
       if (!call.layer.cm.face[layer->host_face(*mesh, f)].IsFaceEdgeS(i)) continue;
       const auto& corners = mesh->given_corners(f);
-      for (Index e : edges_between(*mesh, corners[i], corners[(i + 1) % 3])) chosen[e] = true;
+      for (Index e : InputMap(*mesh).edges_between(corners[i], corners[(i + 1) % 3])) chosen[e] = true;
     }
   }
   std::vector<Index> edges;

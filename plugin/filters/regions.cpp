@@ -10,7 +10,7 @@
 #include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "mesh/outliers.h"
 #include "patches/partition.h"
 #include "support/error.h"
@@ -43,7 +43,7 @@ PatchColoring coloring_of(const Mesh& mesh, const VoronoiRegions& regions, std::
 void color_faces(FilterCall& call, const LayerSurface& layer, const Mesh& mesh, std::span<const Index> region,
                  const PatchColoring& coloring) {
   for (int face : layer.arrays().input_of_face) call.layer.cm.face[face].C() = grey();
-  for (Index f : central_parts(mesh)) {
+  for (Index f : InputMap(mesh).central_parts()) {
     if (region[f] == no_index) continue;
     const Rgb& color = coloring.palette[coloring.color_of_patch[region[f]]];
     call.layer.cm.face[layer.host_face(mesh, f)].C() = {color[0], color[1], color[2], 255};

@@ -131,18 +131,15 @@ LayerMetric metric_of(const FilterCall& call) {
 
 /// Side lengths of the faces in a metric, and faces split for it; empty for length. With a cost for each
 /// face, the faces of an edge disagree.
-MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
+Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
   const auto& [positions, faces] = std::tie(arrays.positions, arrays.faces);
   switch (measure.metric) {
     case LayerMetric::length:
       break;
     case LayerMetric::vertex_quality:
       return lengths_by_cost(positions, faces, measure.cost);
-    case LayerMetric::face_quality: {
-      MetricLengths lengths;
-      lengths.sides = sides_by_face_cost(positions, faces, measure.cost);
-      return lengths;
-    }
+    case LayerMetric::face_quality:
+      return {sides_by_face_cost(positions, faces, measure.cost), usual_edge_points};
     case LayerMetric::slope:
       return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
     case LayerMetric::curvature:
@@ -152,16 +149,16 @@ MetricLengths lengths_in(const LayerMeasure& measure, const VcgMeshArrays& array
 }
 
 /// How many faces were split and edges shortened, one sentence each.
-std::vector<std::string> remarks_on(const MetricLengths& lengths) {
+std::vector<std::string> remarks_on(const Metric& metric) {
   std::vector<std::string> remarks;
-  if (lengths.split_faces > 0) {
-    remarks.push_back("Metric: " + std::to_string(lengths.split_faces) +
+  if (metric.split_faces > 0) {
+    remarks.push_back("Metric: " + std::to_string(metric.split_faces) +
                       " faces are measured in parts, as one side would cost more than the other two "
                       "together; the mesh is coarse for this metric");
   }
-  if (lengths.shortened_edges > 0) {
+  if (metric.shortened_edges > 0) {
     remarks.push_back(
-        "Metric: " + std::to_string(lengths.shortened_edges) +
+        "Metric: " + std::to_string(metric.shortened_edges) +
         " edges would cost more than the other two sides of a face together, and cost as much as these");
   }
   return remarks;
@@ -244,11 +241,8 @@ LayerMeasure measure_of(const FilterCall& call) {
 std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure) {
   require_faces(layer);
   VcgMeshArrays arrays = arrays_from_vcg(layer);
-  MetricLengths lengths = lengths_in(measure, arrays);
-  std::vector<std::string> remarks = remarks_on(lengths);
-  arrays.sides = std::move(lengths.sides);
-  arrays.splits = std::move(lengths.splits);
-  if (measure.metric == LayerMetric::face_quality) arrays.points_per_edge = FaceSides{}.points_per_edge;
+  arrays.metric = metric_in(measure, arrays);
+  std::vector<std::string> remarks = remarks_on(arrays.metric);
   return std::make_shared<LayerSurface>(std::move(arrays), std::move(measure), std::move(remarks));
 }
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "mesh/given_points.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -27,7 +27,7 @@ Index LayerSurface::core_vertex(int host_vertex, const std::string& parameter) c
 }
 
 HostPlace LayerSurface::host_place(const Mesh& mesh, const SurfacePoint& point) const {
-  const Index face = given_face_at(mesh, point);
+  const Index face = InputMap(mesh).face_at(point);
   return face == no_index ? HostPlace{host_vertex(point.vertex)} : HostPlace{-1, arrays_.input_of_face[face]};
 }
 
@@ -40,8 +40,8 @@ std::shared_ptr<Surface> LayerSurface::surface() {
   if (auto surface = known_surface()) return surface;
   const std::lock_guard one(making_);
   if (auto surface = known_surface()) return surface;
-  auto made = std::make_shared<Surface>(measured_mesh(arrays_.positions, arrays_.faces, arrays_.sides, gap(),
-                                                      arrays_.points_per_edge, arrays_.splits));
+  auto made =
+      std::make_shared<Surface>(measured_mesh({arrays_.positions, arrays_.faces, arrays_.metric, gap()}));
   const std::lock_guard lock(mutex_);
   surface_ = std::move(made);
   return surface_;
@@ -81,7 +81,7 @@ void LayerSurface::rest() {
 std::int64_t LayerSurface::memory_bytes() const {
   std::size_t bytes = arrays_.positions.size() * sizeof(Point) +
                       arrays_.faces.size() * sizeof(arrays_.faces[0]) +
-                      arrays_.sides.size() * sizeof(double[3]) + measure_.cost.size() * sizeof(double);
+                      arrays_.metric.sides.size() * sizeof(double[3]) + measure_.cost.size() * sizeof(double);
   if (const auto surface = known_surface()) {
     bytes += surface->mesh()->memory_bytes();
     if (const auto index = surface->index()) bytes += static_cast<std::size_t>(index->statistics().bytes);

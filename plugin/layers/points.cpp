@@ -11,7 +11,7 @@
 
 #include "layers/parameters.h"
 #include "layers/results.h"
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "mesh/surface_locator.h"
 #include "support/error.h"
 
@@ -115,8 +115,8 @@ SurfacePoint point_in_face(const LayerSurface& layer, const Mesh& mesh, int host
   const auto& numbers = layer.arrays().input_of_face;  // ascending
   const auto found = std::ranges::lower_bound(numbers, host_face);
   const bool exists = found != numbers.end() && *found == host_face;
-  const Index first = exists ? first_part(mesh, static_cast<Index>(found - numbers.begin())) : no_index;
-  if (first != no_index) return validated(mesh, point_in_given(mesh, first, weights));
+  const Index face = exists ? static_cast<Index>(found - numbers.begin()) : no_index;
+  if (const auto point = InputMap(mesh).in_face(face, weights)) return validated(mesh, *point);
   throw InvalidInput(entry + " names face " + std::to_string(host_face) +
                      ", which the surface does not have. Faces are counted from 0; deleted ones and those "
                      "that name a vertex twice hold no points.");

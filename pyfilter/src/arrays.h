@@ -19,8 +19,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/given_points.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_input.h"
 #include "mesh/surface_point.h"
 #include "support/error.h"
 
@@ -78,8 +78,7 @@ auto to_numpy(std::vector<Value>&& values) {
 /// Values of all vertices without those of vertices that splits of faces have added.
 template <class T>
 Values<T> of_given_vertices(const Mesh& mesh, std::vector<T>&& values) {
-  values.resize(mesh.given_vertex_count());
-  return to_numpy(std::move(values));
+  return to_numpy(InputMap(mesh).of_vertices(std::move(values)));
 }
 
 // ---- Points of the surface
@@ -94,23 +93,14 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   if (face.shape(0) == 0) return values_of(vertex);
   std::vector<SurfacePoint> points(vertex.shape(0));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (vertex(i) >= 0) {
-      points[i] = SurfacePoint::at_vertex(vertex(i));
-      continue;
-    }
-    const Index first = first_part(mesh, face(i));
-    if (first == no_index) {
-      throw InvalidInput("Face " + std::to_string(face(i)) +
-                         " does not exist or is left out of the index (it is masked, names a vertex twice or "
-                         "repeats a face), so no point lies in it.");
-    }
-    points[i] = point_in_given(mesh, first, {weights(i, 0), weights(i, 1), weights(i, 2)});
+    const std::array<double, 3> own{weights(i, 0), weights(i, 1), weights(i, 2)};
+    points[i] = InputMap(mesh).point_in({vertex(i), face(i), own});
   }
   return points;
 }
 
-/// Points as Python gets them: the vertex or -1, a row of the faces given, and the weights in it. A vertex is
-/// a corner of its first face, or of none (-1); a point over a gap is in no face, either.
+/// Points as Python gets them, which is as InputMap gives them: the vertex or -1, a row of the faces given or
+/// -1, and the weights in it.
 using PointRows = std::tuple<Values<Index>, Values<Index>, Rows<double, 3>>;
 
 /// Collects points, without the GIL.
@@ -120,15 +110,10 @@ struct PointColumns {
   std::vector<std::array<double, 3>> weights{};
 
   void add(const Mesh& mesh, const SurfacePoint& point) {
-    const bool is_given = point.is_vertex() && point.vertex < mesh.given_vertex_count();
-    vertex.push_back(is_given ? point.vertex : no_index);
-    face.push_back(no_index);
-    weights.push_back({});
-    for_each_face_at(mesh, point, [&](Index at, const std::array<double, 3>& there) {
-      if (face.back() != no_index || mesh.is_bridge(at)) return;
-      face.back() = mesh.input_face(at);
-      weights.back() = weights_in_given(mesh, at, there);
-    });
+    const InputPoint out = InputMap(mesh).point_out(point);
+    vertex.push_back(out.vertex);
+    face.push_back(out.face);
+    weights.push_back(out.weights);
   }
 
   PointRows take() {

@@ -40,9 +40,7 @@ struct HeldSurface {
 
 /// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.
 inline Values<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
-  std::vector<Index> values(held.input_faces, no_index);
-  for (Index f : central_parts(*held.mesh)) values[held.mesh->input_face(f)] = of_face[f];
-  return to_numpy(std::move(values));
+  return to_numpy(InputMap(*held.mesh).of_faces(of_face, held.input_faces));
 }
 
 /// What answered: by, seconds, index_seconds, remark.

@@ -5,7 +5,6 @@
 
 #include "bindings.h"
 #include "index/build_estimate.h"
-#include "mesh/edge_points.h"
 #include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"
@@ -65,18 +64,13 @@ HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const Si
   ProgressBridge bridge(progress);
   return bridge.run([&](const Progress& report) -> HeldMesh {
     const Watch watch(report.part(0.0, reading_share), "Reading the mesh");
-    SideLengths lengths;
-    Index points_per_edge = 0;
-    FaceSplits splits;
+    MeshInput input{rows_of<3>(vertices), rows_of<3>(faces), {}, {gap, folds}};
     if (sides) {
-      lengths = rows_of<3>(std::get<0>(*sides));
-      points_per_edge = std::get<1>(*sides);
-      const std::optional<SplitArrays>& split = std::get<2>(*sides);
-      if (split) splits = splits_of(*split, vertices.shape(0), faces.shape(0));
+      const auto& [lengths, points_per_edge, splits] = *sides;
+      input.metric = {rows_of<3>(lengths), points_per_edge};
+      if (splits) input.metric.splits = splits_of(*splits, vertices.shape(0), faces.shape(0));
     }
-    return {measured_mesh(rows_of<3>(vertices), rows_of<3>(faces), lengths, {gap, folds}, points_per_edge,
-                          splits),
-            faces.shape(0)};
+    return {measured_mesh(std::move(input)), faces.shape(0)};
   });
 }
 
@@ -189,7 +183,7 @@ using SideRows = Rows<double, 3>;
 using SplitRows = std::tuple<Rows<Index, 2>, Rows<Index, 3>, Values<Index>, SideRows>;
 
 /// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
-std::tuple<SideRows, Index, Index, std::optional<SplitRows>> as_tuple(MetricLengths&& found) {
+std::tuple<SideRows, Index, Index, std::optional<SplitRows>> as_tuple(Metric&& found) {
   std::optional<SplitRows> splits;
   if (!found.splits.empty()) {
     FaceSplits& own = found.splits;

@@ -68,13 +68,9 @@ nb::dict statistics(const HeldSurface& self) {
   const Mesh& mesh = self.mesh();
   const auto index = self.surface->index();
   const IndexStatistics& s = index->statistics();
-  Index faces = 0;
-  for (Index f = 0; f < mesh.first_bridge(); ++f) {
-    faces += f == 0 || mesh.input_face(f) != mesh.input_face(f - 1);
-  }
   nb::dict d;
   d["vertices"] = s.vertices;
-  d["faces"] = faces;
+  d["faces"] = InputMap(mesh).central_parts().size();
   d["bridges"] = mesh.face_count() - mesh.first_bridge();
   d["components"] = s.components;
   d["first_layer_patches"] = s.first_layer_patches;

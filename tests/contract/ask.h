@@ -8,9 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "mesh/edge_points.h"
-#include "mesh/gaps.h"
-#include "mesh/given_points.h"
+#include "mesh/mesh_input.h"
 #include "mesh/metric.h"
 #include "query/surface.h"
 #include "support/error.h"
@@ -184,23 +182,22 @@ class Ask {
  private:
   static std::shared_ptr<const Mesh> mesh_of(const Input& input) {
     const auto& [positions, faces] = input.soup;
-    auto measured = [&](const SideLengths& sides, Index points = 0, const FaceSplits& splits = {}) {
-      return measured_mesh(positions, faces, sides, {input.gap, input.folds}, points, splits);
+    auto measured = [&](const vorogeo::Metric& metric) {
+      return measured_mesh({positions, faces, metric, {input.gap, input.folds}});
     };
-    auto split = [&](const MetricLengths& lengths) { return measured(lengths.sides, 0, lengths.splits); };
     if (const auto* given = std::get_if<EdgeLengths>(&input.metric)) return measured(given->sides);
     if (const auto* given = std::get_if<VertexCost>(&input.metric)) {
-      return split(lengths_by_cost(positions, faces, given->cost));
+      return measured(lengths_by_cost(positions, faces, given->cost));
     }
     if (const auto* given = std::get_if<VertexTensor>(&input.metric)) {
-      return split(lengths_by_tensor(positions, faces, given->tensors));
+      return measured(lengths_by_tensor(positions, faces, given->tensors));
     }
     if (const auto* given = std::get_if<FaceCost>(&input.metric)) {
-      return measured(sides_by_face_cost(positions, faces, given->cost), FaceSides{}.points_per_edge);
+      return measured({sides_by_face_cost(positions, faces, given->cost), usual_edge_points});
     }
     if (const auto* given = std::get_if<FaceTensor>(&input.metric)) {
       const SideLengths sides = sides_by_face_tensor(positions, faces, given->tensors);
-      return measured(sides, edge_points_for(positions, faces, sides));
+      return measured({sides, edge_points_for(positions, faces, sides)});
     }
     return measured({});
   }
@@ -232,8 +229,7 @@ class Ask {
     if (point.is_vertex() || point.face < 0 || point.face >= static_cast<Index>(input_.soup.faces.size())) {
       return point;
     }
-    const Index first = first_part(*mesh_, point.face);
-    return first == no_index ? point : point_in_given(*mesh_, first, point.barycentric);
+    return InputMap(*mesh_).in_face(point.face, point.barycentric).value_or(point);
   }
   std::vector<SurfacePoint> into(const std::vector<SurfacePoint>& points) const {
     std::vector<SurfacePoint> inside;
@@ -247,10 +243,8 @@ class Ask {
       const auto faces = static_cast<Index>(input_.soup.faces.size());
       return SurfacePoint::in_face(faces + point.face - mesh_->first_bridge(), point.barycentric);
     }
-    const Index face = point.is_vertex() ? Mesh::face_of(mesh_->corners(point.vertex)[0]) : point.face;
-    std::array<double, 3> weights{};
-    weights_in_face(*mesh_, point, face, weights);
-    return SurfacePoint::in_face(mesh_->input_face(face), weights_in_given(*mesh_, face, weights));
+    const InputPoint out = InputMap(*mesh_).point_out(point);
+    return SurfacePoint::in_face(out.face, out.weights);
   }
 
   Input input_;

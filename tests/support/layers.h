@@ -39,7 +39,7 @@ struct Layers {
   /// The mesh with these costs.
   std::shared_ptr<const Mesh> weighted(Index points = 6) const {
     return std::make_shared<const Mesh>(
-        soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, costs), points});
+        soup.positions, soup.faces, Metric{sides_by_face_cost(soup.positions, soup.faces, costs), points});
   }
   Index nearest(double x, double y) const {
     Index best = 0;

@@ -57,7 +57,8 @@ TEST(PathsFromPoint, DearFaceFartherThanAllVertices) {
   std::vector<double> cost(grid.faces.size(), 1.0);
   cost[dear] = 100.0;
   const auto mesh = std::make_shared<const Mesh>(
-      grid.positions, grid.faces, FaceSides{sides_by_face_cost(grid.positions, grid.faces, cost)});
+      grid.positions, grid.faces,
+      Metric{sides_by_face_cost(grid.positions, grid.faces, cost), usual_edge_points});
   PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   const SurfacePoint centre = SurfacePoint::in_face(dear, {1.0 / 3, 1.0 / 3, 1.0 / 3});
   paths.reset(SurfacePoint::at_vertex(0));

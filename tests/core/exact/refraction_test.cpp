@@ -152,7 +152,7 @@ TEST(WeightedCrossing, WavesThatMeetPlaceNoSource) {
   const std::vector<double> cost{1.0};
   for (const Index points : {2, 4, 8, 20}) {
     auto mesh = std::make_shared<const Mesh>(positions, faces,
-                                             FaceSides{sides_by_face_cost(positions, faces, cost), points});
+                                             Metric{sides_by_face_cost(positions, faces, cost), points});
     WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
     solver.run_from_vertices(std::array<Index, 2>{0, 1});
     EXPECT_NEAR(solver.distance(2), std::hypot(0.5, 0.1), 1e-12) << points;
@@ -166,7 +166,7 @@ TEST(WeightedCrossing, OneWavePlacesItsSource) {
   const std::vector<double> cost{2.0, 2.0};
   for (const Index points : {1, 2, 6}) {
     auto mesh = std::make_shared<const Mesh>(positions, faces,
-                                             FaceSides{sides_by_face_cost(positions, faces, cost), points});
+                                             Metric{sides_by_face_cost(positions, faces, cost), points});
     WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
     solver.run_from_vertices(std::array<Index, 1>{3});
     EXPECT_NEAR(solver.distance(2), 2.0 * std::hypot(0.03, 3.1), 1e-9) << points;
@@ -178,8 +178,8 @@ TEST(WeightedCrossing, OneWavePlacesItsSource) {
 TEST(WeightedCrossing, DistancesGrowWithTheMesh) {
   auto distances = [](test::Soup soup, double scale, const std::vector<double>& cost) {
     for (Point& p : soup.positions) p = {scale * p[0], scale * p[1], scale * p[2]};
-    auto mesh = std::make_shared<const Mesh>(
-        soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost), 6});
+    auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                             Metric{sides_by_face_cost(soup.positions, soup.faces, cost), 6});
     WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, 6));
     solver.run_from_vertices(std::array<Index, 1>{3});
     std::vector<double> found;
@@ -207,7 +207,7 @@ TEST(FaceNorms, RefusesLengthsThatProductsLeave) {
   auto norms = [](double side) {
     const auto mesh = std::make_shared<const Mesh>(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                                    std::vector<std::array<Index, 3>>{{0, 1, 2}},
-                                                   FaceSides{{{side, side, side}}, 2});
+                                                   Metric{SideLengths{{side, side, side}}, 2});
     return FaceNorms(mesh, mesh->points_per_edge());
   };
   EXPECT_THROW(norms(1e-200), InvalidInput) << "products would underflow";
@@ -219,9 +219,9 @@ TEST(FaceNorms, RefusesLengthsThatProductsLeave) {
 
 FaceNorms norms_of(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces) {
   const std::vector<double> cost(faces.size(), 2.0);
-  return FaceNorms(std::make_shared<const Mesh>(positions, faces,
-                                                FaceSides{sides_by_face_cost(positions, faces, cost), 3}),
-                   3);
+  return FaceNorms(
+      std::make_shared<const Mesh>(positions, faces, Metric{sides_by_face_cost(positions, faces, cost), 3}),
+      3);
 }
 
 /// Above the seam 0-1 | 3-4 an apex, below it another.

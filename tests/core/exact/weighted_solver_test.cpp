@@ -80,7 +80,8 @@ TEST(WeightedSolver, TensorsOfLayers) {
     tensors.push_back(y > 0.0 ? above : below);
   }
   const auto sides = sides_by_face_tensor(layers.soup.positions, layers.soup.faces, tensors);
-  const auto mesh = std::make_shared<const Mesh>(layers.soup.positions, layers.soup.faces, FaceSides{sides});
+  const auto mesh = std::make_shared<const Mesh>(layers.soup.positions, layers.soup.faces,
+                                                 Metric{sides, usual_edge_points});
   WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
   const Index source = layers.nearest(1.0, -0.5);
   solver.run_from_vertices(std::array{source});
@@ -112,7 +113,8 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
         {1.0 + dearer * c * c, dearer * c * s, 0, dearer * c * s, 1.0 + dearer * s * s, 0, 0, 0, 1});
   }
   const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces, FaceSides{sides_by_face_tensor(soup.positions, soup.faces, tensors)});
+      soup.positions, soup.faces,
+      Metric{sides_by_face_tensor(soup.positions, soup.faces, tensors), usual_edge_points});
   WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
   solver.run_from_vertices(std::array<Index, 1>{5});
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
@@ -175,7 +177,8 @@ TEST(WeightedLimits, PointsOfEdgesWithoutLength) {
                         {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}}};
   const std::vector<double> cost{2.0, 3.0, 2.0};
   const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+      soup.positions, soup.faces,
+      Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
   WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
   const std::array<Index, 1> target{1};
   for (Index edge = 0; edge < mesh->edge_count(); ++edge) {
@@ -219,8 +222,8 @@ struct FlatFan {
     for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(1.0 + 4.0 * (random() / 4294967296.0));
   }
   WeightedSolver solved() const {
-    auto mesh =
-        std::make_shared<const Mesh>(positions, faces, FaceSides{sides_by_face_cost(positions, faces, cost)});
+    auto mesh = std::make_shared<const Mesh>(
+        positions, faces, Metric{sides_by_face_cost(positions, faces, cost), usual_edge_points});
     WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
     solver.run_from_vertices(std::array<Index, 1>{0});
     return solver;
@@ -299,7 +302,7 @@ TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
   std::vector<double> cost;
   for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
   auto solved = [&](Index points) {
-    const FaceSides sides{sides_by_face_cost(positions, faces, cost), points};
+    const Metric sides{sides_by_face_cost(positions, faces, cost), points};
     auto mesh = std::make_shared<const Mesh>(positions, faces, sides);
     WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
     solver.run_from_vertices(std::array<Index, 1>{8});

@@ -8,7 +8,7 @@
 
 #include "exact/exact_solver.h"
 #include "mesh/mesh_check.h"
-#include "query/geodesic_query.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/gaps.h"
 
@@ -22,7 +22,7 @@ using test::Cut;
 using test::Soup;
 
 std::shared_ptr<const Mesh> bridged(const Soup& soup, double gap, bool folds = false) {
-  return bridged_mesh(soup.positions, soup.faces, {gap, folds});
+  return measured_mesh({soup.positions, soup.faces, {}, {gap, folds}});
 }
 
 Index bridge_count(const Mesh& mesh) { return mesh.face_count() - mesh.first_bridge(); }
@@ -63,35 +63,10 @@ Cut whole(const Soup& soup) {
   return cut;
 }
 
-TEST(GapBridges, ALooseSoupIsTheMergedMesh) {
-  const Soup sphere = test::icosphere(3);
-  const Cut loose = test::exploded(sphere);
-  EXPECT_LE(difference(sphere, loose, 1e-12).greatest, 1e-12);
-  const auto mesh = bridged(loose.soup, 1e-12);
-  EXPECT_EQ(bridge_count(*mesh), 0);
-  EXPECT_EQ(mesh->component_count(), 1);
-  EXPECT_EQ(find_border_loops(*mesh).count, 0);
-}
-
 TEST(GapBridges, ASoupWithRoundedPositionsIsJoinedSideBySide) {
   const Soup sphere = test::icosphere(2);
   // A path crosses about 60 faces; each joint moves it by twice the jitter.
   EXPECT_LE(difference(sphere, test::exploded(sphere, 1e-6), 1e-5).greatest, 60 * 2e-6);
-}
-
-TEST(GapBridges, PlatesWithOtherVerticesAtTheGapAreOnePlane) {
-  for (const double gap : {0.0, 1e-9, 1e-4, 0.03}) {
-    for (const int right : {6, 7, 11}) {  // beside 6 cells: equal vertices, or T-junctions
-      const test::Shape plates = test::two_plates(6, right, gap);
-      const auto mesh = bridged(plates.soup, gap + 1e-6);
-      for (const Index source : {0, 24, 48, 50}) {
-        const auto field = exact_distance_field(mesh, std::array{source});
-        for (Index v = 0; v < mesh->vertex_count(); ++v) {
-          ASSERT_NEAR(field[v], plates.vertex_distance(source, v), 1e-12) << gap << " " << right << " " << v;
-        }
-      }
-    }
-  }
 }
 
 TEST(GapBridges, ACrackThatIsOpenAtOneEndIsNoDetour) {
@@ -121,22 +96,6 @@ TEST(GapBridges, CracksOfATenthToTwoEdgesCostAboutTheirWidth) {
   }
 }
 
-TEST(GapBridges, AnIndexMeasuresOnThem) {
-  const Soup sphere = test::icosphere(2);
-  const Cut loose = test::exploded(sphere);
-  const auto index = GeodesicIndex::build(bridged(loose.soup, 1e-12));
-  GeodesicQuery query(index);
-  GeodesicQuery merged(GeodesicIndex::build(test::make_mesh(sphere)));
-  const auto field = query.distance_field(std::array<Index, 1>{100});
-  const auto expected = merged.distance_field(std::array{loose.origin[100]});
-  for (Index v = 0; v < static_cast<Index>(field.size()); ++v) {
-    // Vertices are numbered otherwise, so the patches differ, and the errors of the index with them.
-    ASSERT_NEAR(field[v], expected[loose.origin[v]], 0.01 * expected[loose.origin[v]] + 1e-9) << v;
-    ASSERT_EQ(field[v], field[index->mesh()->representative(v)]);
-  }
-  EXPECT_EQ(query.distance(100, index->mesh()->representative(100)), 0.0);
-}
-
 TEST(GapBridges, WhatIsNearInSpaceButTurnsBackIsNotJoined) {
   const Soup roll = test::rolled_sheet(3, 24, 0.05);
   EXPECT_EQ(bridge_count(*bridged(roll, 0.06)), 0);
@@ -151,16 +110,6 @@ TEST(GapBridges, WhatIsNearInSpaceButTurnsBackIsNotJoined) {
   EXPECT_GT(bridge_count(*bridged(open, 0.02, true)), 0);
   // A strip narrower than the gap is no gap.
   EXPECT_EQ(bridge_count(*bridged(test::plane_grid(40, 2, 40.0, 0.02).soup, 0.05)), 0);
-}
-
-TEST(GapBridges, WithoutAGapNothingChanges) {
-  const Soup loose = test::exploded(test::icosphere(1)).soup;
-  const auto mesh = bridged(loose, 0.0);
-  EXPECT_EQ(mesh->faces(), test::make_mesh(loose)->faces());
-  EXPECT_EQ(mesh->first_bridge(), mesh->face_count());
-  EXPECT_TRUE(find_gap_bridges(*test::make_mesh(test::icosphere(2)), {0.5}).empty());
-  EXPECT_THROW(bridged(loose, -1.0), InvalidInput);
-  EXPECT_THROW(bridged(loose, unreachable), InvalidInput);
 }
 
 TEST(GapBridges, TheLeastGapThatJoinsAllIsExact) {

@@ -26,12 +26,6 @@ std::string refusal(const SurfacePoint& point) {
   return test::refusal([&] { validated(mesh, point); });
 }
 
-TEST(SurfacePoint, PositionIsTheWeightedSum) {
-  const Mesh mesh = triangle();
-  EXPECT_EQ(position_of(mesh, SurfacePoint::at_vertex(1)), (Point{4, 0, 0}));
-  EXPECT_EQ(position_of(mesh, SurfacePoint::in_face(0, {0.25, 0.25, 0.5})), (Point{1, 1, 0.5}));
-}
-
 TEST(SurfacePoint, CornersBecomeVertices) {
   const Mesh mesh = triangle();
   for (Index i = 0; i < 3; ++i) {
@@ -99,17 +93,31 @@ TEST(SurfacePoint, RefusalsNameTheElement) {
   EXPECT_NE(refusal(SurfacePoint::in_face(0, {-2e-6, 0.5, 0.5})), "");
 }
 
-TEST(SurfacePoint, MeshWithoutElements) {
-  const Mesh empty({}, {});
-  EXPECT_THROW(validated(empty, SurfacePoint::at_vertex(0)), InvalidInput);
-  EXPECT_THROW(validated(empty, SurfacePoint::in_face(0, {1, 0, 0})), InvalidInput);
+// Lists of points: one form of each, and errors that name the place in the list.
+
+TEST(PointList, OnePointHasOneForm) {
+  const auto mesh = test::make_mesh(test::icosphere(1));
+  for (Index e = 0; e < mesh->edge_count(); ++e) {
+    const Index first = mesh->edge_halfedge(e);
+    std::vector<SurfacePoint> same;
+    Index h = first;
+    do {
+      std::array<double, 3> weights{};
+      const bool along = mesh->tail(h) == mesh->tail(first);
+      weights[h % 3] = along ? 0.25 : 0.75;
+      weights[Mesh::next_in_face(h) % 3] = along ? 0.75 : 0.25;
+      same.push_back(SurfacePoint::in_face(Mesh::face_of(h), weights));
+      h = mesh->next_around_edge(h);
+    } while (h != first);
+    const PointList canonical = points_on(*mesh, same, "Point");
+    for (const SurfacePoint& point : canonical) EXPECT_EQ(point, canonical[0]);
+  }
+  const std::vector corner{SurfacePoint::in_face(7, {0.0, 1.0, 0.0})};
+  EXPECT_TRUE(points_on(*mesh, corner, "Point").only_vertices());
+  EXPECT_EQ(points_on(*mesh, corner, "Point").vertices(), std::vector{mesh->face_vertices(7)[1]});
 }
 
 // Nearest points against a search through all faces, and from as far away as numbers go.
-
-double distance_between(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 TEST(SurfaceLocator, NoPointOfAFineSampleOfTheSurfaceIsNearer) {
   const auto mesh = test::make_mesh(test::torus(12, 8, 2.0, 0.7));
@@ -200,13 +208,11 @@ TEST(BoxTree, FindsAllBoxesWithinADistance) {
       const Box around = random_box(random, query % 2);
       const double reach = 0.1 * query;
       std::set<Index> found;
-      tree.visit_near(
-          around, reach, 1 << 20,
-          [&](Index item) {
-            EXPECT_TRUE(found.insert(item).second) << "twice";
-            return reach;
-          },
-          [](Index) { return false; });
+      const auto box_of = [&](Index item) { return boxes[item]; };
+      tree.visit_near(around, reach, 1 << 20, box_of, [&](Index item) {
+        EXPECT_TRUE(found.insert(item).second) << "twice";
+        return reach;
+      });
       for (Index i = 0; i < count; ++i) EXPECT_EQ(found.contains(i), boxes[i].distance(around) <= reach);
     }
   }
@@ -221,34 +227,16 @@ TEST(BoxTree, ReachMayShrinkAndVisitsMayBeBounded) {
   double least = unreachable;
   for (const Box& box : boxes) least = std::min(least, box.distance(around));
   double nearest = unreachable;
+  const auto box_of = [&](Index item) { return boxes[item]; };
   auto look_at = [&](Index item) { return nearest = std::min(nearest, boxes[item].distance(around)); };
-  tree.visit_near(around, unreachable, 1 << 20, look_at, [](Index) { return false; });
+  tree.visit_near(around, unreachable, 1 << 20, box_of, look_at);
   EXPECT_EQ(nearest, least);
   int visits = 0;
   auto count = [&](Index) { return ++visits, unreachable; };
-  tree.visit_near(around, unreachable, 10, count, [](Index) { return false; });
+  tree.visit_near(around, unreachable, 10, box_of, count);
   EXPECT_EQ(visits, 10);
-  tree.visit_near(around, unreachable, 10, count, [](Index) { return true; });
+  tree.visit_near(around, unreachable, 10, box_of, count, [](Index) { return true; });
   EXPECT_EQ(visits, 10) << "all passed over";
-}
-
-TEST(BoxTree, LabelsThatAllItemsOfANodeShare) {
-  std::mt19937 random(7);
-  std::vector<Box> boxes;
-  std::vector<Index> side;
-  for (int i = 0; i < 100; ++i) {
-    boxes.push_back(random_box(random, 0.1));
-    side.push_back(i % 2);
-    if (i % 2 == 1) {
-      boxes.back().low[0] += 1000.0;
-      boxes.back().high[0] += 1000.0;
-    }
-  }
-  std::vector<Index> label;
-  const BoxTree tree(boxes);
-  tree.common_labels(side, label);
-  EXPECT_EQ(label[0], no_index) << "the root";
-  EXPECT_EQ(label[1], 0) << "the half nearer to the origin";
 }
 
 // Distances inside faces: exact for a wave over a plane, and never shorter than a single wave allows.
@@ -318,16 +306,6 @@ TEST(UnfoldedDistance, IsTheStraightLineBetweenPointsOnTwoSidesOfTheEdge) {
 TEST(UnfoldedDistance, DistancesOfNoCommonWaveAreRefused) {
   EXPECT_EQ(unfolded_distance(1.0, 0.2, 1.3, 0.7, 0.7), unreachable);  // the source's ends differ by 1.1
   EXPECT_EQ(unfolded_distance(1.0, 0.7, 0.7, 2.0, 0.9), unreachable);  // the target's too
-}
-
-TEST(UnfoldedDistance, SourceAndTargetBothOnTheLineOfTheEdgeHaveNoCrossing) {
-  EXPECT_EQ(unfolded_distance(1.0, 0.25, 0.75, 0.5, 0.5), unreachable);
-}
-
-TEST(UnfoldedDistance, ASourceOnTheEdgeSeesTheTargetDirectly) {
-  // From (0.25, 0) to (0.5, -1).
-  EXPECT_NEAR(unfolded_distance(1.0, 0.25, 0.75, std::hypot(0.5, 1.0), std::hypot(0.5, 1.0)),
-              std::hypot(0.25, 1.0), 1e-12);
 }
 
 }  // namespace

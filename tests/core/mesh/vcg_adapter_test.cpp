@@ -1,5 +1,4 @@
-// The adapter from VCG meshes: on a mesh with just the members it uses, and on a real VCG mesh where VCG is
-// there.
+// The adapter from VCG meshes, on a mesh with just the members it uses; the plugin's tests have real ones.
 #include "mesh/vcg_adapter.h"
 
 #include <gtest/gtest.h>
@@ -7,10 +6,6 @@
 #include <limits>
 
 #include "support/refusal.h"
-
-#ifdef VOROGEO_HAS_VCG
-#include <vcg/complex/complex.h>
-#endif
 
 namespace vorogeo {
 namespace {
@@ -50,21 +45,6 @@ PlainMesh<Scalar> strip() {
   return mesh;
 }
 
-TEST(VcgAdapter, CopiesAWholeMesh) {
-  const auto mesh = strip<double>();
-  const VcgMeshArrays arrays = arrays_from_vcg(mesh);
-  EXPECT_EQ(arrays.positions.size(), 6U);
-  EXPECT_EQ(arrays.positions[3], (Point{0.1 * 3, 1.0, 0.0}));
-  EXPECT_EQ(arrays.faces.size(), 4U);
-  EXPECT_EQ(arrays.faces[2], (std::array<Index, 3>{2, 3, 4}));
-  EXPECT_EQ(arrays.vertex_of_input, (std::vector<Index>{0, 1, 2, 3, 4, 5}));
-}
-
-TEST(VcgAdapter, FloatsArePromotedExactly) {
-  const auto mesh = strip<float>();
-  EXPECT_EQ(arrays_from_vcg(mesh).positions[3][0], static_cast<double>(static_cast<float>(0.1 * 3)));
-}
-
 TEST(VcgAdapter, DeletedElementsAreSkippedAndMapped) {
   auto mesh = strip<float>();
   mesh.vert[0].deleted = true;
@@ -76,19 +56,7 @@ TEST(VcgAdapter, DeletedElementsAreSkippedAndMapped) {
   EXPECT_EQ(arrays.input_of_face, (std::vector<Index>{1, 3}));
   EXPECT_EQ(arrays.faces[0], (std::array<Index, 3>{0, 1, 2}));
   EXPECT_EQ(arrays.faces[1], (std::array<Index, 3>{2, 3, 4}));
-}
-
-TEST(VcgAdapter, MeshMapsFacesPastThoseLeftOut) {
-  auto mesh = strip<double>();
-  mesh.face[0].deleted = true;
-  mesh.face.push_back(mesh.face[1]);
-  mesh.face[1].corners[2] = mesh.face[1].corners[0];  // names a vertex twice: left out by Mesh
-  const VcgMeshArrays arrays = arrays_from_vcg(mesh);
-  const Mesh made(arrays.positions, arrays.faces);
-  EXPECT_EQ(made.vertex_count(), 6);
-  ASSERT_EQ(made.face_count(), 3);
-  for (Index f = 0; f < 3; ++f) EXPECT_EQ(arrays.input_of_face[made.input_face(f)], f + 2);
-  EXPECT_EQ(arrays.vertex_of_input.size(), 6U);
+  EXPECT_EQ(arrays.positions[2], (Point{static_cast<float>(0.1 * 3), 1.0, 0.0})) << "promoted exactly";
 }
 
 TEST(VcgAdapter, ArraysAreThoseOfAMeshUntilItIsEdited) {
@@ -123,12 +91,6 @@ TEST(VcgAdapter, ArraysAreThoseOfAMeshUntilItIsEdited) {
   EXPECT_TRUE(is_noticed([](Edited& m) { m.face[2].corners[1] = nullptr; }));
 }
 
-TEST(VcgAdapter, EmptyMesh) {
-  const PlainMesh<float> empty;
-  EXPECT_TRUE(arrays_from_vcg(empty).positions.empty());
-  EXPECT_TRUE(arrays_from_vcg(empty).faces.empty());
-}
-
 TEST(VcgAdapter, RefusalsNameTheElementOfTheVcgMesh) {
   auto dangling = strip<double>();
   dangling.vert[3].deleted = true;
@@ -153,33 +115,6 @@ TEST(VcgAdapter, RefusalsNameTheElementOfTheVcgMesh) {
   EXPECT_EQ(test::refusal([&] { arrays_from_vcg(infinite); }),
             "Vertex 4 has a coordinate that is NaN or infinite; repair or remove it.");
 }
-
-#ifdef VOROGEO_HAS_VCG
-class RealVertex;
-class RealFace;
-struct RealTypes : vcg::UsedTypes<vcg::Use<RealVertex>::AsVertexType, vcg::Use<RealFace>::AsFaceType> {};
-class RealVertex : public vcg::Vertex<RealTypes, vcg::vertex::Coord3f, vcg::vertex::BitFlags> {};
-class RealFace : public vcg::Face<RealTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
-class RealMesh : public vcg::tri::TriMesh<std::vector<RealVertex>, std::vector<RealFace>> {};
-
-TEST(VcgAdapter, RealVcgMesh) {
-  RealMesh mesh;
-  vcg::tri::Allocator<RealMesh>::AddVertices(mesh, 5);
-  for (int i = 0; i < 5; ++i)
-    mesh.vert[i].P() = {0.25F * static_cast<float>(i), static_cast<float>(i % 2), 0.0F};
-  for (int i = 0; i < 3; ++i) {
-    vcg::tri::Allocator<RealMesh>::AddFace(mesh, &mesh.vert[i], &mesh.vert[i + 1], &mesh.vert[i + 2]);
-  }
-  vcg::tri::Allocator<RealMesh>::DeleteFace(mesh, mesh.face[0]);
-  vcg::tri::Allocator<RealMesh>::DeleteVertex(mesh, mesh.vert[0]);
-  const VcgMeshArrays result = arrays_from_vcg(mesh);
-  EXPECT_EQ(result.positions.size(), 4U);
-  EXPECT_EQ(result.faces.size(), 2U);
-  EXPECT_EQ(result.vertex_of_input, (std::vector<Index>{no_index, 0, 1, 2, 3}));
-  EXPECT_EQ(result.input_of_face, (std::vector<Index>{1, 2}));
-  EXPECT_EQ(result.positions[1], (Point{0.5, 0.0, 0.0}));
-}
-#endif
 
 }  // namespace
 }  // namespace vorogeo

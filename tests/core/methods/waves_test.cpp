@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "mesh/gaps.h"
+#include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
@@ -92,7 +92,7 @@ TEST(CampenKobbeltMethod, TakesTheShortCutBetweenFingersThatBridgesDoNot) {
   ASSERT_NE(tip, no_index);
   ASSERT_NE(across, no_index);
   EXPECT_LT(test::method_field("campen_kobbelt", mesh, {tip}, {{"gap", 0.02}})[across], 1.1);
-  const auto bridged = bridged_mesh(hand.positions, hand.faces, {0.02});
+  const auto bridged = measured_mesh({hand.positions, hand.faces, {}, {0.02}});
   EXPECT_GT(exact_distance_field(bridged, std::vector<Index>{tip})[across], 5.0);
 }
 

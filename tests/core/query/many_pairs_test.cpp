@@ -207,7 +207,8 @@ TEST(ManyPairs, WhereTheMetricJumpsOnePropagationServesASource) {
     cost.push_back(x < 1.0 ? 1.0 : 3.0);
   }
   const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces, FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+      soup.positions, soup.faces,
+      Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
   ASSERT_TRUE(mesh->metric_jumps());
   auto at = [&](double x, double y) {
     const auto place = std::ranges::find_if(

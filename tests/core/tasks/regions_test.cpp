@@ -91,8 +91,9 @@ struct DearCell {
       }
       cost.push_back(std::abs(centre[0] - 2.5) < 0.5 && std::abs(centre[1] - 2.5) < 0.5 ? 5.0 : 1.0);
     }
-    mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
-                                        FaceSides{sides_by_face_cost(soup.positions, soup.faces, cost)});
+    mesh = std::make_shared<const Mesh>(
+        soup.positions, soup.faces,
+        Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
   }
   test::Soup soup = test::plane_grid(5, 5, 5.0, 5.0).soup;
   std::shared_ptr<const Mesh> mesh;

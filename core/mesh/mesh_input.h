@@ -1,0 +1,82 @@
+// A mesh as it is given, and the way of its numbers and points into the mesh that is measured on and out
+// again.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "mesh/gaps.h"
+#include "mesh/mesh.h"
+#include "mesh/surface_point.h"
+
+namespace vorogeo {
+
+/// What a host gives of a mesh. A face that names one vertex three times holds the place of one that is
+/// masked.
+struct MeshInput {
+  std::vector<Point> positions;
+  std::vector<std::array<Index, 3>> faces;
+  Metric metric;
+  GapLimit gap;
+};
+
+/// The mesh that is measured on: in space with its gaps bridged, or with its metric, for which faces may be
+/// split. Gap and metric together are refused, as the sides of bridges would have lengths in space.
+/// \throw InvalidInput, Cancelled.
+std::shared_ptr<const Mesh> measured_mesh(MeshInput input);
+
+/// A point by the numbers of those who gave the mesh. What comes out of InputMap has a face with the weights
+/// of its corners, also if it is a vertex, which is then a corner of its first face; no face over a gap.
+struct InputPoint {
+  Index vertex = no_index;
+  Index face = no_index;
+  std::array<double, 3> weights{};
+};
+
+/// Vertices, faces and points by the numbers of those who gave a mesh, on the mesh that is measured on: it
+/// leaves out faces, has some of them in parts, vertices in the middles of edges, and bridges. A view of a
+/// mesh, which must outlive it.
+class InputMap {
+ public:
+  explicit InputMap(const Mesh& mesh) : mesh_(mesh) {}
+
+  /// \throw InvalidInput for a vertex or a face that is not given or was left out; names it. Weights that
+  /// validated() refuses are passed on to it.
+  SurfacePoint point_in(const InputPoint& point) const;
+  /// The point with these weights in a given face; none if that does not exist or was left out.
+  std::optional<SurfacePoint> in_face(Index given_face, const std::array<double, 3>& weights) const;
+  InputPoint point_out(const SurfacePoint& point) const;
+  /// The given face that holds a point, the first of those at a vertex that was added; no_index at a vertex
+  /// that was given. \pre The point is not in a bridge.
+  Index face_at(const SurfacePoint& point) const;
+
+  /// Values of all vertices without those of vertices that were added.
+  template <class T>
+  std::vector<T> of_vertices(std::vector<T> values) const {
+    values.resize(static_cast<std::size_t>(mesh_.given_vertex_count()));
+    return values;
+  }
+  /// Values of the given vertices, and means of two for those that were added.
+  std::vector<double> on_vertices(std::span<const double> values) const;
+  /// Of each given face that was not left out, itself or the part of it with its centre; without bridges.
+  std::vector<Index> central_parts() const;
+  /// Values of faces at the centres of the given ones, `count` in number; no_index where one was left out.
+  std::vector<Index> of_faces(std::span<const Index> values, std::size_t count) const;
+  /// The edges that make up the edge between two given vertices, in order; empty if there is none.
+  std::vector<Index> edges_between(Index a, Index b) const;
+
+ private:
+  SurfacePoint in_parts(Index first, const std::array<double, 3>& weights) const;
+  std::array<double, 3> weights_out(Index face, const std::array<double, 3>& weights) const;
+  bool is_given(const SurfacePoint& point) const {
+    return point.is_vertex() && point.vertex < mesh_.given_vertex_count();
+  }
+
+  const Mesh& mesh_;
+};
+
+}  // namespace vorogeo
