@@ -16,7 +16,7 @@ SCRIPT = "scenario"
 def all_filters() -> set[str]:
     """Menu names in the sources of the plugin."""
     rows = (file.read_text() for file in (PROJECT / "plugin" / "filters").glob("*.cpp"))
-    return {name for text in rows for name in re.findall(r'return \{\s*"([^"]+\(VoroGeo\))"', text)}
+    return {name for text in rows for name in re.findall(r'[({]\s*"([^"]+\(VoroGeo\))",\s*"[a-z_]+"', text)}
 
 
 def documented_filters() -> set[str]:
