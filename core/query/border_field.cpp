@@ -211,9 +211,8 @@ constexpr Index groups_at_once = 32;
 
 }  // namespace
 
-BorderField::BorderField(const IndexData& data, int threads)
+BorderField::BorderField(const IndexData& data)
     : data_(data),
-      threads_(threads),
       search_(data.second),
       distance_(data.second.node_count(), unreachable),
       predecessor_(data.second.node_count(), no_index),
@@ -221,7 +220,7 @@ BorderField::BorderField(const IndexData& data, int threads)
       first_predecessor_(data.first.node_count(), no_index),
       is_seed_parent_(data.first.patch_count, 0) {}
 
-void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
+void BorderField::reset(std::span<const Seed> seeds, double max_distance, int threads) {
   max_distance_ = max_distance;
   search_.reset();
   std::fill(is_seed_parent_.begin(), is_seed_parent_.end(), 0);
@@ -253,7 +252,7 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance) {
   }
   search_.run(allowed_, max_distance);
   cross_long_edges();
-  cross_transit_table();
+  cross_transit_table(threads);
 }
 
 /// As in a sweep, nodes right behind the middle of a long border edge may have been reached over another
@@ -304,7 +303,7 @@ void BorderField::cross_long_edges(Index patch) {
   }
 }
 
-void BorderField::cross_transit_table() {
+void BorderField::cross_transit_table(int threads) {
   const Index count = data_.first.node_count();
   rows_.clear();
   lowest_ = unreachable;
@@ -324,7 +323,7 @@ void BorderField::cross_transit_table() {
   const Index groups = table.group_count();
   worst_.assign(groups, std::numeric_limits<float>::infinity());
   const auto items = static_cast<std::size_t>((groups + groups_at_once - 1) / groups_at_once);
-  parallel_for(items, bases_.empty() ? 1 : threads_, {}, "", [&](std::size_t item, int) {
+  parallel_for(items, bases_.empty() ? 1 : threads, {}, "", [&](std::size_t item, int) {
     const Index first = static_cast<Index>(item) * groups_at_once;
     const Index last = std::min(groups, first + groups_at_once);
     scan_transit_table(first, last);

@@ -156,17 +156,16 @@ class FieldSweep {
 /// unfolds the crossing there; the search unfolds long border edges for all nodes behind them, too.
 class BorderField {
  public:
-  /// `threads`: share a reset(); they do not change its result.
-  explicit BorderField(const IndexData& data, int threads = 1);
-  void use_threads(int threads) { threads_ = threads; }
+  explicit BorderField(const IndexData& data);
 
   struct Seed {
     Index node;
     double distance;
     Index wave;  ///< number of the source
   };
-  /// Finds the distances of the first-layer nodes; those above max_distance need not be found.
-  void reset(std::span<const Seed> seeds, double max_distance = unreachable);
+  /// Finds the distances of the first-layer nodes; those above max_distance need not be found. `threads`:
+  /// share that; they do not change the result.
+  void reset(std::span<const Seed> seeds, double max_distance, int threads = 1);
   /// Finds the distances of the second-layer nodes in a first-layer patch, after reset().
   void fill(Index first_layer_patch, FieldSweep& sweep);
 
@@ -176,13 +175,12 @@ class BorderField {
  private:
   void cross_long_edges();
   void cross_long_edges(Index patch);
-  void cross_transit_table();
+  void cross_transit_table(int threads);
   void find_bases();
   void scan_transit_table(Index first_group, Index end_group);
   void cross_rows(Index begin, Index count);
 
   const IndexData& data_;
-  int threads_;
   BoundaryDijkstra search_;
   std::vector<double> distance_;  ///< by second-layer node
   std::vector<Index> predecessor_;

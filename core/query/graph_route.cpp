@@ -2,7 +2,6 @@
 #include "query/graph_route.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "support/processor.h"
 
@@ -43,6 +42,16 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   end.vertex = work_vertex;
 }
 
+LandmarkDistances landmark_distances(const IndexData& data, const RouteEnd& end) {
+  LandmarkDistances least;
+  least.fill(unreachable);
+  for (const auto& seed : end.seeds) {
+    const double* landmark = data.graph.landmarks(seed.node);
+    for (std::size_t l = 0; l < least.size(); ++l) least[l] = std::min(least[l], landmark[l] + seed.distance);
+  }
+  return least;
+}
+
 void prefetch_end(const IndexData& data, Index work_vertex) {
   if (data.second.vertex_node[work_vertex] != no_index) return;
   const Index patch = data.home_patch[work_vertex];
@@ -63,15 +72,8 @@ GraphRouter::NodeState& GraphRouter::touch(Index node) {
     state.predecessor[side] = no_index;
     state.done[side] = false;
   }
-  state.potential = 0.0;
-  const double* landmark = data_.graph.landmarks(node);
-  double bound[2] = {0.0, 0.0};
-  for (int side : {0, 1}) {
-    for (int l = 0; l < SearchGraph::landmark_count; ++l) {
-      bound[side] = std::max(bound[side], std::abs(landmark[l] - end_landmarks_[side][l]));
-    }
-  }
-  state.potential = 0.5 * (bound[1] - bound[0]);
+  state.potential =
+      0.5 * (landmark_bound(data_, end_landmarks_[1], node) - landmark_bound(data_, end_landmarks_[0], node));
   return state;
 }
 
@@ -97,7 +99,6 @@ void GraphRouter::settle(int side) {
   NodeState& state = state_[entry.node];
   if (state.done[side]) return;
   state.done[side] = true;
-  ++settled_;
   const double distance = state.distance[side];
   for (const Arc& arc : data_.graph.arcs(entry.node)) {
     const bool usable = arc.leg.in_first_layer()
@@ -115,18 +116,11 @@ bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRo
   }
   best_ = unreachable;
   meeting_ = no_index;
-  settled_ = 0;
   const RouteEnd* ends[2] = {&source, &target};
   for (int side : {0, 1}) {
     heap_[side].clear();
     for (Index parent : ends[side]->parents) parent_open_[parent] = stamp_;
-    end_landmarks_[side].assign(SearchGraph::landmark_count, unreachable);
-    for (const auto& seed : ends[side]->seeds) {
-      const double* landmark = data_.graph.landmarks(seed.node);
-      for (int l = 0; l < SearchGraph::landmark_count; ++l) {
-        end_landmarks_[side][l] = std::min(end_landmarks_[side][l], landmark[l] + seed.distance);
-      }
-    }
+    end_landmarks_[side] = landmark_distances(data_, *ends[side]);
   }
   for (int side : {0, 1}) {
     for (const auto& seed : ends[side]->seeds) relax(side, seed.node, seed.distance, no_index, {});
@@ -159,15 +153,7 @@ bool GraphRouter::search(const RouteEnd& source, const RouteEnd& target, GraphRo
 void GraphRouter::append_path(Index from, Index to, GraphRoute& route) {
   // In the first-layer patches at both ends, so that the path may leave the arc's own patch.
   RouteEnd ends[2];
-  for (int side : {0, 1}) {
-    const Index node = side == 0 ? from : to;
-    ends[side].seeds.push_back({node, 0.0});
-    for (const PatchRow& at : data_.second.patches_of(node)) {
-      const Index parent = data_.partition.parent[at.patch];
-      if (std::find(ends[side].parents.begin(), ends[side].parents.end(), parent) == ends[side].parents.end())
-        ends[side].parents.push_back(parent);
-    }
-  }
+  for (int side : {0, 1}) route_end(data_, data_.second.node_vertex[side == 0 ? from : to], ends[side]);
   first_layer_ = false;
   GraphRoute detail;
   if (!search(ends[0], ends[1], detail)) {
@@ -185,7 +171,6 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
   const bool shortcuts = std::any_of(result.legs.begin(), result.legs.end(),
                                      [](const Leg& leg) { return leg.in_first_layer(); });
   if (!shortcuts) return true;
-  const std::size_t settled = settled_;
   const GraphRoute found = std::move(result);
   result = {};
   result.length = found.length;
@@ -198,7 +183,6 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       result.legs.push_back(found.legs[i]);
     }
   }
-  settled_ = settled;
   return true;
 }
 

@@ -1,6 +1,9 @@
 // Shortest routes in the two-layer graph: bidirectional A* with landmarks.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +30,18 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
 /// Prefetches what route_end will read.
 void prefetch_end(const IndexData& data, Index work_vertex);
 
+/// Distances from the landmarks of the index.
+using LandmarkDistances = std::array<double, SearchGraph::landmark_count>;
+LandmarkDistances landmark_distances(const IndexData& data, const RouteEnd& end);
+
+/// A lower bound of the distance between an end and a second-layer node.
+inline double landmark_bound(const IndexData& data, const LandmarkDistances& end, Index node) {
+  const double* landmark = data.graph.landmarks(node);
+  double bound = 0.0;
+  for (std::size_t l = 0; l < end.size(); ++l) bound = std::max(bound, std::abs(landmark[l] - end[l]));
+  return bound;
+}
+
 /// A shortest route: second-layer nodes in order, the leg between consecutive ones, and the whole length.
 struct GraphRoute {
   double length = unreachable;
@@ -48,8 +63,6 @@ class GraphRouter {
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
   /// The same with first-layer arcs left as they are.
   bool search(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
-  /// Nodes settled in the last search, for measurements.
-  std::size_t settled() const { return settled_; }
 
  private:
   struct NodeState {
@@ -76,10 +89,9 @@ class GraphRouter {
   std::vector<std::uint32_t> parent_open_;
   std::uint32_t stamp_ = 0;
   std::vector<Entry> heap_[2];
-  std::vector<double> end_landmarks_[2];
+  LandmarkDistances end_landmarks_[2];
   double best_ = unreachable;
   Index meeting_ = no_index;
-  std::size_t settled_ = 0;
   bool first_layer_ = true;  ///< whether first-layer arcs are used
 };
 

@@ -3,8 +3,6 @@
 #include "query/index_bounds.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace vorogeo {
 
@@ -16,32 +14,12 @@ IndexBounds::IndexBounds(const IndexData& data)
       is_near_(data.second.patch_count, 0) {}
 
 void IndexBounds::allow_patches(const RouteEnd& source, const RouteEnd& target, double length) {
-  constexpr int count = SearchGraph::landmark_count;
-  std::array<std::array<double, count>, 2> at_end{};
-  const RouteEnd* ends[2] = {&source, &target};
-  for (int side : {0, 1}) {
-    at_end[side].fill(unreachable);
-    for (const auto& seed : ends[side]->seeds) {
-      const double* landmark = data_.graph.landmarks(seed.node);
-      for (int l = 0; l < count; ++l)
-        at_end[side][l] = std::min(at_end[side][l], landmark[l] + seed.distance);
-    }
-  }
+  const LandmarkDistances ends[] = {landmark_distances(data_, source), landmark_distances(data_, target)};
   const double max_length = length * (1.0 + 2.0 * index_margin);
   for (Index p = 0; p < data_.second.patch_count; ++p) {
-    allowed_[p] = 0;
-    for (const Index node : data_.second.nodes(p)) {
-      const double* landmark = data_.graph.landmarks(node);
-      double bound[2] = {0.0, 0.0};
-      for (int side : {0, 1}) {
-        for (int l = 0; l < count; ++l)
-          bound[side] = std::max(bound[side], std::abs(landmark[l] - at_end[side][l]));
-      }
-      if (bound[0] + bound[1] <= max_length) {
-        allowed_[p] = 1;
-        break;
-      }
-    }
+    allowed_[p] = std::ranges::any_of(data_.second.nodes(p), [&](Index node) {
+      return landmark_bound(data_, ends[0], node) + landmark_bound(data_, ends[1], node) <= max_length;
+    });
   }
 }
 

@@ -6,19 +6,20 @@
 
 namespace vorogeo {
 
-NearField::NearField(const IndexData& data) : data_(data), is_near_(data.second.patch_count, 0) {}
+NearField::NearField(const IndexData& data)
+    : data_(data),
+      solver_(data.geometry),
+      halo_(*data.work.mesh, data.first_face),
+      is_near_(data.second.patch_count, 0) {}
 
-void NearField::clear() {
-  for (Index p : patches_) is_near_[p] = 0;
-  patches_.clear();
-}
-
+/// Adds a patch in which distances are to be exact, unless it was added before.
 void NearField::add(Index patch) {
   if (is_near_[patch] != 0) return;
   patches_.push_back(patch);
   is_near_[patch] = 1;
 }
 
+/// Adds the patches of the faces at a point, and those just behind a border beside it.
 void NearField::add_at(const SurfacePoint& point) {
   const Mesh& mesh = *data_.work.mesh;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
@@ -39,20 +40,20 @@ void NearField::add_at(const SurfacePoint& point) {
 
 void NearField::solve(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
   ExactLimits limits;
-  limits.face_allowed = halo_->mask();
+  limits.face_allowed = halo_.mask();
   limits.targets = targets_;
   limits.distances_only = distances_only;
   limits.max_distance = max_distance;
-  solver_->run(sources, limits);
-  certain_ = std::min(solver_->settled_distance(), solver_->barrier_distance());
+  solver_.run(sources, limits);
+  certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
 }
 
 /// Of the patches' vertices, from the source nearest to each without its offset.
 double NearField::median_distance(std::span<const ExactSource> sources) {
   from_source_.clear();
   for (Index v : targets_) {
-    const double found = solver_->distance(v);
-    if (found < unreachable) from_source_.push_back(found - sources[solver_->nearest_source(v)].offset);
+    const double found = solver_.distance(v);
+    if (found < unreachable) from_source_.push_back(found - sources[solver_.nearest_source(v)].offset);
   }
   if (from_source_.empty()) return 0.0;
   const auto middle = from_source_.begin() + static_cast<std::ptrdiff_t>(from_source_.size() / 2);
@@ -61,6 +62,9 @@ double NearField::median_distance(std::span<const ExactSource> sources) {
 }
 
 void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+  for (Index p : patches_) is_near_[p] = 0;
+  patches_.clear();
+  for (const ExactSource& one : sources) add_at(one.point);
   targets_.clear();
   Index patch_faces = 0;
   for (Index p : patches_) {
@@ -75,24 +79,20 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance, b
                      [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
     nearest_offset = std::min(nearest_offset, one.offset);
   }
-  if (!solver_) {
-    solver_.emplace(data_.geometry);
-    halo_.emplace(*data_.work.mesh, data_.first_face);
-  }
-  halo_->surround(patches_, growth);
+  halo_.surround(patches_, growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
   const double members = static_cast<double>(targets_.size()) / patches;
-  halo_->widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
-               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
+  halo_.widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
+              static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
   solve(sources, max_distance, distances_only);
-  const double most = most_widened * static_cast<double>(halo_->faces().size());
+  const double most = most_widened * static_cast<double>(halo_.faces().size());
   // Each round doubles the faces or is the last.
-  while (static_cast<double>(halo_->faces().size()) <= most &&
-         solver_->barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
-    const std::size_t before = halo_->faces().size();
-    halo_->surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
+  while (static_cast<double>(halo_.faces().size()) <= most &&
+         solver_.barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
+    const std::size_t before = halo_.faces().size();
+    halo_.surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
     solve(sources, max_distance, distances_only);
-    if (halo_->faces().size() <= before) break;
+    if (halo_.faces().size() <= before) break;
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,14 +40,8 @@ class NearField {
 
   explicit NearField(const IndexData& data);
 
-  /// Forgets the patches.
-  void clear();
-  /// Adds a patch in which distances are to be exact, unless it was added before.
-  void add(Index patch);
-  /// Adds the patches of the faces at a point of the work mesh, and those just behind a border beside it.
-  void add_at(const SurfacePoint& point);
-  /// Solves from the sources (on the work mesh) until all vertices of the patches are reached.
-  /// `distances_only`: as in ExactLimits.
+  /// Solves from the sources (on the work mesh) until all vertices of their patches are reached, and of those
+  /// just behind a border beside them. `distances_only`: as in ExactLimits.
   void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
 
   /// Whether a face of the work mesh is in one of the patches.
@@ -64,26 +57,28 @@ class NearField {
   /// `by_tables(vertex)` gives the other distance. A vertex may be visited again.
   template <class ByTables, class Visit>
   void for_each_held(ByTables&& by_tables, Visit&& visit) const {
-    for (Index face : halo_->faces()) {
+    for (Index face : halo_.faces()) {
       const bool is_inside = inside(face);
       for (Index v : data_.work.mesh->face_vertices(face)) {
-        const double exact = solver_->distance(v);
+        const double exact = solver_.distance(v);
         if (holds(exact, by_tables(v), is_inside)) visit(v, exact);
       }
     }
   }
 
   /// After run().
-  const LocalSolver& solver() const { return *solver_; }
-  const Halo& halo() const { return *halo_; }
+  const LocalSolver& solver() const { return solver_; }
+  const Halo& halo() const { return halo_; }
 
  private:
+  void add(Index patch);
+  void add_at(const SurfacePoint& point);
   void solve(std::span<const ExactSource> sources, double max_distance, bool distances_only);
   double median_distance(std::span<const ExactSource> sources);
 
   const IndexData& data_;
-  std::optional<LocalSolver> solver_;  ///< when first needed
-  std::optional<Halo> halo_;           ///< likewise
+  LocalSolver solver_;
+  Halo halo_;
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;
   std::vector<Index> targets_;

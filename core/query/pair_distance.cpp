@@ -27,9 +27,6 @@ void for_each_patch(const IndexData& data, Index vertex, Visit&& visit) {
 
 }  // namespace
 
-PairDistance::PairDistance(const IndexData& data)
-    : data_(data), exact_(data), router_(data), unfolder_(data) {}
-
 /// If a patch of one vertex is or touches one of the other: an upper bound of their distance, over the border
 /// vertices that both patches share; otherwise unreachable. Leaves the patches in patches_.
 double PairDistance::bound_by_tables(Index source, Index target) {

@@ -13,8 +13,7 @@ namespace vorogeo {
 /// thread.
 class PairDistance {
  public:
-  /// `data` must outlive the object.
-  explicit PairDistance(const IndexData& data);
+  explicit PairDistance(const IndexData& data) : data_(data), exact_(data), router_(data), unfolder_(data) {}
 
   /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
   /// the source, which makes the answer symmetric to the last bit.

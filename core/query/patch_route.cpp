@@ -42,17 +42,8 @@ void PatchRouter::reset(const RouteEnd& source, const RouteEnd& target) {
     for (Index parent : end->parents) parent_open_[parent] = stamp_;
   }
   target_vertex_ = target.vertex;
-  if (data_.work.mesh->has_metric()) {
-    target_landmark_.fill(unreachable);
-    for (const auto& seed : target.seeds) {
-      const double* landmark = data_.graph.landmarks(seed.node);
-      for (std::size_t l = 0; l < target_landmark_.size(); ++l) {
-        target_landmark_[l] = std::min(target_landmark_[l], landmark[l] + seed.distance);
-      }
-    }
-  }
+  if (data_.work.mesh->has_metric()) target_landmarks_ = landmark_distances(data_, target);
   meeting_ = no_index;
-  scans_ = 0;
 }
 
 PatchRouter::NodeState& PatchRouter::touch(Index node) {
@@ -62,12 +53,7 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.distance = state.to_target = unreachable_float;
   state.lower_bound = 0.0f;
   if (data_.work.mesh->has_metric()) {
-    const double* landmark = data_.graph.landmarks(node);
-    double bound = 0.0;
-    for (std::size_t l = 0; l < target_landmark_.size(); ++l) {
-      bound = std::max(bound, std::abs(landmark[l] - target_landmark_[l]));
-    }
-    state.lower_bound = static_cast<float>(line_slack * bound);
+    state.lower_bound = static_cast<float>(line_slack * landmark_bound(data_, target_landmarks_, node));
   } else if (target_vertex_ != no_index) {
     const Point& a = data_.node_position[node];
     const Point& b = data_.work.mesh->position(target_vertex_);
@@ -114,7 +100,6 @@ void PatchRouter::scan_patch(Index patch) {
   const PatchLayer& second = data_.second;
   const auto nodes = second.nodes(patch);
   PatchState& state = patch_[patch];
-  ++scans_;
   rows_.clear();
   float lowest = unreachable_float;
   for (Index row : state.rows) {

@@ -1,7 +1,6 @@
 // Routes inside first-layer patches, from second-layer patch to second-layer patch.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +20,6 @@ class PatchRouter {
   /// `below`, otherwise leaves `result` unchanged. \return whether it is shorter. Of routes whose lengths
   /// differ only by rounding of table entries, any may be found.
   bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
-  /// Patches scanned in the last search, each as often as it was scanned, for measurements.
-  std::size_t scans() const { return scans_; }
 
  private:
   struct NodeState {
@@ -55,10 +52,9 @@ class PatchRouter {
   std::uint32_t stamp_ = 0;
   Index target_vertex_ = no_index;
   /// Distances of the target from the landmarks: with a metric, straight lines in space are poor bounds.
-  std::array<double, SearchGraph::landmark_count> target_landmark_{};
+  LandmarkDistances target_landmarks_{};
   float best_ = 0.0f;
   Index meeting_ = no_index;
-  std::size_t scans_ = 0;
   std::vector<Index> rows_;
   std::vector<std::int16_t> base_;
 };

@@ -120,22 +120,10 @@ RouteEnd route_end_of(const IndexData& data, const PathEnd& end) {
 
 // ---- A walk for each step of the chain
 
-namespace {
-
-bool append(const Mesh& mesh, FaceStrip& strip, Index face, Index exit, Index entry, Index pivot) {
-  if (exit == no_index) return turn_around(mesh, strip, pivot, face);
-  strip.push(face, exit, entry);
-  return true;
-}
-
-}  // namespace
-
 bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
   const Mesh& mesh = *data.work.mesh;
-  strip.clear();
-  auto any_face = [&](const SurfacePoint& point) {
-    return point.is_vertex() ? Mesh::face_of(mesh.corners(point.vertex).front()) : point.face;
-  };
+  strip.first = strip.source.face;
+  strip.crossings.clear();
   std::vector<StepWalk> walks;
   std::vector<std::uint8_t> forwards;
   walks.reserve(chain.steps.size());
@@ -151,7 +139,6 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
   // Each walk terminates (path_chain.h).
   while (!going.empty()) std::erase_if(going, [](StepWalk* walk) { return !walk->go_on(); });
   vertex = chain.source;
-  if (!strip.source.is_vertex()) strip.faces.push_back(strip.source.face);
   for (std::size_t k = 0; k < walks.size(); ++k) {
     if (!walks[k].arrived()) return false;
     const auto& passed = walks[k].passed();
@@ -167,22 +154,23 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
         entry = first ? no_index : passed[at + 1].exit;
         pivot = first ? vertex : passed[at + 1].pivot;
       }
-      if (strip.faces.empty()) {
-        strip.faces.push_back(passed[at].face);
-      } else if (!append(mesh, strip, passed[at].face, exit, entry, pivot)) {
+      if (strip.first == no_index) {
+        strip.first = passed[at].face;
+      } else if (exit != no_index) {
+        strip.crossings.push_back({exit, entry});
+      } else if (!turn_around(mesh, strip, pivot, passed[at].face)) {
         return false;
       }
     }
     vertex = chain.steps[k].vertex;
   }
-  if (strip.faces.empty()) strip.faces.push_back(any_face(strip.source));
+  if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
   if (strip.target.is_vertex()) {
-    const auto& last = mesh.face_vertices(strip.faces.back());
+    const auto& last = mesh.face_vertices(strip.last());
     if (std::find(last.begin(), last.end(), strip.target.vertex) == last.end()) return false;
   } else if (!turn_around(mesh, strip, vertex, strip.target.face)) {
     return false;
   }
-  tidy(mesh, strip);
   return true;
 }
 

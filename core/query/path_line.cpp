@@ -10,7 +10,7 @@
 
 namespace vorogeo {
 
-// ---- Walks around vertices, and removal of detours from strips
+// ---- Walks around vertices
 
 namespace {
 
@@ -22,9 +22,9 @@ Index other_halfedge_at(const Mesh& mesh, Index halfedge, Index vertex) {
 }
 
 /// Walks around a vertex from the face of `exit` across that half-edge, until `face` is entered, and adds the
-/// crossings to the strip, but not the faces. \return the angle between the two faces; infinity if a border
-/// of the mesh or a non-manifold edge is met.
-double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& strip) {
+/// crossings. \return the angle between the two faces; infinity if a border of the mesh or a non-manifold
+/// edge is met.
+double walk(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
   double angle = 0.0;
   const Index begin = Mesh::face_of(exit);
   // Each step enters the next face around the vertex: the walk ends at `face`, at a border of the mesh, or
@@ -32,8 +32,7 @@ double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& s
   for (;;) {
     const Index entry = mesh.next_around_edge(exit);
     if (entry == exit || mesh.next_around_edge(entry) != exit) return unreachable;
-    strip.exit.push_back(exit);
-    strip.entry.push_back(entry);
+    passed.push_back({exit, entry});
     const Index at = Mesh::face_of(entry);
     if (at == face) return angle;
     if (at == begin) return unreachable;
@@ -43,7 +42,7 @@ double walk(const Mesh& mesh, Index vertex, Index exit, Index face, FaceStrip& s
 }
 
 /// The path around a non-manifold vertex with the fewest faces, by breadth-first search over its corners.
-/// `passed` is empty.
+/// Adds its crossings.
 bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<HalfedgePair>& passed) {
   struct Visit {
     Index face;
@@ -56,8 +55,9 @@ bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<Ha
   for (std::size_t i = 0; i < visited.size(); ++i) {
     if (i % elements_per_checkpoint == 0) checkpoint();
     if (visited[i].face == to) {
+      const auto old_size = static_cast<std::ptrdiff_t>(passed.size());
       for (std::size_t at = i; at != 0; at = visited[at].predecessor) passed.push_back(visited[at].by);
-      std::ranges::reverse(passed);
+      std::reverse(passed.begin() + old_size, passed.end());
       return true;
     }
     for (int k = 0; k < 3; ++k) {
@@ -75,54 +75,27 @@ bool search(const Mesh& mesh, Index vertex, Index from, Index to, std::vector<Ha
 
 }  // namespace
 
-void FaceStrip::clear() {
-  faces.clear();
-  entry.clear();
-  exit.clear();
-}
-
-void FaceStrip::push(Index face, Index exit_halfedge, Index entry_halfedge) {
-  faces.push_back(face);
-  exit.push_back(exit_halfedge);
-  entry.push_back(entry_halfedge);
-}
-
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face) {
-  const Index from = strip.faces.back();
+  const Index from = strip.last();
   if (from == face) return true;
   // Both ways round are added to the end of the strip; the longer one is removed again.
-  const std::size_t old_size = strip.entry.size();
+  auto& passed = strip.crossings;
+  const std::size_t old_size = passed.size();
   double least = unreachable;
-  auto cut = [&](std::size_t begin, std::size_t end) {
-    for (std::vector<Index>* list : {&strip.exit, &strip.entry}) {
-      list->erase(list->begin() + static_cast<std::ptrdiff_t>(begin),
-                  list->begin() + static_cast<std::ptrdiff_t>(end));
-    }
-  };
   for (int k = 0; k < 3 && mesh.fan(vertex) != Mesh::Fan::non_manifold; ++k) {
     const Index exit = 3 * from + k;
     if (mesh.tail(exit) != vertex && mesh.head(exit) != vertex) continue;
-    const std::size_t middle = strip.entry.size();
-    const double angle = walk(mesh, vertex, exit, face, strip);
+    const std::size_t middle = passed.size();
+    const double angle = walk(mesh, vertex, exit, face, passed);
     if (angle < least) {
       least = angle;
-      cut(old_size, middle);
+      passed.erase(passed.begin() + static_cast<std::ptrdiff_t>(old_size),
+                   passed.begin() + static_cast<std::ptrdiff_t>(middle));
     } else {
-      cut(middle, strip.entry.size());
+      passed.resize(middle);
     }
   }
-  if (least == unreachable) {
-    std::vector<HalfedgePair> found;
-    if (!search(mesh, vertex, from, face, found)) return false;
-    for (const HalfedgePair& crossing : found) {
-      strip.exit.push_back(crossing.exit);
-      strip.entry.push_back(crossing.entry);
-    }
-  }
-  for (std::size_t i = old_size; i < strip.entry.size(); ++i) {
-    strip.faces.push_back(Mesh::face_of(strip.entry[i]));
-  }
-  return true;
+  return least < unreachable || search(mesh, vertex, from, face, passed);
 }
 
 bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed) {
@@ -136,50 +109,6 @@ bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vec
     exit = other_halfedge_at(mesh, entry, vertex);
   }
   return true;
-}
-
-void tidy(const Mesh& mesh, FaceStrip& strip) {
-  // Removes faces left and entered again at once, by a stack.
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < strip.faces.size(); ++i) {
-    if (kept > 0 && strip.faces[kept - 1] == strip.faces[i]) {
-      --kept;
-      continue;
-    }
-    if (kept > 0 && strip.exit[i - 1] == strip.entry[kept - 1]) {
-      // The face was left by the edge by which it was entered, to a third face of that edge: go straight
-      // there.
-      strip.faces[kept] = strip.faces[i];
-      strip.entry[kept - 1] = strip.entry[i - 1];
-      continue;
-    }
-    ++kept;
-    strip.faces[kept] = strip.faces[i];
-    strip.entry[kept - 1] = strip.entry[i - 1];
-    strip.exit[kept - 1] = strip.exit[i - 1];
-  }
-  if (!strip.faces.empty()) {
-    strip.faces.resize(kept + 1);
-    strip.entry.resize(kept);
-    strip.exit.resize(kept);
-  }
-  std::array<double, 3> weights{};
-  std::size_t begin = 0;
-  while (begin + 1 < strip.faces.size() &&
-         weights_in_face(mesh, strip.source, strip.faces[begin + 1], weights)) {
-    ++begin;
-  }
-  if (begin > 0) {
-    strip.faces.erase(strip.faces.begin(), strip.faces.begin() + static_cast<std::ptrdiff_t>(begin));
-    strip.entry.erase(strip.entry.begin(), strip.entry.begin() + static_cast<std::ptrdiff_t>(begin));
-    strip.exit.erase(strip.exit.begin(), strip.exit.begin() + static_cast<std::ptrdiff_t>(begin));
-  }
-  while (strip.faces.size() > 1 &&
-         weights_in_face(mesh, strip.target, strip.faces[strip.faces.size() - 2], weights)) {
-    strip.faces.pop_back();
-    strip.entry.pop_back();
-    strip.exit.pop_back();
-  }
 }
 
 // ---- The funnel as a double-ended queue
@@ -285,17 +214,20 @@ void PathLine::assign(const FaceStrip& strip) {
   const Mesh& mesh = *geometry_->mesh;
   source_ = strip.source;
   target_ = strip.target;
-  first_face_ = strip.faces.front();
+  first_face_ = strip.first;
   shortest_crossed_ = unreachable;
   longest_crossed_ = 0.0;
-  crossings_.clear();
-  for (std::size_t i = 0; i < strip.entry.size(); ++i) {
+  next_.clear();
+  fixed_ = 0;
+  for (const HalfedgePair& crossing : strip.crossings) {
     // Corners are counterclockwise in the plane: leaving across a half-edge, its head is on the left.
-    Index left = mesh.head(strip.exit[i]);
-    Index right = mesh.tail(strip.exit[i]);
-    if (i > 0 && (left == crossings_.back().right || right == crossings_.back().left)) std::swap(left, right);
-    crossings_.push_back(crossing_at(strip.exit[i], strip.entry[i], left, right));
+    Index left = mesh.head(crossing.exit);
+    Index right = mesh.tail(crossing.exit);
+    if (!next_.empty() && (left == next_.back().right || right == next_.back().left)) std::swap(left, right);
+    push(crossing_at(crossing.exit, crossing.entry, left, right));
   }
+  trim_ends();
+  std::swap(crossings_, next_);
   joints_.assign(2, {});
   joints_.front().last = -1;
   joints_.back().first = joints_.back().last = size_of(crossings_);
@@ -435,10 +367,10 @@ void PathLine::pull(Joint& from, Joint& to) {
 /// itself only after removing a crossing, so no more often than there are crossings.
 void PathLine::push(const UnfoldedCrossing& crossing) {
   if (!next_.empty()) {
-    const UnfoldedCrossing last = next_.back();
-    const bool turns = last.entry == crossing.exit;
-    const bool returns = Mesh::face_of(last.exit) == Mesh::face_of(crossing.entry);
+    const bool turns = next_.back().entry == crossing.exit;
+    const bool returns = Mesh::face_of(next_.back().exit) == Mesh::face_of(crossing.entry);
     if (turns || returns) {
+      const UnfoldedCrossing last = next_.back();
       next_.pop_back();
       disturbed_ |= size_of(next_) < fixed_;
       if (returns) return;

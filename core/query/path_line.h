@@ -18,26 +18,19 @@ struct HalfedgePair {
   Index entry;
 };
 
-/// Faces in order; `entry[i]` is the half-edge of faces[i + 1] by which it is entered, `exit[i]` the one of
-/// faces[i] on the same edge.
+/// Where a path goes from face to face.
 struct FaceStrip {
   SurfacePoint source;
   SurfacePoint target;
-  std::vector<Index> faces;
-  std::vector<Index> entry;
-  std::vector<Index> exit;
+  Index first = no_index;               ///< face; no_index as long as there is none
+  std::vector<HalfedgePair> crossings;  ///< from each face to the next one
 
-  void clear();
-  void push(Index face, Index exit_halfedge, Index entry_halfedge);
+  Index last() const { return crossings.empty() ? first : Mesh::face_of(crossings.back().entry); }
 };
 
 /// Adds faces around `vertex` until the strip ends in `face`; both its last face and `face` have that vertex.
 /// Takes the side with the smaller angle. \return false if the faces are not connected around the vertex.
 bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face);
-
-/// Removes detours: faces left and entered again at once, and faces at the ends that the end points do not
-/// need.
-void tidy(const Mesh& mesh, FaceStrip& strip);
 
 /// The path around `vertex` from the face of half-edge `exit`, which ends at it, to `face`, on the side where
 /// that half-edge is not crossed. Adds the crossings to `passed`. \return false if the vertex's fan is not a
@@ -132,7 +125,8 @@ class PathLine {
 
   /// Copies another line on the same mesh.
   void assign(const PathLine& other);
-  /// Takes over a strip and pulls the line tight. Complexity: O(faces).
+  /// Takes over a strip, without its detours and the faces at its ends that the end points do not need, and
+  /// pulls the line tight. Complexity: O(faces).
   void assign(const FaceStrip& strip);
 
   const std::vector<UnfoldedCrossing>& crossings() const { return crossings_; }

@@ -63,22 +63,20 @@ bool PathQuery::lay_strip_along_edges(const PathEnd& from, const PathEnd& to, do
   if (!path_along_edges(mesh, from.vertex, to.vertex, steps)) return false;
   length = from.to_vertex + to.to_vertex;
   for (const EdgeStep& step : steps) length += mesh.edge_length(mesh.edge_of(step.halfedge));
-  strip_.clear();
   strip_.source = from.point;
   strip_.target = to.point;
-  if (!from.point.is_vertex()) strip_.faces.push_back(from.point.face);
+  strip_.first = from.point.face;
+  strip_.crossings.clear();
   for (const EdgeStep& step : steps) {
     const Index face = Mesh::face_of(step.halfedge);
-    if (strip_.faces.empty()) {
-      strip_.faces.push_back(face);
+    if (strip_.first == no_index) {
+      strip_.first = face;
     } else if (!turn_around(mesh, strip_, step.from, face)) {
       return false;
     }
   }
-  if (strip_.faces.empty()) strip_.faces.push_back(Mesh::face_of(mesh.corners(from.vertex).front()));
-  if (!to.point.is_vertex() && !turn_around(mesh, strip_, to.vertex, to.point.face)) return false;
-  tidy(mesh, strip_);
-  return true;
+  if (strip_.first == no_index) strip_.first = Mesh::face_of(mesh.corners(from.vertex).front());
+  return to.point.is_vertex() || turn_around(mesh, strip_, to.vertex, to.point.face);
 }
 
 /// Between points that are near, or of a mesh without an index: the length of that path pulled tight.

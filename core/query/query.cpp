@@ -49,32 +49,38 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, double ma
   return solver();
 }
 
-LabelledField Query::labelled_field(std::span<const ExactSource> sources, double max_distance,
-                                    AnswerMethod by, int threads, const Progress& progress) {
+namespace {
+
+/// What a solver has found in its last run, up to max_distance.
+template <class Solver>
+std::vector<double> field_of(const Solver& solver, double max_distance, std::vector<Index>* labels) {
+  const Index count = solver.mesh().vertex_count();
+  std::vector<double> field(count, unreachable);
+  if (labels != nullptr) labels->assign(count, no_index);
+  for (Index v = 0; v < count; ++v) {
+    const double distance = solver.distance(v);
+    if (!(distance <= max_distance && distance < unreachable)) continue;
+    field[v] = distance;
+    if (labels != nullptr) (*labels)[v] = solver.nearest_source(v);
+  }
+  return field;
+}
+
+}  // namespace
+
+std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                                 int threads, std::vector<Index>* labels, const Progress& progress) {
   if (by == AnswerMethod::index) {
     const Watch watch(progress, "Geodesic distances");
-    return of_index(threads).labelled_field(sources, max_distance);
+    return of_index(threads).field(sources, max_distance, labels);
   }
   if (by == AnswerMethod::exact) {
-    return labelled_field_of(solved(sources, max_distance, threads, true, progress), max_distance);
+    return field_of(solved(sources, max_distance, threads, true, progress), max_distance, labels);
   }
   const Watch watch(progress, "Quick geodesic distances");
   if (!quick_) quick_.emplace(surface_.mesh());
   quick_->run(sources, max_distance);
-  return labelled_field_of(*quick_, max_distance);
-}
-
-std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
-                                 int threads) {
-  if (by == AnswerMethod::index) return of_index(threads).distance_field(sources, max_distance);
-  if (by == AnswerMethod::quick) return labelled_field(sources, max_distance, by, threads).distance;
-  const LocalSolver& solver = solved(sources, max_distance, threads, true);
-  std::vector<double> distance(surface_.mesh()->vertex_count());
-  for (std::size_t v = 0; v < distance.size(); ++v) {
-    const double found = solver.distance(static_cast<Index>(v));
-    distance[v] = found <= max_distance ? found : unreachable;
-  }
-  return distance;
+  return field_of(*quick_, max_distance, labels);
 }
 
 std::vector<double> Query::distances(const SurfacePoint& source, const PointList& targets,

@@ -38,11 +38,9 @@ class Query {
   explicit Query(Surface& surface) : surface_(surface) {}
 
   /// See Surface::field. `threads`: as resolved by the caller; no answer depends on it beyond rounding.
-  LabelledField labelled_field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
-                               int threads, const Progress& progress = {});
-  /// The same without labels.
+  /// `labels`: as for GeodesicQuery::field.
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
-                            int threads);
+                            int threads, std::vector<Index>* labels = nullptr, const Progress& progress = {});
   /// Distances from one point to others: the values of its field there. In a face they are interpolated from
   /// the corners, but exact where the source is near (GeodesicQuery::distances) or the method is exact.
   std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,

@@ -287,8 +287,10 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
     answered.by = choose(method, 1.0, reach, answered, rest);
   }
   const Stopwatch watch;
-  LabelledField found = lend(
-      [&](Query& query) { return query.labelled_field(sources, max_distance, answered.by, threads_, rest); });
+  LabelledField found;
+  found.distance = lend([&](Query& query) {
+    return query.field(sources, max_distance, answered.by, threads_, &found.source, rest);
+  });
   answered.seconds = watch.seconds();
   if (answered.by == AnswerMethod::exact) {
     pay_for_fields(watch.rent(threads_for_field(*mesh_, threads_)), reach);

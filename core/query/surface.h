@@ -32,6 +32,12 @@ struct Answered {
   std::string remark;                     ///< what a user should know about the choice; empty if nothing
 };
 
+/// A distance field and the source that each vertex is nearest to.
+struct LabelledField {
+  std::vector<double> distance;  ///< by vertex; unreachable where no source can be reached
+  std::vector<Index> source;     ///< position in the list of sources; no_index where there is none
+};
+
 /// Points whose distances or paths are asked for: those at one position of both lists.
 struct PointPairs {
   const PointList& sources;
@@ -75,7 +81,7 @@ class Surface {
   AnswerMethod at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;
-  /// see GeodesicQuery::labelled_field. \throw InvalidInput also for no source; Cancelled.
+  /// see GeodesicQuery::field. \throw InvalidInput also for no source; Cancelled.
   LabelledField field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                       Answered& answered, const Progress& progress = {});
   /// The shortest path between two points. From the index the refined one, or the exact one if that is

@@ -1,16 +1,12 @@
-// Queries of an index: laws of distances, and the documented errors.
+// Queries of an index: the same answer however it is asked for, and the documented errors.
 #include "query/geodesic_query.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <thread>
 
 #include "exact/exact_solver.h"
-#include "mesh/surface_locator.h"
-#include "query/source_field.h"
 #include "support/error.h"
 #include "support/heavy.h"
 #include "support/hostile_meshes.h"
@@ -21,36 +17,10 @@
 namespace vorogeo {
 namespace {
 
-// Laws of distances, several sources, components, threads.
-
 using test::Soup;
 
-std::vector<double> field(GeodesicQuery& query, std::vector<Index> sources,
-                          double max_distance = unreachable) {
-  return query.distance_field(sources, max_distance);
-}
-
-/// Triangulated surfaces with hundreds of vertices in a few patches each.
-std::vector<Soup> surfaces() {
-  const Soup two = test::two_components(test::icosphere(2), test::hills(14, 0.2));
-  return {test::icosphere(3), test::hills(24, 0.2), test::book_of_three_pages(9, 2.0, 1.0).soup,
-          test::bow_tie(9).soup, test::with_isolated_vertex(two, {7, 7, 7})};
-}
-
-TEST(GeodesicQuery, TriangleInequalityUpToItsError) {
-  for (const Soup& soup : test::one_under_sanitizers(surfaces())) {
-    GeodesicQuery query(test::make_index(soup, 3, 4));
-    const auto v = test::random_vertices(static_cast<Index>(soup.positions.size()), 16, 9);
-    for (Index a : v) {
-      for (Index b : v) {
-        const double direct = query.distance(a, b);
-        for (Index c : v) {
-          const double over = query.distance(a, c) + query.distance(c, b);
-          EXPECT_LE(direct, over * 1.02) << a << " to " << b << " over " << c;
-        }
-      }
-    }
-  }
+std::vector<double> field(GeodesicQuery& query, std::vector<Index> sources) {
+  return query.distance_field(sources);
 }
 
 TEST(GeodesicQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
@@ -58,62 +28,6 @@ TEST(GeodesicQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
   const auto once = field(query, {5, 300, 77});
   EXPECT_EQ(field(query, {5, 5, 300, 77, 300, 5}), once);
   EXPECT_EQ(field(query, {77, 300, 5}), once);
-}
-
-TEST(GeodesicQuery, EveryVertexASource) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  GeodesicQuery query(index);
-  std::vector<Index> all(642);
-  for (Index v = 0; v < 642; ++v) all[v] = v;
-  for (double distance : field(query, all)) EXPECT_EQ(distance, 0.0);
-}
-
-TEST(GeodesicQuery, TwoQueriesOnOneIndexInTwoThreads) {
-  const auto index = test::make_index(test::icosphere(4), 3, 5);
-  auto answers = [&](unsigned seed) {
-    GeodesicQuery query(index, 1);
-    std::vector<double> all;
-    for (Index a : test::random_vertices(2562, 6, seed)) {
-      const auto distances = field(query, {a});
-      all.insert(all.end(), distances.begin(), distances.end());
-      for (Index b : test::random_vertices(2562, 30, seed + 1)) all.push_back(query.distance(a, b));
-    }
-    return all;
-  };
-  const auto expected_first = answers(1);
-  const auto expected_second = answers(2);
-  std::vector<double> first;
-  std::vector<double> second;
-  {
-    std::jthread a([&] { first = answers(1); });
-    std::jthread b([&] { second = answers(2); });
-  }
-  EXPECT_EQ(first, expected_first);
-  EXPECT_EQ(second, expected_second);
-}
-
-TEST(GeodesicQuery, ThreeHundredComponents) {
-  Soup soup;
-  for (int i = 0; i < 300; ++i) {
-    const auto at = static_cast<Index>(soup.positions.size());
-    const double x = 10.0 * i;
-    soup.positions.insert(soup.positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x + 1, 1, 0}});
-    soup.faces.insert(soup.faces.end(), {{at, at + 1, at + 2}, {at + 1, at + 3, at + 2}});
-  }
-  GeodesicQuery query(test::make_index(soup));
-  std::vector<Index> sources;
-  for (Index i = 0; i < 300; i += 2) sources.push_back(4 * i);
-  const auto distances = field(query, sources);
-  for (Index v = 0; v < 1200; ++v) {
-    const double expected = std::array{0.0, 1.0, 1.0, std::sqrt(2.0)}[v % 4];
-    if (v / 4 % 2 == 0) {
-      EXPECT_NEAR(distances[v], expected, 1e-12) << v;
-    } else {
-      EXPECT_EQ(distances[v], unreachable) << v;
-    }
-  }
-  EXPECT_NEAR(query.distance(4, 7), std::sqrt(2.0), 1e-12);
-  EXPECT_EQ(query.distance(4, 8), unreachable);
 }
 
 // Fields are the same however they are asked for.
@@ -130,7 +44,7 @@ std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& 
   return sources;
 }
 
-TEST(SourceField, OnePipelineWhateverIsAsked) {
+TEST(GeodesicQuery, OnePipelineWhateverIsAsked) {
   for (const test::Soup& soup : {test::icosphere(4), test::hills(34, 0.3), test::bow_tie(9).soup}) {
     for (const auto& index : {test::make_index(soup, 5, 4), test::make_graph_index(soup, 5, 4)}) {
       const Mesh& mesh = *index->mesh();
@@ -141,9 +55,9 @@ TEST(SourceField, OnePipelineWhateverIsAsked) {
         for (const double most : {unreachable, 0.6}) {
           const auto field = query.distance_field(vertices, most);
           const auto points = in_corners(mesh, vertices);
-          EXPECT_EQ(query.distance_field(points, most), field) << "corners of faces";
-          const LabelledField labelled = query.labelled_field(points, most);
-          EXPECT_EQ(labelled.distance, field) << "labels and offsets of 0";
+          EXPECT_EQ(query.field(points, most), field) << "corners of faces";
+          std::vector<Index> labels;
+          EXPECT_EQ(query.field(points, most, &labels), field) << "labels and offsets of 0";
           EXPECT_EQ(query.distances(points, targets, most), field) << "at points that are vertices";
           auto mixed = targets;
           mixed.push_back(SurfacePoint::in_face(0, {0.2, 0.3, 0.5}));
@@ -151,7 +65,7 @@ TEST(SourceField, OnePipelineWhateverIsAsked) {
           at_points.pop_back();
           EXPECT_EQ(at_points, field) << "beside points in faces";
           for (Index v = 0; v < mesh.vertex_count(); ++v) {
-            EXPECT_EQ(labelled.source[v] == no_index, field[v] == unreachable) << v;
+            EXPECT_EQ(labels[v] == no_index, field[v] == unreachable) << v;
           }
         }
       }
@@ -163,10 +77,6 @@ TEST(SourceField, OnePipelineWhateverIsAsked) {
 // defects.
 
 using test::HostileBase;
-
-std::vector<double> whole_field(GeodesicQuery& query, std::vector<Index> sources) {
-  return query.distance_field(sources, unreachable);
-}
 
 /// Relative errors of a mesh, in percent as docs/figures.md gives them.
 struct Documented {
@@ -184,7 +94,7 @@ void expect_accurate(const Soup& soup, const Documented& documented, int sources
   const Index n = index->mesh()->vertex_count();
   for (Index source : test::random_vertices(n, sources, 1)) {
     solver.run_from_vertices(std::array{source});
-    const auto distances = whole_field(query, {source});
+    const auto distances = field(query, {source});
     for (Index v = 0; v < n; ++v) fields.add(distances[v], solver.distance(v));
     for (Index v : test::random_vertices(n, 100, 100 + source))
       pairs.add(query.distance(source, v), solver.distance(v));
@@ -242,27 +152,6 @@ TEST(GeodesicQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 
 TEST(GeodesicQueryAccuracy, Casting) { expect_accurate("casting", {0.011, 0.105, 0.93}); }
 TEST(GeodesicQueryAccuracy, Gears) { expect_accurate("gears", {0.0544, 0.609, 0.82}); }
 
-TEST(GeodesicQueryAccuracy, NearPairsAreExact) {
-  for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::random_sphere(1500, 2)}) {
-    const auto index = test::make_index(soup, 3, 4);
-    GeodesicQuery query(index);
-    ExactSolver solver(index->mesh());
-    const auto label = index->face_patches(2);
-    for (Index source : test::random_vertices(index->mesh()->vertex_count(), 6, 2)) {
-      solver.run_from_vertices(std::array{source});
-      const auto distances = whole_field(query, {source});
-      const auto own = test::patches_at(*index->mesh(), label, source);
-      for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
-        const auto there = test::patches_at(*index->mesh(), label, v);
-        if (std::ranges::none_of(there, [&](Index p) { return own.contains(p); })) continue;
-        const double exact = solver.distance(v);
-        ASSERT_NEAR(query.distance(source, v), exact, 1e-6 * exact) << source << " to " << v;
-        ASSERT_NEAR(distances[v], exact, 1e-6 * exact) << source << " to " << v;
-      }
-    }
-  }
-}
-
 TEST(GeodesicQueryAccuracy, PairsInTouchingPatchesAreExact) {
   for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(60, 30, 2.0, 0.8)}) {
     const auto index = test::make_index(soup, 3, 6);
@@ -290,55 +179,6 @@ TEST(GeodesicQueryAccuracy, PairsInTouchingPatchesAreExact) {
   }
 }
 
-TEST(GeodesicQueryAccuracy, SeveralSourcesAgainstExactAndAgainstOneByOne) {
-  const auto index = test::make_index(test::hills(40, 0.15), 3, 4);
-  GeodesicQuery query(index);
-  const Index n = index->mesh()->vertex_count();
-  const auto sources = test::random_vertices(n, 5, 11);
-  const auto all = whole_field(query, sources);
-  const auto exact = exact_distance_field(index->mesh(), sources);
-  std::vector<double> least(n, unreachable);
-  for (Index source : sources) {
-    EXPECT_EQ(all[source], 0.0);
-    const auto one = whole_field(query, {source});
-    for (Index v = 0; v < n; ++v) least[v] = std::min(least[v], one[v]);
-  }
-  test::ErrorCollector errors;
-  for (Index v = 0; v < n; ++v) {
-    errors.add(all[v], exact[v]);
-    EXPECT_NEAR(all[v], least[v], 0.02 * least[v]) << "vertex " << v;
-  }
-  EXPECT_EQ(errors.contradictions, 0U);
-  EXPECT_LT(errors.statistics().mean, 5e-4);
-  EXPECT_LT(errors.statistics().p99, 0.01);
-}
-
-TEST(GeodesicQueryAccuracy, TinyMeshes) {
-  const Soup triangle{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
-  const Soup square{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  const Soup tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
-  for (const Soup& soup : {triangle, square, tetrahedron, test::icosphere(0)}) {
-    const auto faces = static_cast<Index>(soup.faces.size());
-    for (Index n1 : {0, 1, faces}) {
-      for (Index n2 : {0, 1, faces}) {
-        const auto index = test::make_index(soup, n1, n2);
-        GeodesicQuery query(index);
-        for (Index a = 0; a < static_cast<Index>(soup.positions.size()); ++a) {
-          const auto exact = exact_distance_field(index->mesh(), std::array{a});
-          const auto distances = whole_field(query, {a});
-          for (std::size_t b = 0; b < exact.size(); ++b) {
-            EXPECT_NEAR(distances[b], exact[b], 0.03 * exact[b]);
-            EXPECT_NEAR(query.distance(a, static_cast<Index>(b)), exact[b], 0.03 * exact[b]);
-          }
-        }
-      }
-    }
-  }
-  GeodesicQuery query(test::make_index(triangle));
-  EXPECT_DOUBLE_EQ(query.distance(1, 2), 5.0);
-}
-
 TEST(GeodesicQueryAccuracy, DefectsAgainstExact) {
   const Soup hills = test::hills(26, 0.2);
   for (const Soup& soup :
@@ -350,7 +190,7 @@ TEST(GeodesicQueryAccuracy, DefectsAgainstExact) {
     test::ErrorCollector errors;
     for (Index source : test::random_vertices(index->mesh()->vertex_count(), 6, 5)) {
       const auto exact = exact_distance_field(index->mesh(), std::array{source});
-      const auto distances = whole_field(query, {source});
+      const auto distances = field(query, {source});
       for (std::size_t v = 0; v < exact.size(); ++v) errors.add(distances[v], exact[v]);
     }
     EXPECT_EQ(errors.contradictions, 0U);

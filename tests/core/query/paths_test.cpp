@@ -11,7 +11,6 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "mesh/surface_locator.h"
 #include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/error.h"
@@ -90,36 +89,6 @@ PathErrors check_paths(const std::shared_ptr<const GeodesicIndex>& index, int so
   }
   errors.mean_refined /= std::max(1, count);
   return errors;
-}
-
-TEST(PathQuery, DoubledVerticesAreComponents) {
-  // Every face has vertices of its own: from one to the next there is no path, however close they lie.
-  const Soup sphere = test::icosphere(1);
-  Soup soup;
-  for (const auto& face : sphere.faces) {
-    const auto first = static_cast<Index>(soup.positions.size());
-    for (const Index v : face) soup.positions.push_back(sphere.positions[v]);
-    soup.faces.push_back({first, first + 1, first + 2});
-  }
-  const auto index = test::make_index(soup);
-  const Mesh& mesh = *index->mesh();
-  PathQuery query(index);
-  const SurfaceLocator locator(index->mesh());
-  for (Index v = 0; v < mesh.vertex_count(); v += 7) {
-    // The lowest face at that place.
-    Index lowest = v;
-    for (Index w = 0; w < v; ++w) {
-      if (mesh.position(w) == mesh.position(v)) lowest = std::min(lowest, w);
-    }
-    const SurfacePoint snapped = locator.nearest(mesh.position(v)).point;
-    ASSERT_TRUE(snapped.is_vertex());
-    EXPECT_EQ(snapped.vertex, lowest);
-    const SurfacePath path = query.path(SurfacePoint::at_vertex(v), snapped);
-    const ExactPath exact = query.exact_path(SurfacePoint::at_vertex(v), snapped);
-    EXPECT_EQ(path.length, v == lowest ? 0.0 : unreachable);
-    EXPECT_EQ(exact.path.length, v == lowest ? 0.0 : unreachable);
-    EXPECT_TRUE(exact.certified);
-  }
 }
 
 TEST(PathQuery, ACertifiedPathIsTheSame) {
@@ -204,18 +173,6 @@ TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
   for (const Index v : {5, 40, 100}) {
     EXPECT_FALSE(query.exact_path(from_source, SurfacePoint::at_vertex(v)).certified) << v;
     EXPECT_FALSE(query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(v)).certified) << v;
-  }
-}
-
-TEST(MeshPath, NothingIsProvenBesideEdgesWithoutDigits) {
-  for (const double lift : {1e12, 1e15}) {
-    test::Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
-    soup.positions[40][2] = lift;
-    const auto mesh = test::make_mesh(soup);
-    PathQuery query = query_on(mesh);
-    const ExactPath exact = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(26));
-    EXPECT_EQ(exact.certified, lift < 1e13) << lift;
-    EXPECT_NEAR(exact.path.length, std::hypot(8.0, 2.0), 1e-9);
   }
 }
 

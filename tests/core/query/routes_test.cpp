@@ -80,47 +80,9 @@ TEST(GraphRouter, PrunedGraphsAsByDijkstra) {
   expect_shortest(*test::make_graph_index(test::hills(36, 0.2), 5, 4, 0.005), 20, 40);
   expect_shortest(*test::make_graph_index(test::torus(40, 20, 2.0, 0.7), 4, 4, 0.05), 20, 40);
 }
-TEST(GraphRouter, SeveralComponentsAsByDijkstra) {
-  Soup soup = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
-  soup = test::two_components(soup, test::icosphere(1));
-  expect_shortest(*test::make_graph_index(soup, 4, 4), 30, 60);
-}
 TEST(GraphRouter, NonManifoldMeshesAsByDijkstra) {
   expect_shortest(*test::make_graph_index(test::book_of_three_pages(12, 2.0, 1.0).soup, 4, 4), 20, 40);
   expect_shortest(*test::make_graph_index(test::bow_tie(12).soup, 3, 4), 20, 40);
-}
-
-/// Nodes that plain Dijkstra from one end settles until it takes the target: those nearer than the length.
-std::size_t settled_without_guidance(const IndexData& data, const RouteEnd& from, const RouteEnd& to,
-                                     double length) {
-  const auto usable = [&](const Arc& arc) {
-    const auto open = [&](const RouteEnd& end) {
-      return std::ranges::find(end.parents, data.partition.parent[arc.leg.patch()]) != end.parents.end();
-    };
-    return arc.leg.in_first_layer() || open(from) || open(to);
-  };
-  const auto distances = test::dijkstra(data.graph, from.seeds, usable);
-  return std::ranges::count_if(distances, [&](double distance) { return distance < length; });
-}
-
-TEST(GraphRouter, GuidanceSavesWork) {
-  const auto index = test::make_graph_index(test::hills(60, 0.1), 8, 5);
-  const IndexData& data = index->data();
-  GraphRouter router(data);
-  std::size_t settled = 0;
-  std::size_t unguided = 0;
-  for (Index source : test::random_vertices(3721, 15, 1)) {
-    const RouteEnd from = test::route_end(data, source);
-    for (Index target : test::random_vertices(3721, 15, 2)) {
-      const RouteEnd to = test::route_end(data, target);
-      const GraphRoute route = test::graph_route(router, from, to);
-      settled += router.settled();
-      unguided += settled_without_guidance(data, from, to, route.length);
-    }
-  }
-  // Two searches without guidance meet after two half discs, half of one disc; guided ones stay between the
-  // ends.
-  EXPECT_LT(4 * settled, unguided) << "settled " << settled << ", by a search from one end " << unguided;
 }
 
 // Routes read from the tables: equal to the least of all sums.

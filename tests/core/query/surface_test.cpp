@@ -41,7 +41,7 @@ TEST(Surface, AnswersByTheMethodAskedFor) {
   EXPECT_EQ(answered.by, AnswerMethod::index);
   EXPECT_GT(answered.index_seconds, 0.0);
   ASSERT_TRUE(surface.index());
-  EXPECT_EQ(by_index.distance, GeodesicQuery(surface.index()).labelled_field(sources).distance);
+  EXPECT_EQ(by_index.distance, GeodesicQuery(surface.index()).field(sources));
   test::ErrorCollector errors;
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     errors.add(quick.distance[v], exact[v]);
@@ -53,7 +53,7 @@ TEST(Surface, AnswersByTheMethodAskedFor) {
   const LabelledField automatic = surface.field(sources, 0.3, AnswerMethod::automatic, answered);
   EXPECT_EQ(answered.by, AnswerMethod::index);
   EXPECT_EQ(answered.index_seconds, 0.0);
-  EXPECT_EQ(automatic.distance, GeodesicQuery(surface.index()).labelled_field(sources, 0.3).distance);
+  EXPECT_EQ(automatic.distance, GeodesicQuery(surface.index()).field(sources, 0.3));
 }
 
 TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
@@ -138,28 +138,6 @@ TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
   EXPECT_EQ(field.distance, exact_distance_field(mesh, std::vector<Index>{5}));
 }
 
-TEST(Surface, FindsPathsAndDistancesWithAndWithoutAnIndex) {
-  const test::Shape shape = test::box({1.0, 2.0, 1.5}, 5);
-  const auto mesh = test::make_mesh(shape.soup);
-  Surface surface(mesh);
-  const auto a = SurfacePoint::at_vertex(0);
-  const auto b = SurfacePoint::in_face(mesh->face_count() / 2, {0.3, 0.3, 0.4});
-  const double length = shape.distance(a, b);
-  Answered answered;
-  for (const AnswerMethod method : {AnswerMethod::automatic, AnswerMethod::index, AnswerMethod::exact}) {
-    const ExactPath exact = surface.path(a, b, method, {.exact = true}, answered);
-    EXPECT_NEAR(exact.path.length, length, 1e-9);
-    EXPECT_TRUE(exact.certified);
-    EXPECT_NEAR(surface.path(a, b, method, {}, answered).path.length, length, 0.01 * length);
-    EXPECT_NEAR(surface.distance(a, b, method, answered), length, 0.01 * length);
-    EXPECT_EQ(answered.by, method == AnswerMethod::automatic ? AnswerMethod::exact : method);
-    const auto c = SurfacePoint::at_vertex(17);
-    EXPECT_NEAR(surface.distance(a, c, method, answered), shape.distance(a, c), 0.02 * shape.distance(a, c));
-  }
-  EXPECT_THROW(surface.path(a, b, AnswerMethod::quick, {.exact = true}, answered), InvalidInput);
-  EXPECT_THROW(surface.distance(a, b, AnswerMethod::quick, answered), InvalidInput);
-}
-
 TEST(Surface, NamesWhatAnswersAtOnce) {
   Surface small(test::make_mesh(test::icosphere(2)));
   EXPECT_EQ(small.at_once(true), AnswerMethod::exact);
@@ -172,38 +150,6 @@ TEST(Surface, NamesWhatAnswersAtOnce) {
   const Surface large(test::make_mesh(plate));
   EXPECT_EQ(large.at_once(true), AnswerMethod::quick);
   EXPECT_EQ(large.at_once(false), AnswerMethod::exact);
-}
-
-TEST(Surface, GivesTheSameDistanceFromAnIndexBuiltForItAndLater) {
-  Surface surface(test::make_mesh(test::icosphere(3)));
-  Answered answered;
-  const auto a = SurfacePoint::at_vertex(5);
-  const auto b = SurfacePoint::at_vertex(400);
-  const double first = surface.distance(a, b, AnswerMethod::index, answered);
-  EXPECT_GT(answered.index_seconds, 0.0);
-  EXPECT_EQ(surface.distance(b, a, AnswerMethod::index, answered), first);
-  EXPECT_EQ(surface.distance(b, a, AnswerMethod::automatic, answered), first);
-  EXPECT_EQ(answered.index_seconds, 0.0);
-}
-
-TEST(Surface, IsUsedBySeveralThreads) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
-  Surface surface(mesh);
-  const auto exact = exact_distance_field(mesh, std::vector<Index>{9});
-  std::vector<std::thread> threads;
-  for (int t = 0; t < 3; ++t) {
-    threads.emplace_back([&, t] {
-      Answered answered;
-      const auto method = t == 0 ? AnswerMethod::index : AnswerMethod::exact;
-      for (int i = 0; i < 3; ++i) {
-        const LabelledField field = surface.field(from_vertices({9}), unreachable, method, answered);
-        if (method == AnswerMethod::exact) {
-          EXPECT_EQ(field.distance, exact);
-        }
-      }
-    });
-  }
-  for (std::thread& thread : threads) thread.join();
 }
 
 TEST(Surface, AQuestionThatWaitsForABuildOfAnotherThreadCanBeCancelled) {
