@@ -165,10 +165,10 @@ namespace {
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
 /// The angle at a pseudo-source between the directions to a vertex outside its window and to the window's end
-/// up to which the vertex is reached, by way of that end. Windows that passed a vertex, or a cluster of them,
+/// up to which the vertex is reached, by way of the ray to that end. Windows that passed a vertex, or a cluster of them,
 /// on both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one
-/// of them keeps what lies in the rays of the other: as far as the root of that rounding. The path over the
-/// end makes no distance too short, and too long by its detour only.
+/// of them keeps what lies in the rays of the other: as far as the root of that rounding. A path that leaves
+/// the ray makes no distance too short, and too long by its detour only.
 constexpr double gap_angle = 1e-5;
 /// The greatest detour, relative to the distance: ten times half the square of that angle, as far from the
 /// source the tie of two windows leaves more of the direction open than of the distance.
@@ -323,16 +323,41 @@ inline bool ExactSolver::State::is_in_place(const Window& window, Index halfedge
          std::abs(frame.apex_x - window.source_x) <= negligible;
 }
 
+inline std::array<double, 2> ExactSolver::State::last_seen(const Window& window, Index halfedge,
+                                                          double end) const {
+  // The ray to the end enters the face before the edge across another side, or begins in that face.
+  const FaceFrame& before = geometry->frame[window.entry()];
+  const double length = mesh.edge_length(mesh.edge_of(halfedge));
+  const double along = end - window.source_x;
+  std::array<double, 2> place{end, 0.0};
+  for (const double corner : {0.0, length}) {
+    const double side_x = before.apex_x - corner;
+    const double part = window.source_y * (end - corner) / (side_x * window.source_y + before.apex_depth * along);
+    if (!(part > 0.0 && part <= 1.0)) continue;
+    const double y = part * before.apex_depth;
+    place = {window.source_x, window.source_y};
+    if (y < window.source_y) place = {corner + part * side_x, y};
+  }
+  // From there, the apex is seen through the edge, or else from the end.
+  const FaceFrame& frame = geometry->frame[halfedge];
+  const double whole = place[1] + frame.apex_depth;
+  const double at = whole > 0.0 ? place[0] + (frame.apex_x - place[0]) * (place[1] / whole) : frame.apex_x;
+  if (at >= 0.0 && at <= length) return place;
+  return {end, 0.0};
+}
+
 inline bool ExactSolver::State::arrives_straight(const Window& window, Index halfedge, double to_apex) const {
   const double end = std::clamp(to_apex, window.begin, window.end);
   if (end == to_apex) return true;
-  // The path turns at the window's end, from where a vertex close to it is seen in quite another direction.
+  // The path turns near the window's end, from where a vertex close to it is seen in quite another direction.
   const FaceFrame& frame = geometry->frame[halfedge];
+  const auto [x, y] = last_seen(window, halfedge, end);
   const double from_source = frame.apex_x - window.source_x;
-  const double from_end = frame.apex_x - end;
+  const double from_turn = frame.apex_x - x;
   const double height = window.source_y + frame.apex_depth;
-  const double turn = std::abs(from_end * height - from_source * frame.apex_depth);
-  return turn <= sector_tolerance * std::hypot(from_end, frame.apex_depth) * std::hypot(from_source, height);
+  const double depth = y + frame.apex_depth;
+  const double turn = std::abs(from_turn * height - from_source * depth);
+  return turn <= sector_tolerance * std::hypot(from_turn, depth) * std::hypot(from_source, height);
 }
 
 void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double distance, double to_apex) {
@@ -387,7 +412,9 @@ void ExactSolver::State::cross_face(Index halfedge) {
     } else if (const double straight = std::abs(dx) + height;
                outside * height <= gap_angle * straight * straight) {
       const double end = std::clamp(item.to_apex, window.begin, window.end);
-      const double distance = window.distance(end) + std::hypot(frame.apex_x - end, frame.apex_depth);
+      const auto [x, y] = last_seen(window, halfedge, end);
+      const double distance = window.offset + std::hypot(x - window.source_x, y - window.source_y) +
+                              std::hypot(frame.apex_x - x, y + frame.apex_depth);
       const double detour = distance - (window.offset + std::sqrt(dx * dx + height * height));
       // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
       // near.

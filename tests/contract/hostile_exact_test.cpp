@@ -121,7 +121,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ExactContract,
                                          Seed{150000277, 600, {63}}, Seed{150005179, 2500, {1296}},
                                          Seed{150007534, 2500, {1378}}, Seed{160001423, 4000, {5042}},
                                          Seed{170002242, 200, {96}}, Seed{160000642, 4000, {2986, 3911}},
-                                         Seed{220000246, 4000, {4878}}, Seed{230016942, 200, {87}}),
+                                         Seed{220000246, 4000, {4878}}, Seed{230016942, 200, {87}},
+                                         Seed{310004993, 2500, {2411}}),
                          [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
