@@ -148,12 +148,12 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   }
   const double second = static_cast<double>(table_bytes(data.second)) * scale;
   const double kept = (static_cast<double>(data.bytes()) + static_cast<double>(access_bounds_bytes(data)) +
-                       sizeof(double) * SearchGraph::landmark_count * data.second.node_count()) *
+                       sizeof(Landmarks::Row) * data.second.node_count()) *
                           scale +
-                      second;
+                      second + first;
 
   BuildEstimate estimate;
-  const std::int64_t with_tables = static_cast<std::int64_t>(kept + first + transit);
+  const std::int64_t with_tables = static_cast<std::int64_t>(kept + transit);
   const MemoryBudget budget(options);
   estimate.form = options.delta == 0.0 && budget.fits(with_tables) ? IndexForm::tables : IndexForm::graph;
   estimate.bytes = estimate.form == IndexForm::tables ? with_tables : static_cast<std::int64_t>(kept);

@@ -60,11 +60,11 @@ std::int64_t IndexData::bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return static_cast<std::int64_t>(
       first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + transit_table.memory_bytes() +
-      access_bounds.memory_bytes() + work.mesh->memory_bytes() + geometry->memory_bytes() +
-      of(work.work_vertex) + of(work.user_vertex) + of(work.second_layer) + of(work.user_face) +
-      of(work.edge_points) + of(partition.first_layer) + of(partition.second_layer) + of(partition.parent) +
-      of(parent_column) + of(home_patch) + of(home_column) + of(first_face) + of(first_child) +
-      of(second_node) + of(node_position));
+      access_bounds.memory_bytes() + landmarks.memory_bytes() + work.mesh->memory_bytes() +
+      geometry->memory_bytes() + of(work.work_vertex) + of(work.user_vertex) + of(work.second_layer) +
+      of(work.user_face) + of(work.edge_points) + of(partition.first_layer) + of(partition.second_layer) +
+      of(partition.parent) + of(parent_column) + of(home_patch) + of(home_column) + of(first_face) +
+      of(first_child) + of(second_node) + of(node_position));
 }
 
 void IndexData::count() {
@@ -76,9 +76,11 @@ void IndexData::count() {
   statistics.first_layer_border_vertices = first.node_count();
   statistics.second_layer_border_vertices = second.node_count();
   statistics.form = form();
-  statistics.arcs_before_pruning = graph.arcs_before_pruning;
-  statistics.arcs =
-      graph.has_arcs() ? static_cast<std::int64_t>(graph.arc.size() / 2) : graph.arcs_before_pruning;
+  statistics.arcs_before_pruning = pairs_of_nodes(first) + pairs_of_nodes(second);
+  statistics.arcs = statistics.arcs_before_pruning;
+  if (graph.is_there()) {
+    statistics.arcs -= pairs_of_nodes(first) - static_cast<std::int64_t>(graph.arc.size() / 2);
+  }
   statistics.bytes = bytes();
 }
 
@@ -137,6 +139,12 @@ std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const In
   return data;
 }
 
+/// A route passes fewer arcs of the first layer than patches of the second, by about the number of these in
+/// those: so pruning adds less than delta on average.
+double delta_of_arcs(const IndexData& data, double delta) {
+  return delta * std::max<Index>(1, data.first.patch_count) / std::max<Index>(1, data.second.patch_count);
+}
+
 /// The surface of its runs is freed afterwards.
 void fill_second_layer(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
   TableSurface surface;
@@ -172,13 +180,14 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
     data.transit_table =
         make_transit_table(data.first, rooms.transit, options.threads, progress.part(0.85, 0.98));
     data.access_bounds = make_access_bounds(data);
-    data.graph = make_landmarks(data.second, data.first, progress.part(0.98, filled));
   } else {
-    data.graph = make_search_graph(data.second, data.first, data.partition.parent, options.delta,
-                                   options.threads, progress.part(0.85, filled));
-    drop_tables(data.first);
-    rooms = {};
-    budget.require(data.bytes() - (file != nullptr ? table_bytes(data.second) : 0));
+    data.graph = make_transit_graph(data.first, delta_of_arcs(data, options.delta), options.threads,
+                                    progress.part(0.85, 0.98));
+  }
+  data.landmarks = make_landmarks(data.second, progress.part(0.98, filled));
+  if (form == IndexForm::graph) {
+    const std::int64_t in_file = table_bytes(data.second) + table_bytes(data.first);
+    budget.require(data.bytes() - (file != nullptr ? in_file : 0));
   }
   if (file != nullptr) {
     const Watch watch(progress.part(filled, 1.0), "Writing the index file");

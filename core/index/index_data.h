@@ -11,7 +11,7 @@
 #include "exact/exact_solver.h"
 #include "index/index_options.h"
 #include "index/patch_layer.h"
-#include "index/search_graph.h"
+#include "index/transit_graph.h"
 #include "index/transit_table.h"
 #include "index/work_mesh.h"
 #include "mesh/fingerprint.h"
@@ -34,7 +34,8 @@ struct IndexData {
   PatchLayer second;
   TransitTable transit_table;  ///< of the first layer
   AccessBounds access_bounds;
-  SearchGraph graph;
+  TransitGraph graph;              ///< the small form of the transit table; one of the two is there
+  Landmarks landmarks;             ///< of the second-layer nodes
   std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
   std::vector<Index> home_column;  ///< and its column among the members of that patch
 
@@ -83,7 +84,7 @@ struct IndexData {
   /// The surface of exact runs between two points where the work mesh adds many points; null where its own
   /// serves. Made when first asked for, by any thread: some 200 bytes a vertex, not part of bytes().
   const UnsplitSurface* unsplit() const;
-  IndexForm form() const { return graph.has_arcs() ? IndexForm::graph : IndexForm::tables; }
+  IndexForm form() const { return graph.is_there() ? IndexForm::graph : IndexForm::tables; }
   /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;
   /// Fills in the statistics that are counted from the parts.

@@ -25,7 +25,7 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
-constexpr std::uint32_t version = 11;
+constexpr std::uint32_t version = 12;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
 
@@ -299,39 +299,33 @@ void load_partition(IndexFileReader& in, Partition& partition, Index faces) {
   }
 }
 
-/// Whether a second-layer node lies on the border of a patch.
-bool on_border(const PatchLayer& second, const PatchLayer& layer, Index node, Index patch) {
-  const Index own = layer.vertex_node[second.node_vertex[node]];
-  if (own == no_index) return false;
-  const auto patches = layer.patches_of(own);
-  return std::any_of(patches.begin(), patches.end(), [&](const PatchRow& at) { return at.patch == patch; });
-}
-
-void load_graph(IndexFileReader& in, SearchGraph& graph, IndexForm form, const PatchLayer& second,
-                const PatchLayer& first) {
-  const Index nodes = second.node_count();
-  const bool has_arcs = form == IndexForm::graph;
-  graph.arc_begin = in.block<std::int64_t>(has_arcs ? static_cast<std::size_t>(nodes) + 1 : 0);
-  graph.arc = has_arcs ? in.block<Arc>() : in.block<Arc>(0);
-  graph.landmark_distance = in.block<double>(static_cast<std::size_t>(nodes) * SearchGraph::landmark_count);
-  require_distances(in, graph.landmark_distance);
-  if (std::find(graph.landmark_distance.begin(), graph.landmark_distance.end(), unreachable) !=
-      graph.landmark_distance.end()) {
-    in.fail("is damaged (a landmark is infinitely far)");
-  }
-  if (!has_arcs) return;
+void load_graph(IndexFileReader& in, TransitGraph& graph, IndexForm form, const PatchLayer& first) {
+  const Index nodes = first.node_count();
+  const bool is_there = form == IndexForm::graph;
+  graph.arc_begin = in.block<std::int64_t>(is_there ? static_cast<std::size_t>(nodes) + 1 : 0);
+  graph.arc = is_there ? in.block<Arc>() : in.block<Arc>(0);
+  if (!is_there) return;
   if (graph.arc_begin.front() != 0 || graph.arc_begin.back() != static_cast<std::int64_t>(graph.arc.size()) ||
       !std::is_sorted(graph.arc_begin.begin(), graph.arc_begin.end())) {
     in.fail("is damaged (the arcs are not in order)");
   }
   for (Index node = 0; node < nodes; ++node) {
     for (const Arc& arc : graph.arcs(node)) {
-      const PatchLayer& layer = arc.leg.in_first_layer() ? first : second;
-      if (arc.leg.table() == Leg::Table::transit || arc.target < 0 || arc.target >= nodes ||
-          !(arc.length >= 0.0f) || !on_border(second, layer, node, arc.leg.patch()) ||
-          !on_border(second, layer, arc.target, arc.leg.patch())) {
+      if (arc.target < 0 || arc.target >= nodes || !(arc.length >= 0.0f) ||
+          first.row_of(node, arc.patch) == no_index || first.row_of(arc.target, arc.patch) == no_index) {
         in.fail("is damaged (an arc leads nowhere)");
       }
+    }
+  }
+  place_landmarks(graph, {});
+}
+
+void load_landmarks(IndexFileReader& in, Landmarks& landmarks, const PatchLayer& second) {
+  landmarks.row = in.block<Landmarks::Row>(static_cast<std::size_t>(second.node_count()));
+  for (const Landmarks::Row& row : landmarks.row) {
+    for (const double distance : row) {
+      if (!(distance >= 0.0)) in.fail("is damaged (a distance is negative or NaN)");
+      if (distance == unreachable) in.fail("is damaged (a landmark is infinitely far)");
     }
   }
 }
@@ -342,7 +336,8 @@ void write_index(IndexFileWriter& out, const IndexData& data) {
   out.block(std::span<const std::uint64_t>(data.fingerprint.words));
   out.block(std::vector<double>{data.statistics.delta});
   out.block(std::vector<std::uint64_t>{
-      data.statistics.seed, static_cast<std::uint64_t>(data.graph.arcs_before_pruning),
+      data.statistics.seed,
+      static_cast<std::uint64_t>(pairs_of_nodes(data.first) + pairs_of_nodes(data.second)),
       data.form() == IndexForm::graph ? 1U : 0U, static_cast<std::uint64_t>(data.requested_patches[0]),
       static_cast<std::uint64_t>(data.requested_patches[1])});
   out.block(data.partition.first_layer);
@@ -359,7 +354,7 @@ void write_index(IndexFileWriter& out, const IndexData& data) {
   out.block(std::vector<TableScale>{data.transit_table.scale});
   out.block(data.graph.arc_begin);
   out.block(data.graph.arc);
-  out.block(data.graph.landmark_distance);
+  out.block(data.landmarks.row);
 }
 
 std::uint64_t end_of_index(const std::filesystem::path& file) {
@@ -400,7 +395,6 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   data->statistics.delta = in.block<double>(1)[0];
   const auto numbers = in.block<std::uint64_t>(5);
   data->statistics.seed = numbers[0];
-  data->graph.arcs_before_pruning = static_cast<std::int64_t>(numbers[1]);
   if (numbers[2] > 1) in.fail("is damaged (its form is unknown)");
   const IndexForm form = numbers[2] == 1 ? IndexForm::graph : IndexForm::tables;
   for (std::size_t layer = 0; layer < 2; ++layer) {
@@ -412,25 +406,20 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
   load_partition(in, data->partition, data->mesh->face_count());
   data->lay_out(0, {});
   load_table(in, data->second, storage);
-  if (form == IndexForm::tables) {
-    load_table(in, data->first, storage);
-  } else {
-    in.block<std::uint16_t>(0);
-  }
+  load_table(in, data->first, storage);
   Entries transit =
       form == IndexForm::tables ? read_entries(in, storage) : Entries(in.block<std::uint16_t>(0));
   load_units(in, data->second);
+  load_units(in, data->first);
   if (form == IndexForm::tables) {
-    load_units(in, data->first);
     load_transit_units(in, data->transit_table, data->first, std::move(transit));
     data->access_bounds = make_access_bounds(*data);
   } else {
-    in.block<TableScale>(0);
-    in.block<float>(0);
     in.block<float>(0);
     in.block<TableScale>(1);
   }
-  load_graph(in, data->graph, form, data->second, data->first);
+  load_graph(in, data->graph, form, data->first);
+  load_landmarks(in, data->landmarks, data->second);
   in.finish();
   data->count();
   if (storage == TableStorage::mapped) note_mapped_bytes(*data);
@@ -442,7 +431,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::load(const std::filesystem::
 namespace {
 
 constexpr std::array<char, 8> build_magic{'V', 'O', 'R', 'O', 'B', 'L', 'D', '\n'};
-constexpr std::uint64_t build_version = 3;
+constexpr std::uint64_t build_version = 4;
 constexpr std::uint64_t page = 4096;
 /// The heads and small blocks that an index file begins with; a file that is built has its own head there.
 constexpr std::uint64_t head_size = 256;
@@ -527,7 +516,7 @@ struct BuildFile::Layout {
     places.next(sizeof(Index) * faces);
     places.next(sizeof(Index) * data.partition.parent.size());
     second = places.next(sizeof(std::uint16_t) * data.second.table_begin.back());
-    first = places.next(has_tables ? sizeof(std::uint16_t) * data.first.table_begin.back() : 0);
+    first = places.next(sizeof(std::uint16_t) * data.first.table_begin.back());
     transit = places.next(sizeof(std::uint16_t) * entries);
     // The rest has at most this size: offsets and arcs may be fewer.
     for (const PatchLayer* layer : {&data.second, &data.first}) {
@@ -536,34 +525,22 @@ struct BuildFile::Layout {
     }
     places.next(sizeof(float) * group_count * group_count);
     places.next(sizeof(float));
-    places.next(sizeof(std::int64_t) * (static_cast<std::uint64_t>(data.second.node_count()) + 1));
-    places.next(sizeof(double) * SearchGraph::landmark_count * data.second.node_count());
+    places.next(sizeof(std::int64_t) * (static_cast<std::uint64_t>(data.first.node_count()) + 1));
+    places.next(sizeof(Landmarks::Row) * data.second.node_count());
     reserved = places.end();
-    if (!has_tables) places.next(2 * sizeof(Arc) * pairs_of_nodes(data));
+    if (!has_tables) places.next(2 * sizeof(Arc) * static_cast<std::uint64_t>(pairs_of_nodes(data.first)));
     std::uint64_t at = up_to_page(places.end());
     auto take = [&](std::uint64_t& place, std::uint64_t bytes) {
       place = at;
       at = up_to_page(at + bytes);
     };
     take(second_parts, sizeof(PartRecord) * data.second.patch_count);
-    take(first_parts, has_tables ? sizeof(PartRecord) * data.first.patch_count : 0);
+    take(first_parts, sizeof(PartRecord) * data.first.patch_count);
     take(batches, sizeof(PartRecord) * batch_count);
     take(least, sizeof(float) * group_count * group_count);
     take(unit, sizeof(float) * group_count);
     take(rows, sizeof(std::uint16_t) * entries);
     size = at;
-  }
-
-  /// The most arcs of a graph.
-  static std::uint64_t pairs_of_nodes(const IndexData& data) {
-    std::uint64_t pairs = 0;
-    for (const PatchLayer* layer : {&data.second, &data.first}) {
-      for (Index p = 0; p < layer->patch_count; ++p) {
-        const auto rows = static_cast<std::uint64_t>(layer->border_size(p));
-        pairs += rows * rows / 2;
-      }
-    }
-    return pairs;
   }
 };
 
@@ -659,11 +636,8 @@ TableRooms BuildFile::rooms(const IndexData& data, IndexForm form) {
   };
   rooms.second =
       room(layout.second, data.second.table_begin.back(), layout.second_parts, data.second.patch_count);
-  if (form != IndexForm::tables) {
-    rooms.first = TableRoom(data.first.table_begin.back(), data.first.patch_count);
-    return rooms;
-  }
   rooms.first = room(layout.first, data.first.table_begin.back(), layout.first_parts, data.first.patch_count);
+  if (form != IndexForm::tables) return rooms;
   rooms.transit.table = room(layout.transit, layout.entries, 0, 0);
   rooms.transit.rows = room(layout.rows, layout.entries, layout.batches, layout.batch_count);
   rooms.transit.least = part_of_file<float>(bytes, layout.least, layout.group_count * layout.group_count);

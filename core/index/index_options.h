@@ -10,8 +10,8 @@ namespace vorogeo {
 /// What an index holds for routes between far points; either form answers all queries.
 enum class IndexForm : std::uint8_t {
   automatic,  ///< as an option: tables if delta is 0 and they fit the memory budget, else the graph
-  tables,     ///< first-layer tables and the transit table: fast
-  graph       ///< a pruned graph that is searched (A*): small
+  tables,     ///< the transit table: fast
+  graph       ///< instead of it a pruned graph that is searched (A*): small
 };
 
 /// Name of a form that was built: "tables" or "graph".
@@ -27,7 +27,7 @@ struct IndexOptions {
   /// Second-layer patches in one first-layer patch (on average); 0: chosen.
   Index second_layer_patches = 0;
   /// Average relative error that pruning of arcs may add; 0 loses nothing. In [0, 1). A value above 0 selects
-  /// the form of a graph, as tables have no arcs to prune.
+  /// the form of a graph.
   double delta = 0.0;
   /// Worker threads; 0: one per core. The result does not depend on it.
   int threads = 0;
@@ -51,7 +51,7 @@ struct IndexStatistics {
   IndexForm form = IndexForm::tables;
   /// Pairs of border vertices of one patch, of both layers.
   std::int64_t arcs_before_pruning = 0;
-  /// Those that are arcs of the graph; in the form of tables, all.
+  /// Those that are left; in the form of tables, all.
   std::int64_t arcs = 0;
   std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, work mesh
   /// Those of them that are pages of the file which the index was loaded from, shared by all processes.

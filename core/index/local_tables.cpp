@@ -208,13 +208,6 @@ void note_complete(PatchLayer& layer) {
   }
 }
 
-void drop_tables(PatchLayer& layer) {
-  layer.table = {};
-  layer.scale = {};
-  layer.offset = {};
-  layer.complete = {};
-}
-
 // ---- The wave over the patches, and the last step of each
 
 namespace {

@@ -105,9 +105,6 @@ std::size_t draft_bytes(const PatchLayer& layer, Index patch);
 /// Puts what belongs to the table of a patch into its layer.
 void set_units(PatchLayer& layer, Index patch, const TableDraft::Units& units);
 
-/// Frees the tables of a layer; its layout stays.
-void drop_tables(PatchLayer& layer);
-
 /// Fills in PatchLayer::complete.
 void note_complete(PatchLayer& layer);
 

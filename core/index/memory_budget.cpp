@@ -47,12 +47,11 @@ void MemoryBudget::refuse(std::int64_t bytes, const char* comparison) const {
 }
 
 IndexForm MemoryBudget::form_of(const IndexData& data) const {
-  const std::int64_t landmarks =
-      static_cast<std::int64_t>(sizeof(double)) * SearchGraph::landmark_count * data.second.node_count();
+  const std::int64_t landmarks = static_cast<std::int64_t>(sizeof(Landmarks::Row)) * data.second.node_count();
   auto in_memory = [&](std::int64_t bytes) { return tables_in_file_ ? 0 : bytes; };
-  const std::int64_t both = data.bytes() + in_memory(table_bytes(data.second)) + landmarks;
-  const std::int64_t tables = both + in_memory(table_bytes(data.first)) +
-                              transit_bytes(data.first, tables_in_file_) + access_bounds_bytes(data);
+  const std::int64_t both =
+      data.bytes() + in_memory(table_bytes(data.second) + table_bytes(data.first)) + landmarks;
+  const std::int64_t tables = both + transit_bytes(data.first, tables_in_file_) + access_bounds_bytes(data);
   if (options_.form == IndexForm::tables) {
     if (!fits(tables)) refuse(tables, "at least");
     return IndexForm::tables;

@@ -267,6 +267,15 @@ std::vector<Index> group_by_patches(const PatchLayer& layer, Index max_nodes) {
   return begin;
 }
 
+std::int64_t pairs_of_nodes(const PatchLayer& layer) {
+  std::int64_t pairs = 0;
+  for (Index p = 0; p < layer.patch_count; ++p) {
+    const std::int64_t rows = layer.border_size(p);
+    pairs += rows * (rows - 1) / 2;
+  }
+  return pairs;
+}
+
 std::size_t table_size(const PatchLayer& layer, Index patch) {
   auto columns = static_cast<std::size_t>(layer.member_count(patch));
   if (layer.order == TableOrder::tiles) {

@@ -334,6 +334,9 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
 /// the number of nodes.
 std::vector<Index> group_by_patches(const PatchLayer& layer, Index max_nodes);
 
+/// Pairs of border nodes of one patch, in all patches.
+std::int64_t pairs_of_nodes(const PatchLayer& layer);
+
 /// Entries that the table of a patch takes.
 std::size_t table_size(const PatchLayer& layer, Index patch);
 

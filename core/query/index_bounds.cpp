@@ -14,11 +14,12 @@ IndexBounds::IndexBounds(const IndexData& data)
       is_near_(data.second.patch_count, 0) {}
 
 void IndexBounds::allow_patches(const RouteEnd& source, const RouteEnd& target, double length) {
-  const LandmarkDistances ends[] = {landmark_distances(data_, source), landmark_distances(data_, target)};
+  const Landmarks::Row at_source = data_.landmarks.through(source.seeds);
+  const Landmarks::Row at_target = data_.landmarks.through(target.seeds);
   const double max_length = length * (1.0 + 2.0 * index_margin);
   for (Index p = 0; p < data_.second.patch_count; ++p) {
     allowed_[p] = std::ranges::any_of(data_.second.nodes(p), [&](Index node) {
-      return landmark_bound(data_, ends[0], node) + landmark_bound(data_, ends[1], node) <= max_length;
+      return data_.landmarks.bound(node, at_source) + data_.landmarks.bound(node, at_target) <= max_length;
     });
   }
 }

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "query/graph_route.h"
+#include "query/route.h"
 
 namespace vorogeo {
 
-/// Searches the second-layer tables of an index in the form of tables. A step scans a whole patch: from
+/// Searches the second-layer tables of an index. A step scans a whole patch: from
 /// those of its border nodes that were relaxed since its last scan, the least sums to all others, 32 at a
 /// time. The straight line to the target in space is the lower bound (A*): it excludes nodes and selects the
 /// patch to scan next. One object belongs to one thread; a search resets it in O(1).
@@ -52,7 +52,7 @@ class PatchRouter {
   std::uint32_t stamp_ = 0;
   Index target_vertex_ = no_index;
   /// Distances of the target from the landmarks: with a metric, straight lines in space are poor bounds.
-  LandmarkDistances target_landmarks_{};
+  Landmarks::Row target_landmarks_{};
   float best_ = 0.0f;
   Index meeting_ = no_index;
   std::vector<Index> rows_;

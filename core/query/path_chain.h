@@ -6,7 +6,7 @@
 #include "index/index_data.h"
 #include "mesh/mesh.h"
 #include "mesh/surface_point.h"
-#include "query/graph_route.h"
+#include "query/route.h"
 #include "query/path_line.h"
 
 namespace vorogeo {

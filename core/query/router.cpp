@@ -127,11 +127,6 @@ double RouteUnfolder::length(const GraphRoute& route, Index source, Index target
 // ---- Selects the router that has the shortest route
 
 void Router::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
-  if (data_.graph.has_arcs()) {
-    if (!graph_) graph_.emplace(data_);
-    graph_->route(source, target, result);
-    return;
-  }
   result.length = unreachable;
   result.nodes.clear();
   result.legs.clear();
@@ -142,8 +137,13 @@ void Router::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& r
     if (!patches_) patches_.emplace(data_);
     patches_->route(source, target, result);
   }
-  if (!tables_) tables_.emplace(data_);
-  tables_->route(source, target, result, result.length);
+  if (data_.form() == IndexForm::graph) {
+    if (!graph_) graph_.emplace(data_);
+    graph_->route(source, target, result, result.length);
+  } else {
+    if (!tables_) tables_.emplace(data_);
+    tables_->route(source, target, result, result.length);
+  }
 }
 
 }  // namespace vorogeo

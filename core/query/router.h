@@ -52,9 +52,9 @@ class Router {
  public:
   explicit Router(const IndexData& data) : data_(data) {}
 
-  /// The shortest route between two ends; of length unreachable if there is none. In the form of a graph, it
-  /// is searched in the graph. In the form of tables, it is read from the tables; if the ends share a
-  /// first-layer patch, routes inside that patch are searched as well.
+  /// The shortest route between two ends; of length unreachable if there is none. Between borders of the
+  /// first layer it is read from the transit table, or searched in the graph that stands for it; if the ends
+  /// share a first-layer patch, routes inside that patch are searched as well.
   void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:

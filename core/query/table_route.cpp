@@ -322,17 +322,12 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       // The four nodes of the route; those that coincide appear once.
       result.nodes.clear();
       result.legs.clear();
-      auto go_on = [&](Leg leg, Index node) {
-        if (result.nodes.back() == node) return;
-        result.legs.push_back(leg);
-        result.nodes.push_back(node);
-      };
       auto second_node = [&](Index parent, Index row) { return data_.second_node[first.nodes(parent)[row]]; };
       result.nodes.push_back(source.seeds[from_.seed_of(best.group[at_source], best.row[at_source])].node);
-      go_on(Leg::through_first(source_parent), second_node(source_parent, best.row[at_source]));
-      go_on(Leg::by_transit_table(), second_node(target_parent, best.row[at_target]));
-      go_on(Leg::through_first(target_parent),
-            target.seeds[to_.seed_of(best.group[at_target], best.row[at_target])].node);
+      result.go_on(Leg::through_first(source_parent), second_node(source_parent, best.row[at_source]));
+      result.go_on(Leg::by_transit_table(), second_node(target_parent, best.row[at_target]));
+      result.go_on(Leg::through_first(target_parent),
+                   target.seeds[to_.seed_of(best.group[at_target], best.row[at_target])].node);
     }
   }
   return found;

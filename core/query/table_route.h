@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "index/scans.h"
-#include "query/graph_route.h"
+#include "query/route.h"
 
 namespace vorogeo {
 

@@ -138,26 +138,25 @@ RouteEnd route_end(const IndexData& data, Index work_vertex) {
   return end;
 }
 
-GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteEnd& target) {
-  GraphRoute route;
-  router.search(source, target, route);
-  return route;
-}
-
-double ReferenceRouter::length(Index source, Index target) {
-  const RouteEnd from = test::route_end(data_, source);
-  const RouteEnd to = test::route_end(data_, target);
-  std::set<Index> open(from.parents.begin(), from.parents.end());
-  open.insert(to.parents.begin(), to.parents.end());
-  auto [found, added] = known_.try_emplace({source, open});
-  if (added) {
-    found->second = dijkstra(data_.graph, from.seeds, [&](const Arc& arc) {
-      return arc.leg.in_first_layer() || open.contains(data_.partition.parent[arc.leg.patch()]);
-    });
+std::vector<std::vector<double>> graph_distances(const TransitGraph& graph) {
+  const auto nodes = static_cast<Index>(graph.arc_begin.size()) - 1;
+  std::vector<std::vector<double>> all;
+  for (Index start = 0; start < nodes; ++start) {
+    std::vector<double>& distance = all.emplace_back(nodes, unreachable);
+    std::set<std::pair<double, Index>> queue{{0.0, start}};
+    distance[start] = 0.0;
+    while (!queue.empty()) {
+      const auto [value, node] = *queue.begin();
+      queue.erase(queue.begin());
+      for (const Arc& arc : graph.arcs(node)) {
+        if (value + arc.length >= distance[arc.target]) continue;
+        queue.erase({distance[arc.target], arc.target});
+        distance[arc.target] = value + arc.length;
+        queue.insert({distance[arc.target], arc.target});
+      }
+    }
   }
-  double least = unreachable;
-  for (const auto& seed : to.seeds) least = std::min(least, found->second[seed.node] + seed.distance);
-  return least;
+  return all;
 }
 
 }  // namespace vorogeo::test

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -12,7 +11,7 @@
 
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
-#include "query/graph_route.h"
+#include "query/route.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {
@@ -66,41 +65,7 @@ std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, 
 
 /// The end of a route at a work vertex.
 RouteEnd route_end(const IndexData& data, Index work_vertex);
-/// The shortest route of the graph.
-GraphRoute graph_route(GraphRouter& router, const RouteEnd& source, const RouteEnd& target);
-
-/// Plain Dijkstra over the arcs of a graph that `usable` lets through. Shape (nodes).
-template <class Usable>
-std::vector<double> dijkstra(const SearchGraph& graph, const std::vector<RouteEnd::Seed>& seeds,
-                             Usable&& usable) {
-  std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
-  std::set<std::pair<double, Index>> queue;
-  auto lower = [&](Index node, double value) {
-    if (value >= distance[node]) return;
-    queue.erase({distance[node], node});
-    distance[node] = value;
-    queue.insert({value, node});
-  };
-  for (const auto& seed : seeds) lower(seed.node, seed.distance);
-  while (!queue.empty()) {
-    const auto [value, node] = *queue.begin();
-    queue.erase(queue.begin());
-    for (const Arc& arc : graph.arcs(node)) {
-      if (usable(arc)) lower(arc.target, value + arc.length);
-    }
-  }
-  return distance;
-}
-
-/// Shortest routes by definition: second-layer arcs only in the first-layer patches of the two ends.
-class ReferenceRouter {
- public:
-  explicit ReferenceRouter(const IndexData& data) : data_(data) {}
-  double length(Index source, Index target);
-
- private:
-  const IndexData& data_;
-  std::map<std::pair<Index, std::set<Index>>, std::vector<double>> known_;
-};
+/// Distances between all nodes of a graph, by plain searches over its arcs.
+std::vector<std::vector<double>> graph_distances(const TransitGraph& graph);
 
 }  // namespace vorogeo::test

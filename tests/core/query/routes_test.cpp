@@ -5,87 +5,16 @@
 #include <cmath>
 
 #include "query/border_field.h"
-#include "query/graph_route.h"
 #include "query/patch_route.h"
 #include "query/router.h"
 #include "query/table_route.h"
-#include "support/heavy.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
 
-// Bidirectional A*: equal to plain Dijkstra on the same graph.
-
-using test::Soup;
-
-void expect_sound(const IndexData& data, const GraphRoute& route, const RouteEnd& from, const RouteEnd& to) {
-  if (route.length == unreachable) {
-    EXPECT_TRUE(route.nodes.empty());
-    return;
-  }
-  ASSERT_FALSE(route.nodes.empty());
-  ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
-  auto start_distance = [](const RouteEnd& end, Index node) {
-    double least = unreachable;
-    for (const auto& seed : end.seeds) {
-      if (seed.node == node) least = std::min(least, seed.distance);
-    }
-    return least;
-  };
-  double length = start_distance(from, route.nodes.front()) + start_distance(to, route.nodes.back());
-  for (std::size_t i = 0; i < route.legs.size(); ++i) {
-    double step = unreachable;
-    for (const Arc& arc : data.graph.arcs(route.nodes[i])) {
-      if (arc.target != route.nodes[i + 1] || arc.leg != route.legs[i]) continue;
-      step = std::min(step, static_cast<double>(arc.length));
-      const Index parent = arc.leg.in_first_layer() ? no_index : data.partition.parent[arc.leg.patch()];
-      const bool open = std::find(from.parents.begin(), from.parents.end(), parent) != from.parents.end() ||
-                        std::find(to.parents.begin(), to.parents.end(), parent) != to.parents.end();
-      EXPECT_TRUE(arc.leg.in_first_layer() || open) << "a second-layer arc far from both ends";
-    }
-    length += step;
-  }
-  EXPECT_NEAR(length, route.length, 1e-12 * route.length);
-}
-
-/// Compares `sources` x `targets` random pairs.
-void expect_shortest(const GeodesicIndex& index, int sources, int targets) {
-  const IndexData& data = index.data();
-  GraphRouter router(data);
-  test::ReferenceRouter reference(data);
-  const Index n = data.work.mesh->vertex_count();
-  for (Index source : test::random_vertices(n, sources, 17)) {
-    const RouteEnd from = test::route_end(data, source);
-    for (Index target : test::random_vertices(n, targets, 1000 + source)) {
-      const RouteEnd to = test::route_end(data, target);
-      const GraphRoute route = test::graph_route(router, from, to);
-      const double expected = reference.length(source, target);
-      if (expected == unreachable) {
-        ASSERT_EQ(route.length, unreachable) << source << " to " << target;
-      } else {
-        ASSERT_NEAR(route.length, expected, 1e-12 * expected) << source << " to " << target;
-      }
-      expect_sound(data, route, from, to);
-    }
-  }
-}
-
-TEST(GraphRouter, TenThousandPairsAsByDijkstra) {
-  VOROGEO_HEAVY_TEST();
-  expect_shortest(*test::make_graph_index(test::random_sphere(2500, 5), 6, 5), 100, 100);
-}
-TEST(GraphRouter, PrunedGraphsAsByDijkstra) {
-  expect_shortest(*test::make_graph_index(test::hills(36, 0.2), 5, 4, 0.005), 20, 40);
-  expect_shortest(*test::make_graph_index(test::torus(40, 20, 2.0, 0.7), 4, 4, 0.05), 20, 40);
-}
-TEST(GraphRouter, NonManifoldMeshesAsByDijkstra) {
-  expect_shortest(*test::make_graph_index(test::book_of_three_pages(12, 2.0, 1.0).soup, 4, 4), 20, 40);
-  expect_shortest(*test::make_graph_index(test::bow_tie(12).soup, 3, 4), 20, 40);
-}
-
-// Routes read from the tables: equal to the least of all sums.
+// Routes between borders of the first layer, by either form: equal to the least of all sums.
 
 /// Distance of a seed of an end from a row of a first-layer patch that holds it, by the table.
 double through_patch(const IndexData& data, Index parent, Index row, Index node) {
@@ -95,28 +24,31 @@ double through_patch(const IndexData& data, Index parent, Index row, Index node)
   return data.first.distance(parent, row, static_cast<Index>(at - members.begin()));
 }
 
-/// All sums: seed, first-layer border, first-layer border, seed.
-double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to) {
-  auto access_distances = [&](const RouteEnd& end, Index parent) {
-    std::vector<double> least(data.first.border_size(parent), unreachable);
-    for (const auto& seed : end.seeds) {
-      for (std::size_t row = 0; row < least.size(); ++row) {
-        least[row] = std::min(
-            least[row], seed.distance + through_patch(data, parent, static_cast<Index>(row), seed.node));
-      }
+/// Distances of an end from the border of one of its first-layer patches, by row.
+std::vector<double> access_distances(const IndexData& data, const RouteEnd& end, Index parent) {
+  std::vector<double> least(data.first.border_size(parent), unreachable);
+  for (const auto& seed : end.seeds) {
+    for (std::size_t row = 0; row < least.size(); ++row) {
+      least[row] = std::min(least[row],
+                            seed.distance + through_patch(data, parent, static_cast<Index>(row), seed.node));
     }
-    return least;
-  };
+  }
+  return least;
+}
+
+/// All sums: seed, first-layer border, first-layer border, seed. `between`: distance of two first-layer
+/// nodes.
+template <class Between>
+double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to, Between&& between) {
   double least = unreachable;
   for (Index p : from.parents) {
-    const auto here = access_distances(from, p);
+    const auto here = access_distances(data, from, p);
     for (Index q : to.parents) {
-      const auto there = access_distances(to, q);
+      const auto there = access_distances(data, to, q);
       for (std::size_t a = 0; a < here.size(); ++a) {
         const Index row = data.first.nodes(p)[a];
         for (std::size_t b = 0; b < there.size(); ++b) {
-          least =
-              std::min(least, here[a] + data.transit_table.distance(row, data.first.nodes(q)[b]) + there[b]);
+          least = std::min(least, here[a] + between(row, data.first.nodes(q)[b]) + there[b]);
         }
       }
     }
@@ -124,37 +56,63 @@ double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to
   return least;
 }
 
-/// Routes between random vertices are as long as the least of all sums.
-void expect_least_sums(const IndexData& data, Index sources, Index targets) {
-  TableRouter router(data);
+/// Routes between random vertices are as long as the least of all sums, and as their legs.
+template <class AnyRouter, class Between>
+void expect_least_sums(const IndexData& data, Index sources, Index targets, Between&& between) {
+  AnyRouter router(data);
   const Index n = data.work.mesh->vertex_count();
   for (Index source : test::random_vertices(n, sources, 1)) {
     for (Index target : test::random_vertices(n, targets, 2)) {
       const RouteEnd from = test::route_end(data, source);
       const RouteEnd to = test::route_end(data, target);
-      const double expected = least_sum(data, from, to);
+      const double expected = least_sum(data, from, to, between);
       GraphRoute route;
       router.route(from, to, route);
       if (expected == unreachable) {
         EXPECT_EQ(route.length, unreachable);
         EXPECT_TRUE(route.nodes.empty());
-      } else {
-        EXPECT_NEAR(route.length, expected, 1e-6 * expected) << source << " to " << target;
+        continue;
       }
+      ASSERT_NEAR(route.length, expected, 1e-6 * expected) << source << " to " << target;
+      ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
+      for (std::size_t i = 0; i < route.legs.size(); ++i) {
+        if (!route.legs[i].in_first_layer()) continue;
+        const Index parent = route.legs[i].patch();
+        EXPECT_NE(data.column_in_parent(parent, route.nodes[i]), no_index);
+        EXPECT_NE(data.column_in_parent(parent, route.nodes[i + 1]), no_index);
+      }
+      const GraphRoute kept = route;
+      EXPECT_FALSE(router.route(from, to, route, route.length * (1.0 - 1e-6)));
+      EXPECT_EQ(route.nodes, kept.nodes);
     }
   }
 }
 
-TEST(TableRouter, TheLeastOfAllSums) {
+void expect_table_routes(const GeodesicIndex& index, Index sources, Index targets) {
+  const IndexData& data = index.data();
+  expect_least_sums<TableRouter>(data, sources, targets,
+                                 [&](Index a, Index b) { return data.transit_table.distance(a, b); });
+}
+
+void expect_graph_routes(const GeodesicIndex& index, Index sources, Index targets) {
+  const auto all = test::graph_distances(index.data().graph);
+  expect_least_sums<GraphRouter>(index.data(), sources, targets, [&](Index a, Index b) { return all[a][b]; });
+}
+
+TEST(FarRoutes, TheLeastOfAllSumsInBothForms) {
   const test::Soup two = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
-  for (const test::Soup& soup : {test::icosphere(3), test::hills(28, 0.2), two}) {
-    expect_least_sums(test::make_index(soup, 6, 3)->data(), 14, 14);
+  for (const test::Soup& soup :
+       {test::icosphere(3), test::hills(28, 0.2), two, test::book_of_three_pages(12, 2.0, 1.0).soup}) {
+    expect_table_routes(*test::make_index(soup, 6, 3), 14, 14);
+    for (double delta : {0.0, 0.05}) expect_graph_routes(*test::make_graph_index(soup, 6, 3, delta), 14, 14);
   }
 }
 
-TEST(TableRouter, FromTheTipOfALimb) {
+TEST(FarRoutes, FromTheTipOfALimb) {
   // Farther from the other end of its first-layer patch than any two members of that patch are.
-  expect_least_sums(test::make_index(test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup, 3, 3)->data(), 40, 20);
+  const test::Soup limb = test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup;
+  expect_table_routes(*test::make_index(limb, 3, 3), 40, 20);
+  expect_graph_routes(*test::make_graph_index(limb, 3, 3), 40, 20);
 }
 
 // Routes inside first-layer patches: as by plain Dijkstra over all table entries.

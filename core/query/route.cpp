@@ -1,0 +1,53 @@
+// The ends of routes, by the tables of their patches.
+#include "query/route.h"
+
+#include <algorithm>
+
+#include "support/processor.h"
+
+namespace vorogeo {
+
+void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
+  end.seeds.clear();
+  end.parents.clear();
+  end.patch = no_index;
+  end.vertex = no_index;
+  const PatchLayer& second = data.second;
+  const Index node = second.vertex_node[work_vertex];
+  auto add_parent = [&](Index patch) {
+    const Index parent = data.partition.parent[patch];
+    if (std::find(end.parents.begin(), end.parents.end(), parent) == end.parents.end())
+      end.parents.push_back(parent);
+  };
+  if (node != no_index) {
+    end.seeds.push_back({node, 0.0});
+    for (const PatchRow& at : second.patches_of(node)) add_parent(at.patch);
+    end.vertex = work_vertex;
+    return;
+  }
+  end.patch = data.home_patch[work_vertex];
+  add_parent(end.patch);
+  const auto nodes = second.nodes(end.patch);
+  const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[work_vertex]);
+  const TableScale scale = second.scale[end.patch];
+  const float offset = second.offset_of(end.patch, data.home_column[work_vertex]);
+  end.seeds.resize(nodes.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::uint16_t entry = entries.first[i * entries.step];
+    end.seeds[count] = {nodes[i], offset + scale.distance(entry)};
+    count += entry != PatchLayer::infinite_entry ? 1 : 0;
+  }
+  end.seeds.resize(count);
+  end.vertex = work_vertex;
+}
+
+void prefetch_end(const IndexData& data, Index work_vertex) {
+  if (data.second.vertex_node[work_vertex] != no_index) return;
+  const Index patch = data.home_patch[work_vertex];
+  const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[work_vertex]);
+  const auto rows = static_cast<std::size_t>(data.second.border_size(patch));
+  for (std::size_t i = 0; i < rows; ++i) prefetch_line(entries.first + i * entries.step);
+}
+
+}  // namespace vorogeo

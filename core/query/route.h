@@ -1,0 +1,43 @@
+// A route between two points by the tables of an index, and the two ends that it joins.
+#pragma once
+
+#include <vector>
+
+#include "index/index_data.h"
+
+namespace vorogeo {
+
+/// One end of a route: second-layer nodes with their distances from it, and the patch on whose border these
+/// lie.
+struct RouteEnd {
+  struct Seed {
+    Index node;
+    double distance;
+  };
+  Index vertex = no_index;  ///< of the work mesh; no_index: not known
+  std::vector<Seed> seeds;
+  Index patch = no_index;      ///< second-layer patch of the seeds; no_index if the end is itself a node
+  std::vector<Index> parents;  ///< first-layer patches that it lies in
+};
+
+/// Makes `end` the end of a route at a work vertex.
+void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
+
+/// Prefetches what route_end will read.
+void prefetch_end(const IndexData& data, Index work_vertex);
+
+/// A shortest route: second-layer nodes in order, the leg between consecutive ones, and the whole length.
+struct GraphRoute {
+  double length = unreachable;
+  std::vector<Index> nodes;
+  std::vector<Leg> legs;  ///< one fewer than nodes
+
+  /// Goes on to a node, unless the route is there already.
+  void go_on(Leg leg, Index node) {
+    if (nodes.back() == node) return;
+    legs.push_back(leg);
+    nodes.push_back(node);
+  }
+};
+
+}  // namespace vorogeo
