@@ -82,7 +82,12 @@ void ExactSolver::State::take(Index item, double front) {
 void ExactSolver::State::announce(Index vertex) {
   const VertexState& state = vertices[vertex];
   const std::uint8_t owner = territories->of_vertex[vertex];
-  if (owner == number) queue.push(vertex, state.distance);
+  if (owner == number) {
+    queue.push(vertex, state.distance);
+  } else if (distances_only) {
+    // Its owner sends it back only if it knows a shorter way.
+    close_edges_at(vertex);
+  }
   for (std::size_t i = 0; i < outbox.size(); ++i) {
     if (i != number && (i == owner || territories->is_shared[vertex] != 0)) outbox[i].add(vertex, state);
   }

@@ -165,10 +165,10 @@ namespace {
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
 /// The angle at a pseudo-source between the directions to a vertex outside its window and to the window's end
-/// up to which the vertex is reached, by way of the ray to that end. Windows that passed a vertex, or a cluster of them,
-/// on both sides drift apart by the rounding of angles, and where two windows are equal up to rounding, one
-/// of them keeps what lies in the rays of the other: as far as the root of that rounding. A path that leaves
-/// the ray makes no distance too short, and too long by its detour only.
+/// up to which the vertex is reached, by way of the ray to that end. Windows that passed a vertex, or a
+/// cluster of them, on both sides drift apart by the rounding of angles, and where two windows are equal up
+/// to rounding, one of them keeps what lies in the rays of the other: as far as the root of that rounding. A
+/// path that leaves the ray makes no distance too short, and too long by its detour only.
 constexpr double gap_angle = 1e-5;
 /// The greatest detour, relative to the distance: ten times half the square of that angle, as far from the
 /// source the tie of two windows leaves more of the direction open than of the distance.
@@ -235,7 +235,7 @@ void ExactSolver::State::store_edge() {
     return;
   }
   const double least = envelope.store();
-  if (least <= max_distance) queue.push(mesh.vertex_count() + open, least);
+  if (least < unreachable && least <= max_distance) queue.push(mesh.vertex_count() + open, least);
 }
 
 bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& at_end) const {
@@ -324,7 +324,7 @@ inline bool ExactSolver::State::is_in_place(const Window& window, Index halfedge
 }
 
 inline std::array<double, 2> ExactSolver::State::last_seen(const Window& window, Index halfedge,
-                                                          double end) const {
+                                                           double end) const {
   // The ray to the end enters the face before the edge across another side, or begins in that face.
   const FaceFrame& before = geometry->frame[window.entry()];
   const double length = mesh.edge_length(mesh.edge_of(halfedge));
@@ -332,7 +332,8 @@ inline std::array<double, 2> ExactSolver::State::last_seen(const Window& window,
   std::array<double, 2> place{end, 0.0};
   for (const double corner : {0.0, length}) {
     const double side_x = before.apex_x - corner;
-    const double part = window.source_y * (end - corner) / (side_x * window.source_y + before.apex_depth * along);
+    const double part =
+        window.source_y * (end - corner) / (side_x * window.source_y + before.apex_depth * along);
     if (!(part > 0.0 && part <= 1.0)) continue;
     const double y = part * before.apex_depth;
     place = {window.source_x, window.source_y};

@@ -217,9 +217,9 @@ struct ExactSolver::State {
   /// `to_apex`: where the ray from the pseudo-source to the apex crosses the edge, which may be outside the
   /// window.
   void reach_apex(const Window& window, Index halfedge, double distance, double to_apex);
-  /// Where a path to the apex leaves the ray to an end of the window, as the apex is outside: in the face before
-  /// the edge or, where the edge would not let it through, at the end. In the plane of the edge, with the
-  /// pseudo-source.
+  /// Where a path to the apex leaves the ray to an end of the window, as the apex is outside: in the face
+  /// before the edge or, where the edge would not let it through, at the end. In the plane of the edge, with
+  /// the pseudo-source.
   std::array<double, 2> last_seen(const Window& window, Index halfedge, double end) const;
   /// Whether a path that reaches the apex arrives there in the direction from the pseudo-source.
   bool arrives_straight(const Window& window, Index halfedge, double to_apex) const;

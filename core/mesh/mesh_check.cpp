@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <sstream>
 #include <vector>
@@ -427,6 +428,21 @@ void check_gaps(const Mesh& mesh, MeshReport& report) {
   report.components_after_bridging = components_with_faces(bridged);
 }
 
+/// Edges that are not zero, but so short that few digits of the coordinates are theirs.
+void check_rounding(const Mesh& mesh, MeshReport& report) {
+  constexpr double least_units = 1e4;
+  for (Index edge = 0; edge < mesh.edge_count(); ++edge) {
+    double greatest = 0.0;
+    for (const Index v : mesh.edge_vertices(edge)) {
+      for (const double coordinate : mesh.position(v)) greatest = std::max(greatest, std::abs(coordinate));
+    }
+    const double length = mesh.edge_length(edge);
+    if (length > 0.0 && length < least_units * std::numeric_limits<double>::epsilon() * greatest) {
+      note(report.rounded_edges, mesh.edge_vertices(edge)[0]);
+    }
+  }
+}
+
 }  // namespace
 
 MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces,
@@ -455,6 +471,7 @@ MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std
   const Outliers outliers = find_outliers(mesh);
   report.outliers = {outliers.count, outliers.first};
   report.outlier_ratio = outliers.least_ratio;
+  check_rounding(mesh, report);
   report.border_loops = find_border_loops(mesh);
   if (!report.fits(exact_lengths)) return report;
   report.near_borders = find_near_borders(mesh);
@@ -567,6 +584,13 @@ std::vector<std::string> MeshReport::sentences() const {
       vertex(t_junctions) + ", on the edge between vertices " + std::to_string(first_t_junction_edge[0]) +
           " and " + std::to_string(first_t_junction_edge[1]),
       "no path crosses such a T-junction: split the edge at the vertex if the surface should be joined.");
+  say(rounded_edges,
+      "edge is hardly longer than its coordinates are rounded|edges are hardly longer than their coordinates "
+      "are rounded",
+      "at " + vertex(rounded_edges),
+      "distances are those of the coordinates as they are given, which hold fewer than four digits of such a "
+      "length: "
+      "move the mesh to the origin before it is rounded.");
   // 17234 typical edges are given as 10,000: the order of magnitude is enough.
   const std::string ratio =
       outliers.count == 0 ? "" : grouped(std::pow(10.0, std::floor(std::log10(outlier_ratio) + 1e-9)));

@@ -87,6 +87,7 @@ struct MeshReport {
   MeshFinding non_manifold_edges;          ///< paths may turn into any of their faces
   MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
   MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no effect
+  MeshFinding rounded_edges;               ///< of which coordinates hold fewer than four digits; by vertex
   MeshFinding outliers;                    ///< far from the rest of their component (mesh/outliers.h)
   MeshFinding t_junctions;                 ///< inside a border edge of another face (mesh/mesh_check.h)
   double outlier_ratio = 0.0;              ///< shortest edge from an outlier to the rest, in typical edges

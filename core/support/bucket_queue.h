@@ -49,7 +49,6 @@ class BucketQueue {
     // Among sorted items, one whose key has become lower is added once more.
     if (bucket_of_[item] < bucket || (bucket_of_[item] == bucket && !is_late && !(is_current && is_sorted())))
       return;
-    bucket_of_[item] = bucket;
     lower_bound_ = std::min(lower_bound_, key);
     if (is_late || (is_current && ++returned_ > max_returned)) {
       sorted_.push_back({key, item});
@@ -57,6 +56,8 @@ class BucketQueue {
     } else {
       wheel_.add({bucket, item});
     }
+    // Last: an item is in the queue only if there was memory for its entry.
+    bucket_of_[item] = bucket;
   }
 
   /// The next item of a bucket that begins below `limit`, or a late one with a key below it; no_index if

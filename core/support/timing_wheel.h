@@ -67,13 +67,11 @@ class TimingWheel {
     }
     std::vector<Entry>& entries = slots_[wheel * slot_count + slot];
     current_ = least_of(entries);
-    std::vector<Entry> falling;
-    falling.swap(entries);
+    falling_.swap(entries);
     free_slot(wheel, slot);
-    count_ -= falling.size();
-    for (const Entry& entry : falling) add(entry);
-    falling.clear();
-    spare_.push_back(std::move(falling));
+    count_ -= falling_.size();
+    for (const Entry& entry : falling_) add(entry);
+    falling_.clear();
   }
 
   /// Whether an entry of the current bucket is left.
@@ -101,6 +99,9 @@ class TimingWheel {
         }
       }
     }
+    // Some are left here where there was no memory for them.
+    for (const Entry& entry : falling_) visit(entry);
+    falling_.clear();
     count_ = 0;
     current_ = 0;
   }
@@ -149,6 +150,7 @@ class TimingWheel {
 
   std::vector<std::vector<Entry>> slots_ = std::vector<std::vector<Entry>>(wheel_count * slot_count);
   std::array<std::array<std::uint64_t, words>, wheel_count> occupied_{};
+  std::vector<Entry> falling_;             ///< empty but inside advance()
   std::vector<std::vector<Entry>> spare_;  ///< empty, of slots that were in use
   std::size_t count_ = 0;
   std::int64_t current_ = 0;

@@ -131,6 +131,7 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces, double gap, 
   add("non_manifold_edges", report.non_manifold_edges);
   add("non_manifold_vertices", report.non_manifold_vertices);
   add("inconsistent_edges", report.inconsistent_edges);
+  add("rounded_edges", report.rounded_edges);
   add("outliers", report.outliers);
   add("t_junctions", report.t_junctions);
   add("near_borders", report.near_borders);

@@ -42,6 +42,8 @@ class MeshReport:
         Paths may turn there into any of the faces.
     inconsistent_edges : MeshFinding
         Between two faces of opposite orientation; they have no effect.
+    rounded_edges : MeshFinding
+        Edges of whose lengths the coordinates hold fewer than four digits; the first by a vertex at it.
     outliers : MeshFinding
         Vertices joined to the rest of their component only by edges longer than a hundred typical lengths.
     outlier_ratio : float
@@ -99,6 +101,7 @@ class MeshReport:
     non_manifold_edges: MeshFinding
     non_manifold_vertices: MeshFinding
     inconsistent_edges: MeshFinding
+    rounded_edges: MeshFinding
     outliers: MeshFinding
     outlier_ratio: float
     first_non_manifold_edge: tuple[int, int]

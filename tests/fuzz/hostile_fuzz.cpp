@@ -25,7 +25,7 @@ constexpr const char* usage =
     "       hostile_fuzz --seed SEED [--vertices N]\n"
     "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
     "  --hours     as many as fit this time instead\n"
-    "  --of-today  the first seed is a thousand times the day's number, so that no day repeats another's "
+    "  --of-today  the first seed is ten thousand times the day's number, so that no day repeats another's "
     "meshes\n"
     "  --vertices  size: meshes have half to twice as many (default 60)\n"
     "  --mixed     sizes of 60, some of 200, 600, 2500 and 6000\n"
@@ -215,7 +215,7 @@ bool read_options(int argc, char** argv, Options& options) {
       continue;
     }
     if (name == "--of-today") {
-      options.first = 1000 * static_cast<unsigned>(time(nullptr) / 86400);
+      options.first = 10000 * static_cast<unsigned>(time(nullptr) / 86400);
       continue;
     }
     if (++i >= argc) return false;

@@ -63,6 +63,7 @@ REPORTS = {
     "a T-junction": (side_by_side(plane_grid(2, 2), plane_grid(2, 3), gap=1.0), {
         "t_junctions": found(1, 6), "first_t_junction_edge": (1, 3),
     }),
+    "far from the origin": ((VERTICES * 1e-4 + 1e9, FACES), {"rounded_edges": found(18, 0), "usable": True}),
     "lengths too large for an index": ((1e30 * VERTICES, FACES), {"usable": True, "usable_by_index": False}),
     "lengths too small": ((1e-300 * VERTICES, FACES), {"usable": False, "usable_by_index": False}),
 }  # fmt: skip

@@ -121,6 +121,14 @@ TEST(MeshCheck, EveryFindingHasItsSentence) {
           {spheres(7), true,
            "7 components, of 12, 12, 12, 12, 12 and 2 more vertices (the first of each: 0, 12, 24, 36, 48 "
            "and 2 more); no path leads from one to another."},
+          {sphere_with([](Soup& s) {
+             for (Point& p : s.positions) p[2] += 1e12;
+           }),
+           true,
+           "30 edges are hardly longer than their coordinates are rounded (the first: at vertex 0); "
+           "distances "
+           "are those of the coordinates as they are given, which hold fewer than four digits of such a "
+           "length: move the mesh to the origin before it is rounded."},
           {with_outliers({100, 150, 300}), true,
            "3 vertices lie 1,000 times farther out than the rest (the first: vertex 100); distances between "
            "the others are not affected (up to 1e13 times); remove them if they are errors of measurement "
