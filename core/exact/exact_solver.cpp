@@ -149,7 +149,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
         ++settled;
       if (settled == limits.targets.size()) {
         while (settled_on_edges < limits.edge_targets.size() &&
-               state.distance_on_edge(limits.edge_targets[settled_on_edges]) <= bound)
+               state.reached_on_edge(limits.edge_targets[settled_on_edges]).distance <= bound)
           ++settled_on_edges;
       }
       if (settled == limits.targets.size() && settled_on_edges == limits.edge_targets.size()) {
@@ -196,13 +196,19 @@ double ExactSolver::distance(Index vertex) const {
 
 double ExactSolver::distance(const EdgePoint& point) const {
   state_->require_windows();
-  const double found = state_->distance_on_edge(point);
+  const double found = state_->reached_on_edge(point).distance;
   return found <= state_->max_distance ? found : unreachable;
 }
 
 Index ExactSolver::nearest_source(Index vertex) const {
   return distance(vertex) == unreachable ? no_index
                                          : state_->vertices[state_->mesh.representative(vertex)].source;
+}
+
+Index ExactSolver::nearest_source(const EdgePoint& point) const {
+  state_->require_windows();
+  const State::Reached found = state_->reached_on_edge(point);
+  return found.distance <= state_->max_distance ? found.source : no_index;
 }
 
 double ExactSolver::settled_distance() const {

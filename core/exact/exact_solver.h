@@ -101,6 +101,8 @@ class ExactSolver {
   double distance(const EdgePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
+  /// And a point of an edge, as distance() of it.
+  Index nearest_source(const EdgePoint& point) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   /// \throw std::logic_error after a run with distances_only.
   SurfacePath path_to_source(const SurfacePoint& target) const;

@@ -21,15 +21,12 @@ std::variant<ExactSolver, WeightedSolver> solver_of(const LocalGeometry& geometr
 
 }  // namespace
 
-LocalGeometry::LocalGeometry(std::shared_ptr<const Mesh> shared_mesh, std::span<const Index> added)
-    : mesh(std::move(shared_mesh)) {
+LocalGeometry::LocalGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
   if (mesh->metric_jumps()) {
     norms = std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge());
     return;
   }
-  auto frames = std::make_shared<ExactGeometry>(mesh);
-  for (const Index vertex : added) frames->can_bend[vertex] = ExactGeometry::never;
-  windows = std::move(frames);
+  windows = std::make_shared<const ExactGeometry>(mesh);
 }
 
 std::size_t LocalGeometry::memory_bytes() const {

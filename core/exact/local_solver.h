@@ -17,9 +17,8 @@ namespace vorogeo {
 /// What all solvers of a surface share: the faces beside their edges, by lengths or each in a norm of its
 /// own.
 struct LocalGeometry {
-  /// `added`: vertices that were added inside edges. As pseudo-sources, where paths bend, these would tie
-  /// with one another without end. \throw InvalidInput for lengths outside `exact_lengths`.
-  explicit LocalGeometry(std::shared_ptr<const Mesh> mesh, std::span<const Index> added = {});
+  /// \throw InvalidInput for lengths outside `exact_lengths`.
+  explicit LocalGeometry(std::shared_ptr<const Mesh> mesh);
 
   std::size_t memory_bytes() const;
 
@@ -56,6 +55,9 @@ class LocalSolver {
   }
   Index nearest_source(Index vertex) const {
     return std::visit([&](const auto& s) { return s.nearest_source(vertex); }, solver_);
+  }
+  Index nearest_source(const EdgePoint& point) const {
+    return std::visit([&](const auto& s) { return s.nearest_source(point); }, solver_);
   }
   SurfacePath path_to_source(const SurfacePoint& target) const {
     return std::visit([&](const auto& s) { return s.path_to_source(target); }, solver_);

@@ -85,19 +85,25 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
   return best;
 }
 
-double ExactSolver::State::distance_on_edge(const EdgePoint& point) const {
+ExactSolver::State::Reached ExactSolver::State::reached_on_edge(const EdgePoint& point) const {
   const auto [a, b] = geometry->ends(point.edge);
   const double length = mesh.edge_length(point.edge);
   const double x = geometry->is_turned(point.edge) ? length - point.position : point.position;
-  double found = std::min(vertices[a].distance + x, vertices[b].distance + (length - x));
-  for (const ExactSource& source : sources) {
+  Reached best{unreachable, no_index};
+  auto take = [&](double distance, Index source) {
+    if (distance < best.distance) best = {distance, source};
+  };
+  take(vertices[a].distance + x, vertices[a].source);
+  take(vertices[b].distance + (length - x), vertices[b].source);
+  for (Index k = 0; k < static_cast<Index>(sources.size()); ++k) {
+    const ExactSource& source = sources[k];
     if (source.point.is_vertex()) continue;
     // A source on the edge itself makes no window there.
     for (int i = 0; i < 3; ++i) {
       const Index h = 3 * source.point.face + i;
       if (mesh.edge_of(h) != point.edge || source.point.barycentric[(i + 2) % 3] != 0.0) continue;
       const double at = length * source.point.barycentric[mesh.tail(h) == a ? (i + 1) % 3 : i];
-      found = std::min(found, source.offset + std::abs(x - at));
+      take(source.offset + std::abs(x - at), k);
     }
   }
   // The window at the point; in a gap left by rounding, those on both sides of it.
@@ -105,11 +111,11 @@ double ExactSolver::State::distance_on_edge(const EdgePoint& point) const {
   const auto next = std::ranges::upper_bound(list, x, {}, &Window::begin);
   auto look = [&](const Window& window) {
     const double at = std::clamp(x, window.begin, window.end);
-    found = std::min(found, window.distance(at) + std::abs(x - at));
+    take(window.distance(at) + std::abs(x - at), window.source);
   };
   if (next != list.end()) look(*next);
   if (next != list.begin()) look(*(next - 1));
-  return found;
+  return best;
 }
 
 double ExactSolver::distance(const SurfacePoint& point) const {

@@ -265,8 +265,13 @@ struct ExactSolver::State {
     return !has_corridor || length_to_target <= max_distance * (1.0 + 1e-9);
   }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
-  /// Distance of a point inside an edge, by what has been found so far (path_tracing.cpp).
-  double distance_on_edge(const EdgePoint& point) const;
+  /// Distance of a point inside an edge, by what has been found so far, and the source that it belongs to
+  /// (path_tracing.cpp).
+  struct Reached {
+    double distance;
+    Index source;
+  };
+  Reached reached_on_edge(const EdgePoint& point) const;
   /// Sources that lie in a face or on one of its edges.
   std::vector<Index> sources_in(Index face) const;
 

@@ -605,6 +605,20 @@ double WeightedSolver::distance(const EdgePoint& point) const {
   return distance(crossing_on_edge(mesh(), point.edge, point.position / cost));
 }
 
+Index WeightedSolver::nearest_source(const EdgePoint& point) const {
+  const double cost = norms_->edge_cost(point.edge);
+  double least = max_distance_;
+  Index source = no_index;
+  for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
+    const PointState& state = state_[norms_->point(point.edge, k)];
+    const double distance = state.distance + std::abs(cost * norms_->fraction(k) - point.position);
+    if (!(distance <= least)) continue;
+    least = distance;
+    source = state.source;
+  }
+  return source;
+}
+
 /// Whether a path to the vertex begins there.
 bool WeightedSolver::is_at_source(Index vertex) const {
   const PointState& state = state_[vertex];

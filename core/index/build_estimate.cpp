@@ -122,9 +122,8 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   const double start = thread_seconds();
   data.partition = partition_for_index(*data.mesh, share_of(asked, first_patches, *data.mesh, scale), still);
   data.lay_out(1, still);
-  const TableSurface surface = make_table_surface(*data.mesh, data.work, data.geometry);
   const double layout_seconds = (thread_seconds() - start) * scale;
-  const double run_seconds = expected_table_seconds(surface, data.work, data.second, still) * scale;
+  const double run_seconds = expected_table_seconds(data.surface, data.geometry, data.second, still) * scale;
 
   double second_nodes = data.second.node_count() * scale;
   double first_nodes = data.first.node_count();

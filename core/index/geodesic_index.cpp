@@ -23,28 +23,28 @@ namespace vorogeo {
 void IndexData::lay_out(int threads, const Progress& progress) {
   {
     const Watch watch(progress.part(0.0, 0.5), "Laying out the patches");
-    work = make_work_mesh(*mesh, partition);
+    surface = InnerSurface(*mesh, partition);
   }
   // What the solver needs and what the tables need, in parallel.
   parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
     if (half == 0) {
-      std::vector<Index> added;
-      for (const WorkMesh::EdgePoint& point : work.edge_points) added.push_back(point.vertex);
-      geometry = std::make_shared<const LocalGeometry>(work.mesh, added);
+      geometry = std::make_shared<const LocalGeometry>(surface.mesh);
     } else {
       second =
-          lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
+          lay_out_patches(surface, surface.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
     }
   });
   const Watch watch(progress.part(0.8, 1.0), "Laying out the patches");
-  std::vector<std::uint8_t> is_node(work.mesh->vertex_count());
-  for (Index v = 0; v < work.mesh->vertex_count(); ++v) is_node[v] = second.vertex_node[v] != no_index;
-  std::vector<Index> first_label(work.second_layer);
+  std::vector<std::uint8_t> is_node(surface.place_count());
+  for (Index place = 0; place < surface.place_count(); ++place) {
+    is_node[place] = second.vertex_node[place] != no_index;
+  }
+  std::vector<Index> first_label(surface.second_layer);
   for (Index& label : first_label) label = partition.parent[label];
-  first = lay_out_patches(*work.mesh, first_label, partition.first_layer_count, is_node);
+  first = lay_out_patches(surface, first_label, partition.first_layer_count, is_node);
 
-  home_patch.assign(work.mesh->vertex_count(), no_index);
-  home_column.assign(work.mesh->vertex_count(), no_index);
+  home_patch.assign(surface.place_count(), no_index);
+  home_column.assign(surface.place_count(), no_index);
   for (Index p = 0; p < second.patch_count; ++p) {
     const auto members = second.members(p);
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -60,9 +60,8 @@ std::int64_t IndexData::bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return static_cast<std::int64_t>(
       first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + transit_table.memory_bytes() +
-      access_bounds.memory_bytes() + landmarks.memory_bytes() + work.mesh->memory_bytes() +
-      geometry->memory_bytes() + of(work.work_vertex) + of(work.user_vertex) + of(work.second_layer) +
-      of(work.user_face) + of(work.edge_points) + of(partition.first_layer) + of(partition.second_layer) +
+      access_bounds.memory_bytes() + landmarks.memory_bytes() + surface.memory_bytes() +
+      geometry->memory_bytes() + of(partition.first_layer) + of(partition.second_layer) +
       of(partition.parent) + of(parent_column) + of(home_patch) + of(home_column) + of(first_face) +
       of(first_child) + of(second_node) + of(node_position));
 }
@@ -101,7 +100,7 @@ namespace {
 constexpr const char* memory_advice =
     "Close other programs, use fewer threads, or build the index of a smaller mesh.";
 
-/// What a vertex of the mesh takes for patches, work mesh and the surface of runs, in bytes.
+/// What a vertex of the mesh takes for patches and the inner surface, in bytes.
 constexpr double layout_bytes = 1000.0;
 
 void require_memory_for_layout(const Mesh& mesh) {
@@ -145,17 +144,6 @@ double delta_of_arcs(const IndexData& data, double delta) {
   return delta * std::max<Index>(1, data.first.patch_count) / std::max<Index>(1, data.second.patch_count);
 }
 
-/// The surface of its runs is freed afterwards.
-void fill_second_layer(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
-  TableSurface surface;
-  {
-    const Watch watch(progress.part(0.0, 0.01), "Laying out the patches");
-    surface = make_table_surface(*data.mesh, data.work, data.geometry);
-  }
-  data.statistics.expected_fields =
-      fill_local_tables(surface, data.work, data.second, room, threads, progress.part(0.01, 1.0));
-}
-
 /// Everything but the first steps. `file`: where the tables are filled; null: in memory.
 void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -173,7 +161,8 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
     const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
     rooms = file != nullptr ? file->rooms(data, form) : rooms_in_memory(data, form);
   }
-  fill_second_layer(data, rooms.second, options.threads, progress.part(0.1, 0.8));
+  data.statistics.expected_fields = fill_local_tables(data.surface, data.geometry, data.second, rooms.second,
+                                                      options.threads, progress.part(0.1, 0.8));
   compose_tables(data.second, data.partition.parent, data.first, rooms.first, options.threads,
                  progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {

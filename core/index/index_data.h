@@ -1,42 +1,39 @@
-// What an index consists of, and points of the user's mesh in its work mesh and back.
+// What an index consists of.
 #pragma once
 
 #include <array>
 #include <memory>
-#include <mutex>
 #include <ranges>
 #include <vector>
 
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
 #include "index/index_options.h"
+#include "index/inner_surface.h"
 #include "index/patch_layer.h"
 #include "index/transit_graph.h"
 #include "index/transit_table.h"
-#include "index/work_mesh.h"
 #include "mesh/fingerprint.h"
-#include "mesh/surface_point.h"
 #include "patches/partition.h"
 
 namespace vorogeo {
 
-// ---- What an index consists of; read by the queries, written by the builder and the index file
-
+/// Read by the queries, written by the builder and the index file.
 struct IndexData {
   std::shared_ptr<const Mesh> mesh;  ///< the user's
   Fingerprint fingerprint;
   IndexStatistics statistics;
   std::array<Index, 2> requested_patches{};  ///< as in the options: of the first layer, of the second
   Partition partition;                       ///< of the user's faces
-  WorkMesh work;
-  std::shared_ptr<const LocalGeometry> geometry;  ///< of the work mesh
+  InnerSurface surface;
+  std::shared_ptr<const LocalGeometry> geometry;  ///< of that
   PatchLayer first;
   PatchLayer second;
   TransitTable transit_table;  ///< of the first layer
   AccessBounds access_bounds;
   TransitGraph graph;              ///< the small form of the transit table; one of the two is there
   Landmarks landmarks;             ///< of the second-layer nodes
-  std::vector<Index> home_patch;   ///< a second-layer patch of each work vertex
+  std::vector<Index> home_patch;   ///< a second-layer patch of each place
   std::vector<Index> home_column;  ///< and its column among the members of that patch
 
   /// Place of a second-layer border node among the members of its patch's first-layer patch, by
@@ -57,7 +54,7 @@ struct IndexData {
     return std::views::iota(first_child[first_layer_patch], first_child[first_layer_patch + 1]);
   }
 
-  /// Row of a work vertex in a second-layer patch; no_index if it is not on the border of that patch.
+  /// Row of a place in a second-layer patch; no_index if it is not on the border of that patch.
   Index row_in_patch(Index patch, Index vertex) const {
     const Index node = second.vertex_node[vertex];
     return node == no_index ? no_index : second.row_of(node, patch);
@@ -76,37 +73,16 @@ struct IndexData {
     return no_index;
   }
 
-  /// Makes the work mesh, the layers without tables, and the home patches, all of which follow from mesh and
-  /// partition alone.
+  /// Makes the inner surface, the layers without tables, and the home patches, all of which follow from mesh
+  /// and partition alone.
   void lay_out(int threads, const Progress& progress);
   /// The last step of lay_out(): fills in parent_column and what follows from the layout.
   void link_layers();
-  /// The surface of exact runs between two points where the work mesh adds many points; null where its own
-  /// serves. Made when first asked for, by any thread: some 200 bytes a vertex, not part of bytes().
-  const UnsplitSurface* unsplit() const;
   IndexForm form() const { return graph.is_there() ? IndexForm::graph : IndexForm::tables; }
   /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;
   /// Fills in the statistics that are counted from the parts.
   void count();
-
- private:
-  mutable std::once_flag unsplit_made_;
-  mutable std::unique_ptr<const UnsplitSurface> unsplit_;
 };
-
-// ---- Surface points of the user's mesh in the work mesh of an index, and back
-
-/// The same point of the surface in the work mesh. Both meshes have the same surface, but border edges that
-/// are split there cut faces. \pre `point` is validated and, if a vertex, has a face. Complexity: O(log
-/// faces).
-SurfacePoint work_point(const IndexData& data, const SurfacePoint& point);
-
-/// The same point of the surface in the user's mesh.
-SurfacePoint user_point(const IndexData& data, const SurfacePoint& point);
-
-/// A path over the work mesh as one over the user's: points on edges that only the work mesh has, where
-/// nothing bends, are left out.
-SurfacePath user_path(const IndexData& data, const SurfacePath& path);
 
 }  // namespace vorogeo

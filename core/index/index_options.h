@@ -53,7 +53,7 @@ struct IndexStatistics {
   std::int64_t arcs_before_pruning = 0;
   /// Those that are left; in the form of tables, all.
   std::int64_t arcs = 0;
-  std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, work mesh
+  std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, inner surface
   /// Those of them that are pages of the file which the index was loaded from, shared by all processes.
   std::int64_t mapped_bytes = 0;
   double seconds = 0.0;  ///< build time; 0 for an index that was loaded

@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "exact/local_solver.h"
 #include "index/boundary_dijkstra.h"
 #include "index/index_file.h"
 #include "index/index_options.h"
@@ -355,13 +354,9 @@ constexpr double merge_tolerance = 2e-4;
 /// Solves from the nodes between the same patches, which share one halo.
 class GroupSolver {
  public:
-  GroupSolver(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
-              std::span<const Index> face_begin)
-      : surface_(surface),
-        work_(work),
-        layer_(layer),
-        solver_(surface.geometry),
-        halo_(*surface.geometry->mesh, face_begin) {}
+  GroupSolver(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
+              const PatchLayer& layer, std::span<const Index> face_begin)
+      : surface_(surface), layer_(layer), solver_(geometry), halo_(*surface.mesh, face_begin) {}
 
   void reset(std::span<const PatchRow> patches) {
     patches_.clear();
@@ -369,23 +364,19 @@ class GroupSolver {
     halo_.surround(patches_, table_growth);
     vertices_.clear();
     points_.clear();
-    place_.clear();
     for (Index p : patches_) {
       for (Index member : layer_.members(p)) {
-        const Index vertex = surface_.vertex[member];
-        if (vertex == no_index) {
-          points_.push_back(surface_.edge_point[TableSurface::edge_point_of(work_, member)]);
-          place_.push_back(-static_cast<Index>(points_.size()));
+        if (surface_.is_vertex(member)) {
+          vertices_.push_back(member);
         } else {
-          vertices_.push_back(vertex);
-          place_.push_back(vertex);
+          points_.push_back(surface_.point_at(member));
         }
       }
     }
   }
 
   void solve(Index node) {
-    const ExactSource source = source_at(layer_.node_vertex[node]);
+    const ExactSource source{surface_.surface_point(layer_.node_vertex[node])};
     ExactLimits limits;
     limits.face_allowed = halo_.mask();
     limits.targets = vertices_;
@@ -397,42 +388,27 @@ class GroupSolver {
 
   /// Writes the distances from the node that was solved last.
   void put_rows(Index node, const TableFiller& tables) {
-    auto place = place_.begin();
     for (const PatchRow& at : layer_.patches_of(node)) {
-      const Index members = layer_.member_count(at.patch);
       TableDraft* draft = tables.draft(at.patch);
-      if (draft == nullptr) {
-        place += members;
-        continue;
-      }
-      for (Index i = 0; i < members; ++i, ++place) {
+      if (draft == nullptr) continue;
+      const auto members = layer_.members(at.patch);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        const Index place = members[i];
         const double distance =
-            *place >= 0 ? solver_.distance(*place) : solver_.distance(points_[-1 - *place]);
-        draft->line(i)[at.row] = static_cast<float>(distance);
+            surface_.is_vertex(place) ? solver_.distance(place) : solver_.distance(surface_.point_at(place));
+        draft->line(static_cast<Index>(i))[at.row] = static_cast<float>(distance);
       }
     }
   }
 
  private:
-  ExactSource source_at(Index work_vertex) const {
-    const Index vertex = surface_.vertex[work_vertex];
-    if (vertex != no_index) return {SurfacePoint::at_vertex(vertex)};
-    const Mesh& mesh = *surface_.geometry->mesh;
-    const EdgePoint point = surface_.edge_point[TableSurface::edge_point_of(work_, work_vertex)];
-    const double length = mesh.edge_length(point.edge);
-    return {point_on_edge(mesh, point.edge, length > 0.0 ? point.position / length : 0.0)};
-  }
-
-  const TableSurface& surface_;
-  const WorkMesh& work_;
+  const InnerSurface& surface_;
   const PatchLayer& layer_;
   LocalSolver solver_;
   Halo halo_;
   std::vector<Index> patches_;
   std::vector<Index> vertices_;
   std::vector<EdgePoint> points_;
-  /// For each member of the patches, patch by patch: its vertex, or -1 - k for points_[k].
-  std::vector<Index> place_;
 };
 
 double seconds_of(const std::function<void()>& work) {
@@ -466,10 +442,10 @@ double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, 
 
 /// Warns if all runs will take as long as many exact fields of the mesh; returns how many then, otherwise 0.
 /// Takes some half a percent of their time.
-double warn_of_dear_tables(const TableSurface& surface, double seconds, const Progress& progress) {
+double warn_of_dear_tables(const std::shared_ptr<const LocalGeometry>& geometry, double seconds,
+                           const Progress& progress) {
   if (seconds < least_seconds) return 0.0;
-  const FieldTiming field =
-      time_exact_field(surface.geometry, seconds / fields_to_warn, progress, table_phase);
+  const FieldTiming field = time_exact_field(geometry, seconds / fields_to_warn, progress, table_phase);
   if (!field.is_complete || field.seconds <= 0.0 || field.seconds > seconds / fields_to_warn) return 0.0;
   const double fields = seconds / field.seconds;
   auto rounded = [](double value) {
@@ -485,11 +461,12 @@ double warn_of_dear_tables(const TableSurface& surface, double seconds, const Pr
 
 }  // namespace
 
-double expected_table_seconds(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
+double expected_table_seconds(const InnerSurface& surface,
+                              const std::shared_ptr<const LocalGeometry>& geometry, const PatchLayer& layer,
                               const Progress& progress) {
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
-  GroupSolver solver(surface, work, layer, face_begin);
+  GroupSolver solver(surface, geometry, layer, face_begin);
   return expected_seconds(layer, groups, solver, progress);
 }
 
@@ -497,8 +474,8 @@ std::int64_t local_draft_bytes(const PatchLayer& layer) {
   return greatest_draft_bytes(layer, group_by_patches(layer, nodes_per_group));
 }
 
-double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer,
-                         const TableRoom& room, int threads, const Progress& progress) {
+double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
+                         PatchLayer& layer, const TableRoom& room, int threads, const Progress& progress) {
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
@@ -508,15 +485,15 @@ double fill_local_tables(const TableSurface& surface, const WorkMesh& work, Patc
   double fields = 0.0;
   if (!tables.left().empty()) {
     const double seconds =
-        expected_seconds(layer, groups, solvers.of(0, surface, work, layer, face_begin), before);
-    fields = warn_of_dear_tables(surface, seconds, before);
+        expected_seconds(layer, groups, solvers.of(0, surface, geometry, layer, face_begin), before);
+    fields = warn_of_dear_tables(geometry, seconds, before);
   }
   const double done =
       1.0 - static_cast<double>(tables.left().size()) / std::max<std::size_t>(1, groups.size() - 1);
   parallel_for(tables.left().size(), threads, progress.part(std::max(done, 0.01), 1.0), table_phase,
                [&](std::size_t item, int worker) {
                  const Index group = tables.left()[item];
-                 GroupSolver& solver = solvers.of(worker, surface, work, layer, face_begin);
+                 GroupSolver& solver = solvers.of(worker, surface, geometry, layer, face_begin);
                  solver.reset(layer.patches_of(groups[group]));
                  tables.begin(group);
                  for (Index node = groups[group]; node < groups[group + 1]; ++node) {

@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "exact/local_solver.h"
+#include "index/inner_surface.h"
 #include "index/patch_layer.h"
-#include "index/work_mesh.h"
 #include "patches/halo.h"
 #include "support/file.h"
 #include "support/progress.h"
@@ -161,15 +162,16 @@ std::int64_t greatest_draft_bytes(const PatchLayer& layer, std::span<const Index
 inline constexpr double table_growth = 1.2;
 
 /// Seconds of one core that fill_local_tables() will take, by a few of its runs.
-double expected_table_seconds(const TableSurface& surface, const WorkMesh& work, const PatchLayer& layer,
+double expected_table_seconds(const InnerSurface& surface,
+                              const std::shared_ptr<const LocalGeometry>& geometry, const PatchLayer& layer,
                               const Progress& progress);
 
 /// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
 /// halo. If a few runs show that all take as long as many exact fields of the mesh (fields_to_warn), warns
 /// before it begins and returns how many; otherwise returns 0. Patches whose tables the
 /// room holds already are left as they are.
-double fill_local_tables(const TableSurface& surface, const WorkMesh& work, PatchLayer& layer,
-                         const TableRoom& room, int threads, const Progress& progress);
+double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
+                         PatchLayer& layer, const TableRoom& room, int threads, const Progress& progress);
 
 /// The most memory that tables which are not yet written take while they are filled, in bytes.
 std::int64_t local_draft_bytes(const PatchLayer& layer);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "index/inner_surface.h"
 #include "index/scans.h"
 #include "support/progress.h"
 
@@ -82,48 +83,87 @@ bool PatchNeighbours::touch(Index a, Index b) const { return std::ranges::binary
 
 namespace {
 
-/// Patches of the faces at each vertex, as a list per vertex in ascending order.
-struct VertexPatches {
+/// Patches of the faces at each place, as a list per place in ascending order.
+struct PlacePatches {
   std::vector<Index> begin;
   std::vector<Index> patch;
+
+  std::span<const Index> at(Index place) const {
+    return {patch.data() + begin[place], patch.data() + begin[place + 1]};
+  }
 };
 
-VertexPatches patches_of_vertices(const Mesh& mesh, std::span<const Index> label) {
-  VertexPatches result;
-  result.begin.reserve(mesh.vertex_count() + 1);
+/// Replaces a list by the patches of the faces at an edge, ascending.
+void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
+                     std::vector<Index>& patches) {
+  patches.clear();
+  const Index first = mesh.edge_halfedge(edge);
+  Index h = first;
+  do {
+    patches.push_back(label[Mesh::face_of(h)]);
+    h = mesh.next_around_edge(h);
+  } while (h != first);
+  std::ranges::sort(patches);
+  const auto repeated = std::ranges::unique(patches);
+  patches.erase(repeated.begin(), repeated.end());
+}
+
+PlacePatches patches_of_places(const InnerSurface& surface, std::span<const Index> label) {
+  const Mesh& mesh = *surface.mesh;
+  PlacePatches result;
+  result.begin.reserve(surface.place_count() + 1);
   result.begin.push_back(0);
   std::vector<Index> own;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
-    own.clear();
-    for (Index corner : mesh.corners(v)) own.push_back(label[Mesh::face_of(corner)]);
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
+  for (Index place = 0; place < surface.place_count(); ++place) {
+    if (place % elements_per_checkpoint == 0) checkpoint();
+    if (surface.is_vertex(place)) {
+      own.clear();
+      for (Index corner : mesh.corners(place)) own.push_back(label[Mesh::face_of(corner)]);
+      std::sort(own.begin(), own.end());
+      own.erase(std::unique(own.begin(), own.end()), own.end());
+    } else {
+      patches_at_edge(mesh, label, surface.point_at(place).edge, own);
+    }
     result.patch.insert(result.patch.end(), own.begin(), own.end());
     result.begin.push_back(static_cast<Index>(result.patch.size()));
   }
   return result;
 }
 
+/// Edges between two or more patches, or the pieces of these.
+struct BorderPiece {
+  Index edge;
+  std::array<Index, 2> place;
+  double length;
+};
+
+std::vector<BorderPiece> border_pieces(const InnerSurface& surface, std::span<const Index> label) {
+  std::vector<BorderPiece> result;
+  const Mesh& mesh = *surface.mesh;
+  surface.for_each_piece([&](Index edge, Index from, Index to, double length) {
+    if (edge % elements_per_checkpoint == 0) checkpoint();
+    const Index first = mesh.edge_halfedge(edge);
+    bool is_border = false;
+    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+      is_border = is_border || label[Mesh::face_of(h)] != label[Mesh::face_of(first)];
+    }
+    if (is_border) result.push_back({edge, {from, to}, length});
+  });
+  return result;
+}
+
 /// Sorts nodes between the same patches, which are consecutive in `node_vertex`, into their order along the
-/// border, so that nodes with close numbers are close to each other. `same` tells whether two vertices lie
+/// border, so that nodes with close numbers are close to each other. `same` tells whether two places lie
 /// between the same patches.
 template <class Same>
-void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::vector<Index>& node_vertex,
-                         Same&& same) {
+void order_along_borders(Index place_count, const std::vector<BorderPiece>& pieces,
+                         std::vector<Index>& node_vertex, Same&& same) {
   std::vector<std::vector<Index>> beside(node_vertex.size());
-  std::vector<Index> node_of(mesh.vertex_count(), no_index);
+  std::vector<Index> node_of(place_count, no_index);
   for (std::size_t i = 0; i < node_vertex.size(); ++i) node_of[node_vertex[i]] = static_cast<Index>(i);
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
-    const auto [a, b] = mesh.edge_vertices(e);
-    if (node_of[a] == no_index || node_of[b] == no_index || !same(a, b)) continue;
-    const Index first = mesh.edge_halfedge(e);
-    bool border = false;
-    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
-      border = border || label[Mesh::face_of(h)] != label[Mesh::face_of(first)];
-    }
-    if (!border) continue;
+  for (const BorderPiece& piece : pieces) {
+    const auto [a, b] = piece.place;
+    if (!same(a, b)) continue;
     beside[node_of[a]].push_back(node_of[b]);
     beside[node_of[b]].push_back(node_of[a]);
   }
@@ -157,21 +197,19 @@ void order_along_borders(const Mesh& mesh, std::span<const Index> label, std::ve
 
 }  // namespace
 
-PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
+PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate, TableOrder order) {
-  const auto around = patches_of_vertices(mesh, label);
-  auto patches_at = [&](Index v) {
-    return std::span(around.patch.data() + around.begin[v], around.patch.data() + around.begin[v + 1]);
-  };
+  const PlacePatches around = patches_of_places(surface, label);
+  const std::vector<BorderPiece> pieces = border_pieces(surface, label);
   PatchLayer layer;
   layer.patch_count = patch_count;
   layer.order = order;
-  layer.vertex_node.assign(mesh.vertex_count(), no_index);
+  layer.vertex_node.assign(surface.place_count(), no_index);
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+  for (Index v = 0; v < surface.place_count(); ++v) {
     if (v % elements_per_checkpoint == 0) checkpoint();
-    const auto patches = patches_at(v);
+    const auto patches = around.at(v);
     if (patches.size() >= 2) {
       layer.node_vertex.push_back(v);
     } else if (!patches.empty() && (candidate.empty() || candidate[v])) {
@@ -180,20 +218,20 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
   }
   // Nodes between the same patches are consecutive, so that scans over a border are sequential in memory.
   std::stable_sort(layer.node_vertex.begin(), layer.node_vertex.end(), [&](Index a, Index b) {
-    const auto of_a = patches_at(a);
-    const auto of_b = patches_at(b);
+    const auto of_a = around.at(a);
+    const auto of_b = around.at(b);
     return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   });
-  order_along_borders(mesh, label, layer.node_vertex, [&](Index a, Index b) {
-    const auto of_a = patches_at(a);
-    const auto of_b = patches_at(b);
+  order_along_borders(surface.place_count(), pieces, layer.node_vertex, [&](Index a, Index b) {
+    const auto of_a = around.at(a);
+    const auto of_b = around.at(b);
     return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   });
   layer.incidence_begin.push_back(0);
   for (Index node = 0; node < layer.node_count(); ++node) {
     const Index v = layer.node_vertex[node];
     layer.vertex_node[v] = node;
-    for (Index p : patches_at(v)) {
+    for (Index p : around.at(v)) {
       layer.incidence.push_back({p, static_cast<Index>(border[p].size())});
       border[p].push_back(v);
     }
@@ -213,24 +251,12 @@ PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index
     layer.table_begin.push_back(layer.table_begin.back() + table_size(layer, p));
   }
 
-  // Border edges: faces of two or more patches meet there.
   std::vector<std::vector<BorderNeighbour>> neighbours(layer.border_node.size());
   std::vector<Index> beside;
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
-    const auto [a, b] = mesh.edge_vertices(e);
-    if (layer.vertex_node[a] == no_index || layer.vertex_node[b] == no_index) continue;
-    beside.clear();
-    const Index first = mesh.edge_halfedge(e);
-    Index h = first;
-    do {
-      beside.push_back(label[Mesh::face_of(h)]);
-      h = mesh.next_around_edge(h);
-    } while (h != first);
-    std::sort(beside.begin(), beside.end());
-    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-    if (beside.size() < 2) continue;
-    const auto length = static_cast<float>(mesh.edge_length(e));
+  for (const BorderPiece& piece : pieces) {
+    const auto [a, b] = piece.place;
+    const auto length = static_cast<float>(piece.length);
+    patches_at_edge(*surface.mesh, label, piece.edge, beside);
     for (Index p : beside) {
       const Index row_a = layer.row_of(layer.vertex_node[a], p);
       const Index row_b = layer.row_of(layer.vertex_node[b], p);

@@ -105,6 +105,7 @@ inline __attribute__((always_inline)) float distance_on_scale(float unit, float 
 
 // ---- Which border nodes of a layer are joined by a border edge
 
+struct InnerSurface;
 struct PatchLayer;
 
 /// Neighbours of each node along the borders of its patches, up to four; where more borders meet, the rest
@@ -202,9 +203,9 @@ struct BorderNeighbour {
 /// all columns of a tile at once; the last tile is padded with infinite_entry.
 enum class TableOrder { lines, tiles };
 
-/// Patches of one layer over the work mesh. A *node* is a vertex on the border of two or more patches.
+/// Patches of one layer over the inner surface. A *node* is a place on the border of two or more patches.
 ///
-/// Layer 2: members of a patch are all its vertices. Layer 1: its members are the layer-2 nodes in it. In
+/// Layer 2: members of a patch are all its places. Layer 1: its members are the layer-2 nodes in it. In
 /// both, the nodes of the patch come first among the members, and the table of a patch holds for each of them
 /// (row) the distance to each member (column), as an entry of 15 bits on the scale of the patch. On an even
 /// scale an entry is off by at most a 65,532nd part of the greatest distance of the table, and the sum of two
@@ -221,12 +222,12 @@ struct PatchLayer {
   static constexpr float far_per_border = 8.0f;
 
   Index patch_count = 0;
-  std::vector<Index> node_vertex;      ///< work vertex, by node
-  std::vector<Index> vertex_node;      ///< node, by work vertex; no_index: not on a border of this layer
+  std::vector<Index> node_vertex;      ///< place, by node
+  std::vector<Index> vertex_node;      ///< node, by place; no_index: not on a border of this layer
   std::vector<Index> border_begin;     ///< by patch, into border_node
   std::vector<Index> border_node;      ///< node, by patch and row
   std::vector<Index> member_begin;     ///< by patch, into member
-  std::vector<Index> member;           ///< work vertex, by patch and column
+  std::vector<Index> member;           ///< place, by patch and column
   std::vector<Index> incidence_begin;  ///< by node, into incidence
   std::vector<PatchRow> incidence;     ///< patches of each node, ascending
   std::vector<Index> neighbour_begin;  ///< by border_begin[patch] + row, into neighbour
@@ -326,8 +327,8 @@ void PatchLayer::for_each_run(const Stretch& stretch, Index from, Visit&& visit)
 }
 
 /// Lays out a layer: nodes, members, borders and the places of the tables. `label`: patch of each face.
-/// `candidate`: which vertices may be members (empty: all with a face in the patch).
-PatchLayer lay_out_patches(const Mesh& mesh, std::span<const Index> label, Index patch_count,
+/// `candidate`: which places may be members (empty: all of the patch).
+PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate, TableOrder order = TableOrder::lines);
 
 /// Groups of consecutive nodes between the same patches, at most `max_nodes` in each: their first nodes, then

@@ -170,11 +170,9 @@ PointList points_on(const Mesh& mesh, const PointList& points, const char* role)
 
 // ---- The face in the plane: paths through its corners, and paths unfolded over its edges
 
-double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
-                        const std::array<double, 3>& corner_distance) {
-  std::array<double, 3> length{};  // of the edge from corner i to the next
-  for (int i = 0; i < 3; ++i) length[i] = mesh.side_length(3 * face + i);
-  std::array<double, 3> to_corner{};  // distance of the point from corner i, by edge lengths alone
+std::array<double, 3> distances_in_triangle(const std::array<double, 3>& length,
+                                            const std::array<double, 3>& weights) {
+  std::array<double, 3> to_corner{};
   for (int i = 0; i < 3; ++i) {
     const double next = weights[(i + 1) % 3];
     const double previous = weights[(i + 2) % 3];
@@ -184,6 +182,12 @@ double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3
     const double square = next * next * a + previous * previous * b + next * previous * (a + b - opposite);
     to_corner[i] = std::sqrt(std::fmax(0.0, square));
   }
+  return to_corner;
+}
+
+double distance_in_triangle(const std::array<double, 3>& length, const std::array<double, 3>& weights,
+                            const std::array<double, 3>& corner_distance) {
+  const std::array<double, 3> to_corner = distances_in_triangle(length, weights);
   double best = unreachable;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -200,6 +204,13 @@ double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3
     best = std::min(best, through);
   }
   return best;
+}
+
+double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
+                        const std::array<double, 3>& corner_distance) {
+  std::array<double, 3> length{};
+  for (int i = 0; i < 3; ++i) length[i] = mesh.side_length(3 * face + i);
+  return distance_in_triangle(length, weights, corner_distance);
 }
 
 }  // namespace vorogeo

@@ -19,12 +19,8 @@ std::vector<Index> first_faces(std::span<const Index> label, Index patch_count) 
   return begin;
 }
 
-Halo::Halo(const Mesh& mesh, std::span<const Index> face_begin, std::span<const Index> order)
-    : mesh_(mesh),
-      face_begin_(face_begin),
-      order_(order),
-      mask_(mesh.face_count(), 0),
-      passed_(mesh.vertex_count(), 0) {}
+Halo::Halo(const Mesh& mesh, std::span<const Index> face_begin)
+    : mesh_(mesh), face_begin_(face_begin), mask_(mesh.face_count(), 0), passed_(mesh.vertex_count(), 0) {}
 
 template <class Visit>
 std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t max_faces,
@@ -67,7 +63,7 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   faces_.clear();
   for (Index p : patches) {
     for (Index i = face_begin_[p]; i < face_begin_[p + 1]; ++i) {
-      const Index f = order_.empty() ? i : order_[i];
+      const Index f = i;
       mask_[f] = surrounded;
       faces_.push_back(f);
     }

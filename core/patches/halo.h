@@ -18,9 +18,8 @@ std::vector<Index> first_faces(std::span<const Index> label, Index patch_count);
 /// A shortest path between points of the patches may leave them for a short stretch; the rim (halo) lets it.
 class Halo {
  public:
-  /// `face_begin`: see first_faces(). `order`: the faces by patch; empty if they are numbered that way. Both
-  /// must outlive the halo.
-  Halo(const Mesh& mesh, std::span<const Index> face_begin, std::span<const Index> order = {});
+  /// `face_begin`: see first_faces(). Both must outlive the halo.
+  Halo(const Mesh& mesh, std::span<const Index> face_begin);
 
   /// Faces of patches and rim together, relative to those of the patches alone: enough for paths between
   /// points of the patches.
@@ -55,7 +54,6 @@ class Halo {
 
   const Mesh& mesh_;
   std::span<const Index> face_begin_;  ///< by patch
-  std::span<const Index> order_;
   // Bits of the mask.
   static constexpr std::uint8_t surrounded = 1;
   static constexpr std::uint8_t in_rings = 2;

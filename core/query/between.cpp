@@ -46,17 +46,13 @@ ExactBetween::ExactBetween(std::shared_ptr<const LocalGeometry> geometry)
     : geometry_(std::move(geometry)), mesh_(*geometry_->mesh), can_prove_(is_provable(mesh_)) {}
 
 ExactBetween::ExactBetween(const IndexData& data)
-    : data_(&data),
-      on_work_(data.unsplit() == nullptr),
-      geometry_(on_work_ ? data.geometry : data.unsplit()->geometry),
-      mesh_(*data.mesh),
-      can_prove_(is_provable(mesh_)) {}
+    : data_(&data), geometry_(data.geometry), mesh_(*data.mesh), can_prove_(is_provable(mesh_)) {}
 
 /// \return whether what was found within the bounds is the shortest of all: no path can have left the mask.
 bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds,
                        bool for_path) {
   if (!solver_) solver_.emplace(geometry_);
-  const Mesh& mesh = mesh_of_runs();
+  const Mesh& mesh = *geometry_->mesh;
   const ExactSource source{from};
   ExactLimits limits;
   limits.max_distance = bounds.upper * slack::of_path;
@@ -79,7 +75,7 @@ SurfacePath ExactBetween::path_of_run(const SurfacePoint& to) const {
   SurfacePath path = solver_->path_to_source(to);
   std::ranges::reverse(path.points);
   if (path.points.empty()) return {{}, unreachable};
-  return on_work_ ? user_path(*data_, path) : path;
+  return data_ != nullptr ? data_->surface.user_path(std::move(path)) : path;
 }
 
 ExactPath ExactBetween::path(const SurfacePoint& from, const SurfacePoint& to, PathBounds bounds) {
@@ -110,8 +106,8 @@ SurfacePath ExactBetween::path_within(const SurfacePoint& from, const SurfacePoi
 }
 
 double ExactBetween::distance(Index from, Index to, PathBounds bounds) {
-  const SurfacePoint begin = point_of_run(SurfacePoint::at_vertex(from));
-  const SurfacePoint end = point_of_run(SurfacePoint::at_vertex(to));
+  const SurfacePoint begin = SurfacePoint::at_vertex(from);
+  const SurfacePoint end = SurfacePoint::at_vertex(to);
   Widening widening(bounds);
   double found = unreachable;
   do {
@@ -139,41 +135,10 @@ bool ExactBetween::is_whole(const SurfacePath& path, const SurfacePoint& from, c
   return is_path(mesh_, path, from, to, path.length);
 }
 
-// ---- Bounds of an index for the mesh of the runs
-
 std::span<const std::uint8_t> ExactBetween::mask_around(std::span<const Index> patches) {
-  if (!halo_) {
-    if (on_work_) {
-      halo_.emplace(*data_->work.mesh, data_->first_face);
-    } else {
-      halo_.emplace(mesh_, data_->unsplit()->first_face, data_->unsplit()->faces);
-    }
-  }
+  if (!halo_) halo_.emplace(*data_->surface.mesh, data_->first_face);
   halo_->surround(patches);
   return halo_->mask();
-}
-
-std::span<const std::uint8_t> ExactBetween::mask_of_work(std::span<const std::uint8_t> mask,
-                                                         std::span<const Index> faces) {
-  if (on_work_) return mask;
-  for (const Index face : user_faces_) user_mask_[face] = 0;
-  user_faces_.clear();
-  user_mask_.resize(mesh_.face_count(), 0);
-  for (const Index face : faces) {
-    user_faces_.push_back(data_->work.user_face[face]);
-    user_mask_[user_faces_.back()] = 1;
-  }
-  return user_mask_;
-}
-
-std::span<const double> ExactBetween::rest_of_work(std::span<const double> rest) {
-  if (on_work_) return rest;
-  user_rest_.assign(mesh_.vertex_count(), unreachable);
-  for (std::size_t v = 0; v < user_rest_.size(); ++v) {
-    const Index work = data_->work.work_vertex[v];
-    if (work != no_index) user_rest_[v] = rest[work];
-  }
-  return user_rest_;
 }
 
 }  // namespace vorogeo

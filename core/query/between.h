@@ -41,9 +41,9 @@ inline constexpr double widest = 1.01;
 /// What is known about the distance of two points before it is propagated.
 struct PathBounds {
   double upper = unreachable;      ///< of the distance
-  std::span<const double> rest{};  ///< lower ones of the distance from `to`, by vertex of the run's mesh
+  std::span<const double> rest{};  ///< lower ones of the distance from `to`, by vertex of the run's surface
   const ExactLandmarks* landmarks = nullptr;  ///< the same
-  std::span<const std::uint8_t> mask{};       ///< faces of the run's mesh in which the path probably lies
+  std::span<const std::uint8_t> mask{};       ///< faces of the run's surface in which the path probably lies
   bool is_proof = true;                       ///< `rest` is certain, and not an estimate less a margin
 };
 
@@ -55,7 +55,7 @@ class ExactBetween {
  public:
   /// On a mesh that has no index.
   explicit ExactBetween(std::shared_ptr<const LocalGeometry> geometry);
-  /// On the surface of exact runs of an index (IndexData::unsplit), which must outlive the object.
+  /// On the inner surface of an index, which must outlive the object.
   explicit ExactBetween(const IndexData& data);
 
   /// The shortest path between two points of the user's mesh. \pre The points are validated, different and in
@@ -63,7 +63,7 @@ class ExactBetween {
   ExactPath path(const SurfacePoint& from, const SurfacePoint& to, PathBounds bounds);
   /// One run of these, however it ends; nothing of it is proven.
   SurfacePath path_within(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds);
-  /// The distance of two vertices of the user's mesh. \pre As path().
+  /// The distance of two vertices of the run's surface. \pre As path().
   double distance(Index from, Index to, PathBounds bounds);
   /// A path of the user's mesh for which `distance` was propagated: made to join exactly these points where
   /// it does so up to rounding, measured along its points where its length is not theirs, and checked.
@@ -74,37 +74,22 @@ class ExactBetween {
   /// Whether a distance propagated within certain bounds is a proof on this mesh.
   bool can_prove() const { return can_prove_; }
 
-  // Bounds of an index for the run's mesh. Each is valid until the next call of the same function.
-  /// Some second-layer patches and a halo around them.
+  /// Some second-layer patches of the index and a halo around them. Valid until the next call.
   std::span<const std::uint8_t> mask_around(std::span<const Index> patches);
-  /// Faces of the work mesh, marked in `mask` and listed.
-  std::span<const std::uint8_t> mask_of_work(std::span<const std::uint8_t> mask,
-                                             std::span<const Index> faces);
-  /// Bounds by work vertex.
-  std::span<const double> rest_of_work(std::span<const double> rest);
-  /// The vertex of the run's mesh that a work vertex is; no_index if it has none.
-  Index vertex_of_work(Index work_vertex) const {
-    return on_work_ ? work_vertex : data_->work.user_vertex[work_vertex];
-  }
-  const Mesh& mesh_of_runs() const { return *geometry_->mesh; }
 
  private:
   bool run(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds, bool for_path);
   SurfacePath path_of_run(const SurfacePoint& to) const;
   SurfacePoint point_of_run(const SurfacePoint& user) const {
-    return on_work_ ? work_point(*data_, user) : user;
+    return data_ != nullptr ? data_->surface.inner_point(user) : user;
   }
 
   const IndexData* data_ = nullptr;  ///< null without an index
-  bool on_work_ = false;             ///< whether runs take the work mesh of the index
   std::shared_ptr<const LocalGeometry> geometry_;
   const Mesh& mesh_;  ///< the user's
   bool can_prove_;
   std::optional<LocalSolver> solver_;  ///< when first needed
   std::optional<Halo> halo_;           ///< likewise
-  std::vector<std::uint8_t> user_mask_;
-  std::vector<Index> user_faces_;  ///< marked there
-  std::vector<double> user_rest_;
 };
 
 }  // namespace vorogeo

@@ -26,8 +26,8 @@ double GeodesicQuery::distance(Index source, Index target) {
   check(source, "Source");
   check(target, "Target");
   if (source == target) return 0.0;
-  const Index a = data_.work.work_vertex[source];
-  const Index b = data_.work.work_vertex[target];
+  const Index a = data_.surface.vertex[source];
+  const Index b = data_.surface.vertex[target];
   if (a == no_index || b == no_index || data_.mesh->component(source) != data_.mesh->component(target)) {
     return unreachable;
   }
@@ -38,7 +38,7 @@ double GeodesicQuery::distance(Index source, Index target) {
 
 // ---- Fields
 
-/// Separates the sources on the work mesh from isolated ones. All are checked before anything changes.
+/// Separates the sources on the inner surface from isolated ones. All are checked before anything changes.
 void GeodesicQuery::take_sources(std::span<const ExactSource> given, double max_distance) {
   if (given.empty()) throw InvalidInput("There is no source; give at least one.");
   require_limit(max_distance);
@@ -49,30 +49,21 @@ void GeodesicQuery::take_sources(std::span<const ExactSource> given, double max_
   for (std::size_t i = 0; i < checked.size(); ++i) {
     const auto& [point, offset] = checked[i];
     if (offset > max_distance) continue;
-    if (point.is_vertex() && data_.work.work_vertex[point.vertex] == no_index) {
+    if (point.is_vertex() && data_.surface.vertex[point.vertex] == no_index) {
       isolated_.push_back({static_cast<Index>(i), checked[i]});
       continue;
     }
-    sources_.push_back({work_point(data_, point), offset});
+    sources_.push_back({data_.surface.inner_point(point), offset});
     number_.push_back(static_cast<Index>(i));
   }
 }
 
 /// Takes the border nodes that the near field reached as seeds.
 void GeodesicQuery::find_seeds() {
-  const LocalSolver& solver = near_->solver();
   seeds_.clear();
-  for (Index face : near_->halo().faces()) {
-    for (Index v : data_.work.mesh->face_vertices(face)) {
-      const Index node = data_.second.vertex_node[v];
-      if (node == no_index) continue;
-      const double found = solver.distance(v);
-      if (found < unreachable) seeds_.push_back({node, found, number_[solver.nearest_source(v)]});
-    }
-  }
-  std::ranges::sort(seeds_, {}, &BorderField::Seed::node);
-  const auto repeated = std::ranges::unique(seeds_, {}, &BorderField::Seed::node);
-  seeds_.erase(repeated.begin(), repeated.end());
+  near_->for_each_reached_node([&](Index node, double distance, Index source) {
+    seeds_.push_back({node, distance, number_[source]});
+  });
 }
 
 void GeodesicQuery::sweep(Index first_layer_patch, FieldSweep& sweep, bool labels) {
@@ -124,33 +115,33 @@ void GeodesicQuery::find_labels() {
 }
 
 /// The steps of a field. Fills in distance_ and, if they are wanted, label_.
-void GeodesicQuery::run(std::span<const ExactSource> given, double max_distance, Wanted wanted) {
+void GeodesicQuery::run(std::span<const ExactSource> given, double max_distance, bool wants_labels) {
   take_sources(given, max_distance);
-  distance_.assign(data_.work.mesh->vertex_count(), unreachable);
-  if (wanted.labels) label_.assign(data_.work.mesh->vertex_count(), no_index);
+  distance_.assign(data_.surface.place_count(), unreachable);
+  if (wants_labels) label_.assign(data_.surface.place_count(), no_index);
   if (sources_.empty()) return;
   if (!near_) {
     near_.emplace(data_);
     borders_.emplace(data_);
   }
-  near_->run(sources_, max_distance, !wanted.windows);
+  near_->run(sources_, max_distance);
   find_seeds();
   borders_->reset(seeds_, max_distance, threads_);
   parallel_for(static_cast<std::size_t>(data_.first.patch_count), threads_, {}, "",
                [&](std::size_t parent, int worker) {
-                 sweep(static_cast<Index>(parent), sweeps_.of(worker), wanted.labels);
+                 sweep(static_cast<Index>(parent), sweeps_.of(worker), wants_labels);
                });
-  if (wanted.labels) find_labels();
+  if (wants_labels) find_labels();
   near_->for_each_held([&](Index v) { return distance_[v]; },
                        [&](Index v, double exact) {
                          distance_[v] = exact;
-                         if (wanted.labels) label_[v] = number_[near_->solver().nearest_source(v)];
+                         if (wants_labels) label_[v] = number_[near_->solver().nearest_source(v)];
                        });
 }
 
-/// After a run that kept its windows, if the point is in a face.
+/// After a run.
 double GeodesicQuery::distance_at(const SurfacePoint& user) const {
-  if (user.is_vertex() && data_.work.work_vertex[user.vertex] == no_index) {
+  if (user.is_vertex() && data_.surface.vertex[user.vertex] == no_index) {
     double least = unreachable;
     for (const auto& [place, one] : isolated_) {
       if (one.point.vertex == user.vertex) least = std::min(least, one.offset);
@@ -158,16 +149,16 @@ double GeodesicQuery::distance_at(const SurfacePoint& user) const {
     return least;
   }
   if (sources_.empty()) return unreachable;
-  const SurfacePoint point = work_point(data_, user);
+  const SurfacePoint point = data_.surface.inner_point(user);
   if (point.is_vertex()) return distance_[point.vertex];
   const NearField& near = *near_;
   double by_index = unreachable;
   bool inside = false;
   bool in_halo = false;
-  for_each_face_at(*data_.work.mesh, point, [&](Index face, const std::array<double, 3>& weights) {
-    std::array<double, 3> corners{};
-    for (int i = 0; i < 3; ++i) corners[i] = distance_[data_.work.mesh->face_vertices(face)[i]];
-    by_index = std::min(by_index, distance_in_face(*data_.work.mesh, face, weights, corners));
+  for_each_face_at(*data_.surface.mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    const FacePiece piece(data_.surface, face, weights);
+    const auto& [a, b, c] = piece.place;
+    by_index = std::min(by_index, piece.distance({distance_[a], distance_[b], distance_[c]}));
     inside = inside || near.inside(face);
     in_halo = in_halo || near.halo().mask()[face] != 0;
   });
@@ -178,15 +169,15 @@ double GeodesicQuery::distance_at(const SurfacePoint& user) const {
 
 std::vector<double> GeodesicQuery::field(std::span<const ExactSource> sources, double max_distance,
                                          std::vector<Index>* labels) {
-  run(sources, max_distance, {.windows = false, .labels = labels != nullptr});
+  run(sources, max_distance, labels != nullptr);
   const Index count = data_.mesh->vertex_count();
   std::vector<double> field(count, unreachable);
   if (labels != nullptr) labels->assign(count, no_index);
   for (Index v = 0; v < count; ++v) {
-    const Index work = data_.work.work_vertex[v];
-    if (work == no_index || !(distance_[work] <= max_distance) || distance_[work] == unreachable) continue;
-    field[v] = distance_[work];
-    if (labels != nullptr) (*labels)[v] = label_[work];
+    const Index inner = data_.surface.vertex[v];
+    if (inner == no_index || !(distance_[inner] <= max_distance) || distance_[inner] == unreachable) continue;
+    field[v] = distance_[inner];
+    if (labels != nullptr) (*labels)[v] = label_[inner];
   }
   for (const auto& [place, one] : isolated_) {
     if (one.offset >= field[one.point.vertex]) continue;
@@ -209,7 +200,7 @@ std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources
 std::vector<double> GeodesicQuery::distances(std::span<const ExactSource> sources, const PointList& targets,
                                              double max_distance) {
   const PointList points = points_on(*data_.mesh, targets, "Target");
-  run(sources, max_distance, {.windows = !points.only_vertices(), .labels = false});
+  run(sources, max_distance, false);
   std::vector<double> result;
   result.reserve(points.size());
   for (const SurfacePoint& point : points) {

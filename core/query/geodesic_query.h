@@ -58,13 +58,8 @@ class GeodesicQuery {
   const GeodesicIndex& index() const { return *index_; }
 
  private:
-  /// What a run has to leave behind for its reader, besides distances.
-  struct Wanted {
-    bool windows;  ///< for distances at points in faces
-    bool labels;
-  };
   void check(Index vertex, const char* role) const;
-  void run(std::span<const ExactSource> given, double max_distance, Wanted wanted);
+  void run(std::span<const ExactSource> given, double max_distance, bool wants_labels);
   void take_sources(std::span<const ExactSource> given, double max_distance);
   void find_seeds();
   void sweep(Index first_layer_patch, FieldSweep& sweep, bool labels);
@@ -81,13 +76,14 @@ class GeodesicQuery {
   std::optional<NearField> near_;
   std::optional<BorderField> borders_;
   PerWorker<FieldSweep> sweeps_;
-  std::vector<ExactSource> sources_;  ///< in the work mesh
+  std::vector<ExactSource> sources_;  ///< on the inner surface
   std::vector<Index> number_;         ///< of each in the caller's list
-  /// Sources at vertices without a face, which the work mesh does not have, with their positions in the list.
+  /// Sources at vertices without a face, which the inner surface does not have, with their positions in the
+  /// list.
   std::vector<std::pair<Index, ExactSource>> isolated_;
   std::vector<BorderField::Seed> seeds_;
-  std::vector<double> distance_;   ///< by work vertex
-  std::vector<Index> label_;       ///< by work vertex; during the sweeps, the border node on its path
+  std::vector<double> distance_;   ///< by place
+  std::vector<Index> label_;       ///< by place; during the sweeps, the border node on its path
   std::vector<Index> node_label_;  ///< by second-layer node, as far as known
   std::vector<Index> passed_;
 };

@@ -9,7 +9,7 @@ namespace vorogeo {
 IndexBounds::IndexBounds(const IndexData& data)
     : data_(data),
       borders_(data),
-      bound_(data.work.mesh->vertex_count(), unreachable),
+      bound_(data.surface.place_count(), unreachable),
       allowed_(data.second.patch_count, 0),
       is_near_(data.second.patch_count, 0) {}
 
@@ -24,7 +24,7 @@ void IndexBounds::allow_patches(const RouteEnd& source, const RouteEnd& target, 
   }
 }
 
-std::span<const double> IndexBounds::fill(const PathEnd& from, const PathEnd& to, double length) {
+std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedEnd& to, double length) {
   const RouteEnd source = route_end_of(data_, from);
   const RouteEnd target = route_end_of(data_, to);
   const PatchLayer& second = data_.second;
@@ -44,7 +44,7 @@ std::span<const double> IndexBounds::fill(const PathEnd& from, const PathEnd& to
     near.insert(near.end(), touching.begin(), touching.end());
   }
   for (Index p : near) is_near_[p] = 1;
-  const double margin = index_margin_in_edges * data_.work.mesh->typical_edge_length();
+  const double margin = index_margin_in_edges * data_.surface.mesh->typical_edge_length();
   for (Index parent = 0; parent < data_.first.patch_count; ++parent) {
     bool is_filled = false;
     for (Index p : data_.children(parent)) {
@@ -69,7 +69,7 @@ std::span<const double> IndexBounds::fill(const PathEnd& from, const PathEnd& to
     }
   }
   for (Index p : near) is_near_[p] = 0;
-  return bound_;
+  return std::span(bound_).first(data_.surface.vertex_count());
 }
 
 }  // namespace vorogeo

@@ -26,9 +26,9 @@ class IndexBounds {
  public:
   explicit IndexBounds(const IndexData& data);
 
-  /// For work vertices; infinity where no such path can pass. Valid until the next call. Complexity: that of
-  /// the second-layer tables of the patches passed.
-  std::span<const double> fill(const PathEnd& from, const PathEnd& to, double length);
+  /// By vertex of the inner surface; infinity where no such path can pass. Valid until the next call.
+  /// Complexity: that of the second-layer tables of the patches passed.
+  std::span<const double> fill(const IndexedEnd& from, const IndexedEnd& to, double length);
 
  private:
   void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);

@@ -20,8 +20,7 @@ std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const G
                        std::to_string(ExactLandmarks::max_count) + ".");
   }
   const IndexData& data = index->data();
-  const UnsplitSurface* unsplit = data.unsplit();
-  LocalSolver solver(unsplit != nullptr ? unsplit->geometry : data.geometry);
+  LocalSolver solver(data.geometry);
   const Mesh& mesh = solver.mesh();
   const ExactLimits limits{.distances_only = true, .threads = threads_for_field(mesh, threads)};
   auto field_of = [&](Index vertex) {
@@ -42,8 +41,7 @@ std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const G
   };
   const Watch watch(progress, "Exact distances from landmarks");
   // The first lies at an end of the surface.
-  const Index anywhere = largest_component(*data.mesh).first_vertex;
-  std::vector<double> nearest = field_of(unsplit != nullptr ? anywhere : data.work.work_vertex[anywhere]);
+  std::vector<double> nearest = field_of(data.surface.vertex[largest_component(*data.mesh).first_vertex]);
   Index next = farthest_in(nearest);
   std::vector<std::vector<double>> fields;
   while (fields.size() < static_cast<std::size_t>(count)) {

@@ -9,7 +9,7 @@
 
 namespace vorogeo {
 
-/// Exact distances, on the surface of exact runs (IndexData::unsplit), from `count` vertices that are far
+/// Exact distances, on the inner surface of the index, from `count` vertices that are far
 /// from one another, all in the component with the most vertices. \throw InvalidInput for a count that is not
 /// in 1 to ExactLandmarks::max_count, Cancelled. Complexity: an exact field for each, on `threads` threads
 /// (0: one per core).

@@ -9,8 +9,9 @@ namespace vorogeo {
 NearField::NearField(const IndexData& data)
     : data_(data),
       solver_(data.geometry),
-      halo_(*data.work.mesh, data.first_face),
-      is_near_(data.second.patch_count, 0) {}
+      halo_(*data.surface.mesh, data.first_face),
+      is_near_(data.second.patch_count, 0),
+      is_entered_(data.second.patch_count, 0) {}
 
 /// Adds a patch in which distances are to be exact, unless it was added before.
 void NearField::add(Index patch) {
@@ -21,28 +22,29 @@ void NearField::add(Index patch) {
 
 /// Adds the patches of the faces at a point, and those just behind a border beside it.
 void NearField::add_at(const SurfacePoint& point) {
-  const Mesh& mesh = *data_.work.mesh;
+  const Mesh& mesh = *data_.surface.mesh;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
-    add(data_.work.second_layer[face]);
+    add(data_.surface.second_layer[face]);
     const double twice_area = 2.0 * mesh.face_area(face);
     for (int i = 0; i < 3; ++i) {
       const Index own = 3 * face + i;
-      const double length = mesh.side_length(own);
+      const auto [first, last] = data_.surface.places_inside(mesh.edge_of(own));
+      const double length = mesh.side_length(own) / (1.0 + last - first);
       // The faces at a side that the point is on are visited themselves.
       if (!(weights[(i + 2) % 3] > 0.0)) continue;
-      if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * length) continue;
+      if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * mesh.side_length(own)) continue;
       for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
-        add(data_.work.second_layer[Mesh::face_of(h)]);
+        add(data_.surface.second_layer[Mesh::face_of(h)]);
       }
     }
   });
 }
 
-void NearField::solve(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+void NearField::solve(std::span<const ExactSource> sources, double max_distance) {
   ExactLimits limits;
   limits.face_allowed = halo_.mask();
   limits.targets = targets_;
-  limits.distances_only = distances_only;
+  limits.edge_targets = edge_targets_;
   limits.max_distance = max_distance;
   solver_.run(sources, limits);
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
@@ -61,38 +63,53 @@ double NearField::median_distance(std::span<const ExactSource> sources) {
   return *middle;
 }
 
-void NearField::run(std::span<const ExactSource> sources, double max_distance, bool distances_only) {
+void NearField::run(std::span<const ExactSource> sources, double max_distance) {
   for (Index p : patches_) is_near_[p] = 0;
   patches_.clear();
   for (const ExactSource& one : sources) add_at(one.point);
   targets_.clear();
+  edge_targets_.clear();
   Index patch_faces = 0;
   for (Index p : patches_) {
     const auto members = data_.second.members(p);
-    targets_.insert(targets_.end(), members.begin(), members.end());
+    for (Index place : members) {
+      if (data_.surface.is_vertex(place)) {
+        targets_.push_back(place);
+      } else {
+        edge_targets_.push_back(data_.surface.point_at(place));
+      }
+    }
     patch_faces += data_.first_face[p + 1] - data_.first_face[p];
   }
   around_.clear();
   double nearest_offset = unreachable;
   for (const ExactSource& one : sources) {
-    for_each_face_at(*data_.work.mesh, one.point,
+    for_each_face_at(*data_.surface.mesh, one.point,
                      [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
     nearest_offset = std::min(nearest_offset, one.offset);
   }
   halo_.surround(patches_, growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
-  const double members = static_cast<double>(targets_.size()) / patches;
+  const double members = static_cast<double>(targets_.size() + edge_targets_.size()) / patches;
   halo_.widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
-  solve(sources, max_distance, distances_only);
+  solve(sources, max_distance);
   const double most = most_widened * static_cast<double>(halo_.faces().size());
   // Each round doubles the faces or is the last.
   while (static_cast<double>(halo_.faces().size()) <= most &&
          solver_.barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
     const std::size_t before = halo_.faces().size();
     halo_.surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
-    solve(sources, max_distance, distances_only);
+    solve(sources, max_distance);
     if (halo_.faces().size() <= before) break;
+  }
+  for (Index p : entered_) is_entered_[p] = 0;
+  entered_.clear();
+  for (Index face : halo_.faces()) {
+    const Index patch = data_.surface.second_layer[face];
+    if (is_entered_[patch] != 0) continue;
+    is_entered_[patch] = 1;
+    entered_.push_back(patch);
   }
 }
 

@@ -1,6 +1,7 @@
 // Exact distances around sources: where the tables would be least accurate.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,12 +41,12 @@ class NearField {
 
   explicit NearField(const IndexData& data);
 
-  /// Solves from the sources (on the work mesh) until all vertices of their patches are reached, and of those
-  /// just behind a border beside them. `distances_only`: as in ExactLimits.
-  void run(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+  /// Solves from the sources (on the inner surface) until all places of their patches are reached, and of
+  /// those just behind a border beside them.
+  void run(std::span<const ExactSource> sources, double max_distance);
 
-  /// Whether a face of the work mesh is in one of the patches.
-  bool inside(Index face) const { return is_near_[data_.work.second_layer[face]] != 0; }
+  /// Whether a face is in one of the patches.
+  bool inside(Index face) const { return is_near_[data_.surface.second_layer[face]] != 0; }
   /// After run(): whether an exact distance replaces that by the tables. It does up to the distance at which
   /// a path could have left the halo; beyond that if it is shorter, and inside the patches unless that by the
   /// tables is much shorter.
@@ -53,15 +54,37 @@ class NearField {
     return exact < unreachable &&
            (exact <= certain_ || exact <= by_tables || (is_inside && by_tables >= shorter_outside * exact));
   }
-  /// Calls visit(vertex, distance) for the work vertices in patches and halo where holds() says so.
+  /// Calls visit(vertex, distance) for the vertices in patches and halo where holds() says so.
   /// `by_tables(vertex)` gives the other distance. A vertex may be visited again.
   template <class ByTables, class Visit>
   void for_each_held(ByTables&& by_tables, Visit&& visit) const {
     for (Index face : halo_.faces()) {
       const bool is_inside = inside(face);
-      for (Index v : data_.work.mesh->face_vertices(face)) {
+      for (Index v : data_.surface.mesh->face_vertices(face)) {
         const double exact = solver_.distance(v);
         if (holds(exact, by_tables(v), is_inside)) visit(v, exact);
+      }
+    }
+  }
+
+  /// After run(): calls visit(node, distance, source) once for every border node that was reached.
+  template <class Visit>
+  void for_each_reached_node(Visit&& visit) const {
+    auto visit_at = [&](Index node, const auto& place) {
+      const double distance = solver_.distance(place);
+      if (distance < unreachable) visit(node, distance, solver_.nearest_source(place));
+    };
+    auto is_entered = [&](const PatchRow& at) { return is_entered_[at.patch] != 0; };
+    for (Index patch : entered_) {
+      for (Index node : data_.second.nodes(patch)) {
+        // A node belongs to several patches.
+        if (std::ranges::find_if(data_.second.patches_of(node), is_entered)->patch != patch) continue;
+        const Index place = data_.second.node_vertex[node];
+        if (data_.surface.is_vertex(place)) {
+          visit_at(node, place);
+        } else {
+          visit_at(node, data_.surface.point_at(place));
+        }
       }
     }
   }
@@ -73,7 +96,7 @@ class NearField {
  private:
   void add(Index patch);
   void add_at(const SurfacePoint& point);
-  void solve(std::span<const ExactSource> sources, double max_distance, bool distances_only);
+  void solve(std::span<const ExactSource> sources, double max_distance);
   double median_distance(std::span<const ExactSource> sources);
 
   const IndexData& data_;
@@ -81,9 +104,12 @@ class NearField {
   Halo halo_;
   std::vector<std::uint8_t> is_near_;  ///< by second-layer patch
   std::vector<Index> patches_;
-  std::vector<Index> targets_;
-  std::vector<Index> around_;        ///< faces at the sources
-  std::vector<double> from_source_;  ///< scratch memory of median_distance()
+  std::vector<std::uint8_t> is_entered_;  ///< by patch: whether the halo has a face of it
+  std::vector<Index> entered_;
+  std::vector<Index> targets_;           ///< vertices
+  std::vector<EdgePoint> edge_targets_;  ///< and other places
+  std::vector<Index> around_;            ///< faces at the sources
+  std::vector<double> from_source_;      ///< scratch memory of median_distance()
   double certain_ = 0.0;
 };
 

@@ -65,12 +65,12 @@ double PairDistance::bound_by_tables(Index source, Index target) {
 }
 
 /// Lower bounds of the distances of all members of patches_ from the target, by the triangle inequality over
-/// the border nodes whose distance from the target is in a table. By vertex of the run's mesh.
+/// the border nodes whose distance from the target is in a table. By vertex of the inner surface.
 std::span<const double> PairDistance::bound_rest(Index target) {
   const PatchLayer& second = data_.second;
   for (const Index vertex : bounded_) least_rest_[vertex] = 0.0;
   bounded_.clear();
-  least_rest_.resize(exact_.mesh_of_runs().vertex_count(), 0.0);
+  least_rest_.resize(data_.surface.vertex_count(), 0.0);
   for (const Index patch : patches_) {
     from_target_.assign(second.border_size(patch), std::numeric_limits<float>::quiet_NaN());
     const TableScale scale = second.scale[patch];
@@ -100,8 +100,8 @@ std::span<const double> PairDistance::bound_rest(Index target) {
       for (Index k = 0; k < count; ++k) {
         // Far members have an offset, infinite entries no distance.
         const bool is_far = second.offset_of(patch, begin + k) > 0.0f || second.complete[patch] == 0;
-        const Index vertex = exact_.vertex_of_work(members[begin + k]);
-        if (is_far || vertex == no_index) continue;
+        const Index vertex = members[begin + k];
+        if (is_far || !data_.surface.is_vertex(vertex)) continue;
         least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * step);
         bounded_.push_back(vertex);
       }
@@ -114,28 +114,27 @@ std::span<const double> PairDistance::bound_rest(Index target) {
 /// metric leaves little of that line, by the patches of both ends.
 double PairDistance::exact_distance(Index source, Index target, double bound) {
   PathBounds bounds;
-  if (data_.work.mesh->has_metric()) {
+  if (data_.surface.mesh->has_metric()) {
     bounds.upper = bound * slack::widest;
     bounds.mask = exact_.mask_around(patches_);
-    if (data_.work.mesh->metric_jumps()) bounds.rest = bound_rest(target);
+    if (data_.surface.mesh->metric_jumps()) bounds.rest = bound_rest(target);
   } else {
     bounds.upper = bound * slack::of_entries;
   }
-  const auto& user = data_.work.user_vertex;
-  return exact_.distance(user[source], user[target], bounds);
+  return exact_.distance(source, target, bounds);
 }
 
 /// Whether near ends are solved by propagation. Over points on edges it takes many times as long as by
 /// windows, so ends in different patches are routed there, unless they are close.
 bool PairDistance::is_solved(double bound) const {
   if (patches_.empty()) return false;
-  return share_patch_ || !data_.work.mesh->metric_jumps() || is_close(bound);
+  return share_patch_ || !data_.surface.mesh->metric_jumps() || is_close(bound);
 }
 
 /// Whether a length is no more than what a near field solves around its source.
 bool PairDistance::is_close(double length) const {
-  const double members = static_cast<double>(data_.work.mesh->vertex_count()) / data_.second.patch_count;
-  return length <= NearField::reach * std::sqrt(members) * data_.work.mesh->typical_edge_length();
+  const double members = static_cast<double>(data_.surface.mesh->vertex_count()) / data_.second.patch_count;
+  return length <= NearField::reach * std::sqrt(members) * data_.surface.mesh->typical_edge_length();
 }
 
 /// Length of the shortest route of the tables or the graph, unfolded.
@@ -156,7 +155,7 @@ double PairDistance::distance(Index a, Index b) {
   if (is_solved(bound)) return exact_distance(source, target, bound);
   const double routed = route_length(source, target);
   // Beyond a patch as narrow as this, crossings are so close to both ends that they are off by most.
-  if (is_close(routed) && !data_.work.mesh->has_metric()) return exact_distance(source, target, routed);
+  if (is_close(routed) && !data_.surface.mesh->has_metric()) return exact_distance(source, target, routed);
   return routed;
 }
 

@@ -9,13 +9,12 @@
 
 namespace vorogeo {
 
-/// Pairs of work vertices of one index that are vertices of the user's mesh. One object belongs to one
-/// thread.
+/// Pairs of vertices of the inner surface of an index. One object belongs to one thread.
 class PairDistance {
  public:
   explicit PairDistance(const IndexData& data) : data_(data), exact_(data), router_(data), unfolder_(data) {}
 
-  /// Distance of two different work vertices of one component. The vertex with the smaller number is taken as
+  /// Distance of two different vertices of one component. The vertex with the smaller number is taken as
   /// the source, which makes the answer symmetric to the last bit.
   double distance(Index a, Index b);
 
@@ -39,7 +38,7 @@ class PairDistance {
   std::vector<float> source_column_;
   std::vector<float> target_column_;
   // Bounds of near pairs, where the metric jumps.
-  std::vector<double> least_rest_;  ///< by vertex of the run's mesh
+  std::vector<double> least_rest_;  ///< by vertex
   std::vector<Index> bounded_;      ///< where it is not 0
   std::vector<float> from_target_;  ///< by row of a patch: distance of the node from the target, or NaN
   std::vector<float> greatest_;     ///< by member of a tile

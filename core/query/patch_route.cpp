@@ -42,7 +42,7 @@ void PatchRouter::reset(const RouteEnd& source, const RouteEnd& target) {
     for (Index parent : end->parents) parent_open_[parent] = stamp_;
   }
   target_vertex_ = target.vertex;
-  if (data_.work.mesh->has_metric()) target_landmarks_ = data_.landmarks.through(target.seeds);
+  if (data_.surface.mesh->has_metric()) target_landmarks_ = data_.landmarks.through(target.seeds);
   meeting_ = no_index;
 }
 
@@ -52,11 +52,11 @@ PatchRouter::NodeState& PatchRouter::touch(Index node) {
   state.stamp = stamp_;
   state.distance = state.to_target = unreachable_float;
   state.lower_bound = 0.0f;
-  if (data_.work.mesh->has_metric()) {
+  if (data_.surface.mesh->has_metric()) {
     state.lower_bound = static_cast<float>(line_slack * data_.landmarks.bound(node, target_landmarks_));
   } else if (target_vertex_ != no_index) {
     const Point& a = data_.node_position[node];
-    const Point& b = data_.work.mesh->position(target_vertex_);
+    const Point& b = data_.surface.mesh->position(target_vertex_);
     const double x = a[0] - b[0];
     const double y = a[1] - b[1];
     const double z = a[2] - b[2];

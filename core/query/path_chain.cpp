@@ -78,41 +78,45 @@ PathEnd::PathEnd(const Mesh& mesh, const SurfacePoint& at) : point(at), vertex(a
   vertex = mesh.face_vertices(point.face)[nearest - distances.begin()];
 }
 
-PathEnd::PathEnd(const IndexData& data, const SurfacePoint& user)
-    : PathEnd(*data.work.mesh, work_point(data, user)) {
-  for_each_face_at(*data.work.mesh, point, [&](Index face, const std::array<double, 3>&) {
-    const Index patch = data.work.second_layer[face];
-    if (std::ranges::find(patches, patch) == patches.end()) patches.push_back(patch);
+IndexedEnd::IndexedEnd(const IndexData& data, const SurfacePoint& user)
+    : PathEnd(*data.surface.mesh, data.surface.inner_point(user)), place(point.vertex) {
+  for_each_face_at(*data.surface.mesh, point, [&](Index face, const std::array<double, 3>&) {
+    const Index at_face = data.surface.second_layer[face];
+    if (std::ranges::find(patches, at_face) == patches.end()) patches.push_back(at_face);
   });
+  if (point.is_vertex()) return;
+  patch = patches.front();
+  piece.emplace(data.surface, point.face, point.barycentric);
+  const auto distances = distances_in_triangle(piece->length, piece->weights);
+  const auto nearest = std::ranges::min_element(distances);
+  to_place = *nearest;
+  place = piece->place[nearest - distances.begin()];
 }
 
-bool are_near(const IndexData& data, const PathEnd& a, const PathEnd& b) {
+bool are_near(const IndexData& data, const IndexedEnd& a, const IndexedEnd& b) {
   auto is_of_b = [&](Index p) { return std::ranges::find(b.patches, p) != b.patches.end(); };
   return std::ranges::any_of(a.patches, [&](Index p) {
     return is_of_b(p) || std::ranges::any_of(data.second.touching.of(p), is_of_b);
   });
 }
 
-RouteEnd route_end_of(const IndexData& data, const PathEnd& end) {
+RouteEnd route_end_of(const IndexData& data, const IndexedEnd& end) {
   RouteEnd result;
-  if (end.point.is_vertex()) {
-    route_end(data, end.vertex, result);
+  if (!end.piece) {
+    route_end(data, end.place, result);
     return result;
   }
-  result.patch = end.patch(data);
+  result.patch = end.patch;
   const auto nodes = data.second.nodes(result.patch);
   result.parents.push_back(data.partition.parent[result.patch]);
-  const Mesh& mesh = *data.work.mesh;
   std::array<Index, 3> column{};
-  for (int k = 0; k < 3; ++k) {
-    column[k] = data.column_in_patch(result.patch, mesh.face_vertices(end.point.face)[k]);
-  }
+  for (int k = 0; k < 3; ++k) column[k] = data.column_in_patch(result.patch, end.piece->place[k]);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     std::array<double, 3> corners{};
     for (int k = 0; k < 3; ++k) {
       corners[k] = data.second.distance(result.patch, static_cast<Index>(i), column[k]);
     }
-    const double distance = distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
+    const double distance = end.piece->distance(corners);
     if (distance < unreachable) result.seeds.push_back({nodes[i], distance});
   }
   return result;
@@ -120,25 +124,47 @@ RouteEnd route_end_of(const IndexData& data, const PathEnd& end) {
 
 // ---- A walk for each step of the chain
 
+namespace {
+
+/// Adds faces until the strip ends in `face`, past a place of this face and of the last one.
+bool pass(const InnerSurface& surface, FaceStrip& strip, Index place, Index face) {
+  const Mesh& mesh = *surface.mesh;
+  if (surface.is_vertex(place)) return turn_around(mesh, strip, place, face);
+  if (strip.last() == face) return true;
+  const Index edge = surface.point_at(place).edge;
+  auto side_of = [&](Index f) {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      if (mesh.edge_of(h) == edge) return h;
+    }
+    return no_index;
+  };
+  const HalfedgePair crossing{side_of(strip.last()), side_of(face)};
+  if (crossing.exit == no_index || crossing.entry == no_index) return false;
+  strip.crossings.push_back(crossing);
+  return true;
+}
+
+}  // namespace
+
 bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
-  const Mesh& mesh = *data.work.mesh;
+  const Mesh& mesh = *data.surface.mesh;
   strip.first = strip.source.face;
   strip.crossings.clear();
   std::vector<StepWalk> walks;
   std::vector<std::uint8_t> forwards;
   walks.reserve(chain.steps.size());
-  Index vertex = chain.source;
+  Index place = chain.source;
   for (const ChainStep& step : chain.steps) {
-    forwards.push_back(step.patch == no_index || data.row_in_patch(step.patch, step.vertex) != no_index);
-    walks.emplace_back(data, step.patch, forwards.back() ? vertex : step.vertex,
-                       forwards.back() ? step.vertex : vertex);
-    vertex = step.vertex;
+    forwards.push_back(step.patch == no_index || data.row_in_patch(step.patch, step.place) != no_index);
+    walks.emplace_back(data, step.patch, forwards.back() ? place : step.place,
+                       forwards.back() ? step.place : place);
+    place = step.place;
   }
   std::vector<StepWalk*> going;
   for (StepWalk& walk : walks) going.push_back(&walk);
   // Each walk terminates (path_chain.h).
   while (!going.empty()) std::erase_if(going, [](StepWalk* walk) { return !walk->go_on(); });
-  vertex = chain.source;
+  place = chain.source;
   for (std::size_t k = 0; k < walks.size(); ++k) {
     if (!walks[k].arrived()) return false;
     const auto& passed = walks[k].passed();
@@ -152,23 +178,23 @@ bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip&
         const bool first = at + 1 == passed.size();
         exit = first ? no_index : passed[at + 1].entry;
         entry = first ? no_index : passed[at + 1].exit;
-        pivot = first ? vertex : passed[at + 1].pivot;
+        pivot = first ? place : passed[at + 1].pivot;
       }
       if (strip.first == no_index) {
         strip.first = passed[at].face;
       } else if (exit != no_index) {
         strip.crossings.push_back({exit, entry});
-      } else if (!turn_around(mesh, strip, pivot, passed[at].face)) {
+      } else if (!pass(data.surface, strip, pivot, passed[at].face)) {
         return false;
       }
     }
-    vertex = chain.steps[k].vertex;
+    place = chain.steps[k].place;
   }
   if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
   if (strip.target.is_vertex()) {
     const auto& last = mesh.face_vertices(strip.last());
     if (std::find(last.begin(), last.end(), strip.target.vertex) == last.end()) return false;
-  } else if (!turn_around(mesh, strip, vertex, strip.target.face)) {
+  } else if (!pass(data.surface, strip, place, strip.target.face)) {
     return false;
   }
   return true;
@@ -181,35 +207,50 @@ namespace {
 /// A walk is abandoned when it becomes this many times as long as it should be.
 constexpr double longer = 1.1;
 
+/// Of a walk that is not on an edge.
+constexpr double off_the_edge = -1.0;
+
+/// Calls visit(half-edge) for every face at an edge.
+template <class Visit>
+void for_each_side(const Mesh& mesh, Index edge, Visit&& visit) {
+  const Index first = mesh.edge_halfedge(edge);
+  Index h = first;
+  do {
+    visit(h);
+    h = mesh.next_around_edge(h);
+  } while (h != first);
+}
+
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
 StepWalk::StepWalk(const IndexData& data, Index patch, Index start, Index goal)
     : data_(data),
-      mesh_(*data.work.mesh),
+      mesh_(*data.surface.mesh),
       geometry_(*data.geometry->windows),
       patch_(patch),
       row_(patch == no_index ? no_index : data.row_in_patch(patch, goal)),
       goal_(goal),
-      vertex_(start) {
+      goal_edge_(data.surface.is_vertex(goal) ? no_index : data.surface.point_at(goal).edge),
+      place_(start) {
   passed_.reserve(64);
 }
 
 bool StepWalk::go_on() {
   switch (next_) {
-    case Next::meet_vertex:
-      meet_vertex();
+    case Next::meet_place:
+      meet_place();
       break;
     case Next::look_around:
-      for (Index corner : mesh_.corners(vertex_)) fetch_column(mesh_.head(corner));
+      for_each_neighbour([&](Index vertex) { fetch_column(vertex); });
       next_ = Next::look_up_ring;
       break;
     case Next::look_up_ring:
-      for (Index corner : mesh_.corners(vertex_)) fetch_distance(mesh_.head(corner));
-      next_ = Next::leave_vertex;
+      for_each_neighbour([&](Index vertex) { fetch_distance(vertex); });
+      next_ = Next::leave_place;
       break;
-    case Next::leave_vertex:
+    case Next::leave_place:
       leave();
       break;
     case Next::find_apex:
@@ -229,6 +270,17 @@ bool StepWalk::go_on() {
   return next_ != Next::nothing;
 }
 
+template <class Visit>
+void StepWalk::for_each_neighbour(Visit&& visit) const {
+  if (data_.surface.is_vertex(place_)) {
+    for (Index corner : mesh_.corners(place_)) visit(mesh_.head(corner));
+    return;
+  }
+  const Index edge = data_.surface.point_at(place_).edge;
+  for (Index vertex : mesh_.edge_vertices(edge)) visit(vertex);
+  for_each_side(mesh_, edge, [&](Index h) { visit(geometry_.frame[h].apex); });
+}
+
 void StepWalk::fetch_column(Index vertex) const {
   prefetch_line(&data_.second.vertex_node[vertex]);
   prefetch_line(&data_.home_patch[vertex]);
@@ -244,8 +296,8 @@ Index StepWalk::fetch_distance(Index vertex) const {
   return column;
 }
 
-void StepWalk::meet_vertex() {
-  if (vertex_ == goal_) {
+void StepWalk::meet_place() {
+  if (place_ == goal_) {
     next_ = Next::nothing;
     return;
   }
@@ -253,22 +305,25 @@ void StepWalk::meet_vertex() {
     walk_along_edges();
     return;
   }
-  for (Index corner : mesh_.corners(vertex_)) {
-    const Index opposite = Mesh::next_in_face(corner);
-    prefetch_line(&geometry_.frame[opposite]);
-    prefetch_line(&mesh_.face_vertices(Mesh::face_of(corner)));
-    mesh_.prefetch_around_edge(opposite);
+  if (data_.surface.is_vertex(place_)) {
+    for (Index corner : mesh_.corners(place_)) {
+      const Index opposite = Mesh::next_in_face(corner);
+      prefetch_line(&geometry_.frame[opposite]);
+      prefetch_line(&mesh_.face_vertices(Mesh::face_of(corner)));
+      mesh_.prefetch_around_edge(opposite);
+    }
   }
   next_ = Next::look_around;
 }
 
 void StepWalk::leave() {
   straight_from_ = passed_.size();
-  at_last_ = distance(vertex_);
+  at_last_ = distance(place_);
   expected_ = at_last_ * longer;
   faces_left_ = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
-  move_ = leave_vertex(vertex_);
-  take_move({move_.face, no_index, no_index, vertex_});
+  move_ =
+      data_.surface.is_vertex(place_) ? leave_vertex(place_) : leave_point(data_.surface.point_at(place_));
+  take_move({move_.face, no_index, no_index, place_});
 }
 
 void StepWalk::enter_face() {
@@ -285,9 +340,9 @@ void StepWalk::take_move(const PassedFace& face) {
     return;
   }
   passed_.push_back(face);
-  if (move_.vertex != no_index) {
-    vertex_ = move_.vertex;
-    next_ = Next::meet_vertex;
+  if (move_.place != no_index) {
+    place_ = move_.place;
+    next_ = Next::meet_place;
     return;
   }
   entry_ = mesh_.next_around_edge(move_.halfedge);
@@ -297,19 +352,32 @@ void StepWalk::take_move(const PassedFace& face) {
 }
 
 void StepWalk::walk_along_edges() {
+  // From and to an end of the edge that a place is inside, through a face at this edge.
+  auto vertex_at = [&](Index place) {
+    return data_.surface.is_vertex(place) ? place
+                                          : mesh_.edge_vertices(data_.surface.point_at(place).edge)[0];
+  };
+  auto pass_face_at = [&](Index place, Index pivot) {
+    if (data_.surface.is_vertex(place)) return;
+    const Index h = mesh_.edge_halfedge(data_.surface.point_at(place).edge);
+    passed_.push_back({Mesh::face_of(h), no_index, no_index, pivot});
+  };
+  next_ = Next::nothing;
   std::vector<EdgeStep> path;
-  if (path_along_edges(mesh_, vertex_, goal_, path)) vertex_ = goal_;
+  if (!path_along_edges(mesh_, vertex_at(place_), vertex_at(goal_), path)) return;
+  pass_face_at(place_, place_);
   for (const EdgeStep& step : path) {
     passed_.push_back({Mesh::face_of(step.halfedge), no_index, no_index, step.from});
   }
-  next_ = Next::nothing;
+  pass_face_at(goal_, vertex_at(goal_));
+  place_ = goal_;
 }
 
 double StepWalk::distance_at(Index column) const {
   return column == no_index ? unreachable : data_.second.distance(patch_, row_, column);
 }
 
-double StepWalk::distance(Index vertex) const { return distance_at(data_.column_in_patch(patch_, vertex)); }
+double StepWalk::distance(Index place) const { return distance_at(data_.column_in_patch(patch_, place)); }
 
 void StepWalk::through_edge(double px, double py, double length, double at_0, double at_length,
                             Index halfedge, Move& best) {
@@ -333,6 +401,47 @@ void StepWalk::to_vertex(double step, double from_there, Index face, Index verte
   }
 }
 
+StepWalk::Move StepWalk::to_goal_in_face(Index halfedge, double x) const {
+  Move move;
+  if (goal_edge_ == no_index) return move;
+  const FaceFrame& frame = geometry_.frame[halfedge];
+  const double length = mesh_.edge_length(mesh_.edge_of(halfedge));
+  const double goal = data_.surface.point_at(goal_).position;
+  const bool from_apex = x == off_the_edge;
+  const PlanePoint from = from_apex ? PlanePoint{frame.apex_x, frame.apex_depth} : PlanePoint{x, 0.0};
+  auto take = [&](const PlanePoint& at) {
+    move = {length_of(at[0] - from[0], at[1] - from[1]), Mesh::face_of(halfedge), goal_};
+  };
+  if (mesh_.edge_of(halfedge) == goal_edge_) take({goal, 0.0});
+  for (const bool first : {true, false}) {
+    const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
+    if (mesh_.edge_of(side) != goal_edge_) continue;
+    // From the corner that the side shares with the edge.
+    const bool reversed = first ? frame.first_side_reversed : frame.second_side_reversed;
+    const double part = goal / mesh_.edge_length(goal_edge_);
+    const double along = reversed ? 1.0 - part : part;
+    const double corner = first ? 0.0 : length;
+    take({std::lerp(corner, frame.apex_x, along), along * frame.apex_depth});
+  }
+  return move;
+}
+
+StepWalk::Move StepWalk::leave_point(const EdgePoint& point) const {
+  Move start;
+  start.x = point.position;
+  start.edge_length = mesh_.edge_length(point.edge);
+  start.first = mesh_.edge_vertices(point.edge)[0];
+  start.second = mesh_.edge_vertices(point.edge)[1];
+  start.at_first = distance(start.first);
+  start.at_second = distance(start.second);
+  Move best;
+  for_each_side(mesh_, point.edge, [&](Index h) {
+    const Move move = cross(h, start, distance(geometry_.frame[h].apex));
+    if (move.length < best.length) best = move;
+  });
+  return best;
+}
+
 StepWalk::Move StepWalk::leave_vertex(Index vertex) const {
   Move best;
   // Neighbours are consecutive in the fan: each is an end of two of the opposite edges.
@@ -341,6 +450,7 @@ StepWalk::Move StepWalk::leave_vertex(Index vertex) const {
   for (Index corner : mesh_.corners(vertex)) {
     const Index opposite = Mesh::next_in_face(corner);
     const Index face = Mesh::face_of(corner);
+    if (const Move move = to_goal_in_face(opposite, off_the_edge); move.place != no_index) return move;
     const FaceFrame& frame = geometry_.frame[opposite];
     std::array<Index, 2> ends{mesh_.tail(opposite), mesh_.head(opposite)};
     if (!frame.along) std::swap(ends[0], ends[1]);
@@ -370,7 +480,8 @@ StepWalk::Move StepWalk::cross(Index halfedge, const Move& last, double at_apex)
   const FaceFrame& frame = geometry_.frame[halfedge];
   const double length = last.edge_length;
   const Index face = Mesh::face_of(halfedge);
-  Move best;
+  Move best = to_goal_in_face(halfedge, x);
+  if (best.place != no_index) return best;
   to_vertex(length_of(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
   to_vertex(x, last.at_first, face, last.first, best);
   to_vertex(length - x, last.at_second, face, last.second, best);
@@ -412,14 +523,14 @@ class ChainBuilder {
  public:
   ChainBuilder(const IndexData& data, PathChain& chain) : data_(data), chain_(chain) {}
 
-  void second_layer_step(Index patch, Index vertex) { chain_.steps.push_back({vertex, patch}); }
+  void second_layer_step(Index patch, Index place) { chain_.steps.push_back({place, patch}); }
 
   /// From second-layer node a to b by the table of first-layer patch `parent`; one of them is on its border.
   void first_layer_step(Index parent, Index a, Index b) {
     const bool backwards = first_row(parent, a) == no_index;
     const Index fixed = first_row(parent, backwards ? b : a);
     if (fixed == no_index) {
-      second_layer_step(no_index, vertex_of(b));
+      second_layer_step(no_index, place_of(b));
       return;
     }
     auto from_goal = [&](Index node) { return from_row(parent, fixed, node); };
@@ -444,17 +555,17 @@ class ChainBuilder {
     walk(data_.second, backwards ? a : b, backwards ? b : a, 1.0, from_goal, lines);
     for (std::size_t k = 0; k < back_.size(); ++k) {
       if (backwards) {
-        second_layer_step(back_[k].patch, vertex_of(back_[k].to));
+        second_layer_step(back_[k].patch, place_of(back_[k].to));
       } else {
         const Step& step = back_[back_.size() - 1 - k];
-        second_layer_step(step.patch, vertex_of(step.from));
+        second_layer_step(step.patch, place_of(step.from));
       }
     }
   }
 
   /// From one first-layer node to another by the transit table; both are given by their second-layer nodes.
   void transit_table_step(Index a, Index b) {
-    const Index goal = data_.first.vertex_node[vertex_of(a)];
+    const Index goal = data_.first.vertex_node[place_of(a)];
     auto from_goal = [&](Index node) -> double { return data_.transit_table.distance(goal, node); };
     auto lines = [&](const PatchRow& at, std::vector<float>& length, std::vector<double>& rest) {
       const auto nodes = data_.first.nodes(at.patch);
@@ -464,11 +575,11 @@ class ChainBuilder {
       for (std::size_t i = 0; i < nodes.size(); ++i) rest[i] = from_goal(nodes[i]);
     };
     back_.clear();
-    walk(data_.first, data_.first.vertex_node[vertex_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
+    walk(data_.first, data_.first.vertex_node[place_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
     const std::vector<Step> steps(back_.rbegin(), back_.rend());
     for (const Step& step : steps) {
       if (step.patch == no_index) {
-        second_layer_step(no_index, vertex_of(data_.second_node[step.from]));
+        second_layer_step(no_index, place_of(data_.second_node[step.from]));
       } else {
         first_layer_step(step.patch, data_.second_node[step.to], data_.second_node[step.from]);
       }
@@ -511,9 +622,9 @@ class ChainBuilder {
     }
   }
 
-  Index vertex_of(Index second_node) const { return data_.second.node_vertex[second_node]; }
+  Index place_of(Index second_node) const { return data_.second.node_vertex[second_node]; }
   Index first_row(Index parent, Index second_node) const {
-    const Index node = data_.first.vertex_node[vertex_of(second_node)];
+    const Index node = data_.first.vertex_node[place_of(second_node)];
     return node == no_index ? no_index : data_.first.row_of(node, parent);
   }
   double from_row(Index parent, Index row, Index second_node) const {
@@ -536,10 +647,10 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
   chain.source = source;
   if (route.nodes.empty()) return chain;
   ChainBuilder builder(data, chain);
-  auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
-  if (vertex_of(route.nodes.front()) != source) {
+  auto place_of = [&](Index node) { return data.second.node_vertex[node]; };
+  if (place_of(route.nodes.front()) != source) {
     builder.second_layer_step(source_patch != no_index ? source_patch : data.home_patch[source],
-                              vertex_of(route.nodes.front()));
+                              place_of(route.nodes.front()));
   }
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
     const Index a = route.nodes[i];
@@ -553,11 +664,11 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
         builder.first_layer_step(leg.patch(), a, b);
         break;
       case Leg::Table::second:
-        builder.second_layer_step(leg.patch(), vertex_of(b));
+        builder.second_layer_step(leg.patch(), place_of(b));
         break;
     }
   }
-  if (vertex_of(route.nodes.back()) != target) {
+  if (place_of(route.nodes.back()) != target) {
     builder.second_layer_step(target_patch != no_index ? target_patch : data.home_patch[target], target);
   }
   return chain;

@@ -1,13 +1,15 @@
 // The chain of border vertices of a route, and the strip of faces along it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "index/index_data.h"
+#include "index/inner_surface.h"
 #include "mesh/mesh.h"
 #include "mesh/surface_point.h"
-#include "query/route.h"
 #include "query/path_line.h"
+#include "query/route.h"
 
 namespace vorogeo {
 
@@ -25,35 +27,47 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
 
 // ---- The end points of a path as the index sees them
 
-/// An end point in the mesh over which strips of faces are laid: the work mesh of an index, or the user's.
+/// An end point on the surface over which strips of faces are laid.
 struct PathEnd {
   PathEnd(const Mesh& mesh, const SurfacePoint& point);
-  /// Of a point of the user's mesh, in the work mesh.
-  PathEnd(const IndexData& data, const SurfacePoint& user);
 
   SurfacePoint point;
-  Index vertex = no_index;     ///< the point itself or the nearest corner of its face
-  double to_vertex = 0.0;      ///< distance of the point from that vertex
-  std::vector<Index> patches;  ///< second-layer patches at the point; none without an index
+  Index vertex = no_index;  ///< the point itself or the nearest corner of its face
+  double to_vertex = 0.0;   ///< distance of the point from that vertex
+};
 
-  /// Second-layer patch of an end in a face; no_index for a vertex.
-  Index patch(const IndexData& data) const {
-    return point.is_vertex() ? no_index : data.work.second_layer[point.face];
+/// One on the inner surface of an index.
+struct IndexedEnd : PathEnd {
+  /// Of a point of the user's mesh.
+  IndexedEnd(const IndexData& data, const SurfacePoint& user);
+
+  Index patch = no_index;          ///< of the second layer, if the point is in a face
+  std::vector<Index> patches;      ///< all at the point
+  std::optional<FacePiece> piece;  ///< around the point, if it is in a face
+  Index place = no_index;          ///< the point itself or the nearest corner of the piece
+  double to_place = 0.0;           ///< distance of the point from that
+
+  /// What `of_place` gives for the point itself, or the distance that follows from those of the piece's
+  /// corners.
+  template <class OfPlace>
+  double distance(OfPlace&& of_place) const {
+    if (!piece) return of_place(place);
+    return piece->distance({of_place(piece->place[0]), of_place(piece->place[1]), of_place(piece->place[2])});
   }
 };
 
 /// Whether a second-layer patch of one end is or touches one of the other.
-bool are_near(const IndexData& data, const PathEnd& a, const PathEnd& b);
+bool are_near(const IndexData& data, const IndexedEnd& a, const IndexedEnd& b);
 
 /// The border nodes of the end's patch with their distances from it.
-RouteEnd route_end_of(const IndexData& data, const PathEnd& end);
+RouteEnd route_end_of(const IndexData& data, const IndexedEnd& end);
 
 // ---- From a route to a chain of second-layer border vertices, each in a patch of the previous one
 
-/// A step of a chain: to `vertex` (work mesh) through the second-layer patch `patch`. A step that begins or
-/// ends at a border vertex of the patch can be followed by that vertex's distances in the patch.
+/// A step of a chain: to a place through a second-layer patch. A step that begins or ends at a border node of
+/// the patch can be followed by that node's distances in the patch.
 struct ChainStep {
-  Index vertex;
+  Index place;
   Index patch;
 };
 
@@ -63,7 +77,7 @@ struct PathChain {
   std::vector<ChainStep> steps;
 };
 
-/// Resolves a route between two work vertices into second-layer steps: a leg by the transit table into steps
+/// Resolves a route between two places into second-layer steps: a leg by the transit table into steps
 /// between first-layer nodes of one first-layer patch, each of these into steps between second-layer nodes of
 /// one second-layer patch. In each layer the predecessor is a node with the least sum. Complexity: O(b) for
 /// each step, with b border nodes of the patches at its end. `source_patch`, `target_patch`: second-layer
@@ -75,24 +89,23 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
 // ---- A strip of faces along a chain of border vertices
 
 /// Follows every step of the chain through its patch: from one end towards the other, which is a border
-/// vertex, down the distances of that vertex. In each face the distances of two vertices place the goal in
-/// the plane of the face; the straight line towards it leads on. `strip` has its end points (work mesh) set;
-/// its faces are filled in. \return false if a table does not lead to the end of its step. Complexity:
-/// O(faces).
+/// node, down the distances of that node. In each face the distances of two vertices place the goal in the
+/// plane of the face; the straight line towards it leads on. `strip` has its end points set; its faces are
+/// filled in. \return false if a table does not lead to the end of its step. Complexity: O(faces).
 bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip);
 
 // ---- A walk over the faces of a patch, down the distances of a border vertex
 
-/// A face that was passed and how it was reached: across an edge, or around a vertex.
+/// A face that was passed and how it was reached: across an edge, or past a place.
 struct PassedFace {
   Index face;
-  Index exit;   ///< half-edge of the previous face; no_index: around `pivot`
+  Index exit;   ///< half-edge of the previous face; no_index: past `pivot`
   Index entry;  ///< half-edge of this face
-  Index pivot;
+  Index pivot;  ///< a vertex of both faces, or a place inside an edge of both
 };
 
-/// Walks from `start` to the border vertex `goal` of a patch; along edges if there is no patch, and from
-/// where the distances lead out of it.
+/// Walks from the place `start` to the border node at `goal` in a patch; along edges if there is no patch,
+/// and from where the distances lead out of it.
 ///
 /// Each step is a cache miss, at an address that depends on the previous one. So a walk pauses after each
 /// prefetch, and other walks continue until the data has arrived.
@@ -107,26 +120,26 @@ class StepWalk {
   bool go_on();
 
   /// Whether the walk has reached its goal.
-  bool arrived() const { return vertex_ == goal_; }
+  bool arrived() const { return place_ == goal_; }
   /// The faces passed so far.
   const std::vector<PassedFace>& passed() const { return passed_; }
 
  private:
   enum class Next {
-    meet_vertex,
+    meet_place,
     look_around,
     look_up_ring,
-    leave_vertex,
+    leave_place,
     find_apex,
     look_up_apex,
     cross_face,
     nothing
   };
-  /// Where to go from a point of a face: across an edge at a position, or to a vertex.
+  /// Where to go from a point of a face: across an edge at a position, or to a place.
   struct Move {
     double length = unreachable;
     Index face = no_index;
-    Index vertex = no_index;
+    Index place = no_index;
     Index halfedge = no_index;
     double x = 0.0;  ///< position, from the first vertex of the edge
     double edge_length = 0.0;
@@ -136,25 +149,32 @@ class StepWalk {
     Index second = no_index;
   };
 
+  /// Calls visit(vertex) for the vertices next to the place where the walk is.
+  template <class Visit>
+  void for_each_neighbour(Visit&& visit) const;
   /// Prefetches what is needed to find the column of a vertex.
   void fetch_column(Index vertex) const;
   /// Prefetches the distance of a vertex. \return its column.
   Index fetch_distance(Index vertex) const;
-  void meet_vertex();
+  void meet_place();
   void leave();
   void enter_face();
   /// Enters the face of the last move, unless the walk is longer than it should be.
   void take_move(const PassedFace& face);
   void walk_along_edges();
   double distance_at(Index column) const;
-  double distance(Index vertex) const;
+  double distance(Index place) const;
   /// The straight line from a point (px, py >= 0) across an edge on the x axis to the point beyond that has
   /// the distances at_0 and at_length from the ends of the edge.
   static void through_edge(double px, double py, double length, double at_0, double at_length, Index halfedge,
                            Move& best);
   /// Only to vertices nearer to the goal than the last one, so that rounding of the tables causes no cycles.
   void to_vertex(double step, double from_there, Index face, Index vertex, Move& best) const;
+  /// Straight to the goal, if it is a place inside a side of the face and the walk has come to `x` on the
+  /// edge of `halfedge`, or to the corner opposite that edge (off_the_edge).
+  Move to_goal_in_face(Index halfedge, double x) const;
   Move leave_vertex(Index vertex) const;
+  Move leave_point(const EdgePoint& point) const;
   /// Across the face of a half-edge, from the point at which the last move reached its edge. The ends of the
   /// edge and their distances come with the move, and lengths from the frame: reading them elsewhere would be
   /// a cache miss.
@@ -166,14 +186,15 @@ class StepWalk {
   Index patch_;
   Index row_;
   Index goal_;
-  Index vertex_;  ///< the last one met
+  Index goal_edge_;  ///< that it is inside; no_index if it is a vertex
+  Index place_;      ///< the last one met
   std::vector<PassedFace> passed_;
-  Next next_ = Next::meet_vertex;
+  Next next_ = Next::meet_place;
 
-  // Counted from that vertex:
+  // Counted from that place:
   std::size_t straight_from_ = 0;  ///< number of faces passed before
   std::size_t faces_left_ = 0;
-  double at_last_ = unreachable;   ///< distance of that vertex
+  double at_last_ = unreachable;   ///< distance of that place
   double expected_ = unreachable;  ///< length that no continuation should exceed
   Move move_;
   Index entry_ = no_index;   ///< half-edge by which the next face is entered

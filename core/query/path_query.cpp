@@ -91,7 +91,7 @@ double PathQuery::length_by_edges(const PathEnd& from, const PathEnd& to) {
 
 void PathQuery::find_route(RoutedEnds& ends) {
   const IndexData& data = routes_->data;
-  if (ends.from.vertex == ends.to.vertex) {
+  if (ends.from.place == ends.to.place) {
     ends.route.length = 0.0;
   } else {
     routes_->router.route(route_end_of(data, ends.from), route_end_of(data, ends.to), ends.route);
@@ -117,7 +117,7 @@ std::optional<ExactPath> PathQuery::solved(const SurfacePoint& from, const Surfa
     patches.erase(repeated.begin(), repeated.end());
     bounds.mask = exact_.mask_around(patches);
   } else {
-    bounds.rest = exact_.rest_of_work(routes_->bounds.fill(ends.from, ends.to, bounds.upper));
+    bounds.rest = routes_->bounds.fill(ends.from, ends.to, bounds.upper);
   }
   return exact_.path(from, to, bounds);
 }
@@ -129,29 +129,21 @@ SurfacePath PathQuery::refined(const SurfacePoint& from, const SurfacePoint& to,
   if (ends.route.length == unreachable) return none;
   strip_.source = ends.from.point;
   strip_.target = ends.to.point;
-  const PathChain chain = chain_of_route(data, ends.route, ends.from.vertex, ends.to.vertex,
-                                         ends.from.patch(data), ends.to.patch(data));
+  const PathChain chain =
+      chain_of_route(data, ends.route, ends.from.place, ends.to.place, ends.from.patch, ends.to.patch);
   if (!strip_along_chain(data, chain, strip_)) return none;
   refiner_->refine(strip_);
-  const SurfacePath path = refiner_->path();
+  SurfacePath path = refiner_->path();
   if (!(path.length < unreachable)) return none;
-  return exact_.checked(user_path(data, path), unreachable, from, to).path;
+  return exact_.checked(data.surface.user_path(std::move(path)), unreachable, from, to).path;
 }
 
 /// The index's distance along a route; for points in faces, from the distances of their corners. Unreachable
 /// where the tables of the route do not hold the corners.
 double PathQuery::expected_length(const RoutedEnds& ends) {
-  const IndexData& data = routes_->data;
-  const Mesh& mesh = *data.work.mesh;
-  auto between = [&](const PathEnd& end, auto&& of_vertex) {
-    if (end.point.is_vertex()) return of_vertex(end.point.vertex);
-    std::array<double, 3> corners{};
-    for (int i = 0; i < 3; ++i) corners[i] = of_vertex(mesh.face_vertices(end.point.face)[i]);
-    return distance_in_face(mesh, end.point.face, end.point.barycentric, corners);
-  };
-  return between(ends.from, [&](Index source) {
-    return between(ends.to, [&](Index target) {
-      return routes_->unfolder.length(ends.route, source, target, ends.from.patch(data), ends.to.patch(data));
+  return ends.from.distance([&](Index source) {
+    return ends.to.distance([&](Index target) {
+      return routes_->unfolder.length(ends.route, source, target, ends.from.patch, ends.to.patch);
     });
   });
 }
@@ -166,8 +158,7 @@ SurfacePath PathQuery::doubted(SurfacePath path, double expected, const SurfaceP
   const double doubtful =
       std::max(least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(mesh, refiner_->line()));
   if (path.length > expected * (1.0 + doubtful)) {
-    const auto beside = surroundings_.surround(refiner_->line(), rings_beside);
-    const auto mask = exact_.mask_of_work(beside, surroundings_.faces());
+    const auto mask = surroundings_.surround(refiner_->line(), rings_beside);
     take_shorter(exact_.path_within(from, to, {.upper = path.length, .mask = mask}));
   }
   if (path.length > expected * (1.0 + suspicious)) {
@@ -217,7 +208,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
     bounds.landmarks = landmarks_.get();
   } else {
     bounds.is_proof = false;
-    bounds.rest = exact_.rest_of_work(routes_->bounds.fill(ends.from, ends.to, bounds.upper));
+    bounds.rest = routes_->bounds.fill(ends.from, ends.to, bounds.upper);
   }
   return exact_.path(from, to, bounds);
 }

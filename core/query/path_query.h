@@ -53,15 +53,15 @@ class PathQuery {
     RouteUnfolder unfolder;
     IndexBounds bounds;
   };
-  /// Both ends in the work mesh of the index, and the route between them.
+  /// Both ends on the inner surface of the index, and the route between them.
   struct RoutedEnds {
     RoutedEnds(const IndexData& data, const SurfacePoint& source, const SurfacePoint& target)
         : from(data, source), to(data, target) {}
-    PathEnd from;
-    PathEnd to;
+    IndexedEnd from;
+    IndexedEnd to;
     GraphRoute route{};
     /// Of the route, over border nodes; longer than the distance up to the precision of the tables.
-    double length() const { return from.to_vertex + route.length + to.to_vertex; }
+    double length() const { return from.to_place + route.length + to.to_place; }
   };
   std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;
   ExactPath path_on_mesh(const SurfacePoint& from, const SurfacePoint& to);

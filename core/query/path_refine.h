@@ -61,8 +61,6 @@ class PathNeighbourhood {
   /// \return 1 for each face of the neighbourhood, 0 for the others; valid until the next call. Complexity:
   /// that of the neighbourhood and of the last one.
   std::span<const std::uint8_t> surround(const PathLine& line, int rings);
-  /// The faces marked.
-  std::span<const Index> faces() const { return faces_; }
 
  private:
   const Mesh& mesh_;

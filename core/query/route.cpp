@@ -7,13 +7,13 @@
 
 namespace vorogeo {
 
-void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
+void route_end(const IndexData& data, Index place, RouteEnd& end) {
   end.seeds.clear();
   end.parents.clear();
   end.patch = no_index;
   end.vertex = no_index;
   const PatchLayer& second = data.second;
-  const Index node = second.vertex_node[work_vertex];
+  const Index node = second.vertex_node[place];
   auto add_parent = [&](Index patch) {
     const Index parent = data.partition.parent[patch];
     if (std::find(end.parents.begin(), end.parents.end(), parent) == end.parents.end())
@@ -22,15 +22,15 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
   if (node != no_index) {
     end.seeds.push_back({node, 0.0});
     for (const PatchRow& at : second.patches_of(node)) add_parent(at.patch);
-    end.vertex = work_vertex;
+    end.vertex = place;
     return;
   }
-  end.patch = data.home_patch[work_vertex];
+  end.patch = data.home_patch[place];
   add_parent(end.patch);
   const auto nodes = second.nodes(end.patch);
-  const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[work_vertex]);
+  const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[place]);
   const TableScale scale = second.scale[end.patch];
-  const float offset = second.offset_of(end.patch, data.home_column[work_vertex]);
+  const float offset = second.offset_of(end.patch, data.home_column[place]);
   end.seeds.resize(nodes.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -39,13 +39,13 @@ void route_end(const IndexData& data, Index work_vertex, RouteEnd& end) {
     count += entry != PatchLayer::infinite_entry ? 1 : 0;
   }
   end.seeds.resize(count);
-  end.vertex = work_vertex;
+  end.vertex = place;
 }
 
-void prefetch_end(const IndexData& data, Index work_vertex) {
-  if (data.second.vertex_node[work_vertex] != no_index) return;
-  const Index patch = data.home_patch[work_vertex];
-  const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[work_vertex]);
+void prefetch_end(const IndexData& data, Index place) {
+  if (data.second.vertex_node[place] != no_index) return;
+  const Index patch = data.home_patch[place];
+  const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[place]);
   const auto rows = static_cast<std::size_t>(data.second.border_size(patch));
   for (std::size_t i = 0; i < rows; ++i) prefetch_line(entries.first + i * entries.step);
 }

@@ -14,17 +14,17 @@ struct RouteEnd {
     Index node;
     double distance;
   };
-  Index vertex = no_index;  ///< of the work mesh; no_index: not known
+  Index vertex = no_index;  ///< of the inner surface; no_index: not known
   std::vector<Seed> seeds;
   Index patch = no_index;      ///< second-layer patch of the seeds; no_index if the end is itself a node
   std::vector<Index> parents;  ///< first-layer patches that it lies in
 };
 
-/// Makes `end` the end of a route at a work vertex.
-void route_end(const IndexData& data, Index work_vertex, RouteEnd& end);
+/// Makes `end` the end of a route at a place.
+void route_end(const IndexData& data, Index place, RouteEnd& end);
 
 /// Prefetches what route_end will read.
-void prefetch_end(const IndexData& data, Index work_vertex);
+void prefetch_end(const IndexData& data, Index place);
 
 /// A shortest route: second-layer nodes in order, the leg between consecutive ones, and the whole length.
 struct GraphRoute {

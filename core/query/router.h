@@ -17,7 +17,7 @@ class RouteUnfolder {
  public:
   explicit RouteUnfolder(const IndexData& data) : data_(data) {}
 
-  /// Length of the path along a route from source to target (work vertices) that crosses each border anywhere
+  /// Length of the path along a route from source to target (places) that crosses each border anywhere
   /// on the border edges at the route's node instead of at the node itself. At each crossing, distances are
   /// kept for the node and its border neighbours; they belong to the same wave, so no guard is needed.
   /// Complexity: O(nodes of the route). `source_patch`, `target_patch`: second-layer patches that the route's

@@ -66,7 +66,7 @@ void order_pairs(std::span<std::size_t> order, const PointList& sources, const P
   std::vector<std::array<Index, 6>> places(sources.size());
   for (const std::size_t i : order) {
     const std::pair<Index, Index> ends =
-        std::minmax(data.work.work_vertex[sources[i].vertex], data.work.work_vertex[targets[i].vertex]);
+        std::minmax(data.surface.vertex[sources[i].vertex], data.surface.vertex[targets[i].vertex]);
     auto patch = [&](Index v) { return v == no_index ? no_index : data.home_patch[v]; };
     auto parent = [&](Index v) { return v == no_index ? no_index : data.partition.parent[patch(v)]; };
     places[i] = {parent(ends.first), parent(ends.second), patch(ends.first),

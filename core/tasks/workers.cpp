@@ -97,7 +97,7 @@ std::vector<std::size_t> Workers::order_of_points(const PointList& points) const
   const IndexData& data = index->data();
   std::vector<std::pair<Index, Index>> places;
   for (const SurfacePoint& point : points) {
-    const Index vertex = data.work.work_vertex[point.vertex];
+    const Index vertex = data.surface.vertex[point.vertex];
     places.emplace_back(vertex == no_index ? no_index : data.home_patch[vertex], vertex);
   }
   std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(places[i], i); });

@@ -132,9 +132,9 @@ std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, 
   return patches;
 }
 
-RouteEnd route_end(const IndexData& data, Index work_vertex) {
+RouteEnd route_end(const IndexData& data, Index place) {
   RouteEnd end;
-  vorogeo::route_end(data, work_vertex, end);
+  vorogeo::route_end(data, place, end);
   return end;
 }
 

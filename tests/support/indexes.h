@@ -63,8 +63,25 @@ std::vector<Index> random_vertices(Index count, int wanted, unsigned seed);
 /// Patches of the faces at a vertex.
 std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex);
 
-/// The end of a route at a work vertex.
-RouteEnd route_end(const IndexData& data, Index work_vertex);
+/// Exact distances between places of an index.
+class PlaceSolver {
+ public:
+  explicit PlaceSolver(const IndexData& data) : surface_(data.surface), solver_(data.geometry) {}
+  void run_from(Index place) {
+    const ExactSource source{surface_.surface_point(place)};
+    solver_.run(std::span(&source, 1));
+  }
+  double distance(Index place) const {
+    return surface_.is_vertex(place) ? solver_.distance(place) : solver_.distance(surface_.point_at(place));
+  }
+
+ private:
+  const InnerSurface& surface_;
+  LocalSolver solver_;
+};
+
+/// The end of a route at a place.
+RouteEnd route_end(const IndexData& data, Index place);
 /// Distances between all nodes of a graph, by plain searches over its arcs.
 std::vector<std::vector<double>> graph_distances(const TransitGraph& graph);
 

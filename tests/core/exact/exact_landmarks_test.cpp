@@ -98,12 +98,9 @@ TEST(ExactLandmarks, AreFarApartInTheComponentWithTheMostVertices) {
   const auto index = test::make_index(test::two_components(sphere, plane.soup), 2, 3);
   const auto landmarks = landmarks_of(index, 4, 2);
   const IndexData& data = index->data();
-  const bool is_whole = data.unsplit() != nullptr;
   const auto bound = [&](Index a, Index b) {
-    const auto there = [&](Index v) { return is_whole ? v : data.work.work_vertex[v]; };
-    const SurfacePoint from = SurfacePoint::at_vertex(there(b));
-    return landmarks->least_distance(there(a),
-                                     landmarks->seen_from(is_whole ? *data.mesh : *data.work.mesh, from));
+    const SurfacePoint from = SurfacePoint::at_vertex(data.surface.vertex[b]);
+    return landmarks->least_distance(data.surface.vertex[a], landmarks->seen_from(*data.surface.mesh, from));
   };
   // Farthest points of a square are its corners: between them the bound is the distance.
   const Index last = (columns + 1) * (columns + 1) - 1;

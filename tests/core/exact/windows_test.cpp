@@ -127,18 +127,30 @@ TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
 }
 
 TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
-  // In a flat fan of needles, some edges are split into many pieces: behind such an edge a wave comes in as
-  // many windows, all of them with one source.
-  const auto index = test::make_index(test::needle_disc(2000), 2, 3);
-  ASSERT_GT(index->data().work.edge_points.size(), 50U);
-  ExactSolver whole(index->mesh());
-  ExactSolver split(index->data().geometry->windows);
-  whole.run_from_vertices(std::array<Index, 1>{1});
-  split.run_from_vertices(std::array{index->data().work.work_vertex[1]});
-  for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
-    EXPECT_NEAR(split.distance(index->data().work.work_vertex[v]), whole.distance(v), 1e-13);
+  // In a plane, also across a side with many points, through which a wave comes in as many windows, each edge
+  // is seen from one source.
+  constexpr Index pieces = 400;
+  test::Soup fans;
+  fans.positions = {{0.3, -1.0, 0.0}, {0.6, 1.0, 0.0}};
+  for (Index k = 0; k <= pieces; ++k) fans.positions.push_back({static_cast<double>(k) / pieces, 0.0, 0.0});
+  for (Index k = 0; k < pieces; ++k) {
+    fans.faces.push_back({0, 3 + k, 2 + k});
+    fans.faces.push_back({1, 2 + k, 3 + k});
   }
-  EXPECT_LT(split.window_count(), 4 * whole.window_count());
+  for (const test::Soup& soup : {fans, test::plane_grid(80, 80, 1.0, 1.0, 0.2).soup}) {
+    const auto mesh = test::make_mesh(soup);
+    ExactSolver solver(mesh);
+    for (const Index source : {0, 2, 150}) {
+      solver.run_from_vertices(std::array{source});
+      const Point& from = soup.positions[source];
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        const Point& at = soup.positions[v];
+        const double straight = std::hypot(at[0] - from[0], at[1] - from[1]);
+        ASSERT_NEAR(solver.distance(v), straight, 1e-12) << source << " to " << v;
+      }
+      EXPECT_LT(solver.window_count(), 3.0 * mesh->edge_count()) << source;
+    }
+  }
 }
 
 // Distances at points of faces that have no area, and the step back from them.

@@ -82,12 +82,14 @@ TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
   EXPECT_EQ(statistics.form, IndexForm::graph) << "asked for by delta";
   EXPECT_GT(statistics.bytes, tables);
   EXPECT_LT(statistics.bytes, 8 * tables);
-  // Border vertices by definition: vertices of the work mesh in two or more patches.
+  // Border vertices by definition: places in two or more patches.
   const IndexData& data = index->data();
   Index first = 0;
   Index second = 0;
-  for (Index v = 0; v < data.work.mesh->vertex_count(); ++v) {
-    const auto patches = test::patches_at(*data.work.mesh, data.work.second_layer, v);
+  for (Index place = 0; place < data.surface.place_count(); ++place) {
+    std::set<Index> patches;
+    for_each_face_at(*data.surface.mesh, data.surface.surface_point(place),
+                     [&](Index f, const auto&) { patches.insert(data.surface.second_layer[f]); });
     std::set<Index> parents;
     for (Index p : patches) parents.insert(data.partition.parent[p]);
     first += parents.size() > 1;

@@ -57,12 +57,12 @@ struct Comparison {
 Comparison compare(const GeodesicIndex& index, double slack) {
   const PatchLayer& layer = index.data().second;
   BoundaryDijkstra search(layer);
-  ExactSolver solver(index.data().geometry->windows);
+  test::PlaceSolver solver(index.data());
   test::ErrorCollector unfolded;
   test::ErrorCollector sums;
   for (Index seed : test::random_vertices(layer.node_count(), 8, 7)) {
     const auto plain = plain_sums(layer, seed);
-    solver.run_from_vertices(std::array{layer.node_vertex[seed]});
+    solver.run_from(layer.node_vertex[seed]);
     search.reset();
     search.add(seed, 0.0);
     search.run();
@@ -118,9 +118,9 @@ TEST(BoundaryDijkstra, AcrossImprovesASum) {
   const auto index = test::make_index(test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup, 3, 4);
   const IndexData& data = index->data();
   const PatchLayer& layer = data.second;
-  const Index source = data.work.work_vertex[0];
-  ExactSolver solver(data.geometry->windows);
-  solver.run_from_vertices(std::array{source});
+  const Index source = data.surface.vertex[0];
+  test::PlaceSolver solver(data);
+  solver.run_from(source);
   BoundaryDijkstra search(layer);
   search.reset();
   for (Index node = 0; node < layer.node_count(); ++node)
@@ -167,7 +167,7 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
                           Case{test::torus(44, 20, 2.0, 0.8), 5, 4}}) {
     const auto index = test::make_index(one.soup, one.first, one.second);
     const IndexData& data = index->data();
-    ExactSolver solver(data.geometry->windows);
+    test::PlaceSolver solver(data);
     for (const PatchLayer* layer : {&data.first, &data.second}) {
       BatchDijkstra batch(*layer);
       BoundaryDijkstra full(*layer);
@@ -194,7 +194,7 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
             apart += relative > 0.01 ? 1 : 0;
           }
           if (i != 0) return;
-          solver.run_from_vertices(std::array{layer->node_vertex[sources[i]]});
+          solver.run_from(layer->node_vertex[sources[i]]);
           for (Index node = 0; node < layer->node_count(); ++node) {
             const double exact = solver.distance(layer->node_vertex[node]);
             in_batch.add(batch.distance(node), exact);

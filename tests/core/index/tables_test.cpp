@@ -5,15 +5,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "exact/exact_solver.h"
 #include "index/border_pieces.h"
 #include "index/index_data.h"
+#include "index/inner_surface.h"
 #include "index/local_tables.h"
 #include "index/patch_layer.h"
 #include "index/transit_table.h"
-#include "index/work_mesh.h"
 #include "mesh/outliers.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"
@@ -36,10 +37,9 @@ std::shared_ptr<const GeodesicIndex> index_of(const Soup& soup, int threads = 0)
 /// Errors of the table entries of some nodes of the second layer.
 test::ErrorCollector table_errors(const IndexData& data) {
   test::ErrorCollector errors;
-  ExactSolver solver(data.geometry->windows);
+  test::PlaceSolver solver(data);
   for (Index node : test::random_vertices(data.second.node_count(), 80, 3)) {
-    const Index source = data.second.node_vertex[node];
-    solver.run_from_vertices(std::array{source});
+    solver.run_from(data.second.node_vertex[node]);
     for (const PatchRow& at : data.second.patches_of(node)) {
       const auto members = data.second.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
@@ -68,15 +68,19 @@ TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
 /// A plane of cells x cells cells in squares of `width` x `width` patches.
 PatchLayer squares(int cells, int width) {
   const auto mesh = test::make_mesh(test::plane_grid(cells, cells, 1.0, 1.0).soup);
-  std::vector<Index> label(mesh->face_count());
+  Partition partition;
+  partition.second_layer.resize(mesh->face_count());
+  partition.second_layer_count = width * width;
   for (Index f = 0; f < mesh->face_count(); ++f) {
     std::array<double, 2> middle{};
     for (Index v : mesh->face_vertices(f)) {
       for (int k = 0; k < 2; ++k) middle[k] += mesh->position(v)[k] / 3.0;
     }
-    label[f] = static_cast<Index>(middle[0] * width) * width + static_cast<Index>(middle[1] * width);
+    partition.second_layer[f] =
+        static_cast<Index>(middle[0] * width) * width + static_cast<Index>(middle[1] * width);
   }
-  return lay_out_patches(*mesh, label, width * width, {});
+  const InnerSurface surface(*mesh, partition);
+  return lay_out_patches(surface, surface.second_layer, width * width, {});
 }
 
 float distance_of(Index patch, Index row, Index column) {
@@ -205,7 +209,7 @@ TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
       test::two_components(test::plane_grid(8, 8, 1.0, 1.0).soup, test::plane_grid(8, 8, 1e-8, 1e-8).soup);
   const auto index = test::make_index(soup, 6, 2);
   const IndexData& data = index->data();
-  auto at = [&](Index node) { return data.work.mesh->position(data.first.node_vertex[node]); };
+  auto at = [&](Index node) { return data.surface.position(data.first.node_vertex[node]); };
   test::ErrorCollector errors;
   for (Index a = 0; a < data.transit_table.count; ++a) {
     for (Index b = 0; b < data.transit_table.count; ++b) {
@@ -296,20 +300,20 @@ TEST(BorderPieces, TablesKeepToTheirShare) {
   // With the finest pieces the many needles of this wheel would take far more.
   const auto mesh = test::make_mesh(test::gear(100, 32, 8.0));
   const Partition partition = partition_of(*mesh);
-  const WorkMesh work = make_work_mesh(*mesh, partition);
+  const InnerSurface surface(*mesh, partition);
   const PatchLayer layer =
-      lay_out_patches(*work.mesh, work.second_layer, partition.second_layer_count, {}, TableOrder::lines);
+      lay_out_patches(surface, surface.second_layer, partition.second_layer_count, {}, TableOrder::lines);
   EXPECT_GT(longest_piece(*mesh, partition, pieces_of_edges(*mesh, partition)), 0.03);
   EXPECT_LE(static_cast<double>(layer.table_begin.back()), 1.02 * 360.0 * mesh->vertex_count());
   EXPECT_GE(static_cast<double>(layer.table_begin.back()), 150.0 * mesh->vertex_count());
 }
 
-// The work mesh: the same surface as the user's, with points on patch borders only.
+// The inner surface: the user's faces by patch, with places on borders of patches only.
 
 struct Made {
   std::shared_ptr<const Mesh> mesh;
   Partition partition;
-  WorkMesh work;
+  InnerSurface surface;
 };
 
 Made make(const Soup& soup, Index n1, Index n2) {
@@ -319,73 +323,84 @@ Made make(const Soup& soup, Index n1, Index n2) {
   options.first_layer_patches = n1;
   options.second_layer_patches = n2;
   made.partition = make_partition(*made.mesh, options, {});
-  made.work = make_work_mesh(*made.mesh, made.partition);
+  made.surface = InnerSurface(*made.mesh, made.partition);
   return made;
 }
 
 void expect_sound(const Made& made) {
-  const auto& [mesh, partition, work] = made;
-  ASSERT_EQ(static_cast<Index>(work.second_layer.size()), work.mesh->face_count()) << "a face was left out";
-  EXPECT_TRUE(std::is_sorted(work.second_layer.begin(), work.second_layer.end()));
-  ASSERT_EQ(static_cast<Index>(work.work_vertex.size()), mesh->vertex_count());
-  ASSERT_EQ(static_cast<Index>(work.user_vertex.size()), work.mesh->vertex_count());
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    const Index w = work.work_vertex[v];
-    ASSERT_EQ(w == no_index, mesh->corners(v).empty()) << "vertex " << v;
-    if (w == no_index) continue;
-    EXPECT_EQ(work.user_vertex[w], v);
-    EXPECT_EQ(work.mesh->position(w), mesh->position(v));
-    EXPECT_EQ(test::patches_at(*work.mesh, work.second_layer, w),
-              test::patches_at(*mesh, partition.second_layer, v));
-  }
-  for (Index w = 0; w < work.mesh->vertex_count(); ++w) {
-    if (work.user_vertex[w] != no_index) continue;
-    EXPECT_GE(test::patches_at(*work.mesh, work.second_layer, w).size(), 2U) << "a new point inside a patch";
-  }
-  std::vector<double> area(partition.second_layer_count, 0.0);
-  std::vector<double> work_area(partition.second_layer_count, 0.0);
-  for (Index f = 0; f < mesh->face_count(); ++f) area[partition.second_layer[f]] += mesh->face_area(f);
-  for (Index f = 0; f < work.mesh->face_count(); ++f)
-    work_area[work.second_layer[f]] += work.mesh->face_area(f);
-  for (std::size_t p = 0; p < area.size(); ++p)
-    EXPECT_NEAR(work_area[p], area[p], 1e-9 * area[p]) << "patch " << p;
-}
-
-void expect_same_distances(const Made& made, double tolerance) {
-  for (Index source : test::random_vertices(made.mesh->vertex_count(), 3, 1)) {
-    if (made.work.work_vertex[source] == no_index) continue;
-    const auto expected = exact_distance_field(made.mesh, std::array{source});
-    const auto found = exact_distance_field(made.work.mesh, std::array{made.work.work_vertex[source]});
-    for (Index v = 0; v < made.mesh->vertex_count(); ++v) {
-      if (made.work.work_vertex[v] == no_index) continue;
-      const double distance = found[made.work.work_vertex[v]];
-      if (expected[v] == unreachable) {
-        ASSERT_EQ(distance, unreachable);
-      } else {
-        test::expect_near(distance, expected[v], *made.mesh, tolerance, "vertex " + std::to_string(v));
-      }
+  const auto& [mesh, partition, surface] = made;
+  EXPECT_TRUE(std::ranges::is_sorted(surface.second_layer));
+  ASSERT_EQ(surface.mesh->face_count(), mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const Index inner = surface.face[f];
+    ASSERT_EQ(surface.user_face[inner], f);
+    EXPECT_EQ(surface.second_layer[inner], partition.second_layer[f]);
+    for (int k = 0; k < 3; ++k) {
+      const Index v = mesh->face_vertices(f)[k];
+      EXPECT_EQ(surface.mesh->face_vertices(inner)[k], surface.vertex[v]);
+      EXPECT_EQ(surface.user_vertex[surface.vertex[v]], v);
+      EXPECT_EQ(surface.mesh->position(surface.vertex[v]), mesh->position(v));
     }
   }
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    EXPECT_EQ(surface.vertex[v] == no_index, mesh->corners(v).empty()) << "vertex " << v;
+  }
+  // Places inside edges divide these evenly, and only where patches meet.
+  std::size_t places = 0;
+  for (Index e = 0; e < surface.mesh->edge_count(); ++e) {
+    const auto [first, last] = surface.places_inside(e);
+    places += last - first;
+    for (Index k = 0; k < last - first; ++k) {
+      EXPECT_NEAR(surface.point_at(first + k).position,
+                  surface.mesh->edge_length(e) * (k + 1) / (last - first + 1), 1e-12);
+    }
+  }
+  EXPECT_EQ(places, surface.point.size()) << "a place inside a patch";
 }
 
-TEST(WorkMesh, TheSameSurface) {
+TEST(InnerSurface, HasTheFacesOfTheUserByPatch) {
   const Soup two = test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7));
   for (const Soup& soup :
        {test::random_sphere(800, 2), test::hills(24, 0.2), test::with_flipped_faces(two, 3),
         test::plane_grid(40, 3, 1.0, 1.0, 0.2).soup, test::book_of_three_pages(9, 2.0, 1.0).soup,
         test::with_isolated_vertex(test::bow_tie(6).soup, {3, 3, 3})}) {
-    const Made made = make(soup, 3, 4);
-    expect_sound(made);
-    expect_same_distances(made, 1e-9);
+    expect_sound(make(soup, 3, 4));
   }
 }
 
-TEST(WorkMesh, PatchesOfAFewNeedlesAddABoundedNumberOfPoints) {
-  Soup needles = test::plane_grid(17, 2, 1e-3, 1.0).soup;
-  const Made made = make(needles, 2, 2);
-  EXPECT_GT(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count());
-  EXPECT_LE(made.work.edge_points.size(), 2.0 * made.mesh->vertex_count() + 128.0);
+TEST(InnerSurface, PatchesOfAFewNeedlesAddABoundedNumberOfPlaces) {
+  const Made made = make(test::plane_grid(17, 2, 1e-3, 1.0).soup, 2, 2);
+  EXPECT_GT(made.surface.point.size(), 2.0 * made.mesh->vertex_count());
+  EXPECT_LE(made.surface.point.size(), 2.0 * made.mesh->vertex_count() + 128.0);
   expect_sound(made);
+}
+
+TEST(InnerSurface, ThePieceAroundAPointHoldsIt) {
+  const Made made = make(test::plane_grid(40, 3, 1.0, 1.0, 0.2).soup, 3, 4);
+  const InnerSurface& surface = made.surface;
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int divided = 0;
+  for (Index face = 0; face < surface.mesh->face_count(); ++face) {
+    const double a = uniform(random);
+    const double b = (1.0 - a) * uniform(random);
+    const std::array<double, 3> weights{a, b, 1.0 - a - b};
+    const FacePiece piece(surface, face, weights);
+    divided += piece.place != surface.mesh->face_vertices(face);
+    const Point at = position_of(*surface.mesh, SurfacePoint::in_face(face, weights));
+    Point by_piece{};
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_GE(piece.weights[i], -1e-9);
+      const Point corner = surface.position(piece.place[i]);
+      const Point next = surface.position(piece.place[(i + 1) % 3]);
+      for (int k = 0; k < 3; ++k) by_piece[k] += piece.weights[i] * corner[k];
+      EXPECT_NEAR(piece.length[i], distance_between(corner, next), 1e-12);
+    }
+    EXPECT_NEAR(distance_between(at, by_piece), 0.0, 1e-12);
+  }
+  EXPECT_GT(divided, 10);
 }
 
 // Vertices far outside the rest change neither the distances of others nor the time of a build; hubs, faces
@@ -451,7 +466,7 @@ TEST(OutlierTables, OutliersAreOnNoBorder) {
   ASSERT_GT(outliers.count, 25);
   for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
     if (!outliers.is_outlier(v)) continue;
-    EXPECT_EQ(data.second.vertex_node[data.work.work_vertex[v]], no_index) << v;
+    EXPECT_EQ(data.second.vertex_node[data.surface.vertex[v]], no_index) << v;
   }
   const float greatest = std::ranges::max(data.second.scale, {}, &TableScale::unit).unit();
   EXPECT_LT(greatest * PatchLayer::greatest_entry, 100.0f * index->mesh()->typical_edge_length());

@@ -258,7 +258,7 @@ TEST(Partition, CancelledAtAnyReport) {
 TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
   const auto index = test::make_index(test::icosphere(3), 3, 4);
   const IndexData& data = index->data();
-  const Mesh& mesh = *data.work.mesh;
+  const Mesh& mesh = *data.surface.mesh;
   Halo halo(mesh, data.first_face);
   const std::vector<Index> patch{0};
   const auto all_faces = static_cast<std::size_t>(mesh.face_count());

@@ -60,7 +60,7 @@ double least_sum(const IndexData& data, const RouteEnd& from, const RouteEnd& to
 template <class AnyRouter, class Between>
 void expect_least_sums(const IndexData& data, Index sources, Index targets, Between&& between) {
   AnyRouter router(data);
-  const Index n = data.work.mesh->vertex_count();
+  const Index n = data.surface.vertex_count();
   for (Index source : test::random_vertices(n, sources, 1)) {
     for (Index target : test::random_vertices(n, targets, 2)) {
       const RouteEnd from = test::route_end(data, source);
@@ -191,7 +191,7 @@ TEST(PatchRouter, AsPlainSearchOverTheTables) {
     const auto index = test::make_index(soup, 3, 6);
     const IndexData& data = index->data();
     PatchRouter router(data);
-    const Index n = data.work.mesh->vertex_count();
+    const Index n = data.surface.vertex_count();
     for (Index source : test::random_vertices(n, 8, 1)) {
       for (Index target : test::random_vertices(n, 16, 2))
         expect_shortest_inside(data, router, source, target);

@@ -23,7 +23,7 @@ TEST(Workers, OrderPointsPatchByPatch) {
   auto order = Workers(surface, {.by = AnswerMethod::index}, 1.0).order_of_points(vertices);
   const IndexData& data = index->data();
   EXPECT_TRUE(std::ranges::is_sorted(
-      order, {}, [&](std::size_t i) { return data.home_patch[data.work.work_vertex[vertices[i]]]; }));
+      order, {}, [&](std::size_t i) { return data.home_patch[data.surface.vertex[vertices[i]]]; }));
   std::ranges::sort(order);
   for (std::size_t i = 0; i < vertices.size(); ++i) ASSERT_EQ(order[i], i) << "each once";
 }
