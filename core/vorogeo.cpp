@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "index/build_estimate.h"
+#include "index/build_cost.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_input.h"
 #include "mesh/metric.h"

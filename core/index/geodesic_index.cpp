@@ -7,11 +7,11 @@
 #include <new>
 #include <string>
 
+#include "index/build_cost.h"
 #include "index/index_data.h"
 #include "index/index_file.h"
 #include "index/index_partition.h"
 #include "index/local_tables.h"
-#include "index/memory_budget.h"
 #include "mesh/mesh.h"
 #include "support/error.h"
 #include "support/memory.h"
@@ -75,12 +75,21 @@ void IndexData::count() {
   statistics.first_layer_border_vertices = first.node_count();
   statistics.second_layer_border_vertices = second.node_count();
   statistics.form = form();
+  statistics.delta = head.delta;
+  statistics.seed = head.numbers[IndexHead::seed];
   statistics.arcs_before_pruning = pairs_of_nodes(first) + pairs_of_nodes(second);
   statistics.arcs = statistics.arcs_before_pruning;
-  if (graph.is_there()) {
+  if (form() == IndexForm::graph) {
     statistics.arcs -= pairs_of_nodes(first) - static_cast<std::int64_t>(graph.arc.size() / 2);
   }
   statistics.bytes = bytes();
+}
+
+void IndexData::note_mapped_bytes() {
+  statistics.mapped_bytes = 0;
+  for (const auto* table : {&second.table, &first.table, &transit_table.entry}) {
+    statistics.mapped_bytes += static_cast<std::int64_t>(table->size() * sizeof((*table)[0]));
+  }
 }
 
 const char* to_string(IndexForm form) {
@@ -118,23 +127,14 @@ void require_memory_for_tables(const IndexData& data, IndexForm form, bool in_fi
 /// The mesh and what is asked for, checked.
 std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const IndexOptions& options,
                                       const Progress& progress) {
-  if (!(options.delta >= 0.0 && options.delta < 1.0)) {
-    throw InvalidInput("delta is " + std::to_string(options.delta) +
-                       "; it must be at least 0 (nothing lost) and below 1.");
-  }
-  if (options.memory_budget < 0) {
-    throw InvalidInput("The memory budget is " + std::to_string(options.memory_budget) +
-                       " MiB; give a positive number, or 0 for " + std::to_string(default_memory_budget) +
-                       " MiB.");
-  }
-  require_lengths(*mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
+  require_buildable(*mesh, options);
   auto data = std::make_unique<IndexData>();
   data->mesh = std::move(mesh);
   const Watch watch(progress, "Reading the mesh");
-  data->fingerprint = fingerprint_of(*data->mesh);
-  data->statistics.delta = options.delta;
-  data->statistics.seed = options.seed;
-  data->requested_patches = {options.first_layer_patches, options.second_layer_patches};
+  data->head.fingerprint = fingerprint_of(*data->mesh);
+  data->head.delta = options.delta;
+  data->head.numbers = {options.seed, 0, 0, static_cast<std::uint64_t>(options.first_layer_patches),
+                        static_cast<std::uint64_t>(options.second_layer_patches)};
   return data;
 }
 
@@ -155,11 +155,14 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
   data.lay_out(options.threads, progress.part(0.07, 0.1));
   const MemoryBudget budget(options, file != nullptr);
   const IndexForm form = budget.form_of(data);
+  data.head.numbers[IndexHead::pairs] =
+      static_cast<std::uint64_t>(pairs_of_nodes(data.first) + pairs_of_nodes(data.second));
+  data.head.numbers[IndexHead::form] = form == IndexForm::graph ? 1 : 0;
   require_memory_for_tables(data, form, file != nullptr);
   TableRooms rooms;
   {
     const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
-    rooms = file != nullptr ? file->rooms(data, form) : rooms_in_memory(data, form);
+    rooms = file != nullptr ? file->rooms(data) : rooms_in_memory(data);
   }
   data.statistics.expected_fields = fill_local_tables(data.surface, data.geometry, data.second, rooms.second,
                                                       options.threads, progress.part(0.1, 0.8));
@@ -174,34 +177,13 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
                                     progress.part(0.85, 0.98));
   }
   data.landmarks = make_landmarks(data.second, progress.part(0.98, filled));
-  if (form == IndexForm::graph) {
-    const std::int64_t in_file = table_bytes(data.second) + table_bytes(data.first);
-    budget.require(data.bytes() - (file != nullptr ? in_file : 0));
-  }
+  if (form == IndexForm::graph) budget.require(data);
   if (file != nullptr) {
     const Watch watch(progress.part(filled, 1.0), "Writing the index file");
     file->finish(data);
-    note_mapped_bytes(data);
   }
   data.count();
   data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Refuses an index of another mesh or of other options, which a build must not replace.
-void require_same(const std::filesystem::path& file, const IndexData& data) {
-  IndexFileReader in(file);
-  const auto words = in.block<std::uint64_t>(2);
-  const bool same_mesh = std::ranges::equal(words, data.fingerprint.words);
-  const double delta = in.block<double>(1)[0];
-  const auto numbers = in.block<std::uint64_t>(5);
-  const bool same_options = delta == data.statistics.delta && numbers[0] == data.statistics.seed &&
-                            numbers[3] == static_cast<std::uint64_t>(data.requested_patches[0]) &&
-                            numbers[4] == static_cast<std::uint64_t>(data.requested_patches[1]);
-  if (same_mesh && same_options) return;
-  throw IndexFileError(
-      "The index file " + file.string() +
-      (same_mesh ? " has other options" : " is of another mesh, or this mesh was edited since") +
-      "; remove it or name another file.");
 }
 
 /// Any failed allocation as an error that says what to do.
@@ -235,21 +217,11 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build_in_file(const std::fil
     std::error_code unknown;  // what cannot be looked at cannot be written either, and then says why
     if (std::filesystem::exists(file, unknown)) {
       const Watch watch(progress.part(0.01, 1.0), "Loading the index");
-      require_same(file, *data);
+      require_same(file, data->head);
       return load(file, std::move(mesh));
     }
-    BuildFile out(file, *data);
-    if (out.is_complete()) {
-      require_same(out.unfinished(), *data);
-      try {
-        out.cut_leftovers();
-        auto index = load(out.unfinished(), mesh);
-        out.put_in_place();
-        return index;
-      } catch (const IndexFileError&) {
-        out.start_anew();
-      }
-    }
+    BuildFile out(file, data->head);
+    if (auto complete = out.complete(mesh)) return std::make_shared<const GeodesicIndex>(std::move(complete));
     fill_data(*data, options, &out, progress);
     return std::make_shared<const GeodesicIndex>(std::move(data));
   });
@@ -259,7 +231,7 @@ GeodesicIndex::GeodesicIndex(std::unique_ptr<IndexData> data) : data_(std::move(
 GeodesicIndex::~GeodesicIndex() = default;
 
 const std::shared_ptr<const Mesh>& GeodesicIndex::mesh() const { return data_->mesh; }
-const Fingerprint& GeodesicIndex::fingerprint() const { return data_->fingerprint; }
+const Fingerprint& GeodesicIndex::fingerprint() const { return data_->head.fingerprint; }
 const IndexStatistics& GeodesicIndex::statistics() const { return data_->statistics; }
 
 std::span<const Index> GeodesicIndex::face_patches(int layer) const {

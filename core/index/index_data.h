@@ -1,7 +1,9 @@
 // What an index consists of.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <ranges>
 #include <vector>
@@ -18,13 +20,29 @@
 
 namespace vorogeo {
 
+/// What an index is of and how it was asked for: the beginning of its file.
+struct IndexHead {
+  /// Places of numbers: seed, pairs of border nodes of both layers, form (0: tables, 1: graph), patches asked
+  /// for.
+  enum Number { seed, pairs, form, first_patches, second_patches };
+
+  Fingerprint fingerprint;
+  double delta = 0.0;
+  std::array<std::uint64_t, 5> numbers{};
+
+  bool has_options_of(const IndexHead& other) const {
+    return delta == other.delta &&
+           std::ranges::all_of(std::array{seed, first_patches, second_patches},
+                               [&](auto i) { return numbers[i] == other.numbers[i]; });
+  }
+};
+
 /// Read by the queries, written by the builder and the index file.
 struct IndexData {
   std::shared_ptr<const Mesh> mesh;  ///< the user's
-  Fingerprint fingerprint;
+  IndexHead head;
   IndexStatistics statistics;
-  std::array<Index, 2> requested_patches{};  ///< as in the options: of the first layer, of the second
-  Partition partition;                       ///< of the user's faces
+  Partition partition;  ///< of the user's faces
   InnerSurface surface;
   std::shared_ptr<const LocalGeometry> geometry;  ///< of that
   PatchLayer first;
@@ -78,11 +96,13 @@ struct IndexData {
   void lay_out(int threads, const Progress& progress);
   /// The last step of lay_out(): fills in parent_column and what follows from the layout.
   void link_layers();
-  IndexForm form() const { return graph.is_there() ? IndexForm::graph : IndexForm::tables; }
+  IndexForm form() const { return head.numbers[IndexHead::form] == 1 ? IndexForm::graph : IndexForm::tables; }
   /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;
   /// Fills in the statistics that are counted from the parts.
   void count();
+  /// And that the large tables lie in a file.
+  void note_mapped_bytes();
 };
 
 }  // namespace vorogeo

@@ -1,17 +1,18 @@
 // Index files: blocks and checks, an index saved and loaded, and one that is built in its file.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "index/local_tables.h"
 #include "index/transit_table.h"
@@ -19,6 +20,56 @@
 #include "support/file.h"
 
 namespace vorogeo {
+
+// ---- What an index file holds
+
+/// How many elements a block has.
+struct BlockCount {
+  std::uint64_t least = 0;
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+
+  static BlockCount exactly(std::uint64_t count) { return {count, count}; }
+  static BlockCount up_to(std::uint64_t count) { return {0, count}; }
+  bool holds(std::uint64_t count) const { return least <= count && count <= most; }
+};
+
+/// Calls visit(elements, count) for the blocks of a file in their order: all of them are written, read and
+/// given their places by this list. First, what the index is of.
+template <class Head, class Visit>
+void for_each_head_block(Head& head, Visit&& visit) {
+  visit(std::span(head.fingerprint.words), BlockCount::exactly(2));
+  visit(std::span(&head.delta, 1), BlockCount::exactly(1));
+  visit(std::span(head.numbers), BlockCount::exactly(head.numbers.size()));
+}
+
+/// Then the patches, from which the layout follows.
+template <class Data, class Visit>
+void for_each_patch_block(Data& data, Visit&& visit) {
+  const auto faces = static_cast<std::uint64_t>(data.mesh->face_count());
+  visit(data.partition.first_layer, BlockCount::exactly(faces));
+  visit(data.partition.second_layer, BlockCount::exactly(faces));
+  visit(data.partition.parent, BlockCount::up_to(faces));
+}
+
+/// Then the tables, whose sizes follow from the layout and the form.
+template <class Data, class Visit>
+void for_each_table_block(Data& data, Visit&& visit) {
+  const bool is_graph = data.form() == IndexForm::graph;
+  const auto nodes = static_cast<std::uint64_t>(data.first.node_count());
+  const std::uint64_t groups = is_graph ? 0 : transit_group_count(data.first);
+  visit(data.second.table, BlockCount::exactly(data.second.table_begin.back()));
+  visit(data.first.table, BlockCount::exactly(data.first.table_begin.back()));
+  visit(data.transit_table.entry, BlockCount::exactly(is_graph ? 0 : nodes * nodes));
+  for (auto* layer : {&data.second, &data.first}) {
+    visit(layer->scale, BlockCount::exactly(layer->patch_count));
+    visit(layer->offset, BlockCount::up_to(layer->member.size()));
+  }
+  visit(data.transit_table.least, BlockCount::exactly(groups * groups));
+  visit(std::span(&data.transit_table.scale, 1), BlockCount::exactly(1));
+  visit(data.graph.arc_begin, BlockCount::exactly(is_graph ? nodes + 1 : 0));
+  visit(data.graph.arc, BlockCount::up_to(is_graph ? 2 * pairs_of_nodes(data.first) : 0));
+  visit(data.landmarks.row, BlockCount::exactly(data.second.node_count()));
+}
 
 // ---- Reading and writing of index files: a header, then blocks of numbers, each with its size and checksum
 
@@ -28,26 +79,6 @@ std::uint64_t block_checksum(std::span<const std::byte> bytes);
 
 /// The contents of blocks begin at multiples of this in a file, as cache lines do in memory.
 inline constexpr std::size_t block_alignment = 64;
-
-/// Where the bytes of an index file go, one after the other.
-class IndexBytes {
- public:
-  virtual ~IndexBytes() = default;
-  virtual void write(std::span<const std::byte> bytes) = 0;
-};
-
-/// Those of an OutputFile, so that the target is either the old file or the complete new one. All its
-/// functions throw IndexFileError if the file cannot be written.
-class SavedIndexBytes : public IndexBytes {
- public:
-  explicit SavedIndexBytes(const std::filesystem::path& file);
-  void write(std::span<const std::byte> bytes) override;
-  /// Moves the file to its place.
-  void finish();
-
- private:
-  std::unique_ptr<OutputFile> out_;
-};
 
 /// The places of blocks in a file, by their sizes alone.
 class BlockPlaces {
@@ -61,38 +92,31 @@ class BlockPlaces {
   std::uint64_t end_ = 16;  ///< behind the head of the file
 };
 
-/// Writes the head of a file and its blocks.
+/// Writes the head of a file and its blocks. What lies at its place in the mapped file already is left there,
+/// and the first bytes come last, so that the file begins as an index only once it is complete.
 class IndexFileWriter {
  public:
-  explicit IndexFileWriter(IndexBytes& out);
+  explicit IndexFileWriter(OutputFile& out);
 
-  template <class T>
-  void block(std::span<const T> values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    write(std::as_bytes(values), sizeof(T));
+  /// Writes the elements of a vector, an array or a span.
+  template <class Elements>
+  void block(const Elements& elements) {
+    const auto values = std::span(elements.data(), elements.size());
+    static_assert(std::is_trivially_copyable_v<typename decltype(values)::value_type>);
+    write(std::as_bytes(values), sizeof(values[0]));
   }
-  template <class T>
-  void block(const std::vector<T>& values) {
-    block(std::span<const T>(values));
-  }
-  template <class T>
-  void block(const SharedArray<T>& values) {
-    block(std::span<const T>(values));
-  }
+  /// Writes the head and puts the file in its place.
+  void finish();
 
  private:
-  void write(std::span<const std::byte> bytes, std::size_t element_size);
+  void write(std::span<const std::byte> contents, std::size_t element_size);
+  void put(std::span<const std::byte> bytes);
 
-  IndexBytes& out_;
+  OutputFile& out_;
   BlockPlaces places_;
+  std::uint64_t written_ = 0;
+  std::array<std::byte, 256> head_{};
 };
-
-/// Runs a step that writes an index file. \throw IndexFileError for a folder, a device, no permission, a full
-/// disk.
-void writing_index(const std::function<void()>& step);
-
-/// Whether a file of this beginning is an index file, of whatever version.
-bool begins_as_index(std::string_view head);
 
 /// Reads the blocks in the order in which they were written.
 class IndexFileReader {
@@ -101,36 +125,25 @@ class IndexFileReader {
   /// another version or byte order.
   explicit IndexFileReader(const std::filesystem::path& file);
 
-  /// The next block, which must hold `count` elements. \throw IndexFileError if it does not or is damaged.
+  /// The next block. \throw IndexFileError if it has another number of elements or is damaged.
   template <class T>
-  std::vector<T> block(std::size_t count) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    expect(count, sizeof(T));
-    const auto contents = checked(count * sizeof(T));
-    std::vector<T> values(count);
-    if (count > 0) std::memcpy(values.data(), contents.data(), contents.size());
-    return values;
+  void read(std::vector<T>& values, BlockCount count = {}) {
+    const std::span<const std::byte> contents = next(sizeof(T), count);
+    values.resize(contents.size() / sizeof(T));
+    copy_to(std::span(values), contents);
   }
-  /// The next block, of any size that the rest of the file can hold.
-  template <class T>
-  std::vector<T> block() {
-    return block<T>(next_count(sizeof(T)));
+  template <class T, std::size_t n>
+  void read(std::span<T, n> values, BlockCount = {}) {
+    copy_to(values, next(sizeof(T), BlockCount::exactly(values.size())));
   }
   /// The next block as it lies in the file, which stays mapped as long as the array lives.
   template <class T>
-  SharedArray<T> mapped_block(std::size_t count) {
+  void read_mapped(SharedArray<T>& values, BlockCount count = {}) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= block_alignment);
-    expect(count, sizeof(T));
-    const auto contents = checked(count * sizeof(T));
-    return {{reinterpret_cast<const T*>(contents.data()), count}, contents_};
+    const std::span<const std::byte> contents = next(sizeof(T), count);
+    values = {{reinterpret_cast<const T*>(contents.data()), contents.size() / sizeof(T)}, contents_};
   }
-  template <class T>
-  SharedArray<T> mapped_block() {
-    return mapped_block<T>(next_count(sizeof(T)));
-  }
-  /// Passes over the next block, whatever it holds.
-  void skip_block();
-  /// Where the blocks passed so far end in the file.
+  /// Where the blocks read so far end in the file.
   std::uint64_t end() const { return contents_->bytes().size() - left_.size(); }
   /// \throw IndexFileError if anything follows.
   void finish();
@@ -138,31 +151,26 @@ class IndexFileReader {
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
-  std::size_t next_count(std::size_t element_size);
-  void expect(std::size_t count, std::size_t element_size);
+  template <class T, std::size_t n>
+  static void copy_to(std::span<T, n> values, std::span<const std::byte> contents) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (!contents.empty()) std::memcpy(values.data(), contents.data(), contents.size());
+  }
+  /// The contents of the next block, checked.
+  std::span<const std::byte> next(std::size_t element_size, BlockCount count);
   std::span<const std::byte> take(std::size_t bytes);
-  /// The contents of a block whose sizes have been read.
-  std::span<const std::byte> checked(std::size_t bytes);
   template <class T>
   T number();
 
   std::filesystem::path file_;
   std::shared_ptr<const MappedFile> contents_;
   std::span<const std::byte> left_;  ///< what was not yet read
-  bool counted_ = false;
-  std::uint64_t count_ = 0;
 };
 
-// ---- What an index file holds, in the order of its blocks
-
-/// Writes all blocks of an index.
-void write_index(IndexFileWriter& out, const IndexData& data);
-
-/// Where the index in a file ends, by the sizes of its blocks alone. \throw IndexFileError if there is none.
-std::uint64_t end_of_index(const std::filesystem::path& file);
-
-/// Fills in the statistics of an index whose large tables lie in a file.
-void note_mapped_bytes(IndexData& data);
+/// Reads an index and ties it to its mesh; `in` is then behind its last block. \throw IndexFileError as
+/// GeodesicIndex::load.
+std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem::path& file,
+                                      std::shared_ptr<const Mesh> mesh, TableStorage storage);
 
 // ---- The file of an index while it is built: its tables where they will be in the end, and behind them what
 // tells which are filled
@@ -175,7 +183,7 @@ struct TableRooms {
 };
 
 /// Rooms in memory for an index that is laid out.
-TableRooms rooms_in_memory(const IndexData& data, IndexForm form);
+TableRooms rooms_in_memory(const IndexData& data);
 
 /// Until it is finished the file is called NAME.unfinished and is no index file: it begins with a head of its
 /// own, which names the mesh and the options. A build that is stopped, be it by kill -9, leaves it for the
@@ -184,37 +192,33 @@ TableRooms rooms_in_memory(const IndexData& data, IndexForm form);
 class BuildFile {
  public:
   /// Opens what an earlier build has left, or makes a new file. \throw IndexFileError if that was of another
-  /// mesh or other options, or another process is building it. `data`: with fingerprint, statistics and
-  /// requested patches.
-  BuildFile(const std::filesystem::path& file, const IndexData& data);
+  /// mesh or other options, or another process is building it.
+  BuildFile(const std::filesystem::path& file, const IndexHead& index);
 
-  /// Whether it is an index that is complete but for its name.
-  bool is_complete() const { return is_complete_; }
-  const std::filesystem::path& unfinished() const { return out_->unfinished(); }
-  /// Cuts off what a complete file still has behind its end if the build was stopped in its last step.
-  void cut_leftovers();
-  /// Gives a complete file its name.
-  void put_in_place();
-  /// Forgets what was there.
-  void start_anew();
-
+  /// The index, if the file is complete but for its name, which it then gets; null if it is not, or is
+  /// damaged. \throw IndexFileError if that is of another mesh or other options, or another file has its name
+  /// by now.
+  std::unique_ptr<IndexData> complete(const std::shared_ptr<const Mesh>& mesh);
   /// Takes the space for an index that is laid out, and returns where its tables are filled. \throw
   /// IndexFileError also if the disk is too full, which leaves no file.
-  TableRooms rooms(const IndexData& data, IndexForm form);
+  TableRooms rooms(const IndexData& data);
   /// Writes what is not in the file yet, and puts it in its place.
-  void finish(const IndexData& data);
+  void finish(IndexData& data);
 
  private:
   struct Head;
   struct Layout;
 
-  Head head_of(const IndexData& data) const;
   [[noreturn]] void refuse(const char* what) const;
 
-  std::filesystem::path file_;
-  std::unique_ptr<ResumableFile> out_;
+  std::unique_ptr<OutputFile> out_;
+  IndexHead index_;
   bool is_complete_ = false;
   bool is_begun_ = false;  ///< space is taken, and parts may be filled
 };
+
+/// Refuses an index file of another mesh or with other options, which a build must not replace.
+/// \throw IndexFileError.
+void require_same(const std::filesystem::path& file, const IndexHead& index);
 
 }  // namespace vorogeo

@@ -66,7 +66,6 @@ struct TransitGraph {
   std::vector<Arc> arc;
   Landmarks landmarks;  ///< of the graph; they follow from the arcs
 
-  bool is_there() const { return !arc_begin.empty(); }
   std::span<const Arc> arcs(Index node) const {
     return {arc.data() + arc_begin[node], arc.data() + arc_begin[node + 1]};
   }

@@ -94,7 +94,9 @@ void fill_between(const TransitTable& transit_table, AccessBounds& bounds) {
 
 std::int64_t access_bounds_bytes(const IndexData& data) {
   if (data.first.node_count() == 0) return 0;
-  const AccessBounds bounds = lay_out_bounds(data, group_nodes(data.first));
+  TransitTable table;
+  group_nodes(data.first, table);
+  const AccessBounds bounds = lay_out_bounds(data, table);
   return static_cast<std::int64_t>(bounds.memory_bytes() + bounds.begin.back() + byte_lanes +
                                    bounds.between_begin.back() * sizeof(bounds.least_between[0]));
 }
@@ -132,22 +134,25 @@ AccessBounds make_access_bounds(const IndexData& data) {
 
 std::int64_t transit_table_bytes(const PatchLayer& first) {
   if (first.node_count() == 0) return 0;
-  const TransitTable table = group_nodes(first);
+  TransitTable table;
+  group_nodes(first, table);
   const auto count = static_cast<std::int64_t>(table.count);
   const auto groups = static_cast<std::int64_t>(table.group_count());
   return static_cast<std::int64_t>(table.memory_bytes() + sizeof(std::uint16_t) * count * count +
                                    sizeof(float) * groups * groups);
 }
 
-TransitTable group_nodes(const PatchLayer& first) {
-  TransitTable table;
+std::uint64_t transit_group_count(const PatchLayer& first) {
+  return group_by_patches(first, TransitTable::group_size).size() - 1;
+}
+
+void group_nodes(const PatchLayer& first, TransitTable& table) {
   table.count = first.node_count();
   table.group_begin = group_by_patches(first, TransitTable::group_size);
   table.group_of.reserve(table.count);
   for (Index group = 0; group < table.group_count(); ++group) {
     table.group_of.insert(table.group_of.end(), table.size(group), group);
   }
-  return table;
 }
 
 namespace {
@@ -280,7 +285,7 @@ struct Batch {
 
 TransitRoom::TransitRoom(const PatchLayer& first) {
   const auto count = static_cast<std::size_t>(first.node_count());
-  const std::size_t groups = group_by_patches(first, TransitTable::group_size).size() - 1;
+  const std::size_t groups = transit_group_count(first);
   table = rows = TableRoom(count * count, transit_batch_count(first));
   auto memory =
       std::make_shared<std::pair<std::vector<float>, std::vector<TableScale>>>(groups * groups, groups);
@@ -296,7 +301,8 @@ std::size_t transit_batch_count(const PatchLayer& first) {
 TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
                                 const Progress& progress) {
   if (first.node_count() == 0) return {};
-  TransitTable table = group_nodes(first);
+  TransitTable table;
+  group_nodes(first, table);
   const auto count = static_cast<std::size_t>(table.count);
   const auto groups = static_cast<std::size_t>(table.group_count());
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);

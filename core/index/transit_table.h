@@ -61,8 +61,10 @@ struct TransitTable {
 /// Memory that the table of a laid out layer takes, in bytes.
 std::int64_t transit_table_bytes(const PatchLayer& first);
 
-/// A table with the groups of the nodes, which follow from the layer alone, and without distances.
-TransitTable group_nodes(const PatchLayer& first);
+/// Fills in the groups of the nodes, which follow from the layer alone.
+void group_nodes(const PatchLayer& first, TransitTable& table);
+/// Their number.
+std::uint64_t transit_group_count(const PatchLayer& first);
 
 /// Where the table is filled: first its rows, search by search, then the table of both directions, which may
 /// take their place.

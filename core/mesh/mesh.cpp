@@ -15,7 +15,6 @@
 #include "mesh/vectors.h"
 #include "support/error.h"
 #include "support/parallel.h"
-#include "support/positive_rank.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -136,7 +135,12 @@ void Mesh::measure_edges() {
   has_zero_edges_ = positive < edge_length_.size();
   if (positive == 0) return;
   mean_edge_length_ = total / static_cast<double>(edge_length_.size());
-  const double greatest = typical_per_median * positive_of_rank(edge_length_, positive / 2);
+  std::vector<double> lengths;
+  lengths.reserve(positive);
+  std::ranges::copy_if(edge_length_, std::back_inserter(lengths), [](double length) { return length > 0.0; });
+  const auto median = lengths.begin() + static_cast<std::ptrdiff_t>(positive / 2);
+  std::ranges::nth_element(lengths, median);
+  const double greatest = typical_per_median * *median;
   double typical_total = 0.0;
   std::size_t count = 0;
   for (const Index e : checked(edge_count())) {

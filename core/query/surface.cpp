@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "index/build_estimate.h"
+#include "index/build_cost.h"
 #include "index/index_data.h"
 #include "query/landmarks.h"
 #include "support/error.h"

@@ -1,4 +1,4 @@
-// Files: written whole or not at all, mapped, gone on with after a stop; errors name the file.
+// Files: written whole or not at all, in one run or in several, and mapped; errors name the file.
 #include "support/file.h"
 
 #include <fcntl.h>
@@ -44,7 +44,8 @@ int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
        at += static_cast<std::int64_t>(zeros.size())) {
     checkpoint();
     const auto count = std::min<std::int64_t>(static_cast<std::int64_t>(zeros.size()), begin + size - at);
-    error = write_all(descriptor, std::span(zeros).first(static_cast<std::size_t>(count)), at);
+    error = write_all(descriptor, std::span(zeros).first(static_cast<std::size_t>(count)),
+                      static_cast<std::uint64_t>(at));
     if (error != 0) return error;
   }
   return 0;
@@ -52,16 +53,15 @@ int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
 
 }  // namespace
 
-int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset) {
+int write_all(int descriptor, std::span<const std::byte> bytes, std::uint64_t offset) {
   constexpr std::size_t max_bytes = std::size_t{1} << 30;  // a call takes less than 2 GiB
   while (!bytes.empty()) {
     const std::size_t size = std::min(bytes.size(), max_bytes);
-    const ssize_t done = offset < 0 ? ::write(descriptor, bytes.data(), size)
-                                    : ::pwrite(descriptor, bytes.data(), size, offset);
+    const ssize_t done = ::pwrite(descriptor, bytes.data(), size, static_cast<off_t>(offset));
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) return done == 0 ? ENOSPC : errno;
     bytes = bytes.subspan(static_cast<std::size_t>(done));
-    if (offset >= 0) offset += done;
+    offset += static_cast<std::uint64_t>(done);
   }
   return 0;
 }
@@ -136,8 +136,11 @@ namespace {
 
 constexpr const char* mark = ".vorogeo-";
 constexpr const char* ending = ".part";
+constexpr const char* kept_ending = ".unfinished";
 constexpr std::size_t longest_name = 255;  ///< in bytes, of every usual file system
 constexpr int max_links = 40;              ///< as in the kernel
+/// What is brought to the disk between two checkpoints.
+[[maybe_unused]] constexpr std::uint64_t bytes_per_sync = std::uint64_t{1} << 23;
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -157,6 +160,18 @@ fs::path end_of_links(fs::path file) {
     file = folder_of(file) / fs::read_symlink(file, error);  // an absolute link replaces the folder
   }
   return file;
+}
+
+/// Renames a file unless another one has its new name. \return errno, or 0.
+int rename_to_free_name(const fs::path& from, const fs::path& to) {
+#ifdef __linux__
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+#endif
+  // File systems that cannot do both in one step.
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(to, error))) return EEXIST;
+  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -189,122 +204,7 @@ fs::path output_target(const fs::path& file, const std::string& what) {
   return target;
 }
 
-OutputFile::OutputFile(const fs::path& file, std::string what)
-    : file_(file), what_(std::move(what)), target_(output_target(file, what_)) {
-  remove_leftovers();
-  create();
-  struct stat old {};
-  if (::stat(target_.c_str(), &old) == 0) {
-    // The new file gets the owner of the old one, if this user may give files away.
-    [[maybe_unused]] const int refused = ::fchown(descriptor_, old.st_uid, old.st_gid);
-    ::fchmod(descriptor_, old.st_mode & 07777);
-  }
-}
-
-void OutputFile::remove_leftovers() const {
-  const std::string prefix = prefix_of(target_);
-  std::error_code error;
-  for (fs::directory_iterator at(folder_of(target_), error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(ending)) continue;
-    const int other = ::open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (other < 0) continue;
-    if (::flock(other, LOCK_EX | LOCK_NB) == 0) ::unlink(at->path().c_str());
-    ::close(other);
-  }
-}
-
-void OutputFile::create() {
-  std::random_device random;
-  // Another process that cleans up may remove the file before it is locked; then another one is made.
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    std::array<char, 9> number{};
-    std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
-    temporary_ = folder_of(target_) / (prefix_of(target_) + number.data() + ending);
-    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno == EEXIST) continue;
-    if (descriptor_ < 0) {
-      const int error = errno;
-      temporary_.clear();
-      throw FileError(named_file(file_, what_) + " cannot be written (" + reason_of(error) +
-                      "); check that its folder may be written to, or name another file.");
-    }
-    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, leftovers stay
-    struct stat mine {};
-    if (::fstat(descriptor_, &mine) == 0 && mine.st_nlink > 0) return;
-    ::close(descriptor_);
-    descriptor_ = -1;
-  }
-  temporary_.clear();
-  throw FileError(named_file(file_, what_) + " cannot be written: no temporary file can be made; try again.");
-}
-
-void OutputFile::fail(const std::string& how_far, int error) const {
-  fail_writing(file_, what_, how_far, error);
-}
-
-void OutputFile::reserve(std::uint64_t bytes) {
-  const int error = reserve_space(descriptor_, 0, bytes);
-  if (error != 0) fail("it takes " + std::to_string(bytes) + " bytes", error);
-}
-
-void OutputFile::write(std::span<const std::byte> bytes) {
-  const int error = write_all(descriptor_, bytes, -1);
-  if (error != 0) {
-    fail("it broke off between bytes " + std::to_string(written_) + " and " +
-             std::to_string(written_ + bytes.size()),
-         error);
-  }
-  written_ += bytes.size();
-}
-
-void OutputFile::finish() {
-  // A network file system may notice only here that it is full.
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) {
-    fail("it did not reach the disk", errno);
-  }
-  std::error_code error;
-  fs::rename(temporary_, target_, error);
-  if (error) {
-    throw FileError(named_file(file_, what_) + " cannot be put in its place (" + error.message() +
-                    "); name another file.");
-  }
-  temporary_.clear();
-  discard();
-}
-
-void OutputFile::discard() noexcept {
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  temporary_.clear();
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
-}
-
-// ---- The file under its unfinished name, with a lock, mapped for writing
-
-namespace fs = std::filesystem;
-
-namespace {
-
-constexpr const char* unfinished_ending = ".unfinished";
-/// What is brought to the disk between two checkpoints.
-[[maybe_unused]] constexpr std::uint64_t bytes_per_sync = std::uint64_t{1} << 23;
-
-/// Renames a file unless another one has its new name. \return errno, or 0.
-int rename_to_free_name(const fs::path& from, const fs::path& to) {
-#ifdef __linux__
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return errno;
-#endif
-  // File systems that cannot do both in one step.
-  std::error_code error;
-  if (fs::exists(fs::symlink_status(to, error))) return EEXIST;
-  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
-}
-
-}  // namespace
-
-class ResumableFile::Mapping {
+class OutputFile::Mapping {
  public:
   Mapping(int descriptor, std::size_t size) : size_(size) {
     void* begin = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
@@ -323,89 +223,152 @@ class ResumableFile::Mapping {
   std::size_t size_;
 };
 
-fs::path ResumableFile::unfinished_name(const fs::path& target) {
-  fs::path name = target;
-  name += unfinished_ending;
-  return name;
+OutputFile::OutputFile(const fs::path& file, std::string what, Unfinished unfinished)
+    : file_(file), what_(std::move(what)), unfinished_(unfinished), target_(output_target(file, what_)) {
+  if (unfinished_ == Unfinished::kept) {
+    open_kept();
+    return;
+  }
+  remove_leftovers();
+  open_temporary();
+  struct stat old {};
+  if (::stat(target_.c_str(), &old) == 0) {
+    // The new file gets the owner of the old one, if this user may give files away.
+    [[maybe_unused]] const int refused = ::fchown(descriptor_, old.st_uid, old.st_gid);
+    ::fchmod(descriptor_, old.st_mode & 07777);
+  }
 }
 
-ResumableFile::ResumableFile(const fs::path& target, std::string what)
-    : target_(output_target(target, what)), unfinished_(unfinished_name(target_)), what_(std::move(what)) {
-  output_target(unfinished_, what_);
-  const std::string name = named_file(unfinished_, what_);
+OutputFile::~OutputFile() {
+  struct stat found {};
+  const bool has_contents = ::fstat(descriptor_, &found) == 0 && found.st_size > 0;
+  if (unfinished_ == Unfinished::removed || !has_contents) discard();
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::remove_leftovers() const {
+  const std::string prefix = prefix_of(target_);
+  std::error_code error;
+  for (fs::directory_iterator at(folder_of(target_), error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(ending)) continue;
+    const int other = ::open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (other < 0) continue;
+    if (::flock(other, LOCK_EX | LOCK_NB) == 0) ::unlink(at->path().c_str());
+    ::close(other);
+  }
+}
+
+void OutputFile::open_temporary() {
+  std::random_device random;
+  // Another process that cleans up may remove the file before it is locked; then another one is made.
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    std::array<char, 9> number{};
+    std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
+    temporary_ = folder_of(target_) / (prefix_of(target_) + number.data() + ending);
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == EEXIST) continue;
+    if (descriptor_ < 0) {
+      const int error = errno;
+      temporary_.clear();
+      refuse("cannot be written (" + reason_of(error) +
+             "); check that its folder may be written to, or name another file.");
+    }
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, leftovers stay
+    if (has_its_name()) return;
+    ::close(descriptor_);
+    descriptor_ = -1;
+  }
+  temporary_.clear();
+  refuse("cannot be written: no temporary file can be made; try again.");
+}
+
+void OutputFile::open_kept() {
+  fs::path name = target_;
+  name += kept_ending;
+  output_target(name, what_);
   // Whoever held the lock may have renamed or removed the file before it was free.
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = ::open(unfinished_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    descriptor_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-      throw FileError(name + " cannot be written (" + reason_of(errno) +
+      throw FileError(named_file(name, what_) + " cannot be written (" + reason_of(errno) +
                       "); check that its folder may be written to, or name another file.");
     }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor_);
-      throw FileError(name + " is being written by another process; wait for it or name another file.");
+      throw FileError(named_file(name, what_) +
+                      " is being written by another process; wait for it or name another file.");
     }
+    temporary_ = name;
   } while (!has_its_name());
 }
 
-ResumableFile::~ResumableFile() {
-  struct stat found {};
-  if (::fstat(descriptor_, &found) == 0 && found.st_size == 0) discard();
-  ::close(descriptor_);
-}
-
-bool ResumableFile::has_its_name() const {
+bool OutputFile::has_its_name() const {
   struct stat own {};
   struct stat named {};
-  return ::fstat(descriptor_, &own) == 0 && ::lstat(unfinished_.c_str(), &named) == 0 &&
+  return ::fstat(descriptor_, &own) == 0 && ::lstat(temporary_.c_str(), &named) == 0 &&
          own.st_dev == named.st_dev && own.st_ino == named.st_ino;
 }
 
-void ResumableFile::fail(const std::string& how_far, int error) const {
-  fail_writing(target_, what_, how_far, error);
+void OutputFile::refuse(const std::string& what) const {
+  throw FileError(named_file(file_, what_) + " " + what);
 }
 
-std::uint64_t ResumableFile::size() const {
+void OutputFile::fail(const std::string& how_far, int error) const {
+  fail_writing(file_, what_, how_far, error);
+}
+
+std::uint64_t OutputFile::size() const {
   struct stat found {};
   if (::fstat(descriptor_, &found) != 0) fail("its size cannot be read", errno);
   return static_cast<std::uint64_t>(found.st_size);
 }
 
-std::string ResumableFile::head(std::size_t bytes) const {
+std::string OutputFile::head(std::size_t bytes) const {
   std::string text(bytes, '\0');
   const ssize_t found = ::pread(descriptor_, text.data(), bytes, 0);
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, found)));
   return text;
 }
 
-void ResumableFile::resize(std::uint64_t bytes) {
+void OutputFile::resize(std::uint64_t bytes) {
   if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) fail("its size cannot be changed", errno);
 }
 
-void ResumableFile::reserve(std::uint64_t offset, std::uint64_t bytes) {
+void OutputFile::reserve(std::uint64_t offset, std::uint64_t bytes) {
   const int error = reserve_space(descriptor_, offset, bytes);
-  if (error != 0) fail("building it takes " + std::to_string(bytes) + " bytes", error);
+  if (error == 0) return;
+  const std::string takes = unfinished_ == Unfinished::kept ? "building it takes " : "it takes ";
+  fail(takes + std::to_string(bytes) + " bytes", error);
 }
 
-void ResumableFile::map() {
+void OutputFile::map() {
   try {
     mapping_ = std::make_shared<Mapping>(descriptor_, size());
   } catch (const std::system_error& error) {
-    throw FileError(named_file(target_, what_) + " cannot be mapped to memory (" + error.code().message() +
-                    "); build the index in memory and save it there, or name a file on another disk.");
+    refuse("cannot be mapped to memory (" + error.code().message() +
+           "); build the index in memory and save it there, or name a file on another disk.");
   }
 }
 
-std::span<std::byte> ResumableFile::mapped() const { return mapping_->bytes(); }
-
-std::shared_ptr<const void> ResumableFile::mapping() const { return mapping_; }
-
-void ResumableFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {
-  const int error = write_all(descriptor_, bytes, static_cast<std::int64_t>(offset));
-  if (error != 0) fail("it broke off at byte " + std::to_string(offset), error);
+std::span<std::byte> OutputFile::mapped() const {
+  return mapping_ ? mapping_->bytes() : std::span<std::byte>();
 }
 
-void ResumableFile::sync() {
+std::shared_ptr<const void> OutputFile::mapping() const { return mapping_; }
+
+void OutputFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {
+  const int error = write_all(descriptor_, bytes, offset);
+  if (error != 0) {
+    fail("it broke off between bytes " + std::to_string(offset) + " and " +
+             std::to_string(offset + bytes.size()),
+         error);
+  }
+  written_ = offset + bytes.size();
+}
+
+void OutputFile::sync() {
 #ifdef __linux__
   // Piece by piece, so that the whole takes no single call of minutes.
   const std::uint64_t end = size();
@@ -415,28 +378,38 @@ void ResumableFile::sync() {
                       SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
   }
 #endif
+  // A network file system may notice only here that it is full.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("it did not reach the disk", errno);
 }
 
-void ResumableFile::finish() {
+void OutputFile::finish() {
   if (mapping_) mapping_->make_read_only();
-  if (!has_its_name()) {
-    throw FileError(named_file(unfinished_, what_) +
+  sync();
+  const bool is_kept = unfinished_ == Unfinished::kept;
+  if (is_kept && !has_its_name()) {
+    throw FileError(named_file(temporary_, what_) +
                     " was removed or replaced while it was being written: build the index again.");
   }
-  const int error = rename_to_free_name(unfinished_, target_);
-  if (error == 0) return;
-  const std::string name = named_file(target_, what_);
-  const std::string stays = "; the new one is complete and stays in " + unfinished_.string();
-  if (error == EEXIST) {
-    throw FileError(name + " has been made by another program meanwhile" + stays + ": rename one of them.");
+  int error = 0;
+  if (is_kept) {
+    error = rename_to_free_name(temporary_, target_);
+  } else if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    error = errno;
   }
-  throw FileError(name + " cannot be put in its place (" + reason_of(error) + ")" + stays +
-                  ": rename it, or check its folder.");
+  if (error == 0) {
+    temporary_.clear();
+    return;
+  }
+  if (!is_kept) refuse("cannot be put in its place (" + reason_of(error) + "); name another file.");
+  const std::string stays = "; the new one is complete and stays in " + temporary_.string();
+  if (error == EEXIST) refuse("has been made by another program meanwhile" + stays + ": rename one of them.");
+  refuse("cannot be put in its place (" + reason_of(error) + ")" + stays +
+         ": rename it, or check its folder.");
 }
 
-void ResumableFile::discard() noexcept {
-  if (has_its_name()) ::unlink(unfinished_.c_str());
+void OutputFile::discard() noexcept {
+  if (!temporary_.empty() && has_its_name()) ::unlink(temporary_.c_str());
+  temporary_.clear();
 }
 
 }  // namespace vorogeo

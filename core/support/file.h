@@ -1,4 +1,4 @@
-// Files: written whole or not at all, mapped, gone on with after a stop; errors name the file.
+// Files: written whole or not at all, in one run or in several, and mapped; errors name the file.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ class FileError : public Error {
   using Error::Error;
 };
 
-/// Writes all bytes at an offset, or at the end if it is negative. \return errno, or 0.
-int write_all(int descriptor, std::span<const std::byte> bytes, std::int64_t offset);
+/// Writes all bytes at an offset. \return errno, or 0.
+int write_all(int descriptor, std::span<const std::byte> bytes, std::uint64_t offset);
 
 /// Reserves disk space for the bytes from an offset on, so that memory mapped to the file can be written
 /// without a signal; what the file has there stays. On file systems that cannot reserve space, zeros are
@@ -95,7 +95,7 @@ class SharedArray {
   std::shared_ptr<const void> owner_;
 };
 
-// ---- A file that replaces its target only once it is complete; if the writer is stopped, the old file stays
+// ---- A file that gets its name only once it is complete
 
 /// Where a file of this name is written: the name itself, or what a symbolic link points to, which need not
 /// exist. `what` begins the messages ("The index file").
@@ -103,101 +103,76 @@ class SharedArray {
 /// if it may not be written to.
 std::filesystem::path output_target(const std::filesystem::path& file, const std::string& what);
 
-/// Writes to a temporary file next to the target and renames it at the end.
-///
-/// The temporary is called NAME.vorogeo-*.part and holds a lock (flock) as long as its writer lives. So any
-/// user of the folder can tell one that a killed process has left from one in use, and whoever next writes to
-/// the same target removes it. An existing target keeps its permissions; not thread-safe, but any number of
-/// writers may share a target: the last to finish wins.
+/// Writes to a file next to the target and renames it at the end. It holds a lock (flock) as long as its
+/// writer lives, where the file system has locks. Not thread-safe, except for writing to different places of
+/// the mapped memory.
 class OutputFile {
  public:
-  /// \throw as output_target, and FileError if no file can be made there.
-  OutputFile(const std::filesystem::path& file, std::string what);
-  ~OutputFile() { discard(); }
+  enum class Unfinished {
+    /// Called NAME.vorogeo-*.part, and replaces the target, which keeps its permissions. What a killed
+    /// process has left is removed by whoever next writes to the same target; any number of writers may share
+    /// it: the last to finish wins.
+    removed,
+    /// Called NAME.unfinished, and stays until finish() or discard(), whatever stops the process: the next
+    /// writer, one at a time, goes on with it. A file that has its target's name by then is not replaced.
+    kept
+  };
+
+  /// Opens what an earlier writer has left, or makes an empty file. `what` begins the messages ("The index
+  /// file"). \throw as output_target, and FileError if no file can be made there or another process has it.
+  OutputFile(const std::filesystem::path& file, std::string what,
+             Unfinished unfinished = Unfinished::removed);
+  /// Removes an unfinished file unless it is kept and has contents.
+  ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Reserves disk space for this many bytes, so that memory mapped to the file can be written without a
-  /// signal. On file systems that cannot reserve space, zeros are written. \throw FileError if there is not
-  /// enough; it says how many bytes are needed.
-  void reserve(std::uint64_t bytes);
-  /// Appends. \throw FileError if the disk is full or fails.
-  void write(std::span<const std::byte> bytes);
-  /// Puts the file, safely on its disk, in the place of the target. \throw FileError if that fails.
-  void finish();
-  /// Removes the temporary unless finish() has succeeded.
-  void discard() noexcept;
-
-  /// The file being written, for callers that map it into memory; valid until finish() or discard().
+  /// The file being written; valid until finish() or discard().
   const std::filesystem::path& temporary() const { return temporary_; }
-
- private:
-  void remove_leftovers() const;
-  void create();
-  [[noreturn]] void fail(const std::string& how_far, int error) const;
-
-  std::filesystem::path file_;  ///< as the caller named it
-  std::string what_;
-  std::filesystem::path target_;
-  std::filesystem::path temporary_;
-  int descriptor_ = -1;
-  std::uint64_t written_ = 0;
-};
-
-// ---- A file that is made in one or more runs: a later run goes on from what was written
-
-/// Writes to a file next to its target, NAME.unfinished, which stays until finish() renames it or discard()
-/// removes it, whatever stops the process. A lock (flock) keeps a second process from going on with it at the
-/// same time, where the file system has locks. Not thread-safe, except for writing to different places of the
-/// mapped memory.
-class ResumableFile {
- public:
-  /// Opens what an earlier run has left, or makes an empty file. `what` begins the messages ("The index
-  /// file"). \throw as output_target, and FileError if the file cannot be made or another process has it.
-  ResumableFile(const std::filesystem::path& target, std::string what);
-  /// A file that is still empty is removed.
-  ~ResumableFile();
-  ResumableFile(const ResumableFile&) = delete;
-  ResumableFile& operator=(const ResumableFile&) = delete;
-
-  /// The name that the file has until it is finished.
-  static std::filesystem::path unfinished_name(const std::filesystem::path& target);
-  const std::filesystem::path& unfinished() const { return unfinished_; }
-
   /// Bytes that it has.
   std::uint64_t size() const;
   /// Its first bytes; fewer if it is shorter.
   std::string head(std::size_t bytes) const;
   /// Cuts or extends it. \throw FileError.
   void resize(std::uint64_t bytes);
-  /// Reserves disk space (reserve_space). \throw FileError if there is not enough; it says how much is
+  /// Reserves disk space (reserve_space). \throw FileError if there is not enough; it says how many bytes are
   /// needed.
+  void reserve(std::uint64_t bytes) { reserve(0, bytes); }
   void reserve(std::uint64_t offset, std::uint64_t bytes);
   /// Maps all of it to memory that can be written. \throw FileError if the file system cannot.
   void map();
+  /// Empty if it is not mapped.
   std::span<std::byte> mapped() const;
   /// What keeps it mapped, also beyond the life of this object. Call after map().
   std::shared_ptr<const void> mapping() const;
-  /// \throw FileError if the disk is full or fails.
+  /// Behind what was written last. \throw FileError if the disk is full or fails.
+  void write(std::span<const std::byte> bytes) { write(written_, bytes); }
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
   /// Waits until all that was written is on the disk; reports at checkpoints. \throw FileError.
   void sync();
-  /// Renames the file to its target, and lets its mapped memory be read only. \throw FileError, also if the
-  /// file was removed or replaced meanwhile, or another one has its target's name.
+  /// Puts the file, safely on its disk, in its place, and lets its mapped memory be read only. \throw
+  /// FileError, also if a kept file was removed or replaced meanwhile, or another one has its target's name.
   void finish();
-  /// Removes it.
+  /// Removes it unless finish() has succeeded.
   void discard() noexcept;
 
  private:
   class Mapping;
+  void remove_leftovers() const;
+  void open_temporary();
+  void open_kept();
   /// Whether the file of that name is still this one.
   bool has_its_name() const;
+  [[noreturn]] void refuse(const std::string& what) const;
   [[noreturn]] void fail(const std::string& how_far, int error) const;
 
-  std::filesystem::path target_;
-  std::filesystem::path unfinished_;
+  std::filesystem::path file_;  ///< as the caller named it
   std::string what_;
+  Unfinished unfinished_;
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
   int descriptor_ = -1;
+  std::uint64_t written_ = 0;
   std::shared_ptr<Mapping> mapping_;
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bindings.h"
-#include "index/build_estimate.h"
+#include "index/build_cost.h"
 #include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"

@@ -13,11 +13,10 @@
 
 #include "exact/exact_solver.h"
 #include "index/border_pieces.h"
-#include "index/build_estimate.h"
+#include "index/build_cost.h"
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "index/index_partition.h"
-#include "index/memory_budget.h"
 #include "patches/partition.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"
@@ -272,18 +271,6 @@ TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
   EXPECT_EQ(parts.exact_field_seconds, 0.0);
 }
 
-TEST(BuildEstimate, KeepsToThePatchesAskedFor) {
-  IndexOptions options;
-  options.first_layer_patches = 30;
-  options.second_layer_patches = 6;
-  const test::Soup soup = test::icosphere(4);
-  const double held = test::make_index(soup, 30, 6)->statistics().bytes;
-  const double estimated = estimate_build(test::make_mesh(soup), options, false).bytes;
-  EXPECT_NEAR(estimated, held, 0.3 * held);
-  const double of_usual_patches = estimate_build(test::make_mesh(soup), {}, false).bytes;
-  EXPECT_GT(estimated, 1.5 * of_usual_patches);
-}
-
 /// With so many patches (0: chosen), the estimate has about the bytes of an index of tables, which all follow
 /// from the layout.
 void expect_bytes_laid_out(const std::shared_ptr<const Mesh>& mesh, Index first, Index second) {
@@ -319,8 +306,11 @@ TEST(BuildEstimate, ChoosesTheFormByTheMemoryBudget) {
   EXPECT_EQ(estimate_build(test::make_mesh(test::icosphere(5)), options, false).form, IndexForm::graph);
 }
 
-TEST(BuildEstimate, RefusesAMeshWithoutFacesAndIsCancelled) {
+TEST(BuildEstimate, RefusesWhatABuildRefusesAndIsCancelled) {
   EXPECT_THROW(estimate_build(test::make_mesh({{{0.0, 0.0, 0.0}}, {}})), InvalidInput);
+  IndexOptions options;
+  options.delta = 2.0;
+  EXPECT_THROW(estimate_build(test::make_mesh(test::icosphere(1)), options), InvalidInput);
   const Progress stop([](double, const std::string&) { return false; });
   EXPECT_THROW(estimate_build(test::make_mesh(test::icosphere(3)), {}, true, stop), Cancelled);
 }
@@ -388,20 +378,6 @@ TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
       static_cast<std::int64_t>(std::ceil(static_cast<double>(c.build(0, 0.05)->statistics().bytes) / mib));
   EXPECT_EQ(c.build(least, 0.05)->statistics().form, IndexForm::graph);
   EXPECT_NE(c.refusal(least - 1, 0.05).find("takes"), std::string::npos);
-}
-
-TEST(MemoryBudget, CountsWhatOfATransitTableIsInNoFile) {
-  const auto index = test::make_index(test::hills(30, 0.12), 5, 4);
-  const TransitTable& table = index->data().transit_table;
-  const std::int64_t rest =
-      sizeof(float) * table.least.size() + sizeof(Index) * (table.group_begin.size() + table.group_of.size());
-  EXPECT_EQ(transit_bytes(index->data().first, true), rest);
-  EXPECT_EQ(transit_bytes(index->data().first, false), rest + 2 * std::int64_t{table.count} * table.count);
-}
-
-TEST(MemoryBudget, NamesOfForms) {
-  EXPECT_STREQ(to_string(IndexForm::tables), "tables");
-  EXPECT_STREQ(to_string(IndexForm::graph), "graph");
 }
 
 // Patches of an index: the usual ones, better ones where tables would be large, one for each component where

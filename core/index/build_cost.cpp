@@ -1,24 +1,103 @@
-// Lays out the mesh, or parts of it, and times some of the work that a build does.
-#include "index/build_estimate.h"
+// Sizes of both forms from the layout, and times of some of the work that a build does.
+#include "index/build_cost.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "exact/local_solver.h"
-#include "index/index_data.h"
 #include "index/index_partition.h"
 #include "index/local_tables.h"
-#include "index/memory_budget.h"
-#include "mesh/mesh.h"
 #include "mesh/outliers.h"
 #include "patches/partition.h"
+#include "support/error.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
 namespace vorogeo {
+
+void require_buildable(const Mesh& mesh, const IndexOptions& options) {
+  if (!(options.delta >= 0.0 && options.delta < 1.0)) {
+    throw InvalidInput("delta is " + std::to_string(options.delta) +
+                       "; it must be at least 0 (nothing lost) and below 1.");
+  }
+  if (options.memory_budget < 0) {
+    throw InvalidInput("The memory budget is " + std::to_string(options.memory_budget) +
+                       " MiB; give a positive number, or 0 for " + std::to_string(default_memory_budget) +
+                       " MiB.");
+  }
+  require_lengths(mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
+}
+
+// ---- Memory, and the form that it allows
+
+namespace {
+
+constexpr std::int64_t bytes_per_mib = 1 << 20;
+
+}  // namespace
+
+std::int64_t table_bytes(const PatchLayer& layer) {
+  return static_cast<std::int64_t>(layer.table_begin.back() * sizeof(layer.table[0]) +
+                                   layer.patch_count * (sizeof(layer.scale[0]) + sizeof(layer.complete[0])));
+}
+
+std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file) {
+  const auto count = static_cast<std::int64_t>(first.node_count());
+  const auto entries = static_cast<std::int64_t>(sizeof(TransitTable::infinite_entry)) * count * count;
+  return transit_table_bytes(first) - (entries_in_file ? entries : 0);
+}
+
+std::int64_t MemoryBudget::mib() const {
+  if (options_.memory_budget != 0) return options_.memory_budget;
+  return tables_in_file_ ? std::numeric_limits<std::int64_t>::max() : default_memory_budget;
+}
+
+bool MemoryBudget::fits(std::int64_t bytes) const {
+  return (bytes + bytes_per_mib - 1) / bytes_per_mib <= mib();
+}
+
+void MemoryBudget::refuse(std::int64_t bytes, const char* comparison) const {
+  std::string advice = "give a larger memory budget";
+  if (options_.form != IndexForm::tables) {
+    advice +=
+        options_.delta > 0.0 ? " or a larger delta" : ", or a delta above 0, which makes the graph smaller";
+  }
+  throw InvalidInput(
+      "The memory budget is " + std::to_string(mib()) + " MiB, but the index of this mesh takes " +
+      comparison + " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) + " MiB" +
+      (options_.form == IndexForm::tables ? "" : " in its smallest form") + ": " + advice + ".");
+}
+
+std::int64_t MemoryBudget::layer_bytes(const IndexData& data) const {
+  return tables_in_file_ ? 0 : table_bytes(data.second) + table_bytes(data.first);
+}
+
+IndexForm MemoryBudget::form_of(std::int64_t with_transit) const {
+  if (options_.form != IndexForm::automatic) return options_.form;
+  return options_.delta == 0.0 && fits(with_transit) ? IndexForm::tables : IndexForm::graph;
+}
+
+IndexForm MemoryBudget::form_of(const IndexData& data) const {
+  const std::int64_t landmarks = static_cast<std::int64_t>(sizeof(Landmarks::Row)) * data.second.node_count();
+  const std::int64_t both = data.bytes() + layer_bytes(data) + landmarks;
+  const std::int64_t tables = both + transit_bytes(data.first, tables_in_file_) + access_bounds_bytes(data);
+  const IndexForm form = form_of(tables);
+  if (form == IndexForm::tables && !fits(tables)) refuse(tables, "at least");
+  if (form == IndexForm::graph && !fits(both)) refuse(both, "more than");
+  return form;
+}
+
+void MemoryBudget::require(const IndexData& data) const {
+  const std::int64_t in_file = tables_in_file_ ? table_bytes(data.second) + table_bytes(data.first) : 0;
+  if (!fits(data.bytes() - in_file)) refuse(data.bytes() - in_file, "at least");
+}
+
+// ---- Time: parts of the mesh are laid out, and some runs are timed
 
 namespace {
 
@@ -109,7 +188,7 @@ PartitionOptions share_of(const PartitionOptions& asked, double first_patches, c
 
 BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options,
                              bool with_fields, const Progress& progress) {
-  require_lengths(*mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
+  require_buildable(*mesh, options);
   const Watch watch(progress, estimate_phase);
   const Progress still = progress.part(0.0, 0.0);
   IndexData data;
@@ -153,8 +232,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
 
   BuildEstimate estimate;
   const std::int64_t with_tables = static_cast<std::int64_t>(kept + transit);
-  const MemoryBudget budget(options);
-  estimate.form = options.delta == 0.0 && budget.fits(with_tables) ? IndexForm::tables : IndexForm::graph;
+  estimate.form = MemoryBudget(options).form_of(with_tables);
   estimate.bytes = estimate.form == IndexForm::tables ? with_tables : static_cast<std::int64_t>(kept);
   const int threads = resolve_thread_count(options.threads);
   estimate.core_seconds = layout_seconds + run_seconds + seconds_per_first_byte * first;
