@@ -43,6 +43,21 @@ std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource
   return checked;
 }
 
+std::vector<ExactSource> sources_at(std::span<const Index> vertices) {
+  std::vector<ExactSource> sources;
+  sources.reserve(vertices.size());
+  for (const Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v)});
+  return sources;
+}
+
+void report_run(const ExactLimits& limits, double fraction, const char* activity) {
+  if (limits.progress != nullptr) {
+    limits.progress->report(std::min(1.0, fraction), activity);
+  } else {
+    checkpoint();
+  }
+}
+
 void require_limit(double max_distance) {
   if (max_distance >= 0.0) return;
   throw InvalidInput("The greatest distance is " + std::to_string(max_distance) + "; it must be at least 0.");
@@ -158,25 +173,15 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
       }
     }
     if (++items % ExactSolver::State::items_per_report == 0) {
-      if (limits.progress != nullptr) {
-        limits.progress->report(static_cast<double>(state.touched_vertices.size()) /
-                                    static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
-                                "Computing exact distances");
-      } else {
-        checkpoint();
-      }
+      report_run(limits,
+                 static_cast<double>(state.touched_vertices.size()) /
+                     static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
+                 "Computing exact distances");
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;
     state.take(item, state.queue.lower_bound());
   }
-}
-
-void ExactSolver::run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits) {
-  std::vector<ExactSource> sources;
-  sources.reserve(source_vertices.size());
-  for (Index v : source_vertices) sources.push_back({SurfacePoint::at_vertex(v)});
-  run(sources, limits);
 }
 
 ExactSolver::ExactSolver(std::shared_ptr<const Mesh> mesh)

@@ -26,6 +26,9 @@ struct ExactSource {
 /// finite.
 std::vector<ExactSource> validated(const Mesh& mesh, std::span<const ExactSource> sources);
 
+/// Vertices as sources without offsets.
+std::vector<ExactSource> sources_at(std::span<const Index> vertices);
+
 /// \throw InvalidInput for a greatest distance that is negative or no number.
 void require_limit(double max_distance);
 
@@ -70,6 +73,9 @@ struct ExactLimits {
   const Progress* progress = nullptr;
 };
 
+/// Reports to the progress of the limits, or is a checkpoint. \throw Cancelled.
+void report_run(const ExactLimits& limits, double fraction, const char* activity);
+
 /// Exact solver on one mesh. Keeps its memory between runs; one object belongs to one thread.
 ///
 /// Windows follow Mitchell, Mount, Papadimitriou (1987) and Surazhsky et al. (2005): on each edge, the lower
@@ -90,7 +96,9 @@ class ExactSolver {
   /// allowed: then every distance is infinite).
   void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
   /// The same from vertices.
-  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {});
+  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {}) {
+    run(sources_at(source_vertices), limits);
+  }
 
   /// Distance of a vertex, in the mesh's length unit; `unreachable` if no path was found.
   double distance(Index vertex) const;

@@ -42,7 +42,7 @@ class LocalSolver {
     std::visit([&](auto& s) { s.run(sources, limits); }, solver_);
   }
   void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {}) {
-    std::visit([&](auto& s) { s.run_from_vertices(source_vertices, limits); }, solver_);
+    run(sources_at(source_vertices), limits);
   }
   double distance(Index vertex) const {
     return std::visit([&](const auto& s) { return s.distance(vertex); }, solver_);

@@ -129,22 +129,11 @@ void WeightedSolver::run(std::span<const ExactSource> sources, const ExactLimits
     rest_ = least_rest(point);
     if (is_beyond_limit(point)) continue;
     if (++settled % points_per_report == 0) {
-      if (limits.progress != nullptr) {
-        limits.progress->report(std::min(1.0, static_cast<double>(settled) / norms_->point_count()),
-                                "Computing distances over weighted faces");
-      } else {
-        checkpoint();
-      }
+      report_run(limits, static_cast<double>(settled) / norms_->point_count(),
+                 "Computing distances over weighted faces");
     }
     settle(point);
   }
-}
-
-void WeightedSolver::run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits) {
-  std::vector<ExactSource> sources;
-  sources.reserve(source_vertices.size());
-  for (const Index v : source_vertices) sources.push_back({SurfacePoint::at_vertex(v)});
-  run(sources, limits);
 }
 
 bool WeightedSolver::may_enter(Index face, double distance) {

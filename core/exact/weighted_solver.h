@@ -32,7 +32,9 @@ class WeightedSolver {
   /// merged nor dropped, as there are none. \throw InvalidInput for a bad source; Cancelled.
   void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
   /// The same from vertices.
-  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {});
+  void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {}) {
+    run(sources_at(source_vertices), limits);
+  }
 
   /// Distance of a vertex, of any point of the surface, or of a point of an edge; `unreachable` where there
   /// is no path or only one longer than the limit.

@@ -123,9 +123,7 @@ class VirtualSourceFields final : public GeodesicMethod {
 
  private:
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
-    std::vector<ExactSource> points;
-    for (Index source : sources) points.push_back({SurfacePoint::at_vertex(source)});
-    runs_.run(points);
+    runs_.run(sources_at(sources));
     return vertex_distances(mesh(), runs_);
   }
 

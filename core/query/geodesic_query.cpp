@@ -188,13 +188,8 @@ std::vector<double> GeodesicQuery::field(std::span<const ExactSource> sources, d
 }
 
 std::vector<double> GeodesicQuery::distance_field(std::span<const Index> sources, double max_distance) {
-  std::vector<ExactSource> points;
-  points.reserve(sources.size());
-  for (Index source : sources) {
-    check(source, "Source");
-    points.push_back({SurfacePoint::at_vertex(source)});
-  }
-  return field(points, max_distance);
+  for (const Index source : sources) check(source, "Source");
+  return field(sources_at(sources), max_distance);
 }
 
 std::vector<double> GeodesicQuery::distances(std::span<const ExactSource> sources, const PointList& targets,

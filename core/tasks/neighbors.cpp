@@ -71,23 +71,41 @@ void keep_nearest(std::vector<Ranked>& best, std::size_t count, Ranked entry) {
 
 double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(Index) + sizeof(double)); }
 
+namespace {
+
+/// For each row the entries within the radius that are wanted(row, column). `held`: entries of the result for
+/// each of them.
+template <class Wanted>
+std::vector<std::vector<Entry>> entries_within(Surface& surface, const PointList& rows,
+                                               const PointList& columns, double radius, std::size_t held,
+                                               std::int64_t max_bytes, const TaskOptions& options,
+                                               Wanted&& wanted) {
+  require_radius(radius);
+  Workers workers(surface, options, static_cast<double>(rows.size()), surface.reach_of(radius));
+  std::vector<std::vector<Entry>> entries(rows.size());
+  EntryCounter counter(max_bytes);
+  parallel_for(rows.size(), workers.threads(), workers.progress(), "Pairs within the radius",
+               [&](std::size_t i, int worker) {
+                 const auto found = workers.distances(rows[i], columns, radius, worker);
+                 for (std::size_t j = 0; j < columns.size(); ++j) {
+                   if (!is_within(found[j], radius) || !wanted(i, j)) continue;
+                   entries[i].push_back({static_cast<Index>(j), found[j]});
+                 }
+                 entries[i].shrink_to_fit();
+                 counter.add(held * entries[i].size());
+               });
+  return entries;
+}
+
+}  // namespace
+
 SparseDistances pairs_within(Surface& surface, const PointList& given, double radius, std::int64_t max_bytes,
                              const TaskOptions& options) {
   const PointList points = points_on(*surface.mesh(), given, "Point");
-  require_radius(radius);
-  Workers workers(surface, options, static_cast<double>(points.size()), surface.reach_of(radius));
-  std::vector<std::vector<Entry>> upper(points.size());  // the pairs whose field is that of the row
-  EntryCounter counter(max_bytes);
-  parallel_for(points.size(), workers.threads(), workers.progress(), "Pairs within the radius",
-               [&](std::size_t i, int worker) {
-                 const auto found = workers.distances(points[i], points, radius, worker);
-                 for (std::size_t j = 0; j < points.size(); ++j) {
-                   if (points[j] < points[i] || (points[j] == points[i] && j <= i)) continue;
-                   if (is_within(found[j], radius)) upper[i].push_back({static_cast<Index>(j), found[j]});
-                 }
-                 upper[i].shrink_to_fit();
-                 counter.add(2 * upper[i].size());
-               });
+  // The pairs whose field is that of the row.
+  auto upper = entries_within(
+      surface, points, points, radius, 2, max_bytes, options,
+      [&](std::size_t i, std::size_t j) { return points[j] == points[i] ? i < j : points[i] < points[j]; });
   std::vector<std::vector<Entry>> rows(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const Entry& entry : upper[i]) {
@@ -96,9 +114,7 @@ SparseDistances pairs_within(Surface& surface, const PointList& given, double ra
     }
     upper[i] = {};
   }
-  for (auto& row : rows) {
-    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
-  }
+  for (auto& row : rows) std::ranges::sort(row, {}, &Entry::column);
   return compressed(rows);
 }
 
@@ -106,19 +122,8 @@ SparseDistances pairs_within(Surface& surface, const PointList& row_points, cons
                              double radius, std::int64_t max_bytes, const TaskOptions& options) {
   const PointList points = points_on(*surface.mesh(), row_points, "Point");
   const PointList others = points_on(*surface.mesh(), column_points, "Other");
-  require_radius(radius);
-  Workers workers(surface, options, static_cast<double>(points.size()), surface.reach_of(radius));
-  std::vector<std::vector<Entry>> rows(points.size());
-  EntryCounter counter(max_bytes);
-  parallel_for(points.size(), workers.threads(), workers.progress(), "Pairs within the radius",
-               [&](std::size_t i, int worker) {
-                 const auto found = workers.distances(points[i], others, radius, worker);
-                 for (std::size_t j = 0; j < others.size(); ++j) {
-                   if (is_within(found[j], radius)) rows[i].push_back({static_cast<Index>(j), found[j]});
-                 }
-                 rows[i].shrink_to_fit();
-                 counter.add(rows[i].size());
-               });
+  auto rows = entries_within(surface, points, others, radius, 1, max_bytes, options,
+                             [](std::size_t, std::size_t) { return true; });
   return compressed(rows);
 }
 

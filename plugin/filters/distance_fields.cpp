@@ -43,12 +43,6 @@ double max_distance_of(const FilterCall& call) {
   return value == 0.0 ? unreachable : value;
 }
 
-std::vector<ExactSource> sources_at(const std::vector<Index>& vertices) {
-  std::vector<ExactSource> sources;
-  for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v)});
-  return sources;
-}
-
 /// The vertices by whether they got a distance, and why not.
 struct Reach {
   int reached = 0;

@@ -13,6 +13,16 @@
 
 namespace vorogeo::test {
 
+/// A mesh with a cost for each face, crossed from so many points on each edge.
+inline std::shared_ptr<const Mesh> with_costs(const Soup& soup, const std::vector<double>& cost,
+                                              Index points = usual_edge_points) {
+  return std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                      Metric{sides_by_face_cost(soup.positions, soup.faces, cost), points});
+}
+inline WeightedSolver solver_of(const std::shared_ptr<const Mesh>& mesh) {
+  return WeightedSolver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+}
+
 /// The square [0, 2] x [-1, 1] with a cost for each face by the middle of the face.
 struct Layers {
   Layers(int cells, const std::function<double(double, double)>& cost, double jitter = 0.0) {
@@ -33,14 +43,9 @@ struct Layers {
       costs.push_back(cost(x, y));
     }
   }
-  WeightedSolver solver(Index points = 6) const {
-    return WeightedSolver(std::make_shared<const FaceNorms>(weighted(points), points));
-  }
+  WeightedSolver solver(Index points = 6) const { return solver_of(weighted(points)); }
   /// The mesh with these costs.
-  std::shared_ptr<const Mesh> weighted(Index points = 6) const {
-    return std::make_shared<const Mesh>(
-        soup.positions, soup.faces, Metric{sides_by_face_cost(soup.positions, soup.faces, costs), points});
-  }
+  std::shared_ptr<const Mesh> weighted(Index points = 6) const { return with_costs(soup, costs, points); }
   Index nearest(double x, double y) const {
     Index best = 0;
     for (Index v = 1; v < mesh->vertex_count(); ++v) {

@@ -9,9 +9,9 @@
 #include "exact/exact_solver.h"
 #include "exact/paths_from_point.h"
 #include "exact/surface_path.h"
-#include "mesh/metric.h"
 #include "support/error.h"
 #include "support/gaps.h"
+#include "support/layers.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -56,9 +56,7 @@ TEST(PathsFromPoint, DearFaceFartherThanAllVertices) {
   const auto dear = static_cast<Index>(grid.faces.size() / 2);
   std::vector<double> cost(grid.faces.size(), 1.0);
   cost[dear] = 100.0;
-  const auto mesh = std::make_shared<const Mesh>(
-      grid.positions, grid.faces,
-      Metric{sides_by_face_cost(grid.positions, grid.faces, cost), usual_edge_points});
+  const auto mesh = test::with_costs(grid, cost);
   PathsFromPoint paths(std::make_shared<const LocalGeometry>(mesh));
   const SurfacePoint centre = SurfacePoint::in_face(dear, {1.0 / 3, 1.0 / 3, 1.0 / 3});
   paths.reset(SurfacePoint::at_vertex(0));

@@ -124,12 +124,9 @@ TEST(ExactLimits, TargetsAreExactOthersUpperBounds) {
 }
 
 TEST(ExactLimits, UnreachableTargetsEndTheRun) {
-  const auto mesh = test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(0)));
-  ExactSolver solver(mesh);
+  ExactSolver solver(test::make_mesh(test::two_components(test::icosphere(1), test::icosphere(0))));
   const std::array<Index, 2> targets{50, 7};
-  ExactLimits limits;
-  limits.targets = targets;
-  solver.run_from_vertices(std::array<Index, 1>{0}, limits);
+  solver.run_from_vertices(std::array<Index, 1>{0}, {.targets = targets});
   EXPECT_EQ(solver.distance(50), unreachable);
   EXPECT_LT(solver.distance(7), 4.0);
 }

@@ -151,9 +151,7 @@ TEST(WeightedCrossing, WavesThatMeetPlaceNoSource) {
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}};
   const std::vector<double> cost{1.0};
   for (const Index points : {2, 4, 8, 20}) {
-    auto mesh = std::make_shared<const Mesh>(positions, faces,
-                                             Metric{sides_by_face_cost(positions, faces, cost), points});
-    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost, points));
     solver.run_from_vertices(std::array<Index, 2>{0, 1});
     EXPECT_NEAR(solver.distance(2), std::hypot(0.5, 0.1), 1e-12) << points;
   }
@@ -165,9 +163,7 @@ TEST(WeightedCrossing, OneWavePlacesItsSource) {
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {0, 3, 1}};
   const std::vector<double> cost{2.0, 2.0};
   for (const Index points : {1, 2, 6}) {
-    auto mesh = std::make_shared<const Mesh>(positions, faces,
-                                             Metric{sides_by_face_cost(positions, faces, cost), points});
-    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost, points));
     solver.run_from_vertices(std::array<Index, 1>{3});
     EXPECT_NEAR(solver.distance(2), 2.0 * std::hypot(0.03, 3.1), 1e-9) << points;
   }
@@ -178,9 +174,8 @@ TEST(WeightedCrossing, OneWavePlacesItsSource) {
 TEST(WeightedCrossing, DistancesGrowWithTheMesh) {
   auto distances = [](test::Soup soup, double scale, const std::vector<double>& cost) {
     for (Point& p : soup.positions) p = {scale * p[0], scale * p[1], scale * p[2]};
-    auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
-                                             Metric{sides_by_face_cost(soup.positions, soup.faces, cost), 6});
-    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, 6));
+    const auto mesh = test::with_costs(soup, cost, 6);
+    WeightedSolver solver = test::solver_of(mesh);
     solver.run_from_vertices(std::array<Index, 1>{3});
     std::vector<double> found;
     for (Index v = 0; v < mesh->vertex_count(); ++v) found.push_back(solver.distance(v) / scale);
@@ -218,10 +213,7 @@ TEST(FaceNorms, RefusesLengthsThatProductsLeave) {
 // Places at no length from a point, where the places of vertices say which these are.
 
 FaceNorms norms_of(const std::vector<Point>& positions, const std::vector<std::array<Index, 3>>& faces) {
-  const std::vector<double> cost(faces.size(), 2.0);
-  return FaceNorms(
-      std::make_shared<const Mesh>(positions, faces, Metric{sides_by_face_cost(positions, faces, cost), 3}),
-      3);
+  return FaceNorms(test::with_costs({positions, faces}, std::vector(faces.size(), 2.0), 3), 3);
 }
 
 /// Above the seam 0-1 | 3-4 an apex, below it another.

@@ -82,7 +82,7 @@ TEST(WeightedSolver, TensorsOfLayers) {
   const auto sides = sides_by_face_tensor(layers.soup.positions, layers.soup.faces, tensors);
   const auto mesh = std::make_shared<const Mesh>(layers.soup.positions, layers.soup.faces,
                                                  Metric{sides, usual_edge_points});
-  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  WeightedSolver solver = test::solver_of(mesh);
   const Index source = layers.nearest(1.0, -0.5);
   solver.run_from_vertices(std::array{source});
   const Point p = layers.soup.positions[source];
@@ -115,7 +115,7 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
   const auto mesh = std::make_shared<const Mesh>(
       soup.positions, soup.faces,
       Metric{sides_by_face_tensor(soup.positions, soup.faces, tensors), usual_edge_points});
-  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  WeightedSolver solver = test::solver_of(mesh);
   solver.run_from_vertices(std::array<Index, 1>{5});
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     EXPECT_GE(solver.distance(v), 0.999 * distance_between(soup.positions[5], soup.positions[v])) << v;
@@ -176,10 +176,8 @@ TEST(WeightedLimits, PointsOfEdgesWithoutLength) {
   const test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {1, 0, 0}, {2, 0.5, 0}},
                         {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}}};
   const std::vector<double> cost{2.0, 3.0, 2.0};
-  const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces,
-      Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
-  WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+  const auto mesh = test::with_costs(soup, cost);
+  WeightedSolver solver = test::solver_of(mesh);
   const std::array<Index, 1> target{1};
   for (Index edge = 0; edge < mesh->edge_count(); ++edge) {
     if (mesh->edge_length(edge) > 0.0) continue;
@@ -222,9 +220,7 @@ struct FlatFan {
     for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(1.0 + 4.0 * (random() / 4294967296.0));
   }
   WeightedSolver solved() const {
-    auto mesh = std::make_shared<const Mesh>(
-        positions, faces, Metric{sides_by_face_cost(positions, faces, cost), usual_edge_points});
-    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost));
     solver.run_from_vertices(std::array<Index, 1>{0});
     return solver;
   }
@@ -302,9 +298,7 @@ TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
   std::vector<double> cost;
   for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
   auto solved = [&](Index points) {
-    const Metric sides{sides_by_face_cost(positions, faces, cost), points};
-    auto mesh = std::make_shared<const Mesh>(positions, faces, sides);
-    WeightedSolver solver(std::make_shared<const FaceNorms>(mesh, points));
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost, points));
     solver.run_from_vertices(std::array<Index, 1>{8});
     return solver;
   };

@@ -1,7 +1,7 @@
 // The table of methods and their comparison.
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 #include <set>
 
 #include "methods/method.h"
@@ -34,31 +34,21 @@ TEST(MethodTable, NamesAreDifferentAndEveryMethodSaysWhatItClaims) {
 
 TEST(MethodTable, RefusesUnknownNamesOptionsAndValues) {
   const auto mesh = test::make_mesh(test::icosphere(1));
-  EXPECT_NE(test::refusal([&] {
-              prepare_method("walking", mesh, {}, {});
-            }).find("walking is not known; give one of vorogeo"),
-            std::string::npos);
-  EXPECT_EQ(test::refusal([&] {
-              prepare_method("mmp", mesh, {{"eps", 1.0}}, {});
-            }),
-            "The method mmp has no option eps; it has none.");
-  EXPECT_EQ(test::refusal([&] {
-              prepare_method("ammp", mesh, {{"K", 1.0}}, {});
-            }),
-            "The method ammp has no option K; it has eps.");
-  EXPECT_EQ(test::refusal([&] {
-              prepare_method("ammp", mesh, {{"eps", -1.0}}, {});
-            }),
-            "The option eps of the method ammp is -1; give a number from 0 to 0.1.");
-  EXPECT_NE(test::refusal([&] {
-              prepare_method("heat", mesh, {{"delaunay", 0.5}}, {});
-            }).find("give a whole number"),
-            std::string::npos);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(test::refusal([&] {
-              prepare_method("heat", mesh, {{"time_step", nan}}, {});
-            }).find("is nan; give a number"),
-            std::string::npos);
+  struct Refused {
+    const char* method;
+    MethodOptions options;
+    const char* sentence;
+  };
+  for (const auto& [method, options, sentence] : std::vector<Refused>{
+           {"walking", {}, "walking is not known; give one of vorogeo"},
+           {"mmp", {{"eps", 1.0}}, "The method mmp has no option eps; it has none."},
+           {"ammp", {{"K", 1.0}}, "The method ammp has no option K; it has eps."},
+           {"ammp", {{"eps", -1.0}}, "The option eps of the method ammp is -1; give a number from 0 to 0.1."},
+           {"heat", {{"delaunay", 0.5}}, "give a whole number"},
+           {"heat", {{"time_step", std::nan("")}}, "is nan; give a number"}}) {
+    const std::string refusal = test::refusal([&] { prepare_method(method, mesh, options, {}); });
+    EXPECT_NE(refusal.find(sentence), std::string::npos) << refusal;
+  }
 }
 
 // A sphere of radius 1 and a far one, a stray vertex, faces that come twice or lie on their side.

@@ -12,6 +12,7 @@
 #include "query/surface.h"
 #include "support/error.h"
 #include "support/indexes.h"
+#include "support/layers.h"
 #include "support/shapes.h"
 #include "support/surface_walk.h"
 
@@ -206,9 +207,7 @@ TEST(ManyPairs, WhereTheMetricJumpsOnePropagationServesASource) {
     for (const Index v : face) x += soup.positions[v][0] / 3.0;
     cost.push_back(x < 1.0 ? 1.0 : 3.0);
   }
-  const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces,
-      Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
+  const auto mesh = test::with_costs(soup, cost);
   ASSERT_TRUE(mesh->metric_jumps());
   auto at = [&](double x, double y) {
     const auto place = std::ranges::find_if(

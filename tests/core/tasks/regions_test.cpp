@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/metric.h"
 #include "mesh/surface_locator.h"
+#include "support/layers.h"
 #include "support/shapes.h"
 #include "tasks/voronoi_regions.h"
 
@@ -91,9 +91,7 @@ struct DearCell {
       }
       cost.push_back(std::abs(centre[0] - 2.5) < 0.5 && std::abs(centre[1] - 2.5) < 0.5 ? 5.0 : 1.0);
     }
-    mesh = std::make_shared<const Mesh>(
-        soup.positions, soup.faces,
-        Metric{sides_by_face_cost(soup.positions, soup.faces, cost), usual_edge_points});
+    mesh = test::with_costs(soup, cost);
   }
   test::Soup soup = test::plane_grid(5, 5, 5.0, 5.0).soup;
   std::shared_ptr<const Mesh> mesh;
