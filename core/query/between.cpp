@@ -135,10 +135,20 @@ bool ExactBetween::is_whole(const SurfacePath& path, const SurfacePoint& from, c
   return is_path(mesh_, path, from, to, path.length);
 }
 
-std::span<const std::uint8_t> ExactBetween::mask_around(std::span<const Index> patches) {
+Halo& ExactBetween::halo() {
   if (!halo_) halo_.emplace(*data_->surface.mesh, data_->first_face);
-  halo_->surround(patches);
-  return halo_->mask();
+  return *halo_;
+}
+
+std::span<const std::uint8_t> ExactBetween::mask_around(std::span<const Index> patches) {
+  halo().surround(patches);
+  return halo().mask();
+}
+
+std::span<const std::uint8_t> ExactBetween::mask_beside(std::span<const Index> faces, int rings) {
+  halo().surround({});
+  halo().widen(faces, rings, data_->surface.mesh->face_count());
+  return halo().mask();
 }
 
 }  // namespace vorogeo

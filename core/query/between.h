@@ -74,11 +74,14 @@ class ExactBetween {
   /// Whether a distance propagated within certain bounds is a proof on this mesh.
   bool can_prove() const { return can_prove_; }
 
-  /// Some second-layer patches of the index and a halo around them. Valid until the next call.
+  /// Some second-layer patches of the index and a halo around them. A mask is valid until the next one.
   std::span<const std::uint8_t> mask_around(std::span<const Index> patches);
+  /// Some faces of its inner surface and so many rings of faces around them.
+  std::span<const std::uint8_t> mask_beside(std::span<const Index> faces, int rings);
 
  private:
   bool run(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds, bool for_path);
+  Halo& halo();
   SurfacePath path_of_run(const SurfacePoint& to) const;
   SurfacePoint point_of_run(const SurfacePoint& user) const {
     return data_ != nullptr ? data_->surface.inner_point(user) : user;

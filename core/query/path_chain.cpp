@@ -94,9 +94,9 @@ IndexedEnd::IndexedEnd(const IndexData& data, const SurfacePoint& user)
 }
 
 bool are_near(const IndexData& data, const IndexedEnd& a, const IndexedEnd& b) {
-  auto is_of_b = [&](Index p) { return std::ranges::find(b.patches, p) != b.patches.end(); };
   return std::ranges::any_of(a.patches, [&](Index p) {
-    return is_of_b(p) || std::ranges::any_of(data.second.touching.of(p), is_of_b);
+    return std::ranges::any_of(b.patches,
+                               [&](Index q) { return p == q || data.second.touching.touch(p, q); });
   });
 }
 

@@ -252,6 +252,12 @@ bool PathLine::is_rough() const {
   return std::min(shortest_crossed_, line) < least_scale * std::max(longest_crossed_, line);
 }
 
+std::vector<Index> PathLine::faces() const {
+  std::vector<Index> faces{first_face_};
+  for (const UnfoldedCrossing& crossing : crossings_) faces.push_back(Mesh::face_of(crossing.entry));
+  return faces;
+}
+
 double PathLine::length() const {
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {

@@ -130,6 +130,8 @@ class PathLine {
   void assign(const FaceStrip& strip);
 
   const std::vector<UnfoldedCrossing>& crossings() const { return crossings_; }
+  /// From source to target.
+  std::vector<Index> faces() const;
   /// In order, with source and target.
   const std::vector<Joint>& joints() const { return joints_; }
   const SurfacePoint& source() const { return source_; }

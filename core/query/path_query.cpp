@@ -23,7 +23,7 @@ constexpr double suspicious = 2e-4;
 constexpr double doubtful_if_even = 2e-4;
 constexpr double doubtful_by_roughness = 1.8e-2;
 constexpr double least_doubtful = -1.5e-4;
-/// Such shorter paths hardly ever leave this many rings of vertices around the strip.
+/// Such shorter paths hardly ever leave this many rings of faces around the strip.
 constexpr int rings_beside = 2;
 
 }  // namespace
@@ -33,13 +33,12 @@ PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
       mesh_(index_->mesh()),
       strip_geometry_(index_->data().geometry),
       exact_(index_->data()),
-      routes_(std::make_unique<Routes>(index_->data())),
-      surroundings_(*strip_geometry_->mesh) {
+      routes_(std::make_unique<Routes>(index_->data())) {
   if (strip_geometry_->windows) refiner_.emplace(*strip_geometry_->windows);
 }
 
 PathQuery::PathQuery(const std::shared_ptr<const LocalGeometry>& geometry)
-    : mesh_(geometry->mesh), strip_geometry_(geometry), exact_(geometry), surroundings_(*mesh_) {
+    : mesh_(geometry->mesh), strip_geometry_(geometry), exact_(geometry) {
   if (geometry->windows) refiner_.emplace(*geometry->windows);
 }
 
@@ -158,11 +157,11 @@ SurfacePath PathQuery::doubted(SurfacePath path, double expected, const SurfaceP
   const double doubtful =
       std::max(least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(mesh, refiner_->line()));
   if (path.length > expected * (1.0 + doubtful)) {
-    const auto mask = surroundings_.surround(refiner_->line(), rings_beside);
+    const auto mask = exact_.mask_beside(refiner_->line().faces(), rings_beside);
     take_shorter(exact_.path_within(from, to, {.upper = path.length, .mask = mask}));
   }
   if (path.length > expected * (1.0 + suspicious)) {
-    take_shorter(exact_.path(from, to, {.upper = path.length, .landmarks = landmarks_.get()}).path);
+    take_shorter(exact_.path(from, to, {.upper = path.length}).path);
   }
   return path;
 }
@@ -195,7 +194,8 @@ ExactPath PathQuery::path_on_mesh(const SurfacePoint& from, const SurfacePoint& 
   return exact_.path(from, to, {.upper = length_by_edges(PathEnd(*mesh_, from), PathEnd(*mesh_, to))});
 }
 
-ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify) {
+ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify,
+                                const ExactLandmarks* landmarks) {
   const SurfacePoint from = validated(*mesh_, source);
   const SurfacePoint to = validated(*mesh_, target);
   if (auto known = known_path(from, to)) return *std::move(known);
@@ -205,7 +205,7 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   PathBounds bounds;
   bounds.upper = std::min(refined(from, to, ends).length, ends.length() * slack::of_route);
   if (certify || routes_->data.has_branches) {
-    bounds.landmarks = landmarks_.get();
+    bounds.landmarks = landmarks;
   } else {
     bounds.is_proof = false;
     bounds.rest = routes_->bounds.fill(ends.from, ends.to, bounds.upper);

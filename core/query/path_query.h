@@ -34,15 +34,13 @@ class PathQuery {
   /// an index of the shortest path along edges pulled tight, and lower bounds of the rest. Always proven
   /// where faces are not degenerate; where the metric jumps at edges, a refracted path of which nothing is
   /// proven. `certify`: with an index, use only proven lower bounds, the straight line in space and those of
-  /// landmarks. Without it, the index's distance, less a margin that is not proven, narrows the corridor:
-  /// faster on large curved surfaces, but on meshes of needles a few answers are too long. \throw
-  /// InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
-  ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true);
+  /// `landmarks`, where they are given. Without it, the index's distance, less a margin that is not proven,
+  /// narrows the corridor: faster on large curved surfaces, but on meshes of needles a few answers are too
+  /// long. \throw InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
+  ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true,
+                       const ExactLandmarks* landmarks = nullptr);
   /// The same from the source of a propagation that serves many targets.
   ExactPath exact_path(PathsFromPoint& from_source, const SurfacePoint& target);
-
-  /// From this call on, landmarks narrow the corridors of certified paths from an index.
-  void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) { landmarks_ = std::move(landmarks); }
 
  private:
   /// What only an index needs.
@@ -79,9 +77,7 @@ class PathQuery {
   ExactBetween exact_;
   std::unique_ptr<Routes> routes_;      ///< with an index
   std::optional<PathRefiner> refiner_;  ///< not where the metric jumps: there, lines refract
-  PathNeighbourhood surroundings_;
   FaceStrip strip_;
-  std::shared_ptr<const ExactLandmarks> landmarks_;
 };
 
 }  // namespace vorogeo

@@ -125,8 +125,8 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
   if (by != AnswerMethod::index) return mesh_paths().exact_path(source, target);
   if (!index_paths_) index_paths_.emplace(surface_.index());
   if (!exact) return {index_paths_->path(source, target), false};
-  index_paths_->use_landmarks(surface_.landmarks());
-  return index_paths_->exact_path(source, target, certify);
+  const auto landmarks = surface_.landmarks();
+  return index_paths_->exact_path(source, target, certify, landmarks.get());
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

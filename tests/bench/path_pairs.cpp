@@ -101,11 +101,9 @@ void measure_paths(Arguments arguments) {
       vorogeo::ExactPath quick;
       const double quick_seconds =
           thread_seconds([&] { quick = query.exact_path(source.point, target, false); });
-      query.use_landmarks(landmarks);
       vorogeo::ExactPath prepared;
       const double prepared_seconds =
-          thread_seconds([&] { prepared = query.exact_path(source.point, target); });
-      query.use_landmarks(nullptr);
+          thread_seconds([&] { prepared = query.exact_path(source.point, target, true, landmarks.get()); });
       const double field = target.is_vertex() ? solver.distance(target.vertex) : solver.distance(target);
       const std::lock_guard lock(output);
       std::printf("[%.17g, %.17g, %.17g, %d, %.9g, %.9g, %.17g, %.9g, %.17g, %.9g]\n", field, refined.length,

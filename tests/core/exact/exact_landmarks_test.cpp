@@ -74,18 +74,17 @@ TEST(ExactLandmarks, ExactPathsKeepTheirLengthAndFollowFewerWindows) {
 TEST(ExactLandmarks, WithAnIndexPathsStayExactAndCertified) {
   const auto mesh = ring();
   const auto index = GeodesicIndex::build(mesh, {});
-  PathQuery plain(index);
   PathQuery query(index);
-  query.use_landmarks(landmarks_of(index, 6, 2));
+  const auto landmarks = landmarks_of(index, 6, 2);
   std::mt19937 random(8);
   for (int i = 0; i < 60; ++i) {
     const auto a =
         SurfacePoint::at_vertex(static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count())));
     const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
     const auto b = SurfacePoint::in_face(face, {0.1, 0.2, 0.7});
-    const ExactPath found = query.exact_path(a, b);
+    const ExactPath found = query.exact_path(a, b, true, landmarks.get());
     EXPECT_TRUE(found.certified);
-    const double expected = plain.exact_path(a, b).path.length;
+    const double expected = query.exact_path(a, b).path.length;
     EXPECT_NEAR(found.path.length, expected, 1e-9 * expected);
   }
 }
@@ -111,9 +110,9 @@ TEST(ExactLandmarks, AreFarApartInTheComponentWithTheMostVertices) {
   }
   EXPECT_EQ(bound(0, 5), 0.0) << "no landmark sees the sphere";
   PathQuery query(index);
-  query.use_landmarks(landmarks);
   const double exact = exact_distance_field(index->mesh(), std::array<Index, 1>{0})[30];
-  const ExactPath path = query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(30));
+  const ExactPath path =
+      query.exact_path(SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(30), true, landmarks.get());
   EXPECT_NEAR(path.path.length, exact, 1e-9 * exact);
 }
 
