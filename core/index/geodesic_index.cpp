@@ -37,7 +37,7 @@ void IndexData::lay_out(int threads, const Progress& progress) {
   const Watch watch(progress.part(0.8, 1.0), "Laying out the patches");
   std::vector<std::uint8_t> is_node(surface.place_count());
   for (Index place = 0; place < surface.place_count(); ++place) {
-    is_node[place] = second.vertex_node[place] != no_index;
+    is_node[place] = second.place_node[place] != no_index;
   }
   std::vector<Index> first_label(surface.second_layer);
   for (Index& label : first_label) label = partition.parent[label];

@@ -21,16 +21,16 @@ void IndexData::link_layers() {
     }
     const auto nodes = second.nodes(p);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      parent_column[second.border_begin[p] + i] = column[second.node_vertex[nodes[i]]];
+      parent_column[second.border_begin[p] + i] = column[second.node_place[nodes[i]]];
     }
   }
 
   first_face = first_faces(surface.second_layer, second.patch_count);
   first_child = first_faces(partition.parent, first.patch_count);
   second_node.reserve(first.node_count());
-  for (Index vertex : first.node_vertex) second_node.push_back(second.vertex_node[vertex]);
+  for (Index vertex : first.node_place) second_node.push_back(second.place_node[vertex]);
   node_position.reserve(second.node_count());
-  for (Index place : second.node_vertex) node_position.push_back(surface.position(place));
+  for (Index place : second.node_place) node_position.push_back(surface.position(place));
   for (Index e = 0; e < surface.mesh->edge_count() && !has_branches; ++e) {
     if (e % elements_per_checkpoint == 0) checkpoint();
     has_branches = surface.mesh->edge_face_count(e) > 2;

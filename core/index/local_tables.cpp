@@ -376,7 +376,7 @@ class GroupSolver {
   }
 
   void solve(Index node) {
-    const ExactSource source{surface_.surface_point(layer_.node_vertex[node])};
+    const ExactSource source{surface_.surface_point(layer_.node_place[node])};
     ExactLimits limits;
     limits.face_allowed = halo_.mask();
     limits.targets = vertices_;
@@ -559,7 +559,7 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                  for (const PatchRow& at : patches) surroundings.mark(at.patch, own.allowed);
                  own.sources.clear();
                  for (Index node = led[leader]; node < led[leader + 1]; ++node) {
-                   own.sources.push_back(second.vertex_node[first.node_vertex[node]]);
+                   own.sources.push_back(second.place_node[first.node_place[node]]);
                  }
                  tables.begin(leader);
                  own.batch.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
@@ -569,7 +569,7 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                      const auto members = first.members(at.patch);
                      for (std::size_t m = 0; m < members.size(); ++m) {
                        draft->line(static_cast<Index>(m))[at.row] =
-                           static_cast<float>(own.batch.distance(second.vertex_node[members[m]]));
+                           static_cast<float>(own.batch.distance(second.place_node[members[m]]));
                      }
                    }
                  });

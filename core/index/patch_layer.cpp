@@ -152,29 +152,29 @@ std::vector<BorderPiece> border_pieces(const InnerSurface& surface, std::span<co
   return result;
 }
 
-/// Sorts nodes between the same patches, which are consecutive in `node_vertex`, into their order along the
+/// Sorts nodes between the same patches, which are consecutive in `node_place`, into their order along the
 /// border, so that nodes with close numbers are close to each other. `same` tells whether two places lie
 /// between the same patches.
 template <class Same>
 void order_along_borders(Index place_count, const std::vector<BorderPiece>& pieces,
-                         std::vector<Index>& node_vertex, Same&& same) {
-  std::vector<std::vector<Index>> beside(node_vertex.size());
+                         std::vector<Index>& node_place, Same&& same) {
+  std::vector<std::vector<Index>> beside(node_place.size());
   std::vector<Index> node_of(place_count, no_index);
-  for (std::size_t i = 0; i < node_vertex.size(); ++i) node_of[node_vertex[i]] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < node_place.size(); ++i) node_of[node_place[i]] = static_cast<Index>(i);
   for (const BorderPiece& piece : pieces) {
     const auto [a, b] = piece.place;
     if (!same(a, b)) continue;
     beside[node_of[a]].push_back(node_of[b]);
     beside[node_of[b]].push_back(node_of[a]);
   }
-  std::vector<std::uint8_t> placed(node_vertex.size(), 0);
+  std::vector<std::uint8_t> placed(node_place.size(), 0);
   std::vector<Index> ordered;
-  ordered.reserve(node_vertex.size());
+  ordered.reserve(node_place.size());
   auto walk = [&](std::size_t start) {
     auto at = static_cast<Index>(start);
     while (at != no_index) {
       placed[at] = 1;
-      ordered.push_back(node_vertex[at]);
+      ordered.push_back(node_place[at]);
       Index next = no_index;
       for (Index other : beside[at]) {
         if (placed[other] == 0 && (next == no_index || other < next)) next = other;
@@ -182,8 +182,8 @@ void order_along_borders(Index place_count, const std::vector<BorderPiece>& piec
       at = next;
     }
   };
-  for (std::size_t begin = 0, end = 0; begin < node_vertex.size(); begin = end) {
-    while (end < node_vertex.size() && same(node_vertex[begin], node_vertex[end])) ++end;
+  for (std::size_t begin = 0, end = 0; begin < node_place.size(); begin = end) {
+    while (end < node_place.size() && same(node_place[begin], node_place[end])) ++end;
     // From the ends of open stretches first; what remains are closed curves.
     for (std::size_t i = begin; i < end; ++i) {
       if (placed[i] == 0 && beside[i].size() < 2) walk(i);
@@ -192,7 +192,7 @@ void order_along_borders(Index place_count, const std::vector<BorderPiece>& piec
       if (placed[i] == 0) walk(i);
     }
   }
-  node_vertex.swap(ordered);
+  node_place.swap(ordered);
 }
 
 }  // namespace
@@ -204,33 +204,33 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   PatchLayer layer;
   layer.patch_count = patch_count;
   layer.order = order;
-  layer.vertex_node.assign(surface.place_count(), no_index);
+  layer.place_node.assign(surface.place_count(), no_index);
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
   for (Index v = 0; v < surface.place_count(); ++v) {
     if (v % elements_per_checkpoint == 0) checkpoint();
     const auto patches = around.at(v);
     if (patches.size() >= 2) {
-      layer.node_vertex.push_back(v);
+      layer.node_place.push_back(v);
     } else if (!patches.empty() && (candidate.empty() || candidate[v])) {
       inner[patches[0]].push_back(v);
     }
   }
   // Nodes between the same patches are consecutive, so that scans over a border are sequential in memory.
-  std::stable_sort(layer.node_vertex.begin(), layer.node_vertex.end(), [&](Index a, Index b) {
+  std::stable_sort(layer.node_place.begin(), layer.node_place.end(), [&](Index a, Index b) {
     const auto of_a = around.at(a);
     const auto of_b = around.at(b);
     return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   });
-  order_along_borders(surface.place_count(), pieces, layer.node_vertex, [&](Index a, Index b) {
+  order_along_borders(surface.place_count(), pieces, layer.node_place, [&](Index a, Index b) {
     const auto of_a = around.at(a);
     const auto of_b = around.at(b);
     return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
   });
   layer.incidence_begin.push_back(0);
   for (Index node = 0; node < layer.node_count(); ++node) {
-    const Index v = layer.node_vertex[node];
-    layer.vertex_node[v] = node;
+    const Index v = layer.node_place[node];
+    layer.place_node[v] = node;
     for (Index p : around.at(v)) {
       layer.incidence.push_back({p, static_cast<Index>(border[p].size())});
       border[p].push_back(v);
@@ -243,7 +243,7 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   layer.table_begin.push_back(0);
   for (Index p = 0; p < patch_count; ++p) {
     checkpoint();
-    for (Index v : border[p]) layer.border_node.push_back(layer.vertex_node[v]);
+    for (Index v : border[p]) layer.border_node.push_back(layer.place_node[v]);
     layer.member.insert(layer.member.end(), border[p].begin(), border[p].end());
     layer.member.insert(layer.member.end(), inner[p].begin(), inner[p].end());
     layer.border_begin.push_back(static_cast<Index>(layer.border_node.size()));
@@ -258,8 +258,8 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
     const auto length = static_cast<float>(piece.length);
     patches_at_edge(*surface.mesh, label, piece.edge, beside);
     for (Index p : beside) {
-      const Index row_a = layer.row_of(layer.vertex_node[a], p);
-      const Index row_b = layer.row_of(layer.vertex_node[b], p);
+      const Index row_a = layer.row_of(layer.place_node[a], p);
+      const Index row_b = layer.row_of(layer.place_node[b], p);
       neighbours[layer.border_begin[p] + row_a].push_back({row_b, length});
       neighbours[layer.border_begin[p] + row_b].push_back({row_a, length});
     }
@@ -269,7 +269,7 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
     layer.neighbour.insert(layer.neighbour.end(), list.begin(), list.end());
     layer.neighbour_begin.push_back(static_cast<Index>(layer.neighbour.size()));
   }
-  for (auto* list : {&layer.node_vertex, &layer.border_begin, &layer.border_node, &layer.member_begin,
+  for (auto* list : {&layer.node_place, &layer.border_begin, &layer.border_node, &layer.member_begin,
                      &layer.member, &layer.incidence_begin, &layer.neighbour_begin}) {
     list->shrink_to_fit();
   }
@@ -334,7 +334,7 @@ void PatchLayer::read_border(Index patch, Index row, float* distances) const {
 
 std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
-  return bytes(node_vertex) + bytes(vertex_node) + bytes(border_begin) + bytes(border_node) +
+  return bytes(node_place) + bytes(place_node) + bytes(border_begin) + bytes(border_node) +
          bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
          bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(scale) +
          bytes(offset) + bytes(complete) + edges.memory_bytes() + touching.memory_bytes() +

@@ -222,8 +222,8 @@ struct PatchLayer {
   static constexpr float far_per_border = 8.0f;
 
   Index patch_count = 0;
-  std::vector<Index> node_vertex;      ///< place, by node
-  std::vector<Index> vertex_node;      ///< node, by place; no_index: not on a border of this layer
+  std::vector<Index> node_place;       ///< place, by node
+  std::vector<Index> place_node;       ///< node, by place; no_index: not on a border of this layer
   std::vector<Index> border_begin;     ///< by patch, into border_node
   std::vector<Index> border_node;      ///< node, by patch and row
   std::vector<Index> member_begin;     ///< by patch, into member
@@ -242,7 +242,7 @@ struct PatchLayer {
   std::vector<float> offset;           ///< by member_begin[patch] + column, 0 if not far; empty: none is far
   std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is infinite_entry
 
-  Index node_count() const { return static_cast<Index>(node_vertex.size()); }
+  Index node_count() const { return static_cast<Index>(node_place.size()); }
   Index border_size(Index patch) const { return border_begin[patch + 1] - border_begin[patch]; }
   Index member_count(Index patch) const { return member_begin[patch + 1] - member_begin[patch]; }
   std::span<const Index> nodes(Index patch) const {

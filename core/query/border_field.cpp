@@ -429,7 +429,7 @@ void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
   }
   const auto rows = sweep.crossing_rows();
   for (std::size_t i = nodes.size(); i < members.size(); ++i) {
-    const Index node = data_.second.vertex_node[members[i]];
+    const Index node = data_.second.place_node[members[i]];
     distance_[node] = search_.distance(node);
     predecessor_[node] = search_.predecessor(node);
     if (!reached || !(found[i] < distance_[node])) continue;

@@ -79,7 +79,7 @@ class NearField {
       for (Index node : data_.second.nodes(patch)) {
         // A node belongs to several patches.
         if (std::ranges::find_if(data_.second.patches_of(node), is_entered)->patch != patch) continue;
-        const Index place = data_.second.node_vertex[node];
+        const Index place = data_.second.node_place[node];
         if (data_.surface.is_vertex(place)) {
           visit_at(node, place);
         } else {

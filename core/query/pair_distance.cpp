@@ -17,7 +17,7 @@ constexpr double rest_slack = 0.99;
 /// Calls visit(patch, column) for the second-layer patches of a vertex and its place among their members.
 template <class Visit>
 void for_each_patch(const IndexData& data, Index vertex, Visit&& visit) {
-  const Index node = data.second.vertex_node[vertex];
+  const Index node = data.second.place_node[vertex];
   if (node == no_index) {
     visit(data.home_patch[vertex], data.home_column[vertex]);
     return;

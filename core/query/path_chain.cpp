@@ -282,7 +282,7 @@ void StepWalk::for_each_neighbour(Visit&& visit) const {
 }
 
 void StepWalk::fetch_column(Index vertex) const {
-  prefetch_line(&data_.second.vertex_node[vertex]);
+  prefetch_line(&data_.second.place_node[vertex]);
   prefetch_line(&data_.home_patch[vertex]);
   prefetch_line(&data_.home_column[vertex]);
 }
@@ -565,7 +565,7 @@ class ChainBuilder {
 
   /// From one first-layer node to another by the transit table; both are given by their second-layer nodes.
   void transit_table_step(Index a, Index b) {
-    const Index goal = data_.first.vertex_node[place_of(a)];
+    const Index goal = data_.first.place_node[place_of(a)];
     auto from_goal = [&](Index node) -> double { return data_.transit_table.distance(goal, node); };
     auto lines = [&](const PatchRow& at, std::vector<float>& length, std::vector<double>& rest) {
       const auto nodes = data_.first.nodes(at.patch);
@@ -575,7 +575,7 @@ class ChainBuilder {
       for (std::size_t i = 0; i < nodes.size(); ++i) rest[i] = from_goal(nodes[i]);
     };
     back_.clear();
-    walk(data_.first, data_.first.vertex_node[place_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
+    walk(data_.first, data_.first.place_node[place_of(b)], goal, 1.0 + equal_sums, from_goal, lines);
     const std::vector<Step> steps(back_.rbegin(), back_.rend());
     for (const Step& step : steps) {
       if (step.patch == no_index) {
@@ -622,9 +622,9 @@ class ChainBuilder {
     }
   }
 
-  Index place_of(Index second_node) const { return data_.second.node_vertex[second_node]; }
+  Index place_of(Index second_node) const { return data_.second.node_place[second_node]; }
   Index first_row(Index parent, Index second_node) const {
-    const Index node = data_.first.vertex_node[place_of(second_node)];
+    const Index node = data_.first.place_node[place_of(second_node)];
     return node == no_index ? no_index : data_.first.row_of(node, parent);
   }
   double from_row(Index parent, Index row, Index second_node) const {
@@ -647,7 +647,7 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
   chain.source = source;
   if (route.nodes.empty()) return chain;
   ChainBuilder builder(data, chain);
-  auto place_of = [&](Index node) { return data.second.node_vertex[node]; };
+  auto place_of = [&](Index node) { return data.second.node_place[node]; };
   if (place_of(route.nodes.front()) != source) {
     builder.second_layer_step(source_patch != no_index ? source_patch : data.home_patch[source],
                               place_of(route.nodes.front()));

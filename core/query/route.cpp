@@ -13,7 +13,7 @@ void route_end(const IndexData& data, Index place, RouteEnd& end) {
   end.patch = no_index;
   end.vertex = no_index;
   const PatchLayer& second = data.second;
-  const Index node = second.vertex_node[place];
+  const Index node = second.place_node[place];
   auto add_parent = [&](Index patch) {
     const Index parent = data.partition.parent[patch];
     if (std::find(end.parents.begin(), end.parents.end(), parent) == end.parents.end())
@@ -43,7 +43,7 @@ void route_end(const IndexData& data, Index place, RouteEnd& end) {
 }
 
 void prefetch_end(const IndexData& data, Index place) {
-  if (data.second.vertex_node[place] != no_index) return;
+  if (data.second.place_node[place] != no_index) return;
   const Index patch = data.home_patch[place];
   const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[place]);
   const auto rows = static_cast<std::size_t>(data.second.border_size(patch));

@@ -18,21 +18,21 @@ using Stage = RouteUnfolder::Stage;
 
 /// Row of a vertex on the border of a patch of either layer; no_index if it is not there.
 Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
-  const Index node = layer.vertex_node[vertex];
+  const Index node = layer.place_node[vertex];
   return node == no_index ? no_index : layer.row_of(node, patch);
 }
 
 /// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
 double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
   if (leg.table() == Leg::Table::transit) {
-    const Index a = data.first.vertex_node[from];
-    const Index b = data.first.vertex_node[to];
+    const Index a = data.first.place_node[from];
+    const Index b = data.first.place_node[to];
     return a == no_index || b == no_index ? unreachable : data.transit_table.distance(a, b);
   }
   const PatchLayer& layer = leg.in_first_layer() ? data.first : data.second;
   auto column_of = [&](Index vertex) {
     return leg.in_second_layer() ? data.column_in_patch(leg.patch(), vertex)
-                                 : data.column_in_parent(leg.patch(), data.second.vertex_node[vertex]);
+                                 : data.column_in_parent(leg.patch(), data.second.place_node[vertex]);
   };
   Index row = row_in(layer, from, leg.patch());
   Index other = to;
@@ -75,9 +75,9 @@ void find_stages(const IndexData& data, const GraphRoute& route, Index source, I
     if (!stages.empty() && stages.back().leg == leg) stages.pop_back();
     stages.push_back({leg, exit_vertex});
   };
-  auto vertex_of = [&](Index node) { return data.second.node_vertex[node]; };
-  if (data.second.vertex_node[source] == no_index) source_patch = data.home_patch[source];
-  if (data.second.vertex_node[target] == no_index) target_patch = data.home_patch[target];
+  auto vertex_of = [&](Index node) { return data.second.node_place[node]; };
+  if (data.second.place_node[source] == no_index) source_patch = data.home_patch[source];
+  if (data.second.place_node[target] == no_index) target_patch = data.home_patch[target];
   if (source_patch != no_index && source != vertex_of(route.nodes.front())) {
     add(Leg::through_second(source_patch), vertex_of(route.nodes.front()));
   }
@@ -97,7 +97,7 @@ void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& 
     const Index row = row_in(layer, stage.exit_vertex, side.patch());
     if (row == no_index) continue;
     for (const BorderNeighbour& beside : layer.neighbours(side.patch(), row)) {
-      visit(layer.node_vertex[layer.nodes(side.patch())[beside.row]], beside.length);
+      visit(layer.node_place[layer.nodes(side.patch())[beside.row]], beside.length);
     }
     return;
   }

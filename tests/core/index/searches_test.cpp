@@ -62,14 +62,14 @@ Comparison compare(const GeodesicIndex& index, double slack) {
   test::ErrorCollector sums;
   for (Index seed : test::random_vertices(layer.node_count(), 8, 7)) {
     const auto plain = plain_sums(layer, seed);
-    solver.run_from(layer.node_vertex[seed]);
+    solver.run_from(layer.node_place[seed]);
     search.reset();
     search.add(seed, 0.0);
     search.run();
     for (Index node = 0; node < layer.node_count(); ++node) {
       EXPECT_LE(search.distance(node), plain[node] * (1.0 + slack)) << "node " << node;
-      unfolded.add(search.distance(node), solver.distance(layer.node_vertex[node]));
-      sums.add(plain[node], solver.distance(layer.node_vertex[node]));
+      unfolded.add(search.distance(node), solver.distance(layer.node_place[node]));
+      sums.add(plain[node], solver.distance(layer.node_place[node]));
     }
   }
   EXPECT_EQ(unfolded.contradictions, 0U);
@@ -124,7 +124,7 @@ TEST(BoundaryDijkstra, AcrossImprovesASum) {
   BoundaryDijkstra search(layer);
   search.reset();
   for (Index node = 0; node < layer.node_count(); ++node)
-    search.add(node, solver.distance(layer.node_vertex[node]));
+    search.add(node, solver.distance(layer.node_place[node]));
   test::ErrorCollector sums;
   test::ErrorCollector improved;
   for (Index p = 0; p < layer.patch_count; ++p) {
@@ -194,9 +194,9 @@ TEST(BatchDijkstra, AsFullSearchesFromEachSource) {
             apart += relative > 0.01 ? 1 : 0;
           }
           if (i != 0) return;
-          solver.run_from(layer->node_vertex[sources[i]]);
+          solver.run_from(layer->node_place[sources[i]]);
           for (Index node = 0; node < layer->node_count(); ++node) {
-            const double exact = solver.distance(layer->node_vertex[node]);
+            const double exact = solver.distance(layer->node_place[node]);
             in_batch.add(batch.distance(node), exact);
             in_full.add(full.distance(node), exact);
           }

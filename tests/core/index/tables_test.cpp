@@ -39,7 +39,7 @@ test::ErrorCollector table_errors(const IndexData& data) {
   test::ErrorCollector errors;
   test::PlaceSolver solver(data);
   for (Index node : test::random_vertices(data.second.node_count(), 80, 3)) {
-    solver.run_from(data.second.node_vertex[node]);
+    solver.run_from(data.second.node_place[node]);
     for (const PatchRow& at : data.second.patches_of(node)) {
       const auto members = data.second.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
@@ -209,7 +209,7 @@ TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
       test::two_components(test::plane_grid(8, 8, 1.0, 1.0).soup, test::plane_grid(8, 8, 1e-8, 1e-8).soup);
   const auto index = test::make_index(soup, 6, 2);
   const IndexData& data = index->data();
-  auto at = [&](Index node) { return data.surface.position(data.first.node_vertex[node]); };
+  auto at = [&](Index node) { return data.surface.position(data.first.node_place[node]); };
   test::ErrorCollector errors;
   for (Index a = 0; a < data.transit_table.count; ++a) {
     for (Index b = 0; b < data.transit_table.count; ++b) {
@@ -466,7 +466,7 @@ TEST(OutlierTables, OutliersAreOnNoBorder) {
   ASSERT_GT(outliers.count, 25);
   for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
     if (!outliers.is_outlier(v)) continue;
-    EXPECT_EQ(data.second.vertex_node[data.surface.vertex[v]], no_index) << v;
+    EXPECT_EQ(data.second.place_node[data.surface.vertex[v]], no_index) << v;
   }
   const float greatest = std::ranges::max(data.second.scale, {}, &TableScale::unit).unit();
   EXPECT_LT(greatest * PatchLayer::greatest_entry, 100.0f * index->mesh()->typical_edge_length());

@@ -109,7 +109,7 @@ TransitGraph graph_of_table(const std::vector<std::vector<float>>& table, double
   PatchLayer layer;
   layer.patch_count = 1;
   for (Index v = 0; v < k; ++v) {
-    for (auto* list : {&layer.node_vertex, &layer.vertex_node, &layer.border_node, &layer.member})
+    for (auto* list : {&layer.node_place, &layer.place_node, &layer.border_node, &layer.member})
       list->push_back(v);
   }
   layer.border_begin = {0, k};

@@ -19,7 +19,7 @@ namespace {
 /// Distance of a seed of an end from a row of a first-layer patch that holds it, by the table.
 double through_patch(const IndexData& data, Index parent, Index row, Index node) {
   const auto members = data.first.members(parent);
-  const auto at = std::find(members.begin(), members.end(), data.second.node_vertex[node]);
+  const auto at = std::find(members.begin(), members.end(), data.second.node_place[node]);
   if (at == members.end()) return unreachable;
   return data.first.distance(parent, row, static_cast<Index>(at - members.begin()));
 }
