@@ -18,6 +18,10 @@ namespace vorogeo {
 
 namespace {
 
+/// Angle deficits below this are treated as flat: a path may then pass through the vertex as through a
+/// saddle.
+constexpr double flat_tolerance = 1e-7;
+
 FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
   const Mesh& mesh = *geometry.mesh;
   const Index edge = mesh.edge_of(halfedge);
@@ -88,7 +92,7 @@ void ExactGeometry::lay_out_corners(Index vertex) {
   const auto fan = mesh->fan(vertex);
   if (fan == Mesh::Fan::non_manifold) can_bend[vertex] = anywhere;
   const bool is_saddle =
-      fan == Mesh::Fan::closed && mesh->total_angle(vertex) > 2.0 * std::numbers::pi + least_sector;
+      fan == Mesh::Fan::closed && mesh->total_angle(vertex) > 2.0 * std::numbers::pi - flat_tolerance;
   if (can_bend[vertex] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[vertex] = by_angle;
   if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) return;
   const auto corners = mesh->corners(vertex);

@@ -64,11 +64,7 @@ struct ExactGeometry {
   /// A length that is smaller than another one of its face by this factor is within the rounding of positions
   /// there.
   static constexpr double next_to_nothing = 1e-7;
-  /// Sectors narrower than this are not lit by the vertex that casts their shadow, as at a vertex that is
-  /// flat up to rounding: a window in it would part those on both sides for as far as they go. A vertex in
-  /// such a gap is reached from the windows beside it.
-  static constexpr double least_sector = 1e-7;
-  /// Whether a shortest path may bend at a vertex: total angle above 2 pi, on a border of the mesh, or
+  /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, on a border of the mesh, or
   /// non-manifold. `anywhere` at the ends of edges of negligible length: positions on the edges around do not
   /// tell on which side of such an end a path passes, so it sends out windows in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };

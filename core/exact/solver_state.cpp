@@ -67,7 +67,6 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
     const double begin = geometry->corner_begin[corner];
     const double width = (i + 1 < corners.size() ? geometry->corner_begin[corners[i + 1]] : total) - begin;
     auto emit_sector = [&](double from, double to) {
-      if (!(to - from > ExactGeometry::least_sector)) return;
       const double least = std::max(0.0, from - sector_tolerance - begin);
       const double greatest = std::min(width, to + sector_tolerance - begin);
       if (least < greatest) emit(vertex, corner, width, least, greatest);

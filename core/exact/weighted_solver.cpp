@@ -596,16 +596,16 @@ double WeightedSolver::distance(const EdgePoint& point) const {
 
 Index WeightedSolver::nearest_source(const EdgePoint& point) const {
   const double cost = norms_->edge_cost(point.edge);
-  double least = max_distance_;
-  Index source = no_index;
-  for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-    const PointState& state = state_[norms_->point(point.edge, k)];
-    const double distance = state.distance + std::abs(cost * norms_->fraction(k) - point.position);
-    if (!(distance <= least)) continue;
-    least = distance;
-    source = state.source;
-  }
-  return source;
+  if (!(cost > 0.0)) return nearest_source(mesh().edge_vertices(point.edge)[0]);
+  const SurfacePoint at = crossing_on_edge(mesh(), point.edge, point.position / cost);
+  if (at.is_vertex()) return nearest_source(at.vertex);
+  const BackStep step = best_step(at, unreachable);
+  if (within_limit(step.distance) == unreachable || step.source != no_index) return step.source;
+  // The piece begins between two points of its edge, at least one of which was reached.
+  const double place = step.fraction * (norms_->points_per_edge() + 1);
+  const PointState& before = state_[norms_->point(step.edge, static_cast<Index>(std::floor(place)))];
+  const PointState& behind = state_[norms_->point(step.edge, static_cast<Index>(std::ceil(place)))];
+  return before.distance <= behind.distance ? before.source : behind.source;
 }
 
 /// Whether a path to the vertex begins there.

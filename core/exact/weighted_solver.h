@@ -43,7 +43,7 @@ class WeightedSolver {
   double distance(const EdgePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
-  /// And a point of an edge, by the points of the solver beside it.
+  /// And a point of an edge.
   Index nearest_source(const EdgePoint& point) const;
 
   /// A shortest path from a point back to its nearest source, target first. Its edges are found by going back

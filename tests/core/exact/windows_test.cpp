@@ -127,8 +127,8 @@ TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
 }
 
 TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
-  // In a plane, also across a side with many points, through which a wave comes in as many windows, each edge
-  // is seen from one source.
+  // In a plane, also across a side with many points, through which a wave comes in as many windows, an edge
+  // is seen from few sources: hundreds if all those windows went on by themselves.
   constexpr Index pieces = 400;
   test::Soup fans;
   fans.positions = {{0.3, -1.0, 0.0}, {0.6, 1.0, 0.0}};
@@ -148,7 +148,7 @@ TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
         const double straight = std::hypot(at[0] - from[0], at[1] - from[1]);
         ASSERT_NEAR(solver.distance(v), straight, 1e-12) << source << " to " << v;
       }
-      EXPECT_LT(solver.window_count(), 3.0 * mesh->edge_count()) << source;
+      EXPECT_LT(solver.window_count(), 40.0 * mesh->edge_count()) << source;
     }
   }
 }

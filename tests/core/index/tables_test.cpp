@@ -71,6 +71,9 @@ PatchLayer squares(int cells, int width) {
   Partition partition;
   partition.second_layer.resize(mesh->face_count());
   partition.second_layer_count = width * width;
+  partition.first_layer.resize(mesh->face_count());
+  partition.first_layer_count = 1;
+  partition.parent.resize(partition.second_layer_count);
   for (Index f = 0; f < mesh->face_count(); ++f) {
     std::array<double, 2> middle{};
     for (Index v : mesh->face_vertices(f)) {
