@@ -80,6 +80,7 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
       can_bend[mesh->tail(3 * f + i)] = can_bend[mesh->head(3 * f + i)] = anywhere;
     }
   }
+  flat_height.assign(mesh->vertex_count(), 0.0f);
   corner_begin.assign(halfedges, 0.0);
   begins_at_own_edge.assign(halfedges, 1);
   parallel_ranges(mesh->vertex_count(), [&](Index begin, Index end) {
@@ -95,6 +96,14 @@ void ExactGeometry::lay_out_corners(Index vertex) {
       fan == Mesh::Fan::closed && mesh->total_angle(vertex) > 2.0 * std::numbers::pi - flat_tolerance;
   if (can_bend[vertex] == never && (fan == Mesh::Fan::open || is_saddle)) can_bend[vertex] = by_angle;
   if (fan != Mesh::Fan::open && fan != Mesh::Fan::closed) return;
+  const double of_plane = (fan == Mesh::Fan::open ? 1.0 : 2.0) * std::numbers::pi;
+  if (can_bend[vertex] == by_angle && std::abs(mesh->total_angle(vertex) - of_plane) <= flat_tolerance) {
+    double least = unreachable;
+    for (Index corner : mesh->corners(vertex)) {
+      least = std::min(least, frame[Mesh::next_in_face(corner)].apex_depth);
+    }
+    flat_height[vertex] = static_cast<float>(least);
+  }
   const auto corners = mesh->corners(vertex);
   // The first corner begins at its edge on a border of the mesh, if there is one; each of the others where
   // the previous one ended.

@@ -69,6 +69,9 @@ struct ExactGeometry {
   /// tell on which side of such an end a path passes, so it sends out windows in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };
   std::vector<Bend> can_bend;
+  /// By vertex: where paths bend by angle but the surface is flat up to rounding, or its border straight, the
+  /// least distance of the edges opposite the vertex; otherwise 0.
+  std::vector<float> flat_height;
   /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner
   /// begins.
   std::vector<double> corner_begin;
@@ -91,7 +94,8 @@ struct ExactGeometry {
 
   std::size_t memory_bytes() const {
     return frame.size() * sizeof(FaceFrame) + corner_begin.size() * sizeof(double) + can_bend.size() +
-           begins_at_own_edge.size() + turned.size() + fineness.size() * sizeof(double);
+           flat_height.size() * sizeof(float) + begins_at_own_edge.size() + turned.size() +
+           fineness.size() * sizeof(double);
   }
 
  private:

@@ -66,12 +66,16 @@ void require_limit(double max_distance) {
 ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)
     : geometry(std::move(shared_geometry)), mesh(*geometry->mesh) {
   vertices.resize(mesh.vertex_count());
+  light_is_due.resize(mesh.vertex_count(), 0);
   envelope.resize(mesh.edge_count());
   queue.resize(static_cast<std::size_t>(mesh.vertex_count()) + mesh.edge_count());
 }
 
 void ExactSolver::State::reset() {
-  for (Index v : touched_vertices) vertices[v] = {};
+  for (Index v : touched_vertices) {
+    vertices[v] = {};
+    light_is_due[v] = 0;
+  }
   touched_vertices.clear();
   envelope.clear();
   face_sources.clear();
@@ -87,8 +91,9 @@ void ExactSolver::State::reset() {
 void ExactSolver::State::take(Index item, double front) {
   if (distances_only) close_edges_behind(front);
   if (item < mesh.vertex_count()) {
+    const bool was_taken = light_is_due[item] != 0;
     take_vertex(item);
-    if (distances_only) close_edges_at(item);
+    if (distances_only && !was_taken) close_edges_at(item);
   } else {
     take_edge(item - mesh.vertex_count());
   }

@@ -14,6 +14,9 @@ namespace {
 /// Widening of the sector into which a vertex emits, in radians.
 constexpr double sector_tolerance = 1e-6;
 
+/// How far on the way to the nearest edge opposite the front has come when a flat vertex lights its sector.
+constexpr double before_next_edge = 0.99;
+
 }  // namespace
 
 void ExactSolver::State::emit(Index vertex, Index corner, double width, double least_angle,
@@ -86,6 +89,11 @@ void ExactSolver::State::emit_fan(Index vertex, bool everywhere) {
 void ExactSolver::State::take_vertex(Index vertex) {
   const VertexState state = vertices[vertex];
   if (state.distance > max_distance) return;
+  if (light_is_due[vertex] != 0) {
+    light_is_due[vertex] = 0;
+    emit_fan(vertex, false);
+    return;
+  }
   // A face that may not be entered acts like a border of the mesh: paths may bend around it.
   bool beside_barrier = false;
   for (Index corner : mesh.corners(vertex)) {
@@ -111,7 +119,15 @@ void ExactSolver::State::take_vertex(Index vertex) {
     barrier_distance = std::min(barrier_distance, length_at_vertex(state.distance, vertex));
   }
   const bool is_source = state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
-  if (geometry->can_bend[vertex] || is_source || beside_barrier) emit_fan(vertex, beside_barrier);
+  if (is_source || beside_barrier || (geometry->can_bend[vertex] && !(geometry->flat_height[vertex] > 0.0))) {
+    emit_fan(vertex, beside_barrier);
+  } else if (geometry->can_bend[vertex]) {
+    // Its sector is no wider than rounding. Once the windows that pass on both sides have come to the edges
+    // opposite, only what these leave open takes in its light; before, it would part them for as far as they
+    // go.
+    light_is_due[vertex] = 1;
+    queue.push(vertex, state.distance + before_next_edge * geometry->flat_height[vertex]);
+  }
 }
 
 void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index halfedge) {
@@ -208,6 +224,7 @@ void ExactSolver::State::reach_vertex(Index vertex, double distance, Index sourc
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
   state = {distance, arrival, source, along_edge_from};
+  light_is_due[vertex] = 0;
   territories == nullptr ? queue.push(vertex, distance) : announce(vertex);
 }
 
@@ -303,6 +320,7 @@ void ExactSolver::State::take_in(const Outbox& news) {
     if (!vertices[vertex].is_improved_by(state.distance, state.arrival)) continue;
     if (vertices[vertex].distance == unreachable) touched_vertices.push_back(vertex);
     vertices[vertex] = state;
+    light_is_due[vertex] = 0;
     if (territories->of_vertex[vertex] == number) queue.push(vertex, state.distance);
     if (distances_only) close_edges_at(vertex);
   }

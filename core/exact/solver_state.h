@@ -291,6 +291,7 @@ struct ExactSolver::State {
 
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
+  std::vector<std::uint8_t> light_is_due;  ///< by vertex: taken once; when taken again it lights its sector
   WindowEnvelope envelope;
   /// A window being passed on across a face, and where the ray to the face's apex leaves its edge.
   struct Crossing {

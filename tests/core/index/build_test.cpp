@@ -417,35 +417,15 @@ TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {
   EXPECT_GT(partition_for_index(*mesh, {0, 3, 0, 1}, {}).second_layer_count, 1) << "asked for";
 }
 
-TEST(IndexPartition, AFanOfThousandsOfNeedlesIsNotDivided) {
-  const test::Soup disc = test::needle_disc(12000);
-  EXPECT_EQ(partition_for_index(*test::make_mesh(disc), {0, 0, 0, 1}, {}).second_layer_count, 1);
-  const auto index = test::make_index(disc);
-  EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
+TEST(IndexPartition, AFanOfThousandsOfNeedlesHasShortBorders) {
+  const auto index = test::make_index(test::needle_disc(12000));
+  EXPECT_LT(index->statistics().bytes, 1000 * index->mesh()->vertex_count());
   GeodesicQuery query(index, 1);
   const auto field = query.distance_field(std::array{Index{5}});
   for (Index v = 1; v < index->mesh()->vertex_count(); v += 7) {
     const double chord = 2.0 * std::abs(std::sin(std::numbers::pi * (v - 5) / 12000));
-    EXPECT_NEAR(field[v], chord, 1e-9) << v;
+    EXPECT_NEAR(field[v], chord, 0.005 * chord) << v;
   }
-}
-
-TEST(IndexPartition, ASurfaceBesideAFanIsDividedWithoutIt) {
-  // Three quarters of the faces are needles.
-  const test::Soup sphere = test::icosphere(5);
-  const auto mesh = test::make_mesh(test::two_components(sphere, test::needle_disc(61500)));
-  const Partition found = partition_for_index(*mesh, {0, 0, 0, 1}, {});
-  const auto sphere_faces = static_cast<Index>(sphere.faces.size());
-  const Partition alone = make_partition(*test::make_mesh(sphere), {0, 0, 0, 1}, {});
-  EXPECT_GT(found.second_layer_count, alone.second_layer_count / 2);
-  std::vector<Index> faces_of(found.second_layer_count, 0);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    ++faces_of[found.second_layer[f]];
-    EXPECT_EQ(found.parent[found.second_layer[f]], found.first_layer[f]);
-    EXPECT_EQ(found.second_layer[f] == found.second_layer[sphere_faces], f >= sphere_faces);
-  }
-  for (Index faces : faces_of) EXPECT_GT(faces, 0);
-  for (std::size_t p = 1; p < found.parent.size(); ++p) EXPECT_LE(found.parent[p - 1], found.parent[p]);
 }
 
 TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {
