@@ -143,7 +143,7 @@ TEST(GeodesicQueryAccuracy, CoarseExtrusion) {
   expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16});
 }
 TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
-TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0016, 0.023, 0.14}); }
+TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0021, 0.054, 0.14}); }
 
 // Real meshes, if they are next to the repository: docs/figures.md.
 TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
