@@ -216,17 +216,20 @@ TEST(IndexContract, FieldsEndWhereAnotherVertexLiesAtTheSource) {
   }
 }
 
-TEST(IndexContract, BuildsEndOnExtrusionsAndFansWithRoundedCoordinates) {
+TEST(IndexContract, BuildsEndOnExtrusionsFansAndSpikesWithRoundedCoordinates) {
   struct Case {
     unsigned seed;
     int size;
     double delta = 0.0;
+    Index patches = 0;  ///< in each layer; 0: chosen
   };
-  for (const Case& one : {Case{703485, 2500}, Case{703485, 2500, 0.01}, Case{1001220, 2500},
-                          Case{703856, 600}, Case{1010053, 2500}, Case{1003363, 600}}) {
+  for (const Case& one :
+       {Case{703485, 2500}, Case{703485, 2500, 0.01}, Case{1001220, 2500}, Case{703856, 600},
+        Case{1010053, 2500}, Case{1003363, 600}, Case{370004788, 60, 0.0, 2}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(one.seed, one.size).soup);
     IndexOptions options;
     options.delta = one.delta;
+    options.first_layer_patches = options.second_layer_patches = one.patches;
     EXPECT_NE(GeodesicIndex::build(mesh, options), nullptr) << one.seed;
   }
 }
