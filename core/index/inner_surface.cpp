@@ -58,14 +58,16 @@ InnerSurface::InnerSurface(const Mesh& user, const Partition& partition) {
   point.shrink_to_fit();
 }
 
-std::array<Index, 2> InnerSurface::places_inside(Index edge) const {
+bool InnerSurface::is_border(Index edge, std::span<const Index> label) const {
   const Index first = mesh->edge_halfedge(edge);
-  const Index patch = second_layer[Mesh::face_of(first)];
-  bool is_border = false;
-  for (Index h = mesh->next_around_edge(first); h != first && !is_border; h = mesh->next_around_edge(h)) {
-    is_border = second_layer[Mesh::face_of(h)] != patch;
+  for (Index h = mesh->next_around_edge(first); h != first; h = mesh->next_around_edge(h)) {
+    if (label[Mesh::face_of(h)] != label[Mesh::face_of(first)]) return true;
   }
-  if (!is_border) return {0, 0};
+  return false;
+}
+
+std::array<Index, 2> InnerSurface::places_inside(Index edge) const {
+  if (!is_border(edge, second_layer)) return {0, 0};
   const auto inside = std::ranges::equal_range(point, edge, {}, &EdgePoint::edge);
   const auto place = [&](auto at) { return vertex_count() + static_cast<Index>(at - point.begin()); };
   return {place(inside.begin()), place(inside.end())};
@@ -91,6 +93,16 @@ std::size_t InnerSurface::memory_bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return mesh->memory_bytes() + of(vertex) + of(user_vertex) + of(face) + of(user_face) + of(second_layer) +
          of(point);
+}
+
+void PlaceTargets::add(const InnerSurface& surface, std::span<const Index> places) {
+  for (const Index place : places) {
+    if (surface.is_vertex(place)) {
+      vertices.push_back(place);
+    } else {
+      points.push_back(surface.point_at(place));
+    }
+  }
 }
 
 // ---- Faces with places on their sides

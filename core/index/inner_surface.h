@@ -37,6 +37,13 @@ struct InnerSurface {
   bool is_vertex(Index place) const { return place < vertex_count(); }
   /// \pre The place is not a vertex.
   const EdgePoint& point_at(Index place) const { return point[place - vertex_count()]; }
+  /// Calls visit(vertex) or visit(point of an edge) for what is at a place, as solvers take either.
+  template <class Visit>
+  decltype(auto) at_place(Index place, Visit&& visit) const {
+    return is_vertex(place) ? visit(place) : visit(point_at(place));
+  }
+  /// Whether faces with different labels meet at an edge.
+  bool is_border(Index edge, std::span<const Index> label) const;
   /// The places inside an edge, in order from its first vertex, by the first and one past the last.
   /// Complexity: O(log points) at an edge between patches of the second layer, O(1) at others.
   std::array<Index, 2> places_inside(Index edge) const;
@@ -74,6 +81,19 @@ struct InnerSurface {
   }
 
   std::size_t memory_bytes() const;
+};
+
+/// Places as the targets of a run.
+struct PlaceTargets {
+  std::vector<Index> vertices;
+  std::vector<EdgePoint> points;
+
+  void clear() {
+    vertices.clear();
+    points.clear();
+  }
+  void add(const InnerSurface& surface, std::span<const Index> places);
+  std::size_t size() const { return vertices.size() + points.size(); }
 };
 
 /// The triangle of places around a point of a face: the face itself, or where there are places on its sides,

@@ -362,25 +362,16 @@ class GroupSolver {
     patches_.clear();
     for (const PatchRow& at : patches) patches_.push_back(at.patch);
     halo_.surround(patches_, table_growth);
-    vertices_.clear();
-    points_.clear();
-    for (Index p : patches_) {
-      for (Index member : layer_.members(p)) {
-        if (surface_.is_vertex(member)) {
-          vertices_.push_back(member);
-        } else {
-          points_.push_back(surface_.point_at(member));
-        }
-      }
-    }
+    targets_.clear();
+    for (Index p : patches_) targets_.add(surface_, layer_.members(p));
   }
 
   void solve(Index node) {
     const ExactSource source{surface_.surface_point(layer_.node_place[node])};
     ExactLimits limits;
     limits.face_allowed = halo_.mask();
-    limits.targets = vertices_;
-    limits.edge_targets = points_;
+    limits.targets = targets_.vertices;
+    limits.edge_targets = targets_.points;
     // Windows behind the front are kept: dropping them takes 3 to 7 % longer on the few faces of a patch.
     limits.merge_tolerance = merge_tolerance;
     solver_.run(std::span(&source, 1), limits);
@@ -393,9 +384,8 @@ class GroupSolver {
       if (draft == nullptr) continue;
       const auto members = layer_.members(at.patch);
       for (std::size_t i = 0; i < members.size(); ++i) {
-        const Index place = members[i];
         const double distance =
-            surface_.is_vertex(place) ? solver_.distance(place) : solver_.distance(surface_.point_at(place));
+            surface_.at_place(members[i], [&](const auto& target) { return solver_.distance(target); });
         draft->line(static_cast<Index>(i))[at.row] = static_cast<float>(distance);
       }
     }
@@ -407,8 +397,7 @@ class GroupSolver {
   LocalSolver solver_;
   Halo halo_;
   std::vector<Index> patches_;
-  std::vector<Index> vertices_;
-  std::vector<EdgePoint> points_;
+  PlaceTargets targets_;
 };
 
 double seconds_of(const std::function<void()>& work) {

@@ -93,6 +93,13 @@ struct PlacePatches {
   }
 };
 
+/// Ascending, each number once.
+void sort_once(std::vector<Index>& numbers) {
+  std::ranges::sort(numbers);
+  const auto repeated = std::ranges::unique(numbers);
+  numbers.erase(repeated.begin(), repeated.end());
+}
+
 /// Replaces a list by the patches of the faces at an edge, ascending.
 void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
                      std::vector<Index>& patches) {
@@ -103,9 +110,7 @@ void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
     patches.push_back(label[Mesh::face_of(h)]);
     h = mesh.next_around_edge(h);
   } while (h != first);
-  std::ranges::sort(patches);
-  const auto repeated = std::ranges::unique(patches);
-  patches.erase(repeated.begin(), repeated.end());
+  sort_once(patches);
 }
 
 PlacePatches patches_of_places(const InnerSurface& surface, std::span<const Index> label) {
@@ -119,8 +124,7 @@ PlacePatches patches_of_places(const InnerSurface& surface, std::span<const Inde
     if (surface.is_vertex(place)) {
       own.clear();
       for (Index corner : mesh.corners(place)) own.push_back(label[Mesh::face_of(corner)]);
-      std::sort(own.begin(), own.end());
-      own.erase(std::unique(own.begin(), own.end()), own.end());
+      sort_once(own);
     } else {
       patches_at_edge(mesh, label, surface.point_at(place).edge, own);
     }
@@ -139,15 +143,9 @@ struct BorderPiece {
 
 std::vector<BorderPiece> border_pieces(const InnerSurface& surface, std::span<const Index> label) {
   std::vector<BorderPiece> result;
-  const Mesh& mesh = *surface.mesh;
   surface.for_each_piece([&](Index edge, Index from, Index to, double length) {
     if (edge % elements_per_checkpoint == 0) checkpoint();
-    const Index first = mesh.edge_halfedge(edge);
-    bool is_border = false;
-    for (Index h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
-      is_border = is_border || label[Mesh::face_of(h)] != label[Mesh::face_of(first)];
-    }
-    if (is_border) result.push_back({edge, {from, to}, length});
+    if (surface.is_border(edge, label)) result.push_back({edge, {from, to}, length});
   });
   return result;
 }

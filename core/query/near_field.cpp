@@ -43,8 +43,8 @@ void NearField::add_at(const SurfacePoint& point) {
 void NearField::solve(std::span<const ExactSource> sources, double max_distance) {
   ExactLimits limits;
   limits.face_allowed = halo_.mask();
-  limits.targets = targets_;
-  limits.edge_targets = edge_targets_;
+  limits.targets = targets_.vertices;
+  limits.edge_targets = targets_.points;
   limits.max_distance = max_distance;
   solver_.run(sources, limits);
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
@@ -53,7 +53,7 @@ void NearField::solve(std::span<const ExactSource> sources, double max_distance)
 /// Of the patches' vertices, from the source nearest to each without its offset.
 double NearField::median_distance(std::span<const ExactSource> sources) {
   from_source_.clear();
-  for (Index v : targets_) {
+  for (Index v : targets_.vertices) {
     const double found = solver_.distance(v);
     if (found < unreachable) from_source_.push_back(found - sources[solver_.nearest_source(v)].offset);
   }
@@ -68,17 +68,9 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance) {
   patches_.clear();
   for (const ExactSource& one : sources) add_at(one.point);
   targets_.clear();
-  edge_targets_.clear();
   Index patch_faces = 0;
   for (Index p : patches_) {
-    const auto members = data_.second.members(p);
-    for (Index place : members) {
-      if (data_.surface.is_vertex(place)) {
-        targets_.push_back(place);
-      } else {
-        edge_targets_.push_back(data_.surface.point_at(place));
-      }
-    }
+    targets_.add(data_.surface, data_.second.members(p));
     patch_faces += data_.first_face[p + 1] - data_.first_face[p];
   }
   around_.clear();
@@ -90,7 +82,7 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance) {
   }
   halo_.surround(patches_, growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
-  const double members = static_cast<double>(targets_.size() + edge_targets_.size()) / patches;
+  const double members = static_cast<double>(targets_.size()) / patches;
   halo_.widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
   solve(sources, max_distance);

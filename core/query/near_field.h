@@ -70,21 +70,15 @@ class NearField {
   /// After run(): calls visit(node, distance, source) once for every border node that was reached.
   template <class Visit>
   void for_each_reached_node(Visit&& visit) const {
-    auto visit_at = [&](Index node, const auto& place) {
-      const double distance = solver_.distance(place);
-      if (distance < unreachable) visit(node, distance, solver_.nearest_source(place));
-    };
     auto is_entered = [&](const PatchRow& at) { return is_entered_[at.patch] != 0; };
     for (Index patch : entered_) {
       for (Index node : data_.second.nodes(patch)) {
         // A node belongs to several patches.
         if (std::ranges::find_if(data_.second.patches_of(node), is_entered)->patch != patch) continue;
-        const Index place = data_.second.node_place[node];
-        if (data_.surface.is_vertex(place)) {
-          visit_at(node, place);
-        } else {
-          visit_at(node, data_.surface.point_at(place));
-        }
+        data_.surface.at_place(data_.second.node_place[node], [&](const auto& at) {
+          const double distance = solver_.distance(at);
+          if (distance < unreachable) visit(node, distance, solver_.nearest_source(at));
+        });
       }
     }
   }
@@ -106,10 +100,9 @@ class NearField {
   std::vector<Index> patches_;
   std::vector<std::uint8_t> is_entered_;  ///< by patch: whether the halo has a face of it
   std::vector<Index> entered_;
-  std::vector<Index> targets_;           ///< vertices
-  std::vector<EdgePoint> edge_targets_;  ///< and other places
-  std::vector<Index> around_;            ///< faces at the sources
-  std::vector<double> from_source_;      ///< scratch memory of median_distance()
+  PlaceTargets targets_;
+  std::vector<Index> around_;        ///< faces at the sources
+  std::vector<double> from_source_;  ///< scratch memory of median_distance()
   double certain_ = 0.0;
 };
 

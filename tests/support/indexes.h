@@ -72,7 +72,7 @@ class PlaceSolver {
     solver_.run(std::span(&source, 1));
   }
   double distance(Index place) const {
-    return surface_.is_vertex(place) ? solver_.distance(place) : solver_.distance(surface_.point_at(place));
+    return surface_.at_place(place, [&](const auto& at) { return solver_.distance(at); });
   }
 
  private:
