@@ -165,20 +165,27 @@ def cone(name: str, tilt: Floats) -> Shape:
     return shape(name, (chart @ ray, np.vstack(faces).astype(np.int32)), between, chart=chart)
 
 
-def box() -> Shape:
-    """The closed unit cube, from a corner: across its edges to the far sides."""
-    line = np.linspace(0, 1, 8)
-    square, faces = grid(line, line)
-    u, v, zero = square.T
-    sides = [(u, v, zero), (v, u, zero + 1), (v, zero, u), (u, zero + 1, v), (zero, u, v), (zero + 1, v, u)]
-    loose = np.vstack([np.column_stack(side) for side in sides])
-    _, first, joined = np.unique(loose.round(9), axis=0, return_index=True, return_inverse=True)
-    every = np.vstack([faces + i * len(square) for i in range(6)])
+def parts() -> Shape:
+    """Two squares with vertices at the same places along their border, not joined, and a vertex without a face."""
+    square, faces = plain_grid(13, 13, 1.0, 1.0)
+    vertices = np.vstack([square, square + np.array([1.0, 0, 0]), [[0.5, 0.5, 0]]])
+    part = np.repeat([0.0, 1.0, 2.0], [len(square), len(square), 1])
+    chart = np.column_stack([vertices, part])
 
     def between(a: Floats, b: Floats) -> Floats:
-        low, middle, high = np.sort(b, axis=1).T
-        return np.tile(np.hypot(high + low, middle), (len(a), 1))  # on a side that holds the corner, low is 0
+        return np.where(np.abs(steps(a[:, 3:], b[:, 3:])[..., 0]) < 0.5, straight(a[:, :3], b[:, :3]), np.inf)
 
-    return shape(
-        "box", (loose[first], joined.ravel()[every].astype(np.int32)), between, sources=np.array([0], np.int32)
-    )
+    sources = np.array([3, 100, 200, 300], np.int32)
+    return shape("parts", (vertices, np.vstack([faces, faces + len(square)]).astype(np.int32)), between, chart=chart,
+                 sources=sources)  # fmt: skip
+
+
+def repeats(random: Rng) -> Shape:
+    """A flat rectangle with faces given twice, turned over, or naming a vertex twice."""
+    vertices, faces = shaken_plane(random, 21, 16)
+    faces = faces.copy()
+    faces[::3] = faces[::3, ::-1]
+    twice = faces[::4].copy()
+    folded = faces[::5].copy()
+    folded[:, 2] = folded[:, 0]
+    return shape("repeats", (vertices, np.vstack([faces, folded, twice])), straight)

@@ -9,7 +9,6 @@ from functools import cache
 from typing import Any
 
 import ask
-import defect_surfaces
 import metric_surfaces
 import numpy as np
 import pytest
@@ -54,18 +53,14 @@ LENGTHS = [
     surfaces.prism(),
     surfaces.cone("cone", np.full(8, -0.6)),
     surfaces.cone("saddle", _TILTS),
-    surfaces.box(),
-    defect_surfaces.hole(),
-    defect_surfaces.slit(),
-    defect_surfaces.book(),
-    defect_surfaces.parts(),
-    defect_surfaces.repeats(_random),
+    surfaces.parts(),
+    surfaces.repeats(_random),
     bumpy(_random),
 ]
 METRICS = metric_surfaces.metrics(_random, next(shape for shape in LENGTHS if shape.name == "saddle"))
 SHAPES = [*LENGTHS, *METRICS]
 #: Surfaces on which the distance of any two vertices, and of points in faces, follows from a formula.
-UNROLLED = [each for each in SHAPES if each.name not in ("box", "half-plane", "shore", "bumpy")]
+UNROLLED = [each for each in SHAPES if each.name not in ("half-plane", "shore", "bumpy")]
 
 
 def named(name: str) -> Shape:

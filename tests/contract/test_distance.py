@@ -31,20 +31,6 @@ def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(by: str, shape: S
         assert answer == pytest.approx(length, rel=0 if by == "index" else 1e-12)
 
 
-@table.asked(["index"], table.SHAPES)
-def test_both_directions_are_equal_to_the_last_bit(by: str, shape: Shape, random: Rng) -> None:
-    source, target = random.integers(0, len(shape.vertices), (2, 60))
-    np.testing.assert_array_equal(ask.distance(by, shape, source, target), ask.distance(by, shape, target, source))
-
-
-@table.asked(["exact", "by index, exact", "function"], table.LENGTHS)
-def test_both_directions_of_an_exact_distance_are_equal_but_for_rounding(by: str, shape: Shape, random: Rng) -> None:
-    source, target = random.integers(0, len(shape.vertices), (2, 12))
-    np.testing.assert_allclose(
-        ask.distance(by, shape, source, target), ask.distance(by, shape, target, source), rtol=1e-12
-    )
-
-
 @table.asked(ask.DISTANCES, table.SHAPES[::2])
 def test_the_distance_from_a_point_to_itself_is_zero(by: str, shape: Shape) -> None:
     everywhere = np.arange(0, len(shape.vertices), 7)
@@ -73,24 +59,6 @@ def test_places_in_space_are_moved_to_the_nearest_point_of_the_surface(by: str, 
     np.testing.assert_allclose(snapped.snap_distance, 0, atol=1e-9)
     above = ask.snapped(by, table.named("plane"), [0.7, 0.6, 0.25])
     np.testing.assert_allclose(above.snap_distance, 0.25, rtol=1e-12)
-
-
-@pytest.mark.parametrize("by", ask.DISTANCES)
-def test_what_no_path_reaches_is_infinitely_far(by: str) -> None:
-    shape = table.named("parts")
-    lone = len(shape.vertices) - 1
-    assert ask.distance(by, shape, 0, lone) == np.inf
-    assert ask.distance(by, shape, 0, lone - 1) == np.inf
-    np.testing.assert_array_equal(ask.distance(by, shape, [0, 0], [lone, 0]), [np.inf, 0])
-
-
-@table.asked(["index", "exact"], table.SHAPES)
-def test_no_detour_is_shorter_but_for_the_errors(by: str, shape: Shape, random: Rng) -> None:
-    a, b, c = random.integers(0, len(shape.vertices), (3, 20))
-    direct, first, second = (ask.distance(by, shape, *ends) for ends in ((a, c), (a, b), (b, c)))
-    detour = first + second
-    slack = 2 * ask.errors(by, shape).largest
-    assert (np.isinf(detour) | (direct <= detour * (1 + slack) + 1e-12)).all()
 
 
 @pytest.mark.parametrize("by", ask.DISTANCES)

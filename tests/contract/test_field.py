@@ -9,7 +9,6 @@ from dataclasses import replace
 import ask
 import numpy as np
 import pytest
-import surfaces
 import table
 import vorogeo
 from surfaces import Rng, Shape
@@ -60,20 +59,13 @@ def test_a_limit_makes_what_is_farther_infinite_and_leaves_the_rest(by: str, sha
     np.testing.assert_allclose(answer[inside], expected[inside], rtol=slack, atol=1e-12)
 
 
-@table.asked(KINDS_OF_POINTS, table.UNROLLED)
-def test_sources_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: Rng) -> None:
-    points = table.points_anywhere(shape, random, 4)
-    answer = [ask.field(by, shape, points[i]) for i in range(len(points))]
-    ask.assert_answers(by, shape, answer, shape.fields(points))
-
-
 @pytest.mark.parametrize("by", KINDS_OF_POINTS)
 def test_a_curve_along_edges_is_one_source_never_too_near(by: str) -> None:
-    shape = table.named("book")
-    spine = np.flatnonzero(np.hypot(shape.vertices[:, 0], shape.vertices[:, 2]) < 1e-9)
+    shape = table.named("plane")
+    side = np.flatnonzero(shape.vertices[:, 0] == 0)
     spacing, errors = 0.02, ask.errors(by, shape)
-    answer, label = ask.labelled_field(by, shape, [vorogeo.EdgeCurve(spine, spacing)])
-    expected = shape.chart[:, 1:].sum(axis=1)
+    answer, label = ask.labelled_field(by, shape, [vorogeo.EdgeCurve(side, spacing)])
+    expected = shape.vertices[:, 0]
     assert (answer >= expected * (1 - errors.largest) - 1e-12).all()
     assert (answer <= expected * (1 + errors.largest) + spacing / 2).all()
     assert (label == 0).all()
@@ -85,17 +77,6 @@ def test_single_precision_is_the_rounded_field(by: str, shape: Shape) -> None:
     answer = ask.field(by, shape, source, dtype=np.float32)
     assert answer.dtype == np.float32
     np.testing.assert_array_equal(answer, ask.field(by, shape, source, dtype=float).astype(np.float32))
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-@pytest.mark.parametrize("name", ["bumpy", "parts", "shore"])
-def test_fields_of_an_index_do_not_depend_on_its_threads(by: str, name: str) -> None:
-    shape = table.named(name)
-    one, four = (ask.new_index(shape, threads=threads) for threads in (1, 4))
-    for source in shape.sources:
-        np.testing.assert_array_equal(
-            ask.field(by, shape, int(source), on=one), ask.field(by, shape, int(source), on=four)
-        )
 
 
 @pytest.mark.parametrize("by", ["exact", "index", "by index, exact", "quick"])
@@ -111,15 +92,6 @@ def test_threads_that_ask_one_object_get_what_one_thread_gets(by: str) -> None:
 
     with ThreadPoolExecutor(len(sources)) as pool:
         np.testing.assert_array_equal(list(pool.map(answer, sources)), alone)
-
-
-def test_quick_fields_err_by_tenths_of_a_percent_on_an_even_surface() -> None:
-    shape = table.named("bumpy")
-    expected = shape.fields(shape.sources)
-    answer = np.array([ask.field("quick", shape, int(source)) for source in shape.sources])
-    error = np.abs(answer / np.where(expected > 0, expected, 1) - 1)[expected > 0]
-    assert error.mean() < 0.01
-    assert np.quantile(error, 0.99) < 0.05
 
 
 @pytest.mark.parametrize("shape", table.LENGTHS, ids=str)
@@ -143,6 +115,9 @@ def test_arrays_of_any_type_and_layout_are_neither_changed_nor_kept(by: str) -> 
         (vertices.astype(np.float32), base.faces.astype(np.uint16)),
         (np.asfortranarray(vertices), base.faces.astype(np.int64)[::-1].copy()[::-1]),
         (vertices.tolist(), base.faces.tolist()),
+        (np.hstack([vertices, vertices])[:, 3:], np.repeat(base.faces, 2, axis=0)[::2]),
+        (vertices.astype(">f8"), base.faces.astype(">u8")),
+        (vertices.astype(np.longdouble), base.faces.astype(np.int16)),
     ):
         shape, before = replace(base, vertices=points, faces=corners), (np.array(points), np.array(corners))
         np.testing.assert_array_equal(ask.field(by, shape, 7), expected)
@@ -155,12 +130,11 @@ def test_arrays_of_any_type_and_layout_are_neither_changed_nor_kept(by: str) -> 
 
 @pytest.mark.parametrize("by", ["exact", "index", "quick", "function"])
 def test_a_mask_leaves_the_surface_of_the_faces_that_it_keeps(by: str) -> None:
-    hole, (vertices, faces) = table.named("hole"), surfaces.plain_grid(19, 19, 3.0, 3.0)
-    mask = (np.abs(vertices[faces].mean(axis=1)[:, :2] - 1.5) > 0.5).any(axis=1)
-    whole, used = replace(hole, vertices=vertices, faces=faces), np.unique(faces[mask])
+    shape = table.named("bumpy")
+    mask = (np.abs(shape.vertices[shape.faces].mean(axis=1)[:, :2] - 0.8) > 0.3).any(axis=1)
     if by == "function":
-        answer = ask.field(by, whole, 0, mask=mask)
+        answer = ask.field(by, shape, 0, mask=mask)
     else:
-        answer = ask.field(by, whole, 0, on=(ask.new_index if by == "index" else ask.new_surface)(whole, mask=mask))
-    ask.assert_answers(by, hole, answer[used], hole.fields([0])[0])
-    assert np.isinf(np.delete(answer, used)).all()
+        answer = ask.field(by, shape, 0, on=(ask.new_index if by == "index" else ask.new_surface)(shape, mask=mask))
+    without = replace(shape, name="with a hole", faces=shape.faces[mask])
+    ask.assert_answers(by, shape, answer, ask.field("function", without, 0))

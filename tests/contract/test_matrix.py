@@ -31,14 +31,6 @@ def test_a_square_matrix_is_symmetric_to_the_last_bit_with_a_zero_diagonal(by: s
     ask.assert_answers(by, shape, answer, shape.matrix(points, points))
 
 
-@pytest.mark.parametrize("shape", table.SHAPES, ids=str)
-def test_a_matrix_by_pairs_holds_the_very_numbers_of_distance(shape: Shape, random: Rng) -> None:
-    points, others = random.integers(0, len(shape.vertices), (2, 8))
-    answer = ask.matrix("pairs", shape, points, others)
-    alone = [[ask.distance("index", shape, int(a), int(b)) for b in others] for a in points]
-    np.testing.assert_array_equal(answer, alone)
-
-
 @table.asked(ask.TASKS, table.SHAPES)
 def test_fields_hold_the_field_of_each_source(by: str, shape: Shape) -> None:
     answer = ask.fields(by, shape, shape.sources)

@@ -30,25 +30,6 @@ def test_the_nearest_are_the_first_of_all_sorted_by_distance(by: str, shape: Sha
     assert (distances[:, 1:] >= distances[:, :-1]).all()
 
 
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_more_neighbours_than_can_be_reached_end_with_infinity_and_minus_one(by: str) -> None:
-    shape = table.named("parts")
-    lone = len(shape.vertices) - 1
-    distances, places = ask.nearest(by, shape, [0, 5, 200], [3, 200, lone], 5)
-    np.testing.assert_array_equal(np.isfinite(distances).sum(axis=1), [2, 1, 0])
-    np.testing.assert_array_equal(places[np.isinf(distances)], -1)
-    np.testing.assert_array_equal(places[1], [2, -1, -1, -1, -1])
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_of_equally_near_points_the_first_comes_first(by: str) -> None:
-    shape = table.named("prism")
-    distances, places = ask.nearest(by, shape, [40, 7, 40, 7], [7], 4)
-    np.testing.assert_array_equal(places, [[1, 3, 0, 2]])
-    assert distances[0, 0] == distances[0, 1] == 0
-    assert distances[0, 2] == distances[0, 3]
-
-
 @table.asked(ask.TASKS, table.UNROLLED)
 def test_pairs_within_a_radius_are_the_small_entries_of_the_matrix(by: str, shape: Shape, random: Rng) -> None:
     points = random.choice(len(shape.vertices), SET, replace=False).astype(np.int32)

@@ -42,30 +42,6 @@ def test_regions_tile_what_their_points_reach(by: str, shape: Shape) -> None:
     assert len(regions.face_region) == len(shape.faces)
 
 
-@table.asked(ask.TASKS, [s for s in FLAT if s.name in ("plane", "repeats")])
-def test_borders_on_a_plane_are_the_bisectors(by: str, shape: Shape) -> None:
-    regions = ask.task("voronoi", by, shape, shape.sources)
-    middle = regions.borders.points[regions.borders.edges].mean(axis=1)
-    apart = np.linalg.norm(shape.vertices[shape.sources][regions.border_regions] - middle[:, None], axis=2)
-    tolerance = 1e-9 if ask.is_exact(by) else 0.02
-    np.testing.assert_allclose(apart[:, 0], apart[:, 1], rtol=tolerance)
-    assert (regions.border_regions[:, 0] != regions.border_regions[:, 1]).all()
-    nearest = shape.between(middle, shape.vertices[shape.sources]).min(axis=1)
-    np.testing.assert_allclose(apart[:, 0], nearest, rtol=tolerance)
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_what_no_point_reaches_and_a_point_given_twice_have_no_region(by: str) -> None:
-    shape = table.named("parts")
-    regions = ask.task("voronoi", by, shape, [3, 20, 3])
-    second = np.arange(len(shape.vertices)) >= (len(shape.vertices) - 1) // 2
-    assert (regions.vertex_region[second] == -1).all()
-    assert np.isinf(regions.distance[second]).all()
-    assert regions.area.sum() == pytest.approx(1.0, rel=1e-9)
-    assert regions.area[2] == 0
-    assert not (regions.vertex_region == 2).any()
-
-
 @table.asked(ask.TASKS, table.UNROLLED)
 def test_a_disk_holds_what_is_within_its_radius(by: str, shape: Shape) -> None:
     sources = shape.sources[:2]

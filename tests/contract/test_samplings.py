@@ -29,26 +29,6 @@ def test_each_sample_is_the_vertex_farthest_from_those_before(by: str, shape: Sh
 
 
 @pytest.mark.parametrize("by", ask.TASKS)
-def test_sampling_ends_when_the_covering_radius_is_reached(by: str) -> None:
-    shape = table.named("prism")
-    found = ask.task("sample_farthest", by, shape, radius=0.8, start=[0])
-    assert found.covering_radius <= 0.8 < found.radius[1:].min()
-    longer = ask.task("sample_farthest", by, shape, len(found.vertices) + 2, start=[0])
-    np.testing.assert_array_equal(longer.vertices[:-2], found.vertices)
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_each_component_gets_a_sample_before_any_gets_two_and_no_vertex_two(by: str) -> None:
-    shape = table.named("parts")
-    lone = len(shape.vertices) - 1
-    found = ask.task("sample_farthest", by, shape, 10_000, start=[5])
-    component = np.minimum(found.vertices // (lone // 2), 2)
-    assert sorted(component[: 2 + (component[:3] == 2).any()].tolist()) in ([0, 1], [0, 1, 2])
-    assert len(set(found.vertices.tolist())) == len(found.vertices) >= lone
-    assert np.isinf(found.radius[1])
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
 def test_sampling_begins_with_points_anywhere(by: str, random: Rng) -> None:
     shape = table.named("plane")
     points = table.points_anywhere(shape, random, 2)
@@ -58,19 +38,6 @@ def test_sampling_begins_with_points_anywhere(by: str, random: Rng) -> None:
     places = found.points.positions(shape.vertices, shape.faces)
     np.testing.assert_allclose(places[:2], points.positions(shape.vertices, shape.faces), atol=1e-12)
     np.testing.assert_allclose(places[2:], shape.vertices[found.vertices[2:]], atol=1e-12)
-
-
-@pytest.mark.parametrize("seed", [0, 7])
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_the_same_seed_gives_the_same_samples_on_any_number_of_threads(by: str, seed: int) -> None:
-    shape = table.named("bumpy")
-    answers = []
-    for threads in (1, 4):
-        on = ask.new_index(shape, threads=threads)
-        farthest = ask.task("sample_farthest", by, shape, 8, seed=seed, on=on).vertices
-        answers.append((farthest, ask.task("sample_poisson_disk", by, shape, 0.3, seed=seed, on=on)))
-    for one, four in zip(*answers, strict=True):
-        np.testing.assert_array_equal(one, four)
 
 
 @table.asked(ask.TASKS, WHOLE)
@@ -84,13 +51,3 @@ def test_poisson_disk_samples_are_a_radius_apart_and_none_could_be_added(by: str
     assert apart.min() >= radius * (1 - slack)
     assert fields.min(axis=0).max() <= radius * (1 + slack)
     assert len(samples) > 2
-
-
-@pytest.mark.parametrize("by", ask.TASKS)
-def test_a_small_radius_takes_every_vertex_and_a_large_one_a_vertex_of_each_component(by: str) -> None:
-    shape = table.named("parts")
-    lone = len(shape.vertices) - 1
-    every = ask.task("sample_poisson_disk", by, shape, 1e-3)
-    assert set(range(lone)) <= set(every.tolist())
-    few = ask.task("sample_poisson_disk", by, shape, 10.0)
-    assert sorted((few[few < lone] // (lone // 2)).tolist()) == [0, 1]

@@ -52,19 +52,6 @@ def unfinished(file):
     return file.with_name(file.name + ".unfinished")
 
 
-def test_built_in_its_file_it_is_the_one_that_is_saved(index, saved, tmp_path):
-    file = tmp_path / "a.vgi"
-    built = vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file)
-    assert file.read_bytes() == saved.read_bytes()
-    assert [entry.name for entry in tmp_path.iterdir()] == ["a.vgi"]
-    assert built.statistics.seconds > 0
-    assert 0 < built.statistics.mapped_bytes < built.statistics.bytes == index.statistics.bytes
-    again = vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=str(file))
-    assert again.statistics.seconds == 0, "it is loaded"
-    for one in (built, again):
-        np.testing.assert_array_equal(one.distance_field([5, 600]), index.distance_field([5, 600]))
-
-
 def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
     file = tmp_path / "a.vgi"
     seen = []
@@ -91,19 +78,3 @@ def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
     assert min(composing) > 0.849
     assert file.read_bytes() == saved.read_bytes()
     assert not unfinished(file).exists()
-
-
-def test_a_build_does_not_go_on_for_another_mesh(tmp_path):
-    file = tmp_path / "a.vgi"
-    with pytest.raises(vorogeo.Cancelled):
-        vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=lambda _, text: "Compos" not in text)
-    begun = unfinished(file).read_bytes()
-    moved = MESH[0].copy()
-    moved[17, 2] = np.nextafter(moved[17, 2], 9)
-    with pytest.raises(vorogeo.IndexFileError, match=r"unfinished is of another mesh, .*; remove it or name another"):
-        vorogeo.GeodesicIndex(moved, MESH[1], patches=(3, 3), file=file)
-    with pytest.raises(vorogeo.IndexFileError, match="has other options"):
-        vorogeo.GeodesicIndex(*MESH, patches=(3, 3), seed=1, file=file)
-    assert unfinished(file).read_bytes() == begun
-    with pytest.raises(vorogeo.IndexFileError, match="there is no folder"):
-        vorogeo.GeodesicIndex(*MESH, file=tmp_path / "no" / "a.vgi")

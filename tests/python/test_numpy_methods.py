@@ -58,16 +58,6 @@ def test_a_prepared_method_answers_many_times():
     assert method.info is vorogeo.methods["ammp"]
 
 
-def test_gtu_answers_two_points_of_a_plane_exactly():
-    vertices, faces = plane_grid(15, 15)
-    method = vorogeo.GeodesicMethod(vertices, faces, "gtu", m=60)
-    pairs = [(0, 224), (16, 200), (100, 7), (30, 31)]
-    for source, target in pairs:
-        expected = np.linalg.norm(vertices[source] - vertices[target])
-        assert method.distance(source, target) == pytest.approx(expected, rel=1e-9)
-    assert vorogeo.methods["gtu"].has_pairs
-
-
 def test_campen_kobbelt_crosses_gaps_of_its_own():
     vertices, faces = side_by_side(plane_grid(9, 9), plane_grid(9, 12), 1.001)
     apart = vorogeo.distance_field(vertices, faces, 40, "campen_kobbelt")

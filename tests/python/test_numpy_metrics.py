@@ -37,12 +37,9 @@ def test_positions_forgotten_change_no_answer(wavy):
     index = vorogeo.GeodesicIndex(None, faces, patches=(6, 3), metric=metric)
     assert index.statistics.vertices == len(vertices)
     assert np.isnan(index.vertices).all()
-    near = {"rtol": 0, "atol": 1e-12}
     ends = [3, 500, 1111], [1000, 40, 41]
-    tables = {"rtol": 3e-5, "atol": 0}  # rounding of the tables may fall on another entry
-    np.testing.assert_allclose(index.distance_field(7), plain.distance_field(7), **tables)
-    np.testing.assert_allclose(index.distance(*ends), plain.distance(*ends), **tables)
-    np.testing.assert_allclose(index.distance_field(7, method="exact"), plain.distance_field(7, method="exact"), **near)
+    # Rounding of the tables may fall on another entry.
+    np.testing.assert_allclose(index.distance_field(7), plain.distance_field(7), rtol=3e-5)
     for mine, other in zip(index.exact_path(*ends), plain.exact_path(*ends), strict=True):
         assert mine.certified
         assert np.isnan(mine.points).all()
@@ -52,11 +49,6 @@ def test_positions_forgotten_change_no_answer(wavy):
     regions = [q.voronoi([0, 600, 1199], method="exact") for q in (index, plain)]
     np.testing.assert_allclose(regions[0].area, regions[1].area, rtol=1e-12)
     np.testing.assert_array_equal(regions[0].face_region, regions[1].face_region)
-    samples = [q.sample_farthest(12, start=[0], method="exact").vertices for q in (index, plain)]
-    np.testing.assert_array_equal(*samples)
-    np.testing.assert_array_equal(*[q.sample_poisson_disk(0.3, method="exact") for q in (index, plain)])
-    np.testing.assert_array_equal(*[q.disk(600, 0.4, method="exact").faces for q in (index, plain)])
-    np.testing.assert_allclose(*[q.distance_matrix([0, 9, 800], method="exact") for q in (index, plain)], **near)
     with pytest.raises(vorogeo.InvalidInput, match="no positions"):
         index.snap([0, 0, 0])
     with pytest.raises(vorogeo.InvalidInput, match="no positions"):

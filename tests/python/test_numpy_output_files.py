@@ -1,4 +1,4 @@
-"""Files that replace their target once they are complete: full disks, links, devices, writers that are killed.
+"""Files that replace their target once they are complete: full disks, links, writers that are killed.
 
 VOROGEO_KILLS: how often a writer is killed at a random moment (default 20).
 """
@@ -7,11 +7,8 @@ from __future__ import annotations
 
 import os
 import random
-import resource
 import signal
-import stat
 import subprocess
-import sys
 import time
 
 import numpy as np
@@ -70,45 +67,6 @@ def test_links_stay_and_their_targets_are_written(index, tmp_path, write):
         read(target)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["far", "link"]
     assert [path.name for path in target.parent.iterdir()] == [target.name]
-
-
-@WRITERS
-def test_what_is_no_plain_file_is_refused_and_stays(index, tmp_path, write):
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    (tmp_path / "null").symlink_to("/dev/null")
-    for file in (pipe, tmp_path / "null", "/dev/null", "/dev/full"):
-        with pytest.raises(vorogeo.Error, match=f"{file} is a device or a pipe; name a plain file"):
-            write(index, file)
-    with pytest.raises(vorogeo.Error, match="is a folder; name a file in it"):
-        write(index, tmp_path)
-    with pytest.raises(vorogeo.Error, match=r"there is no folder .*; create it or name another file"):
-        write(index, tmp_path / "none" / "a")
-    assert stat.S_ISFIFO(pipe.stat().st_mode)
-    assert stat.S_ISCHR(os.stat("/dev/null").st_mode)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["null", "pipe"]
-
-
-@WRITERS
-def test_permissions_of_the_old_file_stay(index, tmp_path, write):
-    file = tmp_path / name_for(write)
-    write(index, file)
-    file.chmod(0o640)
-    write(index, file)
-    assert stat.S_IMODE(file.stat().st_mode) == 0o640
-
-
-@WRITERS
-def test_a_limit_of_file_sizes_is_an_error_that_names_file_and_bytes(index, tmp_path, write):
-    file = tmp_path / name_for(write)
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, hard))
-    try:
-        with pytest.raises(OSError, match=rf"{file} cannot be written: it .*bytes.* \(File too large\); free space"):
-            write(index, file)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.fixture
@@ -172,27 +130,3 @@ def test_writers_killed_at_any_moment_leave_the_old_or_the_new(index, tmp_path, 
     assert read(file) == contents[0]
     assert list(tmp_path.iterdir()) == [file]
     print(f"{write.__name__}: {KILLS} writers killed, {halves} of them in the middle of a file")
-
-
-SLOW_WRITER = """
-import sys
-from vorogeo._core import OutputFile
-out = OutputFile.make({file!r}, "The file", b"x", 8)
-print(out.temporary, flush=True)
-sys.stdin.read()
-out.finish()
-"""
-
-
-def test_two_writers_of_one_file_do_not_disturb_each_other(index, tmp_path):
-    file = tmp_path / "a.npy"
-    code = SLOW_WRITER.format(file=str(file))
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
-    with subprocess.Popen([sys.executable, "-c", code], **pipes) as process:
-        temporary = process.stdout.readline().strip()
-        index.distance_matrix(range(5), out=file)
-        assert os.path.exists(temporary)
-        process.stdin.close()
-    assert process.returncode == 0
-    assert file.read_bytes() == b"x" + bytes(8)
-    assert list(tmp_path.iterdir()) == [file]
