@@ -54,16 +54,9 @@ def matrix(
     """An array to fill in the block: new, given, or mapped to a file that appears complete or not at all.
 
     The file's space is reserved first: writing to mapped memory on a full disk would kill the process.
-
-    Raises
-    ------
-    InvalidInput
-        If `out` has a wrong shape or type, or names a folder, a device or a pipe, or a file in a folder that does not
-        exist.
-    FileError
-        (an OSError) If the disk is full or the file may not be written.
-    NotEnoughMemory
-        If the array does not fit into memory.
+    InvalidInput if `out` has a wrong shape or type, or names a folder, a device or a pipe, or a file in a folder that
+    does not exist; FileError if the disk is full or the file may not be written; NotEnoughMemory if the array does not
+    fit into memory.
     """
     if isinstance(out, np.ndarray):
         yield _given(rows, columns, out, dtype)

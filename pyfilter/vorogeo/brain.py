@@ -95,12 +95,7 @@ def read_mask(file: str | os.PathLike[str], vertex_count: int | None = None) -> 
     Returns
     -------
     ndarray of bool, shape (n,)
-        Or (m,), of a .npy file with a value for each face.
-
-    Raises
-    ------
-    FileError, InvalidInput
-        As `read_labels`.
+        Or (m,), of a .npy file with a value for each face. Errors are those of `read_labels`.
     """
     path = check.file_path(file)
     if path.lower().endswith((".label", ".annot")):
@@ -126,13 +121,7 @@ def _loaded(path: str, reader: str) -> Any:
 
 
 def vertex_values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
-    """One value for each vertex, of GIFTI or .npy, and of GIFTI labels their names.
-
-    Raises
-    ------
-    FileError, InvalidInput
-        As `read_labels`.
-    """
+    """One value for each vertex, of GIFTI or .npy, and of GIFTI labels their names; errors as by `read_labels`."""
     names: dict[int, str] = {}
     if path.lower().endswith(".npy"):
         try:
@@ -176,11 +165,6 @@ def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | Non
     labels : Labels or array_like of int, shape (n,)
     label : int, optional
         Only the borders of this one; None is all.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If there is not one label for each vertex.
     """
     values = _checked(surface, labels)
     if label is not None:
@@ -260,7 +244,7 @@ def nearest_label(
     Raises
     ------
     InvalidInput
-        (a ValueError) If there is not one label for each vertex, or no vertex has one.
+        (a ValueError) Also if no vertex has a label.
     """
     values = _checked(surface, labels)
     labelled = np.flatnonzero(~np.isin(values, list(background)))

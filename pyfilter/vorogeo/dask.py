@@ -20,8 +20,8 @@ from .errors import InvalidInput
 from .mesh_files import Mesh, read_mesh
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .on_mesh import Shared
 from .surface import GeodesicIndex
+from .tasks import Shared
 
 _BLOCK_BYTES = 2**25
 
@@ -54,15 +54,7 @@ def write_files(
     gap: float = 0.0,
     bridge_folds: bool = False,
 ) -> IndexFiles:
-    """Put what workers need into a folder that all of them see.
-
-    Raises
-    ------
-    InvalidInput
-        If an index file is given without its mesh.
-    IndexFileError
-        If the index does not belong to the mesh.
-    """
+    """Put what workers need into a folder that all of them see; an index file needs its mesh beside it."""
     if not isinstance(index, GeodesicIndex):
         if mesh is None:
             raise InvalidInput(
@@ -134,15 +126,10 @@ def matrix(
         Entry (i, j) is read from the field of i, so that it may differ from entry (j, i) by the errors of the index.
         Infinity where no path leads. Nothing is computed yet: ``store`` or ``to_zarr`` it, or ``compute`` parts.
 
-    Raises
-    ------
-    InvalidInput, IndexFileError
-        As `GeodesicIndex.load`.
-
     Notes
     -----
-    Each worker process loads the index file once, by mapping; only its name travels. A block that is lost with its
-    worker is computed again.
+    Each worker process loads the index file once, by mapping (errors are those of `GeodesicIndex.load`); only its name
+    travels. A block that is lost with its worker is computed again.
     """
     from dask import array, delayed
 

@@ -32,26 +32,19 @@ def exact_distance_field(
 
     Parameters
     ----------
-    vertices, faces, mask, metric, gap, bridge_folds, threads
+    vertices, faces, mask, metric, gap, bridge_folds, threads, dtype
         As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, distances are not exact but close, and one
         thread does all.
     sources : int or array_like of int, shape (k,), k >= 1
         Vertex ids; repeated ones make no difference.
     max_distance : float, optional
         Distances above it are not computed and become infinity; None for no limit.
-    dtype : {float64, float32}
-        Of the result.
 
     Returns
     -------
     ndarray, shape (n,)
         Lengths of shortest paths over the surface, in the unit of the vertices or of the metric; infinity where there
         is none.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
 
     Notes
     -----
@@ -89,11 +82,6 @@ def exact_path(
     GeodesicPath, or list of k GeodesicPath
         `certified` says whether it is exact: with values of faces only of no path, and of one from a point to itself.
 
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
-
     Notes
     -----
     Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
@@ -114,24 +102,12 @@ def estimate(
 ) -> IndexEstimate:
     """What an index would cost, from some of the work that its build does; takes a few percent of it.
 
+    The result is right within a factor of about two. A mesh without a face is refused.
+
     Parameters
     ----------
-    vertices, faces, threads, memory_budget, mask, metric
-        As for `Surface`: shapes (n, 3) and (m, 3).
-    progress : callable or bool, optional
-        As for `Surface.build_index`.
-
-    Returns
-    -------
-    IndexEstimate
-        Within a factor of about two.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, or the mesh has no face.
-    Cancelled
-        If `progress` returned False.
+    vertices, faces, threads, memory_budget, mask, metric, progress
+        As for `Surface` and its questions: shapes (n, 3) and (m, 3).
     """
     given = MeshInput.read(vertices, faces, mask, metric)
     workers, budget = check.threads(threads), check.memory_budget(memory_budget)

@@ -119,9 +119,9 @@ class GeodesicMethod:
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
     progress : callable or bool, optional
-        Of the preparation, as for `Surface.build_index`.
+        Of the preparation, as for `Surface`.
     **options : float
-        Options of the method (``methods[method].options``).
+        Options of the method (``methods[method].options``), such as ``eps=1e-3`` for "ammp".
 
     Attributes
     ----------
@@ -129,11 +129,6 @@ class GeodesicMethod:
         What is known of the method.
     seconds : float
         Wall time of the preparation.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument cannot be used; the message names it and what to give.
 
     Notes
     -----
@@ -206,29 +201,7 @@ def distance_field(
 ) -> NDArray[np.float64]:
     """Distance of every vertex from its nearest source, by a method of the literature, to compare with.
 
-    Parameters
-    ----------
-    vertices, faces, sources
-        As for `exact_distance_field`.
-    method : str
-        One of `methods`.
-    metric : EdgeLengths, VertexCost or VertexTensor, optional
-        What paths cost; None is their length in space.
-    **options : float
-        Options of the method, such as ``eps=1e-3`` for "ammp".
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        In the unit of the vertices; infinity where no path leads.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument cannot be used; the message names it and what to give.
-
-    Notes
-    -----
-    Prepares the method each time; `GeodesicMethod` keeps what it has prepared.
+    As `GeodesicMethod.distance_field`, with the arguments of that class, which keeps what it has prepared: this
+    function prepares the method each time.
     """
     return GeodesicMethod(vertices, faces, method, metric=metric, progress=None, **options).distance_field(sources)

@@ -140,15 +140,6 @@ def check_mesh(vertices: ArrayLike, faces: ArrayLike, gap: float = 0.0, bridge_f
         Vertex ids of the triangles; may be out of range.
     gap, bridge_folds
         As for `Surface`: what bridging would join is reported, too.
-
-    Returns
-    -------
-    MeshReport
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an array has a wrong shape or type, or the gap is negative or not finite.
     """
     found = _core.check_mesh(
         check.vertices(vertices, finite=False), check.unchecked_faces(faces), *gap_limit(gap, bridge_folds)

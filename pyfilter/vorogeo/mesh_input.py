@@ -40,13 +40,7 @@ class MeshInput:
         gap: float | None = 0.0,
         bridge_folds: bool = False,
     ) -> MeshInput:
-        """Check the arguments and copy what the caller could change.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an argument has a wrong shape, type or range, naming the element.
-        """
+        """Check the arguments and copy what the caller could change."""
         points = check.kept(_positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
         kept = _face_mask(mask, triangles, len(points))
@@ -92,13 +86,7 @@ def _lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32
 
 
 def gap_limit(gap: float | None, bridge_folds: bool) -> tuple[float, bool]:
-    """The two arguments, checked.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If the gap is negative or not finite.
-    """
+    """The two arguments, checked: the gap is finite and not negative."""
     wanted = "a finite length of 0 or more in the unit of the vertices"
     number = 0.0 if gap is None else check.real("gap", gap, wanted)
     if not 0 <= number < math.inf:

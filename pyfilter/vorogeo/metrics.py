@@ -94,8 +94,7 @@ class EdgeLengths:
     lengths: ArrayLike
 
     def __post_init__(self) -> None:
-        wanted = "the length of the side opposite each corner, real numbers of shape (m, 3)"
-        object.__setattr__(self, "lengths", _own_array("EdgeLengths", self.lengths, (3,), wanted))
+        _own(self, "lengths", (3,), "the length of the side opposite each corner, real numbers of shape (m, 3)")
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The lengths that were given."""
@@ -123,17 +122,10 @@ class VertexCost:
     cost: ArrayLike
 
     def __post_init__(self) -> None:
-        wanted = "a number above 0 for each vertex, of shape (n,)"
-        object.__setattr__(self, "cost", _own_array("VertexCost", self.cost, (), wanted))
+        _own(self, "cost", (), "a number above 0 for each vertex, of shape (n,)")
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The integrals of the cost along the edges.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If a cost is not above 0 and finite, or their number is not that of the vertices.
-        """
+        """The integrals of the cost along the edges; there is one above 0 and finite for each vertex."""
         return _lengths(*_core.lengths_by_cost(*_arrays(self, vertices, faces), np.asarray(self.cost)))
 
 
@@ -157,17 +149,10 @@ class VertexTensor:
     tensors: ArrayLike
 
     def __post_init__(self) -> None:
-        wanted = "a symmetric 3 x 3 matrix for each vertex, of shape (n, 3, 3)"
-        object.__setattr__(self, "tensors", _own_array("VertexTensor", self.tensors, (3, 3), wanted))
+        _own(self, "tensors", (3, 3), "a symmetric 3 x 3 matrix for each vertex, of shape (n, 3, 3)")
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The integrals of the root of v' G v along the edges.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If a tensor is not finite, symmetric and positive on the faces of its vertex.
-        """
+        """The integrals of the root of v' G v along the edges; G is finite, symmetric and positive on its faces."""
         return _lengths(*_core.lengths_by_tensor(*_arrays(self, vertices, faces), np.asarray(self.tensors)))
 
 
@@ -195,18 +180,11 @@ class FaceCost:
     points: int = 6
 
     def __post_init__(self) -> None:
-        wanted = "a number above 0 for each face, of shape (m,)"
-        object.__setattr__(self, "cost", _own_array("FaceCost", self.cost, (), wanted))
+        _own(self, "cost", (), "a number above 0 for each face, of shape (m,)")
         object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The sides of each face, times its cost: the two faces of an edge disagree.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If a cost is not above 0 and finite, or their number is not that of the faces.
-        """
+        """The sides of each face, times its cost, above 0 and finite: the two faces of an edge disagree."""
         sides = _core.sides_by_face_cost(*_arrays(self, vertices, faces), np.asarray(self.cost))
         return MetricLengths(sides, 0, points=self.points)
 
@@ -233,19 +211,14 @@ class FaceTensor:
     points: int | None = None
 
     def __post_init__(self) -> None:
-        wanted = "a symmetric 3 x 3 matrix for each face, of shape (m, 3, 3)"
-        object.__setattr__(self, "tensors", _own_array("FaceTensor", self.tensors, (3, 3), wanted))
+        _own(self, "tensors", (3, 3), "a symmetric 3 x 3 matrix for each face, of shape (m, 3, 3)")
         if self.points is not None:
             object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The roots of v' G v for the sides v of each face: the two faces of an edge disagree.
 
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If a tensor is not finite, symmetric and positive on its face; or if `points` is None and
-            more than 300 would be needed.
+        G is finite, symmetric and positive on its face. More than 300 `points` are never chosen, but an error.
         """
         mesh = _arrays(self, vertices, faces)
         sides = _core.sides_by_face_tensor(*mesh, np.asarray(self.tensors))
@@ -260,10 +233,8 @@ def slope_cost(
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Positions.
-    faces : array_like of int, shape (m, 3)
-        Triangles.
+    vertices, faces
+        As for `Surface`: shapes (n, 3) and (m, 3).
     up : array_like, shape (3,)
         The direction upwards, of any length.
     penalty : float, default 1
@@ -286,10 +257,8 @@ def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0)
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Positions.
-    faces : array_like of int, shape (m, 3)
-        Triangles.
+    vertices, faces
+        As for `Surface`: shapes (n, 3) and (m, 3).
     weight : float, default 3
         Above 0, paths follow ridges, valleys and limbs: where the surface is curved in one direction only, a step in
         that direction counts ``sqrt(1 + weight)``. Below 0 it is the other direction that becomes costlier.
@@ -313,13 +282,14 @@ def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any
     return MetricLengths(sides, shortened, split, None if splits is None else FaceSplits(*splits))
 
 
-def _own_array(name: str, value: Any, tail: tuple[int, ...], wanted: str) -> NDArray[np.float64]:
-    """A read-only copy of an array of real numbers: of one for each element, or of `tail` numbers."""
-    array = np.array(check.numbers(name, value, wanted), dtype=np.float64, order="C")
+def _own(metric: Any, field: str, tail: tuple[int, ...], wanted: str) -> None:
+    """Make a field a read-only copy of its real numbers: of one for each element, or of `tail` numbers."""
+    name = type(metric).__name__
+    array = np.array(check.numbers(name, getattr(metric, field), wanted), dtype=np.float64, order="C")
     if array.ndim != 1 + len(tail) or array.shape[1:] != tail:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     array.flags.writeable = False
-    return array
+    object.__setattr__(metric, field, array)
 
 
 def _mesh(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32]]:

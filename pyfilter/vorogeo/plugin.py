@@ -69,10 +69,7 @@ def load_plugin(file: str | os.PathLike[str] | None = None) -> tuple[str, ...]:
 def plugin_file(pymeshlab_version: str) -> Path:
     """The plugin binary in this package for a PyMeshLab version such as '2025.7.post1'.
 
-    Raises
-    ------
-    PluginError
-        If there is none; the message says what to do.
+    If there is none, the message of the PluginError says what to do.
     """
     host = meshlab_version(pymeshlab_version)
     if host not in SUPPORTED:

@@ -14,15 +14,7 @@ ProgressFunction: TypeAlias = Callable[[float, str], object]
 
 @contextmanager
 def reporter(progress: ProgressFunction | bool | None) -> Iterator[Callable[[float, str], object] | None]:
-    """The function to call for `progress`; a bar that it opened is closed at the end.
-
-    Raises
-    ------
-    InvalidInput
-        If `progress` is neither None, a bool nor a callable.
-    ImportError
-        If it is True and tqdm is not installed.
-    """
+    """The function to call for `progress`; a bar that it opened is closed at the end."""
     if progress is None or progress is False:
         yield None
     elif progress is True:

@@ -33,13 +33,7 @@ class Polylines:
         return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
 
     def to_pyvista(self) -> Any:
-        """The lines as a ``pyvista.PolyData``.
-
-        Raises
-        ------
-        ImportError
-            If PyVista is not installed.
-        """
+        """The lines as a ``pyvista.PolyData``; needs PyVista."""
         import pyvista
 
         cells = np.insert(self.edges.astype(np.int64), 0, 2, axis=1).ravel()
@@ -335,13 +329,7 @@ class GeodesicPath:
         return f"GeodesicPath(length {self.length:g}, {len(self.points)} points, certified: {self.certified})"
 
     def to_pyvista(self) -> Any:
-        """The path as a ``pyvista.PolyData`` with one line.
-
-        Raises
-        ------
-        ImportError
-            If PyVista is not installed.
-        """
+        """The path as a ``pyvista.PolyData`` with one line; needs PyVista."""
         import pyvista
 
         if not len(self.points):

@@ -12,11 +12,10 @@ from . import _arguments as check
 from . import points as point_lists
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .on_mesh import METHODS, Shared
 from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
 from .results import Answered, GeodesicPath, IndexStatistics
-from .tasks import Tasks
+from .tasks import METHODS, Shared, Tasks
 
 _Kind = TypeVar("_Kind", bound="Surface")
 
@@ -59,14 +58,28 @@ class Surface(Tasks):
     Raises
     ------
     InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element; so do all functions of the
+        package.
+    Cancelled
+        If a progress function returned False; nothing was changed then. Likewise.
 
     Notes
     -----
-    `method` of each question is "automatic", "index" (built at once if there is none), "exact", or, for fields,
-    "quick": an error of some tenths of a percent in a small part of the time. "automatic" and None: whichever
-    is expected to be fastest, exact where both are near: where each distance reaches only a small part of the surface,
-    exact also with an index; on more than two million vertices, fields are quick where there is no index.
+    What questions and tasks have in common: points are vertex ids, 0 to n - 1, `SurfacePoints` from `snap`, whose
+    weights are barycentric, or lists of both; one point goes with each of k. Distances are in the unit of the vertices
+    or of the metric, and infinity where no path leads.
+
+    `method` of each is "automatic", "index" (built at once if there is none), "exact", or, for fields, "quick": an
+    error of some tenths of a percent in a small part of the time. "automatic": whichever is expected to be fastest,
+    exact where both are near: where each distance reaches only a small part of the surface, exact also with an index;
+    on more than two million vertices, fields are quick where there is no index. None is what the class stands for.
+
+    `progress` is called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never
+    decreases; a result of False cancels. True shows a tqdm bar.
+
+    `dtype`, float64 or float32, is the type of the distances: float32 takes half the memory and rounds to 6e-8 of a
+    distance. `max_bytes` is the memory that the result may take, None what is available; `NotEnoughMemory` (a
+    MemoryError) says that it does not fit.
 
     Examples
     --------
@@ -107,19 +120,7 @@ class Surface(Tasks):
         return GeodesicIndex.of(self._shared) if self._shared.core.has_index() else None
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
-        """Build the index now, if there is none.
-
-        Parameters
-        ----------
-        progress : callable or bool, optional
-            Called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never decreases; a
-            result of False cancels. True shows a tqdm bar.
-
-        Raises
-        ------
-        InvalidInput, Cancelled, MemoryError
-            As for `GeodesicIndex`.
-        """
+        """Build the index now, if there is none; errors are those of `GeodesicIndex`."""
         with reporter(progress) as report:
             self._shared.core.build_index(report)
         index = self.index
@@ -166,36 +167,21 @@ class Surface(Tasks):
         Parameters
         ----------
         sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
-            Vertex ids, 0 to n - 1, points from `snap`, or curves, at least one; repeated ones make no difference. A
-            curve is one source.
+            At least one; repeated ones make no difference. A curve is one source, and points along it also in an exact
+            field.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional
-            Lengths added to the distances from each source, 0 or more; the least sum is taken.
+            Lengths added to the distances from each source, finite and 0 or more; the least sum is taken.
         return_labels : bool, default False
             Whether to return also the nearest source.
-        method : {"automatic", "index", "exact", "quick"}, optional
-            As for the class. A curve is points along it also in an exact field.
-        dtype : {float64, float32}
-            Of the distances.
-        progress : callable or bool, optional
-            As for `build_index`.
 
         Returns
         -------
         distance : ndarray, shape (n,)
-            In the unit of the vertices; infinity where no source can be reached.
         label : ndarray of int32, shape (n,)
             Only if `return_labels`: the position of the nearest source in `sources`, -1 where there is none. Of sources
             at nearly the same distance, any.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If there is no source, an id is not an integer or out of range, an offset is negative or not
-            finite, or the limit is negative.
-        Cancelled
-            If `progress` returned False.
         """
         limit, entry = check.max_distance(max_distance), check.real_type(dtype)
         rows, number = self._source_rows(sources)
@@ -215,27 +201,13 @@ class Surface(Tasks):
     ) -> Any:
         """Distance between two points, or between the points of each of k pairs.
 
-        Parameters
-        ----------
-        source, target : a point, or k points
-            Vertex ids, 0 to n - 1, `SurfacePoints` or lists of both; one point goes with each of k.
-        method : {"automatic", "index", "exact"}, optional
-            As for the class. From an index, distances of vertices err slightly (``docs/figures.md``); those of other
-            points are lengths of refined paths (`path`).
-        progress : callable or bool, optional
-            As for `build_index`.
+        From an index, distances of vertices err slightly (``docs/figures.md``); those of other points are lengths of
+        refined paths (`path`).
 
         Returns
         -------
         float, or ndarray of float64, shape (k,)
-            In the unit of the vertices; infinity between components. Symmetric.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an id is not an integer or out of range, a face is, or lengths differ.
-        Cancelled
-            If `progress` returned False.
+            Symmetric.
         """
         count, core = len(self.vertices), self._shared.core
         # One distance takes less than the arrays that carry it.
@@ -256,27 +228,7 @@ class Surface(Tasks):
         method: str | None = None,
         dtype: DTypeLike = np.float64,
     ) -> NDArray[Any]:
-        """Distances of k pairs of points, on all threads; the same values as by `distance`.
-
-        Parameters
-        ----------
-        sources, targets : k points each
-            May be empty; one point goes with each of k.
-        progress, method
-            As for `distance`.
-        dtype : {float64, float32}
-            Of the distances.
-
-        Returns
-        -------
-        ndarray, shape (k,)
-            Infinity between components.
-
-        Raises
-        ------
-        InvalidInput, Cancelled
-            As for `distance`.
-        """
+        """Distances of k pairs of points, possibly none, on all threads: the values of `distance`, of shape (k,)."""
         entry = check.real_type(dtype)
         ends = point_lists.pairs(("sources", "targets"), sources, targets, len(self.vertices))
         (found,) = self._ask(self._shared.core.distances, *ends, method=method, progress=progress)
@@ -295,27 +247,11 @@ class Surface(Tasks):
         A refined path is the route of the index, shortened to a geodesic: never shorter than the shortest path, and in
         most cases that path (``docs/figures.md`` has the errors).
 
-        Parameters
-        ----------
-        source, target : a point, or k points
-            Vertex ids, `SurfacePoints` or lists of both; one point goes with each of k.
-        progress : callable or bool, optional
-            As for `build_index`.
-        method : {"automatic", "index", "exact"}, optional
-            As for the class.
-
         Returns
         -------
         GeodesicPath, or list of k GeodesicPath
             One path if both are single ids or hold one surface point each. Where no path joins them, the result
             has no points and infinite length.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If an id or a face is out of range, weights are not barycentric, or lengths differ.
-        Cancelled
-            If `progress` returned False.
         """
         return self._find_paths(source, target, method, False, False, progress)
 
@@ -334,8 +270,6 @@ class Surface(Tasks):
 
         Parameters
         ----------
-        source, target, progress, method
-            As for `path`.
         certify : bool, default True
             Whether to prove that no path is shorter, by lower bounds from straight lines in space and from what
             `prepare_exact_paths` computed. False: the distances of the index less an error margin serve as bounds,
@@ -346,11 +280,6 @@ class Surface(Tasks):
         -------
         GeodesicPath, or list of k GeodesicPath
             `certified` says whether it is proven to be a shortest path.
-
-        Raises
-        ------
-        InvalidInput, Cancelled
-            As `path`.
         """
         return self._find_paths(source, target, method, True, bool(certify), progress)
 
@@ -365,20 +294,11 @@ class Surface(Tasks):
         ----------
         landmarks : int, default 32
             Number of vertices, 1 to 32, spread over the component with the most vertices.
-        progress : callable or bool, optional
-            As for `path`.
 
         Returns
         -------
         int
             The memory taken, in bytes: four for each vertex and landmark.
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) If the number is out of range.
-        Cancelled
-            If `progress` returned False; nothing is prepared then.
         """
         count = check.integer("landmarks", landmarks, 1, 32)
         with reporter(progress) as report:
@@ -424,8 +344,8 @@ class GeodesicIndex(Surface):
 
     Parameters
     ----------
-    vertices, faces, threads, mask, metric, gap, bridge_folds
-        As for `Surface`.
+    vertices, faces, threads, mask, metric, gap, bridge_folds, progress
+        As for `Surface` and its questions.
     patches : (int, int), optional
         Numbers of patches: of the mesh, and of smaller ones in each of these. 0 (None for both): chosen from n.
     delta : float, default 0
@@ -433,8 +353,6 @@ class GeodesicIndex(Surface):
         the form of a graph.
     seed : int, default 0
         Seed of the random numbers that place the patches, 0 to 2**64 - 1.
-    progress : callable or bool, optional
-        As for `Surface.build_index`.
     memory_budget : int, optional
         As for `Surface`; None is 4096, or any with `file`, whose tables are not counted.
     file : str or path, optional
@@ -445,10 +363,7 @@ class GeodesicIndex(Surface):
     Raises
     ------
     InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element, or if the index does
-        not fit the memory budget, naming the smallest budget that is enough.
-    Cancelled
-        If `progress` returned False.
+        Also if the index does not fit the memory budget, naming the smallest budget that is enough.
     MemoryError
         If the index does not fit into memory.
     IndexFileError
@@ -527,8 +442,6 @@ class GeodesicIndex(Surface):
         ------
         IndexFileError
             (an OSError) If the file is missing, truncated, damaged, of another version or of another mesh.
-        InvalidInput
-            (a ValueError) If an argument has a wrong shape, type or range.
         """
         path, workers = check.file_path(file), check.threads(threads)
         given = MeshInput.read(vertices, faces, mask, metric, gap, bridge_folds)
@@ -558,11 +471,6 @@ class GeodesicIndex(Surface):
         -------
         ndarray of int32, shape (m,)
             -1 for a face that is left out (a vertex twice, or a repetition of an earlier face).
-
-        Raises
-        ------
-        InvalidInput
-            (a ValueError) For another layer.
         """
         return self._shared.core.face_patches(check.integer("layer", layer, 1, 2))
 

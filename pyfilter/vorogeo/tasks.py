@@ -1,19 +1,24 @@
-"""Tasks built on many distances: matrices, neighbours, regions, samplings, lines, measures."""
+"""The mesh of a surface, how the core is asked about it, and tasks built on many distances."""
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
-from typing import Any
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
+from . import _core
 from . import points as point_lists
 from ._output import Output, matrix, releasing, require_memory
 from .errors import InvalidInput
-from .on_mesh import OnMesh
-from .points import Points, Sources, surface_points
+from .mesh_input import MeshInput
+from .metrics import Metric
+from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints, surface_points
 from .progress import ProgressFunction, reporter
 from .results import (
     Answered,
@@ -27,22 +32,165 @@ from .results import (
     VoronoiRegions,
 )
 
+#: Beyond it, a distance from the surface may be more than a float can hold.
+_GREATEST_COORDINATE = 1e307
+#: By the numbers that the core has for them.
+METHODS = ("automatic", "index", "exact", "quick")
 _ENTRIES = ("automatic", "pairs", "fields")
 _INTERPOLATIONS = ("linear", "distance")
 _ENTRY_BYTES = 28  # of a sparse matrix while it is assembled; 12 in the result
 _SAMPLES = 16
 
 
-class Tasks(OnMesh):
-    """The tasks of `Surface`.
+@dataclass(frozen=True, eq=False)
+class Shared:
+    """What copies of a surface share, and pickle takes apart: its mesh, the threads and MiB of an index, the core's."""
 
-    What they have in common: points are vertex ids, `SurfacePoints` or lists of both. `method` is "automatic", "index"
-    or "exact", as for `Surface`; None is what the class stands for. `progress` is as for `Surface.build_index`.
-    `dtype`, float64 or float32, is the type of the result: float32 takes half the memory and rounds to 6e-8 of a
-    distance. `max_bytes` is the memory that the result may take; None: what is available. Errors are `InvalidInput` (a
-    ValueError that names the element) for arguments, `NotEnoughMemory` (a MemoryError) where the result does not fit,
-    and `Cancelled` if `progress` returned False.
-    """
+    given: MeshInput
+    threads: int
+    budget: int
+    core: _core.Surface
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Shared:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # An array, which pickle can hand over without a copy.
+        index = _in_a_file(_saved, self.core) if self.core.has_index() else None
+        return _restored, (self.given, self.threads, self.budget, index)
+
+
+def _in_a_file(use: Callable[[str, Any], Any], what: Any) -> Any:
+    """What is made of something by way of a temporary file."""
+    with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
+        return use(str(Path(folder) / "index.vgi"), what)
+
+
+def _saved(file: str, core: _core.Surface) -> NDArray[np.uint8]:
+    core.save(file)
+    return np.fromfile(file, np.uint8)
+
+
+def _restored(given: MeshInput, threads: int, budget: int, index: NDArray[np.uint8] | None) -> Shared:
+    mesh = given.core_mesh()
+
+    def loaded(file: str, contents: NDArray[np.uint8]) -> _core.Surface:
+        contents.tofile(file)
+        return mesh.load_index(file, threads, False)  # copied, as the file goes
+
+    core = mesh.surface(threads, budget) if index is None else _in_a_file(loaded, index)
+    return Shared(given, threads, budget, core)
+
+
+class Tasks:
+    """What `Surface` knows of its mesh, how it asks the core, and its tasks; what they share stands in its notes."""
+
+    #: What a question is answered by if it does not say.
+    _default_method: ClassVar[str] = "automatic"
+
+    _shared: Shared
+    last: Answered | None
+
+    def _method(self, method: str | None, choices: tuple[str, ...] = METHODS[:3]) -> int:
+        return check.choice("method", self._default_method if method is None else method, choices)
+
+    def _ask(
+        self,
+        question: Callable[..., Any],
+        *arguments: Any,
+        method: str | None,
+        progress: ProgressFunction | bool | None = None,
+        choices: tuple[str, ...] = METHODS[:3],
+    ) -> Any:
+        """What the core answers to a question, without what it says of the answer, which is noted."""
+        how = self._method(method, choices)
+        with reporter(progress) as report:
+            *found, answered = question(*arguments, how, report)
+        self.last = Answered(*answered)
+        return found
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """Positions of the mesh, of shape (n, 3), read-only; NaN if it was given none."""
+        return self._shared.given.vertices
+
+    @property
+    def faces(self) -> NDArray[np.int32]:
+        """Triangles of the mesh as they were given, of shape (m, 3); read-only."""
+        return self._shared.given.faces
+
+    @property
+    def mask(self) -> NDArray[np.bool_] | None:
+        """Which faces belong to the surface, of shape (m,), read-only; None if all do."""
+        return self._shared.given.mask
+
+    @property
+    def metric(self) -> Metric | None:
+        """What paths cost; None is their length in space."""
+        return self._shared.given.metric
+
+    @property
+    def gap(self) -> float:
+        """The width up to which gaps are bridged."""
+        return self._shared.given.gap[0]
+
+    def snap(self, points: ArrayLike, max_distance: float | None = None) -> SurfacePoints:
+        """Move points in space to the nearest points of the surface; the result has `snap_distance`.
+
+        Parameters
+        ----------
+        points : array_like, shape (3,) or (k, 3)
+            Finite positions, of at most 1e307.
+        max_distance : float, optional
+            How far a point may be from the surface, an error if it is farther; None for any distance.
+        """
+        positions = check.positions("points", points)
+        too_far = np.abs(positions).max(axis=1, initial=0) > _GREATEST_COORDINATE
+        if too_far.any():
+            row = int(np.flatnonzero(too_far)[0])
+            raise InvalidInput(
+                f"points[{row}]: {positions[row].tolist()} is too far away for its distance to be a number; give "
+                f"coordinates of at most {_GREATEST_COORDINATE:g}."
+            )
+        limit = check.max_distance(max_distance)
+        found = SurfacePoints(*self._shared.core.mesh.snap(positions))
+        distance = cast(NDArray[np.float64], found.snap_distance)
+        if (distance > limit).any():
+            row = int(np.flatnonzero(distance > limit)[0])
+            raise InvalidInput(
+                f"points[{row}]: is {distance[row]:g} away from the surface, more than max_distance {limit:g}; "
+                "move the point or raise the limit."
+            )
+        return found
+
+    def _rows(self, name: str, points: Any, least: int = 0) -> Rows:
+        """Checked points as the core takes them."""
+        return point_lists.rows(name, points, len(self.vertices), least)
+
+    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
+        """Sources as points, and for each the position of its source in the list; a curve is one source."""
+        if not point_lists.holds(sources, EdgeCurve):
+            found = self._rows("sources", sources)
+            number = np.arange(len(found[0]), dtype=np.int32)
+        else:
+            parts, numbers, places = [], [], 0
+            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
+                name = f"sources[{i}]"
+                if isinstance(part, EdgeCurve):
+                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
+                    ends = part.edges(len(self.vertices), name)
+                    parts.append(self._shared.core.mesh.along_edges(ends, spacing))
+                    numbers.append(np.full(len(parts[-1][0]), places))
+                    places += 1
+                else:
+                    parts.append(self._rows(name, part))
+                    numbers.append(places + np.arange(len(parts[-1][0])))
+                    places += len(parts[-1][0])
+            found = point_lists.joined(parts)
+            number = np.concatenate(numbers).astype(np.int32)
+        if not len(found[0]):
+            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
+        return found, number
 
     def distance_matrix(
         self,
@@ -71,12 +219,8 @@ class Tasks(OnMesh):
         out : str, path or ndarray, optional
             A file to write as .npy, or an array of float64 or float32 and the shape of the result. A file is mapped, so
             it may be larger than the memory; its space is reserved first, and an old file stays until it is complete.
-        method : str, optional
-            As for all tasks; exact distances are read from fields.
         dtype : {float64, float32}, optional
             None is the type of an array `out`, else float64.
-        max_bytes, progress
-            As for all tasks; `vorogeo.matrix_bytes` says how much memory the result takes.
 
         Returns
         -------
@@ -87,13 +231,12 @@ class Tasks(OnMesh):
         ------
         FileError
             (an OSError) If the file cannot be written, such as on a full disk; as with the errors of all tasks, nothing
-            was computed.
-        InvalidInput
-            Also if `out` does not name a plain file in an existing folder.
+            was computed. InvalidInput if `out` does not name a plain file in an existing folder.
 
         Notes
         -----
-        Complexity: k (k - 1) / 2 distances (k m with `others`), or as many fields as the shorter list is long.
+        Complexity: k (k - 1) / 2 distances (k m with `others`), or as many fields as the shorter list is long. Exact
+        distances are read from fields. `vorogeo.matrix_bytes` says how much memory the result takes.
         """
         how = check.choice("entries", entries, _ENTRIES)
         rows = self._rows("points", points)
@@ -135,7 +278,7 @@ class Tasks(OnMesh):
         sources : k points
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
-        out, max_bytes, progress, method, dtype
+        out, dtype
             As for `distance_matrix`; so are the errors.
 
         Returns
@@ -161,30 +304,26 @@ class Tasks(OnMesh):
     ) -> Any:
         """All pairs of points at most a radius apart, as a sparse matrix.
 
+        Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others` they
+        are read from the field of one point of each pair.
+
         Parameters
         ----------
-        points : k points
-            Of the rows, and of the columns if there are no `others`.
+        points, others
+            As for `distance_matrix`.
         radius : float
             In the unit of the vertices, 0 or more.
-        others : m points, optional
-            Of the columns.
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
-        max_bytes, progress, method, dtype
-            As for all tasks; `pairs_within_bytes` estimates the memory, and what does not fit is noticed as soon as so
-            many pairs are found.
+        max_bytes : int, optional
+            `pairs_within_bytes` estimates what is needed; what does not fit is noticed as soon as so many pairs are
+            found.
 
         Returns
         -------
         scipy.sparse.csr_array or SparseDistances, shape (k, k) or (k, m)
             Distances; those of 0 (repeated points) are stored as well. Without `others` symmetric to the last bit and
             without a diagonal. `SparseDistances` where scipy is not installed.
-
-        Notes
-        -----
-        Complexity: for each point a field bounded by the radius. Values are those of `fields`; without `others`
-        they are read from the field of one point of each pair.
         """
         rows = self._rows("points", points)
         columns = None if others is None else self._rows("others", others)
@@ -223,7 +362,7 @@ class Tasks(OnMesh):
         method: str | None = None,
         dtype: DTypeLike = np.float64,
     ) -> tuple[NDArray[Any], NDArray[np.int32]]:
-        """The k nearest of a set of points, for each query point.
+        """The k nearest of a set of points, for each query point: as many fields as the shorter list of these is long.
 
         Parameters
         ----------
@@ -232,8 +371,6 @@ class Tasks(OnMesh):
         queries : q points
         k : int, default 1
             Number of neighbours; may be larger than the set.
-        progress, method, dtype
-            As for all tasks.
 
         Returns
         -------
@@ -241,10 +378,6 @@ class Tasks(OnMesh):
             Nearest first; infinity where fewer can be reached.
         positions : ndarray of int32, shape (q, k)
             Positions in `points`, the first of equally near ones; -1 where fewer can be reached.
-
-        Notes
-        -----
-        Complexity: as many fields as the shorter of `points` and `queries` is long.
         """
         entry = check.real_type(dtype)
         chosen, asked = self._rows("points", points), self._rows("queries", queries)
@@ -260,22 +393,9 @@ class Tasks(OnMesh):
     ) -> VoronoiRegions:
         """Geodesic Voronoi regions of points: the nearest point of every vertex and face, and the borders.
 
-        Parameters
-        ----------
-        points : k points, k >= 1
-            One that repeats an earlier one owns nothing.
-        method, progress
-            As for all tasks.
-
-        Returns
-        -------
-        VoronoiRegions
-
-        Notes
-        -----
         Borders are exact on flat parts of the surface, given the distances of the vertices: in each face the difference
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
-        distance of a vertex from its point.
+        distance of a vertex from its point. At least one point is given; one that repeats an earlier one owns nothing.
         """
         chosen = self._rows("points", points, least=1)
         vertex_region, distance, face_region, area, ends, edges, sides = self._ask(
@@ -284,7 +404,7 @@ class Tasks(OnMesh):
         return VoronoiRegions(vertex_region, distance, face_region, area, Polylines(ends, edges), sides)
 
     def isolines(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> Isolines:
-        """Lines on which a field has given values.
+        """Lines on which a field has given values; their edges join points of one level.
 
         Parameters
         ----------
@@ -295,11 +415,6 @@ class Tasks(OnMesh):
         interpolation : {"distance", "linear"}
             "distance": along an edge, values vary like distances from a point in the plane, which is exact where the
             surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
-
-        Returns
-        -------
-        Isolines
-            Edges join points of one level.
         """
         values = check.real_values("field", field)
         if len(values) != len(self.vertices):
@@ -328,6 +443,9 @@ class Tasks(OnMesh):
     ) -> FarthestSamples:
         """Farthest point sampling: each sample is the vertex farthest from the previous ones.
 
+        Samples are at least the covering radius apart; every component gets one before any gets two. Complexity: a
+        field for each sample, bounded by the covering radius so far.
+
         Parameters
         ----------
         count : int, optional
@@ -338,17 +456,6 @@ class Tasks(OnMesh):
             The first samples, anywhere on the surface; without them the first one is random.
         seed : int, default 0
             Of the random first sample.
-        method, progress
-            As for all tasks.
-
-        Returns
-        -------
-        FarthestSamples
-            Samples are at least the covering radius apart; every component gets one before any gets two.
-
-        Notes
-        -----
-        Complexity: a field for each sample, bounded by the covering radius so far.
         """
         limit = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
         reach = check.length("radius", radius)
@@ -365,23 +472,19 @@ class Tasks(OnMesh):
     ) -> NDArray[np.int32]:
         """Poisson-disk sampling: random vertices at least a radius apart, none of which could be added.
 
+        Complexity: a field for each sample, bounded by the radius.
+
         Parameters
         ----------
         radius : float
             Least distance of two samples, above 0.
         seed : int, default 0
             Seed of the random numbers.
-        method, progress
-            As for all tasks.
 
         Returns
         -------
         ndarray of int32, shape (k,)
             Vertex ids. The result does not depend on the number of threads.
-
-        Notes
-        -----
-        Complexity: a field for each sample, bounded by the radius.
         """
         reach = check.length("radius", radius)
         if not 0 < reach < np.inf:
@@ -400,12 +503,6 @@ class Tasks(OnMesh):
             Or an `EdgeCurve`, or a list that contains curves.
         radius : float
             0 or more.
-        method : str, optional
-            As for all tasks.
-
-        Returns
-        -------
-        Disk
         """
         rows, _ = self._source_rows(sources)
         return Disk(*self._ask(self._shared.core.disk, rows, check.length("radius", radius), method=method))
@@ -414,12 +511,6 @@ class Tasks(OnMesh):
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """The greatest distance from each point within its component, and the vertex at that distance.
-
-        Parameters
-        ----------
-        points : k points
-        method, progress
-            As for all tasks.
 
         Returns
         -------
@@ -439,22 +530,14 @@ class Tasks(OnMesh):
     ) -> Extent:
         """Bounds of the geodesic diameter and radius of a component, its ends and its centre.
 
+        A double sweep, then vertices chosen by the bounds that the triangle inequality gives (Takes, Kosters 2011).
+
         Parameters
         ----------
         start : int, optional
             A vertex of the component; None is the component with the most vertices.
         fields : int, default 20
             Distance fields that may be computed, at least 2; more bring the bounds closer together.
-        method, progress
-            As for all tasks.
-
-        Returns
-        -------
-        Extent
-
-        Notes
-        -----
-        A double sweep, then vertices chosen by the bounds that the triangle inequality gives (Takes, Kosters 2011).
         """
         first = -1 if start is None else check.integer("start", start, 0, max(len(self.vertices) - 1, 0))
         limit = check.integer("fields", fields, 2, 2**31 - 1)
@@ -469,23 +552,15 @@ class Tasks(OnMesh):
     ) -> RelaxedPoints:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
+        A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
+        fields for each point and round, bounded by the size of the regions.
+
         Parameters
         ----------
         points : k points, k >= 1
             Anywhere on the surface; they move to vertices. A repeated point waits until the other one has moved.
         rounds : int, default 10
             At most this many; fewer if no point finds a better vertex.
-        method, progress
-            As for all tasks.
-
-        Returns
-        -------
-        RelaxedPoints
-
-        Notes
-        -----
-        A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
-        fields for each point and round, bounded by the size of the regions.
         """
         chosen, limit = self._rows("points", points, least=1), check.integer("rounds", rounds, 0, 2**31 - 1)
         rows, energy = self._ask(self._shared.core.relax, chosen, limit, method=method, progress=progress)

@@ -22,13 +22,7 @@ _ENDINGS = {".gii", ".mesh", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp", ".v
 
 
 def mesh_files(words: list[str]) -> list[Path]:
-    """The files that names, patterns and folders stand for, each once.
-
-    Raises
-    ------
-    InvalidInput
-        If a pattern or a folder holds no mesh.
-    """
+    """The files that names, patterns and folders stand for, each once; every pattern and folder holds a mesh."""
     found: list[Path] = []
     for word in words:
         path = Path(word)
@@ -47,13 +41,7 @@ def mesh_files(words: list[str]) -> list[Path]:
 
 
 def targets(meshes: list[Path], folder: Path, ending: str) -> dict[Path, Path]:
-    """Where the result of each mesh goes.
-
-    Raises
-    ------
-    InvalidInput
-        If two meshes would go into one file.
-    """
+    """Where the result of each mesh goes; no two go into one file."""
     chosen: dict[Path, Path] = {}
     for mesh in meshes:
         name = mesh.name.removesuffix(".gz")
@@ -66,15 +54,7 @@ def targets(meshes: list[Path], folder: Path, ending: str) -> dict[Path, Path]:
 
 
 def prepare_folder(folder: Path, options: dict[str, object], overwrite: bool) -> None:
-    """Make the folder of results, and write down the options; results of other options are not mixed with these.
-
-    Raises
-    ------
-    InvalidInput
-        If it holds results of another command, naming the first option that differs.
-    FileError
-        If it cannot be made.
-    """
+    """Make the folder of results, and write down the options; results of other options are not mixed with these."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -71,13 +71,7 @@ def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job,
 
 
 def run_one(job: Job, address: str, workers: int) -> str:
-    """One job: a matrix of all vertices by blocks of rows on all workers, anything else on one of them.
-
-    Raises
-    ------
-    Error
-        Whatever is wrong with the mesh, the options or the workers.
-    """
+    """One job: a matrix of all vertices by blocks of rows on all workers, anything else on one of them."""
     if job.command == "matrix" and not job.options.get("to") and format_of(Path(job.out)) == ".npy":
         return _matrix_by_rows(job, address, workers)
     for _, succeeded, line in run_many([job], address, workers):

@@ -70,15 +70,7 @@ def whole_file(target: Path) -> Iterator[Path]:
 
 
 def write(result: Result, target: Path) -> None:
-    """Write a result in the format that the file's name asks for.
-
-    Raises
-    ------
-    InvalidInput
-        If the format is unknown or cannot hold this result; says which can.
-    FileError
-        If the file cannot be written.
-    """
+    """Write a result in the format that the file's name asks for; one that cannot hold it says which can."""
     writer = WRITERS.get(format_of(target))
     if writer is None:
         raise InvalidInput(f"{target}: has no known ending; give one of {', '.join(WRITERS)}.")

@@ -21,13 +21,7 @@ _TABLES = (".npy", ".txt", ".csv", ".dat")
 
 
 def points_of(name: str, words: list[str], snap: Callable[[Any], SurfacePoints], scale: float) -> Points:
-    """The points; positions, in the unit of the file, are moved by `snap` to the nearest point of the surface.
-
-    Raises
-    ------
-    InvalidInput
-        If a word is neither an id nor three coordinates nor a file, or a file holds neither.
-    """
+    """The points; positions, in the unit of the file, are moved by `snap` to the nearest point of the surface."""
     found: list[Points] = [_points_of_word(name, word, snap, scale) for word in words]
     if all(isinstance(part, np.ndarray) for part in found):
         return np.concatenate([np.atleast_1d(np.asarray(part)) for part in found])
@@ -60,15 +54,7 @@ def _points_of_word(name: str, word: str, snap: Callable[[Any], SurfacePoints], 
 
 
 def numbers_in(file: str | Path) -> NDArray[Any]:
-    """The numbers of an array or of a table.
-
-    Raises
-    ------
-    InvalidInput
-        If it is neither.
-    OSError
-        If there is no such file.
-    """
+    """The numbers of an array or of a table."""
     path = Path(file)
     try:
         if path.suffix.lower() == ".npy":
@@ -80,13 +66,7 @@ def numbers_in(file: str | Path) -> NDArray[Any]:
 
 
 def metric_of(options: dict[str, Any], vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> Metric | None:
-    """What paths cost on this mesh; None is their length.
-
-    Raises
-    ------
-    InvalidInput
-        If the file holds neither a cost nor a tensor for each vertex or face, or a number is out of range.
-    """
+    """What paths cost on this mesh; None is their length."""
     if options.get("metric"):
         return _metric_from_file(options["metric"], len(vertices), len(faces))
     if options.get("slope_penalty") is not None:

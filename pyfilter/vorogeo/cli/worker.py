@@ -16,13 +16,7 @@ from .outputs import write
 
 
 def run(job: Job) -> str:
-    """Compute and write; what to tell the user.
-
-    Raises
-    ------
-    Error
-        Whatever is wrong with the mesh, the options or the files.
-    """
+    """Compute and write; what to tell the user."""
     began = time.perf_counter()
     result = COMMANDS[job.command](MeshTask(job))
     if job.out and result.main:

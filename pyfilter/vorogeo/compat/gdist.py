@@ -46,11 +46,6 @@ def compute_gdist(
     -------
     ndarray of float64
         A distance for each target; infinity where no path leads.
-
-    Raises
-    ------
-    InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
     """
     sources = [0] if source_indices is None else source_indices
     faces = _faces(triangles, is_one_indexed)
@@ -80,8 +75,6 @@ def local_gdist_matrix(
 
     Raises
     ------
-    InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
     NotEnoughMemory
         (a MemoryError) If the pairs do not fit.
     """
@@ -109,11 +102,6 @@ def distance_matrix_of_selected_points(
     -------
     scipy.sparse.csc_matrix of float64, shape (n, n)
         With entries in the rows and columns of the chosen vertices only.
-
-    Raises
-    ------
-    InvalidInput, NotEnoughMemory
-        As `local_gdist_matrix`.
     """
     surface = Surface(vertices, _faces(triangles, is_one_indexed))
     return _pairs(surface, np.unique(check.vertex_ids("points", points, len(surface.vertices))), max_distance)
