@@ -98,21 +98,6 @@ TEST(DistanceContract, NoPathThroughPointsOnEdgesIsShorterThanAnExactDistance) {
   }
 }
 
-TEST(DistanceContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
-  const test::Soup soup = test::hills(30, 0.2);
-  const Ask one(soup, {.patches = 3, .patches_in_each = 4, .threads = 1});
-  const Ask three(soup, {.patches = 3, .patches_in_each = 4, .threads = 3});
-  const std::vector<SurfacePoint> points = test::spread_points(soup);
-  for (const By by : {By::exact, By::index}) {
-    std::vector<double> before;
-    for (const SurfacePoint& p : points) before.push_back(one.distance(points[2], p, by));
-    for (std::size_t i = points.size(); i-- > 0;) {
-      EXPECT_EQ(one.distance(points[2], points[i], by), before[i]) << to_string(by) << ", " << i;
-      EXPECT_EQ(three.distance(points[2], points[i], by), before[i]) << to_string(by) << ", " << i;
-    }
-  }
-}
-
 TEST(DistanceContract, AVertexInNoFaceIsReachedFromItselfAlone) {
   const Ask ask(test::with_isolated_vertex(test::icosphere(1), {0, 0, 9}));
   for (const By by : {By::exact, By::index}) {

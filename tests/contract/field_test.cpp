@@ -209,23 +209,6 @@ TEST(FieldContract, ASourceIsTheSameHoweverItIsNamed) {
   }
 }
 
-TEST(FieldContract, AnswersDependOnNeitherThreadsNorEarlierQuestions) {
-  const test::Soup soup = test::hills(30, 0.2);
-  const Ask one(soup, {.patches = 3, .patches_in_each = 4, .threads = 1});
-  const Ask three(soup, {.patches = 3, .patches_in_each = 4, .threads = 3});
-  const std::vector<Source> sources{{vertex(17)}, {SurfacePoint::in_face(900, {0.2, 0.5, 0.3}), 0.1}};
-  for (const By by : {By::exact, By::index, By::quick}) {
-    const Field before = one.field(sources, by);
-    one.field({{vertex(400)}}, by, 0.3);
-    const Field after = one.field(sources, by);
-    const Field other = three.field(sources, by);
-    EXPECT_EQ(after.distance, before.distance) << to_string(by);
-    EXPECT_EQ(after.source, before.source) << to_string(by);
-    EXPECT_EQ(other.distance, before.distance) << to_string(by);
-    EXPECT_EQ(other.source, before.source) << to_string(by);
-  }
-}
-
 TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWell) {
   for (const Case& one : cases_by_length()) {
     for (const double delta : {0.0, 0.005}) {

@@ -49,17 +49,45 @@ TEST(IndexFileContract, SoDoesOneInTheSmallForm) {
   }
 }
 
-TEST(IndexFileContract, TheFileDependsOnNeitherTheNumberOfThreadsNorTheSaving) {
+/// A surface in each kind of metric, whose values differ from place to place.
+std::vector<Input> inputs_in_every_metric(const test::Soup& soup) {
+  auto spread = [](std::size_t count) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; ++i) values.push_back(1.0 + 0.01 * static_cast<double>(i * 37 % 100));
+    return values;
+  };
+  auto tensors = [&](std::size_t count) {
+    std::vector<Tensor> result;
+    for (const double x : spread(count)) result.push_back({x, 0, 0, 0, 1, 0, 0, 0, 1});
+    return result;
+  };
+  const std::size_t vertices = soup.positions.size();
+  const std::size_t faces = soup.faces.size();
+  return {Input{soup},
+          Input{soup, EdgeLengths{sides_of(soup, 2.0)}},
+          Input{soup, VertexCost{spread(vertices)}},
+          Input{soup, VertexTensor{tensors(vertices)}},
+          Input{soup, FaceCost{spread(faces)}},
+          Input{soup, FaceTensor{tensors(faces)}}};
+}
+
+TEST(IndexFileContract, TheFileDependsOnNeitherTheNumberOfThreadsNorTheSavingInAnyMetric) {
   const test::TemporaryFolder folder;
-  const test::Soup soup = test::hills(24, 0.2);
-  for (const bool small : {false, true}) {
-    Ask(soup, {.patches = 3, .patches_in_each = 3, .threads = 1, .small = small}).save(folder / "one.vgi");
-    Ask(soup, {.patches = 3, .patches_in_each = 3, .threads = 3, .small = small}).save(folder / "three.vgi");
-    Ask::loaded(folder / "one.vgi", Input{soup}).save(folder / "again.vgi");
-    EXPECT_EQ(test::read_bytes(folder / "three.vgi"), test::read_bytes(folder / "one.vgi"));
-    EXPECT_EQ(test::read_bytes(folder / "again.vgi"), test::read_bytes(folder / "one.vgi"));
+  for (const Input& input : inputs_in_every_metric(test::hills(18, 0.2))) {
+    for (const bool small : {false, true}) {
+      SCOPED_TRACE("metric " + std::to_string(input.metric.index()) + (small ? ", small" : ""));
+      Build build{.patches = 3, .patches_in_each = 3, .threads = 1, .small = small};
+      Ask(input, build).save(folder / "one.vgi");
+      for (const int threads : {2, 3, 8}) {
+        build.threads = threads;
+        Ask(input, build).save(folder / "several.vgi");
+        EXPECT_EQ(test::read_bytes(folder / "several.vgi"), test::read_bytes(folder / "one.vgi")) << threads;
+      }
+      Ask::loaded(folder / "one.vgi", input).save(folder / "again.vgi");
+      EXPECT_EQ(test::read_bytes(folder / "again.vgi"), test::read_bytes(folder / "one.vgi"));
+    }
   }
-  EXPECT_EQ(folder.files(), (std::set<std::string>{"again.vgi", "one.vgi", "three.vgi"}));
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"again.vgi", "one.vgi", "several.vgi"}));
 }
 
 TEST(IndexFileContract, AnotherMeshOrMetricIsRefused) {

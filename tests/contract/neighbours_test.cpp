@@ -108,20 +108,5 @@ TEST(NeighboursContract, WhereFewerCanBeReachedTheRestIsEmpty) {
   }
 }
 
-TEST(NeighboursContract, AnswersDoNotDependOnThreads) {
-  const test::Soup soup = test::hills(24, 0.2);
-  const Ask one(soup, {.patches = 3, .patches_in_each = 3, .threads = 1});
-  const Ask three(soup, {.patches = 3, .patches_in_each = 3, .threads = 3});
-  const auto points = vertices_of(one);
-  for (const By by : {By::exact, By::index}) {
-    const Sparse pairs = one.pairs_within(points, 0.1, by);
-    EXPECT_EQ(three.pairs_within(points, 0.1, by).column, pairs.column) << to_string(by);
-    EXPECT_EQ(three.pairs_within(points, 0.1, by).distance, pairs.distance) << to_string(by);
-    const Nearest nearest = one.nearest(test::spread_points(soup), points, 3, by);
-    EXPECT_EQ(three.nearest(test::spread_points(soup), points, 3, by).position, nearest.position);
-    EXPECT_EQ(three.nearest(test::spread_points(soup), points, 3, by).distance, nearest.distance);
-  }
-}
-
 }  // namespace
 }  // namespace vorogeo::contract

@@ -2,7 +2,10 @@
 // said.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "contract/surfaces.h"
+#include "support/layers.h"
 #include "support/surface_walk.h"
 
 namespace vorogeo::contract {
@@ -95,6 +98,34 @@ TEST(PathContract, WithinOnePatchRefinedPathsAreShortest) {
                                                          const std::string& where) {
       expect_close(ask.path(a, b, By::index).length(), surface.distance(a, b), 1e-10, ask, where);
     });
+  }
+}
+
+TEST(PathContract, PathsAcrossFacesOfNoWidthAreAsLongAsTheFieldWhereFacesHaveCosts) {
+  const unsigned seed = fresh_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> between(1.0, 5.0);
+  const KnownSurface plane = flat("closed T-junctions", test::plane_with_closed_t_junctions());
+  const std::vector<double> even(plane.soup.faces.size(), 2.5);
+  std::vector<double> uneven;
+  for (std::size_t f = 0; f < even.size(); ++f) uneven.push_back(between(random));
+  const test::SurfaceWalk walk(plane.soup, plane.soup.faces);
+  for (const auto& cost : {even, uneven}) {
+    const Ask ask({plane.soup, FaceCost{cost}}, {.patches = 3, .patches_in_each = 3});
+    const Field field = ask.field({{vertex(8)}}, By::exact);
+    for (Index v = 0; v < ask.vertex_count(); v += 2) {
+      if (!is_in_a_face(plane.soup, vertex(v))) continue;
+      for (const By by : {By::exact, By::index}) {
+        const std::string where = std::string(to_string(by)) + ", vertex " + std::to_string(v);
+        const Path path = ask.exact_path(vertex(8), vertex(v), by);
+        ASSERT_EQ(walk.fault(path.line, vertex(8), vertex(v)), "") << where;
+        expect_close(path.length(), field.distance[v], 0.02, ask, where);
+        if (cost != even) continue;
+        expect_close(path.length(), 2.5 * plane.distance_of(8, v), 4e-3, ask, where);
+        EXPECT_NEAR(path.length(), 2.5 * walk.length(path.line), 1e-8 * path.length()) << where;
+      }
+    }
   }
 }
 

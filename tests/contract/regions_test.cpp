@@ -100,19 +100,5 @@ TEST(RegionsContract, WhereNoSiteLeadsThereIsNoRegion) {
   }
 }
 
-TEST(RegionsContract, AnswersDoNotDependOnThreads) {
-  const test::Soup soup = test::hills(24, 0.2);
-  const Ask one(soup, {.patches = 3, .patches_in_each = 3, .threads = 1});
-  const Ask three(soup, {.patches = 3, .patches_in_each = 3, .threads = 3});
-  for (const By by : {By::exact, By::index}) {
-    const Regions found = one.regions(test::spread_points(soup), by);
-    const Regions other = three.regions(test::spread_points(soup), by);
-    EXPECT_EQ(other.vertex_region, found.vertex_region);
-    EXPECT_EQ(other.area, found.area);
-    EXPECT_EQ(other.borders.points, found.borders.points);
-    EXPECT_EQ(other.borders.segments, found.borders.segments);
-  }
-}
-
 }  // namespace
 }  // namespace vorogeo::contract

@@ -21,17 +21,27 @@ def meshes() -> dict[str, tuple[Any, Any, str]]:
     spoilt = {value: vertices.copy() for value in (np.nan, np.inf)}
     for value, array in spoilt.items():
         array[17, 1] = value
-    beyond, negative = faces.copy(), faces.copy()
-    beyond[5, 2], negative[5, 2] = COUNT, -1
+    beyond, negative, huge = faces.copy(), faces.copy(), faces.astype(np.int64)
+    beyond[5, 2], negative[5, 2], huge[5, 0] = COUNT, -1, 2**32
     return {
         "NaN": (spoilt[np.nan], faces, r"vertices\[17\].*not finite"),
         "infinity": (spoilt[np.inf], faces, r"vertices\[17\].*not finite"),
         "vertices in a plane": (vertices[:, :2], faces, r"vertices: has shape"),
+        "vertices in one row": (vertices.ravel(), faces, r"vertices: has shape \(\d+,\)"),
+        "vertices of several meshes": (vertices[None], faces, r"vertices: has shape \(1, \d+, 3\)"),
+        "vertices of different lengths": ([[0, 0, 0], [1, 0]], faces, "vertices: cannot be read"),
+        "complex vertices": (vertices + 0j, faces, "vertices: is not an array of numbers"),
+        "vertices that are true or false": (vertices > 0, faces, "vertices: has type bool"),
+        "an empty list": ([], faces, r"vertices: has shape \(0,\)"),
+        "no rows": (np.empty((0, 3)), faces, "the mesh has no vertices"),
         "vertices that are text": ([["a", "b", "c"]], faces, "vertices: is not an array of numbers"),
         "no vertices": (None, faces, "vertices: is None"),
         "a vertex that is not there": (vertices, beyond, rf"faces\[5\]: names vertex {COUNT}"),
         "a negative vertex": (vertices, negative, r"faces\[5\]: names vertex -1"),
+        "a vertex beyond 32 bits": (vertices, huge, r"faces\[5\]: names vertex 4294967296"),
+        "edges": (vertices, faces[:, :2], r"faces: has shape \(\d+, 2\)"),
         "quads": (vertices, faces[:2].reshape(1, 6)[:, :4], "faces: has shape"),
+        "faces that are true or false": (vertices, faces > 0, "faces: has type bool, not integer"),
         "faces that are real": (vertices, faces + 0.5, "faces: has type float64"),
     }
 

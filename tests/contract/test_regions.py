@@ -66,10 +66,3 @@ def test_relaxation_never_raises_the_energy(by: str, shape: Shape) -> None:
     assert len(set(relaxed.vertices.tolist())) == 4
     still = ask.task("relax", by, shape, [0, 1, 2, 3], 0)
     np.testing.assert_array_equal(still.vertices, [0, 1, 2, 3])
-
-
-def test_the_energy_of_one_point_is_the_integral_of_its_squared_distance() -> None:
-    shape = table.named("plane")
-    corner = int(np.argmin(shape.vertices[:, :2].sum(axis=1)))
-    energy = ask.task("relax", "by index, exact", shape, [corner], 0).energy[0]
-    assert energy == pytest.approx(2.0**3 * 1.5 / 3 + 1.5**3 * 2.0 / 3, rel=0.01)

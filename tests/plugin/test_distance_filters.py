@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pymeshlab
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from support import (
     DESCRIBE_INDEX,
     EXACT_FROM_POINT,
@@ -48,16 +46,6 @@ def method_of(name: str) -> dict[str, str]:
 
 
 # ---- Values
-
-
-@settings(max_examples=25, deadline=None)
-@given(source=st.integers(0, 12 * 9 - 1), height=st.floats(-2, 2), seed=st.integers(0, 1000))
-def test_random_terrain_agrees_with_pygeodesic(source, height, seed):
-    vertices, faces = grid(11, 8)
-    vertices[:, 2] = height * np.random.default_rng(seed).random(len(vertices))
-    ms = mesh_set(vertices, faces)
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=source)
-    np.testing.assert_allclose(field(ms), exact_distances(vertices, faces, [source]), rtol=1e-9)
 
 
 @pytest.mark.parametrize("name", ["bunny10k_textured.obj", "cow.obj", "office_chair"])

@@ -99,13 +99,6 @@ def test_saved_index_is_loaded_for_the_same_mesh_in_another_document(tmp_path):
     np.testing.assert_array_equal(field(ms), expected)
 
 
-def test_nothing_to_save(tmp_path):
-    ms = stretched(1.04)
-    with fails_and_changes_nothing(ms, "There is no index for this mesh as it is. Run 'Geodesic index: build"):
-        ms.apply_filter(SAVE_INDEX, index_file=str(tmp_path / "none.vgi"))
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_index_of_another_mesh_is_refused(tmp_path):
     file = tmp_path / "grid.vgi"
     mesh_set(*grid(7, 5, spacing=1.05)).apply_filter(INDEX, index_file=str(file))
@@ -113,15 +106,6 @@ def test_index_of_another_mesh_is_refused(tmp_path):
     with fails_and_changes_nothing(ms, "another mesh"):
         ms.apply_filter(LOAD_INDEX, index_file=str(file))
     assert not ms.apply_filter(DESCRIBE_INDEX)["has_index"]
-
-
-def test_damaged_index_is_refused(tmp_path):
-    file = tmp_path / "cut.vgi"
-    ms = stretched(1.06)
-    ms.apply_filter(INDEX, index_file=str(file))
-    file.write_bytes(file.read_bytes()[:-100])
-    with fails_and_changes_nothing(ms, str(file)):
-        ms.apply_filter(LOAD_INDEX, index_file=str(file))
 
 
 def test_index_is_freed_with_its_document():

@@ -29,7 +29,6 @@ from support import (
     sphere,
 )
 
-COST = "Vertex quality as cost"
 _sizes = itertools.count(1)
 
 
@@ -37,12 +36,6 @@ def new_sphere() -> tuple[np.ndarray, np.ndarray]:
     """A sphere of a size of its own: the plugin keeps indexes between tests."""
     vertices, faces = sphere(3)
     return vertices * (1 + next(_sizes) / 16), faces
-
-
-def wall() -> tuple[np.ndarray, np.ndarray]:
-    """A vertical rectangle in the plane y = 0."""
-    vertices, faces = grid(8, 6)
-    return vertices[:, [0, 2, 1]], faces
 
 
 def fields_of_now(ms: pymeshlab.MeshSet, reused: bool) -> np.ndarray:
@@ -138,35 +131,6 @@ def test_a_second_call_gives_the_same_bits(method):
     ms.set_current_mesh(0)
     lengths.append(ms.apply_filter(TWO_POINTS, source=9, target=700, method="exact")["distance"])
     assert lengths[0] == pytest.approx(lengths[1], rel=1e-12)
-
-
-def test_metrics_and_their_parameters_are_not_mixed_up():
-    vertices, faces = wall()
-    ms = mesh_set(vertices, faces)
-    straight = np.linalg.norm(vertices - vertices[0], axis=1)
-    # On a wall a slope penalty p multiplies lengths by 1 + p; with the metric length it is not used.
-    for chosen, factor in [
-        ({}, 1),
-        ({"metric": "Slope penalty", "slope_penalty": 1}, 2),
-        ({"metric": "Slope penalty", "slope_penalty": 4}, 5),
-        ({"slope_penalty": 4}, 1),
-        ({"metric": "Slope penalty", "slope_penalty": 1}, 2),
-    ]:
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, **chosen)
-        np.testing.assert_allclose(field(ms), factor * straight, rtol=1e-9, err_msg=str(chosen))
-
-
-def test_every_cost_that_was_painted_is_the_next_calls():
-    vertices, faces = wall()
-    ms = mesh_set(vertices, faces)
-    straight = np.linalg.norm(vertices - vertices[0], axis=1)
-    for cost in (2, 3, 2):
-        ms.apply_filter("compute_scalar_by_function_per_vertex", q=str(cost))
-        for _ in range(2):  # the second time from the cost that was kept
-            ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=COST)
-            np.testing.assert_allclose(field(ms), cost * straight, rtol=1e-9)
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
-        np.testing.assert_allclose(field(ms), straight, rtol=1e-9)
 
 
 def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():

@@ -12,34 +12,6 @@ from sample_meshes import cube, plane_grid
 VERTICES, FACES = plane_grid(5, 4)
 
 
-def replaced(array, index, value):
-    changed = array.copy()
-    changed[index] = value
-    return changed
-
-
-BAD_MESHES = [
-    (VERTICES.ravel(), FACES, r"vertices: has shape \(60,\)"),
-    (VERTICES[None], FACES, r"vertices: has shape \(1, 20, 3\)"),
-    ([[0, 0, 0], [1, 0]], FACES, "vertices: cannot be read"),
-    (VERTICES + 0j, FACES, "vertices: is not an array of numbers"),
-    (VERTICES > 0, FACES, "vertices: has type bool"),
-    (VERTICES, FACES[:, :2], r"faces: has shape \(24, 2\)"),
-    (VERTICES, FACES > 0, "faces: has type bool, not integer"),
-    (VERTICES, replaced(FACES.astype(np.int64), (5, 0), 2**32), r"faces\[5\]: names vertex 4294967296"),
-    (np.empty((0, 3)), FACES, "the mesh has no vertices"),
-    ([], FACES, r"vertices: has shape \(0,\)"),
-]
-
-
-@pytest.mark.parametrize(("vertices", "faces", "message"), BAD_MESHES)
-def test_bad_meshes(vertices, faces, message):
-    with pytest.raises(ValueError, match=message):
-        vorogeo.GeodesicIndex(vertices, faces)
-    with pytest.raises(ValueError, match=message):
-        vorogeo.exact_distance_field(vertices, faces, 0)
-
-
 BAD_IDS = [
     (2**40, ": there is no vertex 1099511627776"),
     ([0.0, 1.25], ": has type float64, not integer"),

@@ -47,21 +47,6 @@ def test_no_points_build_no_index():
         assert surface.index is None
 
 
-def test_an_index_is_built_when_exact_answers_took_as_long():
-    mesh = bent_grid(14, 11)
-    surface = vorogeo.Surface(*mesh, threads=1)
-    answers = []
-    for i in range(20000):
-        surface.distance_field(i % len(mesh[0]))
-        answers.append(surface.last)
-        if surface.last.by == "index":
-            break
-    assert answers[-1].by == "index"
-    assert answers[-1].remark
-    rent = sum(answer.seconds for answer in answers[:-1])
-    assert rent < 20 * answers[-1].index_seconds + 1
-
-
 def test_estimates_are_those_of_the_index():
     mesh = bent_grid(50, 40)
     guess = vorogeo.estimate(*mesh)

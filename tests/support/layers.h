@@ -1,4 +1,5 @@
-// A square in layers of different cost, and distances across two of them.
+// Squares whose faces have costs of their own: in layers, with distances across two of them, and with faces
+// of no width.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +22,37 @@ inline std::shared_ptr<const Mesh> with_costs(const Soup& soup, const std::vecto
 }
 inline WeightedSolver solver_of(const std::shared_ptr<const Mesh>& mesh) {
   return WeightedSolver(std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge()));
+}
+
+/// The unit square, its lower half in 6 x 6 cells and its upper one in 12 x 12: faces without width close the
+/// T-junctions between. Every second vertex of the lower side of the upper half is in no face.
+inline Soup plane_with_closed_t_junctions() {
+  Soup soup;
+  auto rows = [&](Index cells, double low) {
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (Index j = 0; j <= cells; ++j) {
+      for (Index i = 0; i <= cells; ++i) {
+        soup.positions.push_back({static_cast<double>(i) / cells, low + 0.5 * j / cells, 0});
+      }
+    }
+    for (Index j = 0; j < cells; ++j) {
+      for (Index i = 0; i < cells; ++i) {
+        const Index at = first + j * (cells + 1) + i;
+        soup.faces.push_back({at, at + 1, at + cells + 2});
+        soup.faces.push_back({at, at + cells + 2, at + cells + 1});
+      }
+    }
+    return first;
+  };
+  const Index below = rows(6, 0.0) + 6 * 7;
+  const Index above = rows(12, 0.5);
+  for (auto& face : soup.faces) {
+    for (Index& v : face) {
+      if (v >= above && v <= above + 12 && (v - above) % 2 == 0) v = below + (v - above) / 2;
+    }
+  }
+  for (Index i = 0; i < 6; ++i) soup.faces.push_back({below + i, above + 2 * i + 1, below + i + 1});
+  return soup;
 }
 
 /// The square [0, 2] x [-1, 1] with a cost for each face by the middle of the face.

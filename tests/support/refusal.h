@@ -7,12 +7,12 @@
 
 namespace vorogeo::test {
 
-/// The sentence with which a call is refused as invalid input; empty if it is not.
-template <class Call>
+/// The sentence with which a call is refused with an error of this kind; empty if it is not.
+template <class Kind = InvalidInput, class Call>
 std::string refusal(Call&& call) {
   try {
     call();
-  } catch (const InvalidInput& error) {
+  } catch (const Kind& error) {
     return error.what();
   }
   return {};

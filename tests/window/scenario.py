@@ -1,4 +1,4 @@
-"""Uses the plugin in MeshLab's window as a person does: dialogs, fields, the index, errors (see script.py)."""
+"""Uses the plugin in MeshLab's window as a person does: dialogs, fields, the index (see script.py)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from filter_names import DESCRIBE, EXACT_FROM_POINT, FROM_POINT, LOAD, SAVE
 from screen import Atspi
 from script import Script
 
-FROM_SELECTION = "Geodesic distance from the selection (VoroGeo)"
 FROM_BORDER = "Geodesic distance from the border (VoroGeo)"
 COMPARISON = "Compare geodesic methods (VoroGeo)"
 PATCHES = "Geodesic Voronoi patches: colour faces (VoroGeo)"
@@ -19,14 +18,13 @@ class Scenario(Script):
 
     def steps(self) -> None:
         """Everything."""
-        self.seen |= {"source": SOURCE, "dialogs": {}, "help": {}, "fields": {}, "errors": {}}
+        self.seen |= {"source": SOURCE, "dialogs": {}, "help": {}, "fields": {}, "boxes": {}}
         self.seen["start"] = self.window.log_text()
         self.seen["menu"] = [item for item in self.window.menu_items("Filters") if "(VoroGeo)" in item]
         self.picture("start")
         self.look_at_dialogs()
         self.apply_filters()
         self.keep_the_index()
-        self.meet_errors()
         self.seen["messages"] = self.window.log_text()
 
     def look_at_dialogs(self) -> None:
@@ -64,29 +62,9 @@ class Scenario(Script):
 
     def apply(self, name: str, fields: dict | None = None, picture: str = "", key: str = "") -> None:
         """Apply a filter and write down what a box says; with a key the layer is saved."""
-        self.seen["errors"][f"apply {name}"] = self.use(name, fields, picture)
+        self.seen["boxes"][name] = self.use(name, fields, picture)
         if key:
             self.seen["fields"][key] = self.export(key)
-
-    def meet_errors(self) -> None:
-        """What is refused is said in a message box; MeshLab goes on working."""
-        dialog = self.window.open_filter(FROM_POINT)
-        self.window.fill(dialog, "Start vertex", "999999")
-        self.error(dialog, "vertex out of range")
-        self.window.fill(dialog, "Start vertex", str(SOURCE))
-        self.window.fill(dialog, "Max distance", "-1")
-        self.error(dialog, "negative limit")
-        self.window.close(dialog)
-        dialog = self.window.open_filter(FROM_SELECTION)
-        self.error(dialog, "empty selection")
-        self.window.close(dialog)
-        self.seen["after errors"] = self.use(FROM_POINT, START)
-
-    def error(self, dialog: object, name: str) -> None:
-        """Apply, write down the message box, close it."""
-        self.seen["errors"][name] = self.window.apply(dialog)
-        self.picture(f"error_{name.replace(' ', '_')}")
-        self.window.dismiss()
 
 
 if __name__ == "__main__":

@@ -71,24 +71,6 @@ TEST(ExactLandmarks, ExactPathsKeepTheirLengthAndFollowFewerWindows) {
   EXPECT_LT(bounded, plain);
 }
 
-TEST(ExactLandmarks, WithAnIndexPathsStayExactAndCertified) {
-  const auto mesh = ring();
-  const auto index = GeodesicIndex::build(mesh, {});
-  PathQuery query(index);
-  const auto landmarks = landmarks_of(index, 6, 2);
-  std::mt19937 random(8);
-  for (int i = 0; i < 60; ++i) {
-    const auto a =
-        SurfacePoint::at_vertex(static_cast<Index>(random() % static_cast<unsigned>(mesh->vertex_count())));
-    const auto face = static_cast<Index>(random() % static_cast<unsigned>(mesh->face_count()));
-    const auto b = SurfacePoint::in_face(face, {0.1, 0.2, 0.7});
-    const ExactPath found = query.exact_path(a, b, true, landmarks.get());
-    EXPECT_TRUE(found.certified);
-    const double expected = query.exact_path(a, b).path.length;
-    EXPECT_NEAR(found.path.length, expected, 1e-9 * expected);
-  }
-}
-
 TEST(ExactLandmarks, AreFarApartInTheComponentWithTheMostVertices) {
   constexpr Index columns = 20;
   const test::Shape plane = test::plane_grid(columns, columns, 2.0, 2.0, 0.2);

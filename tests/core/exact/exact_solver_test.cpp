@@ -1,4 +1,4 @@
-// Exact solver: limits, points on edges, non-manifold meshes and outliers.
+// Exact solver: limits, points on edges, non-manifold meshes and outliers, and the timing of its fields.
 #include "exact/exact_solver.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +10,14 @@
 #include <random>
 #include <vector>
 
+#include "exact/local_solver.h"
 #include "support/error.h"
 #include "support/exhaustive.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/near.h"
 #include "support/progress.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -235,12 +237,8 @@ TEST(ExactLimits, LengthsBeyondTheRangeOfProductsAreRefused) {
     for (Point& position : soup.positions) {
       for (double& coordinate : position) coordinate *= scale;
     }
-    try {
-      ExactSolver solver(test::make_mesh(soup));
-      FAIL() << "accepted at scale " << scale;
-    } catch (const InvalidInput& error) {
-      EXPECT_NE(std::string(error.what()).find("scale the mesh"), std::string::npos) << error.what();
-    }
+    const std::string refusal = test::refusal([&] { ExactSolver solver(test::make_mesh(soup)); });
+    EXPECT_NE(refusal.find("scale the mesh"), std::string::npos) << scale << ": " << refusal;
   }
 }
 
@@ -435,6 +433,55 @@ TEST(ExactDefects, OverEdgesOfElevenOrdersBothDirectionsAgree) {
   const double there = solver.distance(17);
   solver.run_from_vertices(std::array<Index, 1>{17});
   EXPECT_NEAR(there, solver.distance(26), 1e-9 * there);
+}
+
+// Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
+
+TEST(FieldTiming, IsWholeWhereThereIsTime) {
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(2)));
+  const FieldTiming timing = time_exact_field(geometry, 1000.0, {}, "Timing");
+  EXPECT_TRUE(timing.is_complete);
+  EXPECT_GT(timing.seconds, 0.0);
+  EXPECT_EQ(timing.expected_seconds(), timing.seconds);
+}
+
+TEST(FieldTiming, StopsAndExtrapolates) {
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
+  const FieldTiming timing = time_exact_field(geometry, 0.0, {}, "Timing");
+  EXPECT_FALSE(timing.is_complete);
+  EXPECT_GT(timing.reached, 0.0);
+  EXPECT_LT(timing.reached, 1.0);
+  EXPECT_GT(timing.expected_seconds(), timing.seconds / timing.reached);
+}
+
+TEST(FieldTiming, IsThatOfTheLargestComponent) {
+  const test::Soup sphere = test::icosphere(4);
+  const auto seconds = [](const test::Soup& soup) {
+    const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
+    return time_exact_field(geometry, 1000.0, {}, "Timing").seconds;
+  };
+  // A triangle beside it, with the first faces and vertices, takes a thousandth.
+  const test::Soup triangle{{{9.0, 0.0, 0.0}, {9.0, 1.0, 0.0}, {9.0, 0.0, 1.0}}, {{0, 1, 2}}};
+  EXPECT_GT(seconds(test::two_components(triangle, sphere)), 0.1 * seconds(sphere));
+}
+
+TEST(FieldTiming, IsExtrapolatedToTheComponentOnly) {
+  const auto stopped = [](const test::Soup& soup) {
+    const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
+    return time_exact_field(geometry, 0.0, {}, "Timing");
+  };
+  const test::Soup sphere = test::icosphere(5);
+  const FieldTiming alone = stopped(sphere);
+  const FieldTiming beside = stopped(test::two_components(sphere, sphere));
+  ASSERT_FALSE(alone.is_complete || beside.is_complete);
+  // Reports come by the number of steps, so that both stop at the same vertices.
+  EXPECT_NEAR(beside.reached, alone.reached, 0.1 * alone.reached);
+}
+
+TEST(FieldTiming, IsCancelled) {
+  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(time_exact_field(geometry, 1000.0, stop, "Timing"), Cancelled);
 }
 
 }  // namespace

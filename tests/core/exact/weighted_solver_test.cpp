@@ -266,45 +266,19 @@ TEST(WeightedThin, FansOfNeedlesEnd) {
   }
 }
 
-/// Six cells beside twelve: between them, faces without width close the T-junctions.
 TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
-  std::vector<Point> positions;
-  std::vector<std::array<Index, 3>> faces;
-  auto rows = [&](Index cells, double low) {
-    const auto first = static_cast<Index>(positions.size());
-    for (Index j = 0; j <= cells; ++j) {
-      for (Index i = 0; i <= cells; ++i) {
-        positions.push_back({static_cast<double>(i) / cells, low + 0.5 * j / cells, 0});
-      }
-    }
-    for (Index j = 0; j < cells; ++j) {
-      for (Index i = 0; i < cells; ++i) {
-        const Index at = first + j * (cells + 1) + i;
-        faces.push_back({at, at + 1, at + cells + 2});
-        faces.push_back({at, at + cells + 2, at + cells + 1});
-      }
-    }
-    return first;
-  };
-  const Index below = rows(6, 0.0) + 6 * 7;
-  const Index above = rows(12, 0.5);
-  for (auto& face : faces) {
-    for (Index& v : face) {
-      if (v >= above && v <= above + 12 && (v - above) % 2 == 0) v = below + (v - above) / 2;
-    }
-  }
-  for (Index i = 0; i < 6; ++i) faces.push_back({below + i, above + 2 * i + 1, below + i + 1});
+  const test::Soup soup = test::plane_with_closed_t_junctions();
   std::mt19937 random(1);
   std::vector<double> cost;
-  for (std::size_t f = 0; f < faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
+  for (std::size_t f = 0; f < soup.faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
   auto solved = [&](Index points) {
-    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost, points));
+    WeightedSolver solver = test::solver_of(test::with_costs(soup, cost, points));
     solver.run_from_vertices(std::array<Index, 1>{8});
     return solver;
   };
   const WeightedSolver solver = solved(6);
   const WeightedSolver finer = solved(40);
-  for (Index v = 0; v < static_cast<Index>(positions.size()); ++v) {
+  for (Index v = 0; v < solver.mesh().vertex_count(); ++v) {
     if (solver.mesh().fan(v) == Mesh::Fan::isolated) continue;
     const double length = solver.path_to_source(SurfacePoint::at_vertex(v)).length;
     const double known = std::min(length, finer.path_to_source(SurfacePoint::at_vertex(v)).length);

@@ -22,6 +22,7 @@
 #include "support/error.h"
 #include "support/heavy.h"
 #include "support/indexes.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -30,35 +31,6 @@ namespace {
 // Options, statistics, determinism, progress and cancelling, refusals.
 
 using test::Soup;
-
-bool same_contents(const IndexData& a, const IndexData& b) {
-  auto same_arcs = [](const Arc& x, const Arc& y) {
-    return x.target == y.target && x.length == y.length && x.patch == y.patch;
-  };
-  return a.partition.first_layer == b.partition.first_layer &&
-         a.partition.second_layer == b.partition.second_layer && a.second.table == b.second.table &&
-         a.first.table == b.first.table && a.graph.arc_begin == b.graph.arc_begin &&
-         std::ranges::equal(a.graph.arc, b.graph.arc, same_arcs) && a.landmarks.row == b.landmarks.row &&
-         a.home_patch == b.home_patch && a.home_column == b.home_column;
-}
-
-TEST(GeodesicIndex, TheSameWhateverTheThreadsAnotherForAnotherSeed) {
-  const auto mesh = test::make_mesh(test::hills(36, 0.15));
-  IndexOptions options;
-  options.first_layer_patches = 4;
-  options.second_layer_patches = 4;
-  options.delta = 0.005;
-  options.seed = 3;
-  options.threads = 1;
-  const auto one = GeodesicIndex::build(mesh, options);
-  for (int threads : {2, 4}) {
-    options.threads = threads;
-    EXPECT_TRUE(same_contents(GeodesicIndex::build(mesh, options)->data(), one->data()))
-        << threads << " threads";
-  }
-  options.seed = 4;
-  EXPECT_FALSE(same_contents(GeodesicIndex::build(mesh, options)->data(), one->data()));
-}
 
 TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
   const Soup soup = test::with_isolated_vertex(test::icosphere(3), {5, 5, 5});
@@ -106,22 +78,13 @@ TEST(GeodesicIndex, FacePatchesOfBothLayers) {
     EXPECT_EQ(*std::ranges::min_element(patches), 0);
     EXPECT_EQ(*std::ranges::max_element(patches), layer == 1 ? 2 : 14);
   }
-  try {
-    index->face_patches(3);
-    FAIL() << "not refused";
-  } catch (const InvalidInput& error) {
-    EXPECT_STREQ(error.what(), "Layer 3 does not exist: layers are 1 (large patches) and 2.");
-  }
+  EXPECT_EQ(test::refusal([&] { index->face_patches(3); }),
+            "Layer 3 does not exist: layers are 1 (large patches) and 2.");
 }
 
 TEST(GeodesicIndex, Refusals) {
-  auto refusal = [](const Soup& soup, const IndexOptions& options) -> std::string {
-    try {
-      GeodesicIndex::build(test::make_mesh(soup), options);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "not refused";
+  auto refusal = [](const Soup& soup, const IndexOptions& options) {
+    return test::refusal([&] { GeodesicIndex::build(test::make_mesh(soup), options); });
   };
   IndexOptions options;
   for (double delta : {-0.1, 1.0, std::numeric_limits<double>::quiet_NaN(), unreachable}) {
@@ -332,12 +295,7 @@ struct Case {
     return GeodesicIndex::build(mesh, options);
   }
   std::string refusal(std::int64_t budget, double delta = 0.0) {
-    try {
-      build(budget, delta);
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test::refusal([&] { build(budget, delta); });
   }
 };
 

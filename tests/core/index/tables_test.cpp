@@ -5,17 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "exact/exact_solver.h"
-#include "index/border_pieces.h"
 #include "index/index_data.h"
 #include "index/inner_surface.h"
 #include "index/local_tables.h"
 #include "index/patch_layer.h"
 #include "index/transit_table.h"
-#include "mesh/outliers.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
@@ -63,7 +60,7 @@ TEST(LocalTables, InThePlaneEveryEntryIsTheStraightLine) {
   EXPECT_GT(found.least, -1e-6);
 }
 
-// Tables filled in a wave over the patches: every run once, few drafts at a time.
+// Tables filled in a wave over the patches: few drafts at a time.
 
 /// A plane of cells x cells cells in squares of `width` x `width` patches.
 PatchLayer squares(int cells, int width) {
@@ -86,51 +83,9 @@ PatchLayer squares(int cells, int width) {
   return lay_out_patches(surface, surface.second_layer, width * width, {});
 }
 
-float distance_of(Index patch, Index row, Index column) {
-  return row == column ? 0.0f : static_cast<float>(100 * patch + row + column);
-}
-
-/// Runs groups until there are none left, or `most` were run. Returns how many were.
-int run(TableFiller& tables, const PatchLayer& layer, std::span<const Index> groups, int most) {
-  int count = 0;
-  for (Index group : tables.left()) {
-    if (count++ == most) return most;
-    tables.begin(group);
-    for (Index node = groups[group]; node < groups[group + 1]; ++node) {
-      for (const PatchRow& at : layer.patches_of(node)) {
-        TableDraft* draft = tables.draft(at.patch);
-        for (Index j = 0; draft != nullptr && j < layer.member_count(at.patch); ++j) {
-          draft->line(j)[at.row] = distance_of(at.patch, at.row, j);
-        }
-      }
-    }
-    tables.finish(group);
-  }
-  tables.hand_over();
-  return count;
-}
-
-void expect_filled(const PatchLayer& layer) {
-  for (Index p = 0; p < layer.patch_count; ++p) {
-    EXPECT_EQ(layer.complete[p], 1);
-    for (Index i = 0; i < layer.border_size(p); ++i) {
-      for (Index j = 0; j < layer.member_count(p); ++j) {
-        EXPECT_NEAR(layer.distance(p, i, j), distance_of(p, i, j), 0.51 * layer.scale[p].unit());
-      }
-    }
-  }
-}
-
-TEST(TableFiller, EveryGroupIsRunOnceAndTheWaveIsNarrow) {
-  PatchLayer layer = squares(48, 12);
+TEST(TableFiller, TheWaveIsNarrow) {
+  const PatchLayer layer = squares(48, 12);
   const std::vector<Index> groups = group_by_patches(layer, 4);
-  TableFiller tables(layer, TableRoom(layer.table_begin.back(), layer.patch_count), groups,
-                     TableFiller::Closure::symmetric, 1, {});
-  std::vector<Index> order(tables.left().begin(), tables.left().end());
-  EXPECT_EQ(run(tables, layer, groups, -1), static_cast<int>(groups.size()) - 1);
-  expect_filled(layer);
-  std::ranges::sort(order);
-  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], static_cast<Index>(i));
   std::size_t all = 0;
   for (Index p = 0; p < layer.patch_count; ++p) all += draft_bytes(layer, p);
   EXPECT_LT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 3))
@@ -226,78 +181,9 @@ TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
   EXPECT_GT(errors.statistics().least, -0.1);
 }
 
-// Bounds are never above what they bound, and close below it.
-
-TEST(AccessBounds, ToGroupsTheyAreTheLeastEntryRoundedDown) {
-  const auto index = test::make_index(test::hills(36, 0.15), 5, 4);
-  const IndexData& data = index->data();
-  const AccessBounds& bounds = data.access_bounds;
-  for (Index p = 0; p < data.second.patch_count; ++p) {
-    const Index parent = data.partition.parent[p];
-    const Index rows = data.second.border_size(p);
-    for (std::size_t g = 0; g < bounds.groups[parent].size(); ++g) {
-      const GroupRows& at = bounds.groups[parent][g];
-      for (Index row = 0; row < rows; ++row) {
-        const Index column = data.parent_column[data.second.border_begin[p] + row];
-        float least = std::numeric_limits<float>::max();
-        for (Index k = 0; k < data.transit_table.size(at.group); ++k) {
-          least = std::min(least, data.first.distance(parent, at.row + k, column));
-        }
-        const float unit = AccessBounds::unit(data.first.scale[parent]);
-        const float bound = unit * bounds.of_patch(p)[static_cast<Index>(g) * rows + row];
-        EXPECT_LE(bound, least * (1.0f + 1e-6f));
-        EXPECT_GT(bound + unit, least * (1.0f - 1e-6f));
-      }
-    }
-  }
-}
-
-TEST(AccessBounds, BetweenGroupsTheyAreBelowEveryDistanceOfTheTransitTable) {
-  const auto index = test::make_index(test::hills(36, 0.15), 5, 4);
-  const TransitTable& table = index->data().transit_table;
-  const AccessBounds& bounds = index->data().access_bounds;
-  for (Index q = 0; q < static_cast<Index>(bounds.groups.size()); ++q) {
-    for (Index p = 0; p <= q; ++p) {
-      for (std::size_t i = 0; i < bounds.groups[p].size(); ++i) {
-        const std::int16_t* row = bounds.between(p, q) + static_cast<Index>(i) * bounds.width(q);
-        for (std::size_t j = 0; j < bounds.groups[q].size(); ++j) {
-          const Index from = bounds.groups[p][i].group;
-          const Index to = bounds.groups[q][j].group;
-          const float bound = bounds.unit_between * static_cast<float>(row[j]);
-          float least = std::numeric_limits<float>::infinity();
-          for (Index a = table.group_begin[from]; a < table.group_begin[from + 1]; ++a) {
-            for (Index b = table.group_begin[to]; b < table.group_begin[to + 1]; ++b) {
-              least = std::min(least, table.distance(a, b));
-            }
-          }
-          EXPECT_LE(bound, least);
-          EXPECT_NEAR(bound, least, 1.01F * bounds.unit_between);
-        }
-      }
-    }
-  }
-}
-
 // Pieces of border edges: as long as the share of the tables asks for.
 
 Partition partition_of(const Mesh& mesh) { return make_partition(mesh, {0, 0, 0, 1}, {}); }
-
-/// Length of the longest piece, in roots of the area of the smaller patch beside it.
-double longest_piece(const Mesh& mesh, const Partition& partition, const std::vector<Index>& pieces) {
-  std::vector<double> area(partition.second_layer_count, 0.0);
-  for (Index f = 0; f < mesh.face_count(); ++f) area[partition.second_layer[f]] += mesh.face_area(f);
-  double longest = 0.0;
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    const Index p = partition.second_layer[Mesh::face_of(mesh.edge_halfedge(e))];
-    const Index q = partition.second_layer[Mesh::face_of(mesh.next_around_edge(mesh.edge_halfedge(e)))];
-    if (p == q) {
-      EXPECT_EQ(pieces[e], 1) << "edge " << e << " is inside a patch";
-      continue;
-    }
-    longest = std::max(longest, mesh.edge_length(e) / pieces[e] / std::sqrt(std::min(area[p], area[q])));
-  }
-  return longest;
-}
 
 TEST(BorderPieces, TablesKeepToTheirShare) {
   // With the finest pieces the many needles of this wheel would take far more.
@@ -306,104 +192,8 @@ TEST(BorderPieces, TablesKeepToTheirShare) {
   const InnerSurface surface(*mesh, partition);
   const PatchLayer layer =
       lay_out_patches(surface, surface.second_layer, partition.second_layer_count, {}, TableOrder::lines);
-  EXPECT_GT(longest_piece(*mesh, partition, pieces_of_edges(*mesh, partition)), 0.03);
   EXPECT_LE(static_cast<double>(layer.table_begin.back()), 1.02 * 360.0 * mesh->vertex_count());
   EXPECT_GE(static_cast<double>(layer.table_begin.back()), 150.0 * mesh->vertex_count());
-}
-
-// The inner surface: the user's faces by patch, with places on borders of patches only.
-
-struct Made {
-  std::shared_ptr<const Mesh> mesh;
-  Partition partition;
-  InnerSurface surface;
-};
-
-Made make(const Soup& soup, Index n1, Index n2) {
-  Made made;
-  made.mesh = test::make_mesh(soup);
-  PartitionOptions options;
-  options.first_layer_patches = n1;
-  options.second_layer_patches = n2;
-  made.partition = make_partition(*made.mesh, options, {});
-  made.surface = InnerSurface(*made.mesh, made.partition);
-  return made;
-}
-
-void expect_sound(const Made& made) {
-  const auto& [mesh, partition, surface] = made;
-  EXPECT_TRUE(std::ranges::is_sorted(surface.second_layer));
-  ASSERT_EQ(surface.mesh->face_count(), mesh->face_count());
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    const Index inner = surface.face[f];
-    ASSERT_EQ(surface.user_face[inner], f);
-    EXPECT_EQ(surface.second_layer[inner], partition.second_layer[f]);
-    for (int k = 0; k < 3; ++k) {
-      const Index v = mesh->face_vertices(f)[k];
-      EXPECT_EQ(surface.mesh->face_vertices(inner)[k], surface.vertex[v]);
-      EXPECT_EQ(surface.user_vertex[surface.vertex[v]], v);
-      EXPECT_EQ(surface.mesh->position(surface.vertex[v]), mesh->position(v));
-    }
-  }
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    EXPECT_EQ(surface.vertex[v] == no_index, mesh->corners(v).empty()) << "vertex " << v;
-  }
-  // Places inside edges divide these evenly, and only where patches meet.
-  std::size_t places = 0;
-  for (Index e = 0; e < surface.mesh->edge_count(); ++e) {
-    const auto [first, last] = surface.places_inside(e);
-    places += last - first;
-    for (Index k = 0; k < last - first; ++k) {
-      EXPECT_NEAR(surface.point_at(first + k).position,
-                  surface.mesh->edge_length(e) * (k + 1) / (last - first + 1), 1e-12);
-    }
-  }
-  EXPECT_EQ(places, surface.point.size()) << "a place inside a patch";
-}
-
-TEST(InnerSurface, HasTheFacesOfTheUserByPatch) {
-  const Soup two = test::two_components(test::icosphere(3), test::torus(30, 14, 2.0, 0.7));
-  for (const Soup& soup :
-       {test::random_sphere(800, 2), test::hills(24, 0.2), test::with_flipped_faces(two, 3),
-        test::plane_grid(40, 3, 1.0, 1.0, 0.2).soup, test::book_of_three_pages(9, 2.0, 1.0).soup,
-        test::with_isolated_vertex(test::bow_tie(6).soup, {3, 3, 3})}) {
-    expect_sound(make(soup, 3, 4));
-  }
-}
-
-TEST(InnerSurface, PatchesOfAFewNeedlesAddABoundedNumberOfPlaces) {
-  const Made made = make(test::plane_grid(17, 2, 1e-3, 1.0).soup, 2, 2);
-  EXPECT_GT(made.surface.point.size(), 2.0 * made.mesh->vertex_count());
-  EXPECT_LE(made.surface.point.size(), 2.0 * made.mesh->vertex_count() + 128.0);
-  expect_sound(made);
-}
-
-TEST(InnerSurface, ThePieceAroundAPointHoldsIt) {
-  const Made made = make(test::plane_grid(40, 3, 1.0, 1.0, 0.2).soup, 3, 4);
-  const InnerSurface& surface = made.surface;
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  int divided = 0;
-  for (Index face = 0; face < surface.mesh->face_count(); ++face) {
-    const double a = uniform(random);
-    const double b = (1.0 - a) * uniform(random);
-    const std::array<double, 3> weights{a, b, 1.0 - a - b};
-    const FacePiece piece(surface, face, weights);
-    divided += piece.place != surface.mesh->face_vertices(face);
-    const Point at = position_of(*surface.mesh, SurfacePoint::in_face(face, weights));
-    Point by_piece{};
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_GE(piece.weights[i], -1e-9);
-      const Point corner = surface.position(piece.place[i]);
-      const Point next = surface.position(piece.place[(i + 1) % 3]);
-      for (int k = 0; k < 3; ++k) by_piece[k] += piece.weights[i] * corner[k];
-      EXPECT_NEAR(piece.length[i], distance_between(corner, next), 1e-12);
-    }
-    EXPECT_NEAR(distance_between(at, by_piece), 0.0, 1e-12);
-  }
-  EXPECT_GT(divided, 10);
 }
 
 // Vertices far outside the rest change neither the distances of others nor the time of a build; hubs, faces
@@ -458,21 +248,6 @@ TEST(OutlierTables, OutliersChangeNoOtherDistance) {
     EXPECT_LT(after.outliers.greatest, 0.01);
     EXPECT_GT(after.outliers.least, -0.01);
   }
-}
-
-TEST(OutlierTables, OutliersAreOnNoBorder) {
-  test::Soup soup = test::hills(32, 2.0);
-  for (Index v = 0; v < static_cast<Index>(soup.positions.size()); v += 37) soup.positions[v][2] += 1e6;
-  const auto index = test::make_index(soup, 4, 5);
-  const IndexData& data = index->data();
-  const Outliers outliers = find_outliers(*index->mesh());
-  ASSERT_GT(outliers.count, 25);
-  for (Index v = 0; v < index->mesh()->vertex_count(); ++v) {
-    if (!outliers.is_outlier(v)) continue;
-    EXPECT_EQ(data.second.place_node[data.surface.vertex[v]], no_index) << v;
-  }
-  const float greatest = std::ranges::max(data.second.scale, {}, &TableScale::unit).unit();
-  EXPECT_LT(greatest * PatchLayer::greatest_entry, 100.0f * index->mesh()->typical_edge_length());
 }
 
 TEST(OutlierTables, ACornerFarAwayIsNoHurdle) {

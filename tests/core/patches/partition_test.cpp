@@ -13,16 +13,14 @@
 
 #include "patches/halo.h"
 #include "patches/sampling.h"
-#include "support/error.h"
 #include "support/indexes.h"
-#include "support/ply.h"
 #include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
 
-// Sample vertices: how far apart, one in each piece, the same for a seed.
+// Sample vertices: how far apart.
 
 std::vector<Index> all_vertices(const Mesh& mesh) {
   std::vector<Index> vertices;
@@ -66,16 +64,6 @@ TEST(Sampling, WellSpread) {
   }
 }
 
-TEST(Sampling, EachPieceGetsASample) {
-  test::Soup soup = test::icosphere(1);
-  for (int i = 0; i < 9; ++i) soup = test::two_components(soup, test::icosphere(i % 2));
-  const auto mesh = test::make_mesh(test::with_isolated_vertex(soup, {9, 9, 9}));
-  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 3, 1);
-  EXPECT_EQ(samples.size(), 10U);
-  const auto edge_count = edge_counts_from(*mesh, samples);
-  for (Index v : all_vertices(*mesh)) EXPECT_GE(edge_count[v], 0) << "no sample reaches vertex " << v;
-}
-
 // Voronoi labels of faces: short borders, and no face alone.
 
 std::vector<Index> all_faces(const Mesh& mesh) {
@@ -99,7 +87,7 @@ TEST(Voronoi, NoFaceStandsAloneBetweenTwoNeighboursThatAgree) {
   }
 }
 
-// Two layers of patches: counts, nesting, determinism, defects, refusals.
+// Two layers of patches: counts, nesting, refusals.
 
 using test::Soup;
 
@@ -107,9 +95,8 @@ PartitionOptions patches(Index first, Index second) {
   return {.first_layer_patches = first, .second_layer_patches = second};
 }
 
-Partition partition_of(const Soup& soup, const PartitionOptions& options = {},
-                       const Progress& progress = {}) {
-  return make_partition(*test::make_mesh(soup), options, progress);
+Partition partition_of(const Soup& soup, const PartitionOptions& options = {}) {
+  return make_partition(*test::make_mesh(soup), options, {});
 }
 
 void expect_valid(const Partition& partition, Index faces) {
@@ -182,23 +169,6 @@ TEST(Partition, AutomaticPatchesHaveSimilarSizes) {
   }
 }
 
-TEST(Partition, TheSameForASeedWhateverTheThreads) {
-  const Soup soup = test::hills(50, 0.2);
-  PartitionOptions options = patches(6, 5);
-  options.seed = 9;
-  options.threads = 1;
-  const Partition one = partition_of(soup, options);
-  for (int threads : {1, 2, 5}) {
-    options.threads = threads;
-    const Partition other = partition_of(soup, options);
-    EXPECT_EQ(other.first_layer, one.first_layer) << threads << " threads";
-    EXPECT_EQ(other.second_layer, one.second_layer) << threads << " threads";
-    EXPECT_EQ(other.parent, one.parent) << threads << " threads";
-  }
-  options.seed = 10;
-  EXPECT_NE(partition_of(soup, options).second_layer, one.second_layer);
-}
-
 TEST(Partition, EachComponentHasPatchesOfItsOwn) {
   Soup soup = test::icosphere(2);
   for (int i = 0; i < 4; ++i) soup = test::two_components(soup, test::icosphere(i % 3));
@@ -211,20 +181,6 @@ TEST(Partition, EachComponentHasPatchesOfItsOwn) {
   for (const auto& own : components) EXPECT_EQ(own.size(), 1U);
 }
 
-TEST(Partition, RealMeshesWithDefects) {
-  for (const char* name : {"office_chair", "greek_helmet", "cow"}) {
-    VOROGEO_READ_OR_SKIP(soup, name);
-    expect_valid(partition_of(soup), test::make_mesh(soup)->face_count());
-  }
-}
-
-TEST(Partition, TinyMeshes) {
-  const Soup triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  expect_valid(partition_of(triangle), 1);
-  const Soup square{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  for (Index n : {0, 1, 2}) expect_valid(partition_of(square, patches(n, n)), 2);
-}
-
 TEST(Partition, Refusals) {
   auto refusal = [](const Soup& soup, Index n1, Index n2) {
     return test::refusal([&] { partition_of(soup, patches(n1, n2)); });
@@ -235,22 +191,6 @@ TEST(Partition, Refusals) {
   EXPECT_EQ(refusal(test::icosphere(0), 21, 0), "The number of first-layer patches, n1, is 21" + range);
   EXPECT_EQ(refusal(test::icosphere(0), 0, 21), "The number of second-layer patches, n2, is 21" + range);
   EXPECT_EQ(refusal(test::icosphere(0), 20, 20), "");
-}
-
-TEST(Partition, CancelledAtAnyReport) {
-  const Soup soup = test::icosphere(3);
-  int allowed = 0;  // reports before one cancels; how many there are depends on the clock
-  for (bool cancelled = true; cancelled;) {
-    int seen = 0;
-    try {
-      partition_of(soup, {}, Progress([&](double, const std::string&) { return seen++ < allowed; }));
-      cancelled = false;
-      EXPECT_LE(seen, allowed);
-    } catch (const Cancelled&) {
-      ++allowed;
-    }
-  }
-  EXPECT_GE(allowed, 3);
 }
 
 // The rim around patches, widened on both sides.

@@ -179,27 +179,5 @@ TEST(GeodesicQueryAccuracy, PairsInTouchingPatchesAreExact) {
   }
 }
 
-TEST(GeodesicQueryAccuracy, DefectsAgainstExact) {
-  const Soup hills = test::hills(26, 0.2);
-  for (const Soup& soup :
-       {test::with_flipped_faces(hills, 4), test::with_duplicate_face(hills, 100),
-        test::with_repeated_vertex_face(hills, 50), test::with_zero_area_cap(hills, 333, 2),
-        test::book_of_three_pages(12, 2.0, 1.0).soup, test::plane_with_slit(6).soup}) {
-    const auto index = test::make_index(soup, 3, 3);
-    GeodesicQuery query(index);
-    test::ErrorCollector errors;
-    for (Index source : test::random_vertices(index->mesh()->vertex_count(), 6, 5)) {
-      const auto exact = exact_distance_field(index->mesh(), std::array{source});
-      const auto distances = field(query, {source});
-      for (std::size_t v = 0; v < exact.size(); ++v) errors.add(distances[v], exact[v]);
-    }
-    EXPECT_EQ(errors.contradictions, 0U);
-    // No worse than rough scans without defects.
-    EXPECT_LT(errors.statistics().mean, 1.5e-4);
-    EXPECT_LT(errors.statistics().greatest, 0.01);
-    EXPECT_GT(errors.statistics().least, -0.01);
-  }
-}
-
 }  // namespace
 }  // namespace vorogeo

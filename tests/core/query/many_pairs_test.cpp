@@ -13,6 +13,7 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/layers.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "support/surface_walk.h"
 
@@ -247,33 +248,12 @@ TEST(ManyPairs, PointsOfDifferentComponentsHaveNoPath) {
   }
 }
 
-TEST(ManyPairs, OfEmptyListsThereAreNone) {
-  Surface surface(test::make_mesh(plane.soup), {.threads = 2});
-  for (const AnswerMethod method : {AnswerMethod::exact, AnswerMethod::automatic, AnswerMethod::index}) {
-    Answered answered;
-    EXPECT_TRUE(surface.distances({PointList(), PointList()}, method, answered).empty());
-    EXPECT_NE(answered.by, AnswerMethod::automatic);
-    EXPECT_TRUE(surface.paths({PointList(), PointList()}, method, {.exact = true}, answered).empty());
-    EXPECT_NE(answered.by, AnswerMethod::automatic);
-  }
-}
-
 /// The sentence with which both questions are refused.
 std::string refusal(Surface& surface, const PointPairs& pairs, AnswerMethod method) {
-  std::array<std::string, 2> sentences;
   Answered answered;
-  try {
-    surface.distances(pairs, method, answered);
-  } catch (const InvalidInput& error) {
-    sentences[0] = error.what();
-  }
-  try {
-    surface.paths(pairs, method, {}, answered);
-  } catch (const InvalidInput& error) {
-    sentences[1] = error.what();
-  }
-  EXPECT_EQ(sentences[0], sentences[1]);
-  return sentences[0];
+  const std::string of_distances = test::refusal([&] { surface.distances(pairs, method, answered); });
+  EXPECT_EQ(test::refusal([&] { surface.paths(pairs, method, {}, answered); }), of_distances);
+  return of_distances;
 }
 
 TEST(ManyPairs, WhatCannotBeAnsweredIsRefused) {

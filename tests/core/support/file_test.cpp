@@ -16,6 +16,7 @@
 #include <optional>
 #include <system_error>
 
+#include "support/refusal.h"
 #include "support/temporary.h"
 
 namespace {
@@ -47,16 +48,6 @@ void write_file(const fs::path& file, const std::string& text) {
   OutputFile out(file, "The file");
   out.write(bytes_of(text));
   out.finish();
-}
-
-template <class E, class Do>
-std::string message_of(Do&& body) {
-  try {
-    body();
-  } catch (const E& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// Size of a file, and bytes that it takes on the disk.
@@ -144,7 +135,7 @@ TEST(OutputFile, LinksStayAndTheirTargetsAreWritten) {
   EXPECT_TRUE(fs::is_symlink(folder / "dangling"));
   EXPECT_EQ(read_bytes(folder / "far" / "none yet"), "made");
   fs::create_symlink("round", folder / "round");
-  EXPECT_NE(message_of<FileError>([&] { write_file(folder / "round", "x"); }).find("symbolic links"),
+  EXPECT_NE(test::refusal<FileError>([&] { write_file(folder / "round", "x"); }).find("symbolic links"),
             std::string::npos);
 }
 
@@ -154,25 +145,25 @@ TEST(OutputFile, WhatIsNoPlainFileIsRefusedAndStays) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   fs::create_symlink("/dev/null", folder / "null");
   for (const fs::path& file : {pipe, fs::path("/dev/null"), fs::path("/dev/full"), folder / "null"}) {
-    EXPECT_EQ(message_of<InvalidInput>([&] { write_file(file, "x"); }),
+    EXPECT_EQ(test::refusal<InvalidInput>([&] { write_file(file, "x"); }),
               "The file " + file.string() + " is a device or a pipe; name a plain file.");
     EXPECT_TRUE(fs::is_character_file(file) || fs::is_fifo(file));
   }
-  EXPECT_EQ(message_of<InvalidInput>([&] { write_file(folder / "", "x"); }),
+  EXPECT_EQ(test::refusal<InvalidInput>([&] { write_file(folder / "", "x"); }),
             "The file " + (folder / "").string() + " is a folder; name a file in it.");
   const fs::path missing = folder / "no" / "such";
   for (const auto unfinished : {OutputFile::Unfinished::removed, kept}) {
-    EXPECT_EQ(message_of<InvalidInput>([&] { OutputFile(missing, "The file", unfinished); }),
+    EXPECT_EQ(test::refusal<InvalidInput>([&] { OutputFile(missing, "The file", unfinished); }),
               "The file " + missing.string() + " cannot be written: there is no folder " +
                   missing.parent_path().string() + "; create it or name another file.");
   }
   const fs::path long_name = folder / std::string(300, 'n');
-  EXPECT_EQ(message_of<FileError>([&] { write_file(long_name, "x"); }),
+  EXPECT_EQ(test::refusal<FileError>([&] { write_file(long_name, "x"); }),
             "The file " + long_name.string() + " cannot be written (File name too long); name another file.");
   EXPECT_EQ(folder.files(), (std::set<std::string>{"pipe", "null"}));
   OutputFile out(folder / "a", "The file");
   fs::create_directory(folder / "a");
-  EXPECT_EQ(message_of<FileError>([&] { out.finish(); }),
+  EXPECT_EQ(test::refusal<FileError>([&] { out.finish(); }),
             "The file " + (folder / "a").string() +
                 " cannot be put in its place (Is a directory); name another file.");
 }
@@ -182,7 +173,7 @@ TEST(OutputFile, FilesThatMayNotBeWrittenStay) {
   const TemporaryFolder folder;
   write_bytes(folder / "a", "old");
   fs::permissions(folder / "a", fs::perms(0440));
-  EXPECT_NE(message_of<FileError>([&] { write_file(folder / "a", "x"); }).find("Permission denied"),
+  EXPECT_NE(test::refusal<FileError>([&] { write_file(folder / "a", "x"); }).find("Permission denied"),
             std::string::npos);
 }
 
@@ -191,18 +182,18 @@ TEST(OutputFile, WhatHasNoRoomIsRefused) {
   const std::string name = "The file " + (folder / "a").string() + " cannot be written: ";
   const std::string advice = "; free space or name a file on another disk.";
   EXPECT_EQ(
-      message_of<FileError>([&] { OutputFile(folder / "a", "The file").reserve(std::uint64_t{1} << 60); }),
+      test::refusal<FileError>([&] { OutputFile(folder / "a", "The file").reserve(std::uint64_t{1} << 60); }),
       name + "it takes 1152921504606846976 bytes (No space left on device)" + advice);
   const std::string text(1 << 17, 'x');
   std::optional<test::FileSizeLimit> limit(1 << 16);
   const std::string reserving =
-      message_of<FileError>([&] { OutputFile(folder / "a", "The file").reserve(text.size()); });
-  const std::string writing = message_of<FileError>([&] { write_file(folder / "a", text); });
+      test::refusal<FileError>([&] { OutputFile(folder / "a", "The file").reserve(text.size()); });
+  const std::string writing = test::refusal<FileError>([&] { write_file(folder / "a", text); });
   limit.reset();
   EXPECT_EQ(reserving, name + "it takes 131072 bytes (File too large)" + advice);
   EXPECT_TRUE(writing.starts_with(name + "it broke off between bytes 0 and 131072 (")) << writing;
   EXPECT_TRUE(folder.files().empty());
-  EXPECT_EQ(message_of<FileError>([&] { fail_writing("a", "The file", "it takes 7 bytes", EIO); }),
+  EXPECT_EQ(test::refusal<FileError>([&] { fail_writing("a", "The file", "it takes 7 bytes", EIO); }),
             "The file a cannot be written: it takes 7 bytes (Input/output error); check the disk or name "
             "another file.");
 }
@@ -273,7 +264,7 @@ TEST(KeptFile, AFileThatAppearsAtItsTargetIsNotReplaced) {
   OutputFile out(folder / "a", "The file", kept);
   out.write(bytes_of("new"));
   write_bytes(folder / "a", "of another program");
-  EXPECT_EQ(message_of<FileError>([&] { out.finish(); }),
+  EXPECT_EQ(test::refusal<FileError>([&] { out.finish(); }),
             "The file " + (folder / "a").string() +
                 " has been made by another program meanwhile; the new one is complete and stays in " +
                 (folder / "a.unfinished").string() + ": rename one of them.");

@@ -15,6 +15,7 @@
 
 #include "support/memory.h"
 #include "support/progress.h"
+#include "support/refusal.h"
 
 namespace vorogeo {
 namespace {
@@ -268,11 +269,8 @@ TEST(Progress, FalseCancels) {
   EXPECT_NO_THROW(refusing.report(0.25, "work"));
   EXPECT_THROW(refusing.report(0.5, "work"), Cancelled);
   EXPECT_THROW(refusing.part(0.9, 1.0).report(0.0, "work"), Cancelled);
-  try {
-    refusing.report(1.0, "work");
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "Cancelled: nothing was changed.");
-  }
+  EXPECT_EQ(test::refusal<Cancelled>([&] { refusing.report(1.0, "work"); }),
+            "Cancelled: nothing was changed.");
 }
 
 TEST(Progress, WarningsPassThroughPartsAndMayCancel) {
@@ -314,12 +312,8 @@ TEST(ThreadClock, CountsOwnWorkOnly) {
 constexpr double mib = 1 << 20;
 
 std::string refusal(double needed, std::int64_t max_bytes) {
-  try {
-    require_memory(needed, max_bytes, "The matrix of 5 x 5 distances", "Give fewer points.");
-  } catch (const NotEnoughMemory& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal<NotEnoughMemory>(
+      [&] { require_memory(needed, max_bytes, "The matrix of 5 x 5 distances", "Give fewer points."); });
 }
 
 TEST(Memory, WhatFitsPasses) {

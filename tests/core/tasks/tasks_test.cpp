@@ -1,12 +1,14 @@
-// What tasks refuse, that they can be cancelled, and how two fields differ.
+// Tasks: what they refuse, that they can be cancelled, how two fields differ, what answers, relaxed points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
 
+#include "index/index_data.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/memory.h"
@@ -16,6 +18,7 @@
 #include "tasks/neighbors.h"
 #include "tasks/spread_points.h"
 #include "tasks/voronoi_regions.h"
+#include "tasks/workers.h"
 
 namespace vorogeo {
 namespace {
@@ -61,18 +64,6 @@ TEST(Tasks, CanBeCancelled) {
   }
 }
 
-TEST(Memory, SaysHowMuchIsMissing) {
-  EXPECT_NO_THROW(require_memory(1000.0, 1000, "It", "Try less."));
-  EXPECT_GT(available_memory_bytes(), 0);
-  EXPECT_THROW(require_memory(1e30, 0, "It", "Try less."), NotEnoughMemory);
-  try {
-    require_memory(3.0 * (1 << 30), 1 << 20, "It", "Try less.");
-    FAIL();
-  } catch (const NotEnoughMemory& error) {
-    EXPECT_STREQ(error.what(), "It takes 3 GiB, more than the 1 MiB allowed. Try less.");
-  }
-}
-
 // ---- Statistics of the difference of two fields, counted by hand
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -115,6 +106,73 @@ TEST(FieldDifference, EmptyFieldsDifferInNothing) {
   const FieldDifference found = difference_of({}, {});
   EXPECT_EQ(found.compared, 0);
   EXPECT_TRUE(found.relative.empty());
+}
+
+// ---- The order of the points of a task, and what answers it
+
+const test::Shape plane = test::plane_grid(30, 30, 3.0, 3.0, 0.2);
+
+TEST(Workers, OrderPointsPatchByPatch) {
+  const auto index = test::make_index(plane.soup, 3, 3);
+  Surface surface(index, 2);
+  const auto vertices = test::random_vertices(index->mesh()->vertex_count(), 60, 4);
+  auto order = Workers(surface, {.by = AnswerMethod::index}, 1.0).order_of_points(vertices);
+  const IndexData& data = index->data();
+  EXPECT_TRUE(std::ranges::is_sorted(
+      order, {}, [&](std::size_t i) { return data.home_patch[data.surface.vertex[vertices[i]]]; }));
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < vertices.size(); ++i) ASSERT_EQ(order[i], i) << "each once";
+}
+
+TEST(Workers, RefuseTheQuickMethodAndSayWhatAnswered) {
+  Surface surface(test::make_mesh(plane.soup), {.threads = 1});
+  EXPECT_THROW(Workers(surface, {.by = AnswerMethod::quick}, 1.0), InvalidInput);
+  Answered answered;
+  { const Workers workers(surface, {.answered = &answered}, 1.0); }
+  EXPECT_EQ(answered.by, AnswerMethod::exact);
+}
+
+TEST(Workers, FewOfALargeReachAreFromTheIndexAndManyOfASmallOneExact) {
+  Surface surface(test::make_index(plane.soup, 3, 3), 1);
+  EXPECT_FALSE(Workers(surface, {}, 10.0, 1.0).is_exact());
+  EXPECT_TRUE(Workers(surface, {}, 1000.0, 0.01).is_exact());
+}
+
+// ---- Relaxation on a square and a rectangle, whose best points and their energy are known
+
+const test::Shape square = test::plane_grid(10, 10, 1.0, 1.0);
+const test::Shape rectangle = test::plane_grid(20, 10, 2.0, 1.0);
+
+TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
+  Surface surface(test::make_mesh(square.soup), {.threads = 2});
+  const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = AnswerMethod::exact});
+  EXPECT_EQ(found.vertices, std::vector<Index>{5 * 11 + 5});
+  // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
+  // faces, which makes an error of the order of a squared cell.
+  EXPECT_NEAR(found.energy.front(), 2.0 / 3.0, 0.01);
+  EXPECT_NEAR(found.energy.back(), 1.0 / 6.0, 0.01);
+  EXPECT_LT(found.energy.size(), 10U) << "it ends when nothing moves";
+}
+
+TEST(RelaxPoints, WithoutRoundsOnlyTheEnergyIsMeasured) {
+  Surface surface(test::make_mesh(square.soup), {.threads = 1});
+  const std::array points{SurfacePoint::in_face(99, {0.2, 0.3, 0.5})};
+  const RelaxedPoints found = relax_points(surface, points, 0, {.by = AnswerMethod::exact});
+  EXPECT_EQ(found.energy.size(), 1U);
+  EXPECT_EQ(found.vertices, std::vector<Index>{no_index});
+  EXPECT_TRUE(found.points[0] == points[0]);
+}
+
+TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
+  Surface surface(test::make_mesh(rectangle.soup), {.threads = 1});
+  const RelaxedPoints first =
+      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 1, {.by = AnswerMethod::exact});
+  EXPECT_EQ(first.vertices[2], 3);
+  EXPECT_NE(first.vertices[1], 3);
+  const RelaxedPoints found =
+      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 30, {.by = AnswerMethod::exact});
+  EXPECT_NE(found.vertices[2], 3);
+  EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
 }
 
 }  // namespace
