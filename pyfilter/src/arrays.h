@@ -37,7 +37,12 @@ using EdgeArray = ArrayIn<Index, nb::shape<-1, 2>>;
 using FaceArray = ArrayIn<Index, nb::shape<-1, 3>>;
 using ValueArray = ArrayIn<double, nb::shape<-1>>;
 using VertexArray = ArrayIn<double, nb::shape<-1, 3>>;
+using PointArray = ArrayIn<double, nb::shape<3>>;
 using TensorArray = ArrayIn<double, nb::shape<-1, 3, 3>>;
+
+/// Memory of the caller, such as an array or a mapped file, in double or single precision.
+template <class Entry>
+using OutArray = nb::ndarray<Entry, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 template <class T>
 std::span<const T> values_of(const ArrayIn<T, nb::shape<-1>>& array) {
@@ -75,12 +80,6 @@ auto to_numpy(std::vector<Value>&& values) {
   }
 }
 
-/// Values of all vertices without those of vertices that splits of faces have added.
-template <class T>
-Values<T> of_given_vertices(const Mesh& mesh, std::vector<T>&& values) {
-  return to_numpy(InputMap(mesh).of_vertices(std::move(values)));
-}
-
 // ---- Points of the surface
 
 /// By point its vertex, or -1 and a face (a row of the faces given) with three weights. Faces and weights are
@@ -99,11 +98,8 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   return points;
 }
 
-/// Points as Python gets them, which is as InputMap gives them: the vertex or -1, a row of the faces given or
-/// -1, and the weights in it.
-using PointRows = std::tuple<Values<Index>, Values<Index>, Rows<double, 3>>;
-
-/// Collects points, without the GIL.
+/// Points for Python, collected without the GIL, as InputMap gives them: the vertex or -1, a row of the faces
+/// given or -1, and the weights in it.
 struct PointColumns {
   std::vector<Index> vertex{};
   std::vector<Index> face{};
@@ -115,10 +111,20 @@ struct PointColumns {
     face.push_back(out.face);
     weights.push_back(out.weights);
   }
-
-  PointRows take() {
-    return {to_numpy(std::move(vertex)), to_numpy(std::move(face)), to_numpy(std::move(weights))};
-  }
 };
+
+/// What Python gets of a part of an answer: arrays of vectors, three of points, anything else as it is.
+template <class Part>
+auto to_python(Part&& part) {
+  return std::move(part);
+}
+template <class Value>
+auto to_python(std::vector<Value>&& values) {
+  return to_numpy(std::move(values));
+}
+inline auto to_python(PointColumns&& points) {
+  return std::tuple(to_numpy(std::move(points.vertex)), to_numpy(std::move(points.face)),
+                    to_numpy(std::move(points.weights)));
+}
 
 }  // namespace vorogeo::python

@@ -39,8 +39,8 @@ struct HeldSurface {
 };
 
 /// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.
-inline Values<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
-  return to_numpy(InputMap(*held.mesh).of_faces(of_face, held.input_faces));
+inline std::vector<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
+  return InputMap(*held.mesh).of_faces(of_face, held.input_faces);
 }
 
 /// What answered: by, seconds, index_seconds, remark.
@@ -50,15 +50,31 @@ inline About about(const Answered& answered) {
   return {to_string(answered.by), answered.seconds, answered.index_seconds, answered.remark};
 }
 
-/// What question(options) returns when called without the GIL, and what answered.
-template <class Question>
-auto ask(int method, nb::handle progress, Question&& question) {
-  Answered answered;
-  ProgressBridge bridge(progress);
-  auto found = bridge.run([&](const Progress& report) {
-    return question(TaskOptions{static_cast<AnswerMethod>(method), report, &answered});
-  });
-  return std::pair(std::move(found), about(answered));
+/// How arguments of a type are taken: None for a value that is missing, and no copy of what is filled.
+template <class Argument>
+inline const auto taken = nb::arg();
+template <class Value>
+inline const auto taken<const std::optional<Value>&> = nb::arg().none();
+template <class Entry>
+inline const auto taken<const OutArray<Entry>&> = nb::arg().noconvert();
+
+/// Binds a question as Python asks it, by a method (AnswerMethod) and with a progress function or None at the
+/// end. It is called without the GIL and returns a tuple, to which what answered is added.
+template <class... Parts, class... Arguments>
+void bind_question(nb::class_<HeldSurface>& surface, const char* name,
+                   std::tuple<Parts...> (*question)(const TaskOptions&, const HeldSurface&, Arguments...)) {
+  auto ask = [question](const HeldSurface& held, Arguments... arguments, int method, nb::object progress) {
+    Answered answered;
+    ProgressBridge bridge(progress);
+    auto found = bridge.run([&](const Progress& report) {
+      return question({static_cast<AnswerMethod>(method), report, &answered}, held, arguments...);
+    });
+    const auto tuple = [&](auto&... parts) {
+      return std::make_tuple(to_python(std::move(parts))..., about(answered));
+    };
+    return std::apply(tuple, found);
+  };
+  surface.def(name, ask, taken<Arguments>..., nb::arg(), nb::arg().none());
 }
 
 void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module);

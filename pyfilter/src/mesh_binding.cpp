@@ -96,13 +96,13 @@ auto snap(const HeldMesh& self, const VertexArray& points) {
 
 /// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the typical
 /// edge. \throw InvalidInput if the mesh has no such edge.
-PointRows along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
+auto along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
   const Mesh& mesh = *self.mesh;
   const std::vector<Index> edges = edges_of_curve(mesh, rows_of<2>(ends));
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
   PointColumns columns;
   for (const ExactSource& source : sources_along_edges(mesh, edges, wanted)) columns.add(mesh, source.point);
-  return columns.take();
+  return to_python(std::move(columns));
 }
 
 // ---- Checks, and what an index would cost
@@ -183,8 +183,10 @@ nb::dict estimate(const HeldMesh& self, int threads, std::int64_t memory_budget,
 using SideRows = Rows<double, 3>;
 using SplitRows = std::tuple<Rows<Index, 2>, Rows<Index, 3>, Values<Index>, SideRows>;
 
+}  // namespace
+
 /// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
-std::tuple<SideRows, Index, Index, std::optional<SplitRows>> as_tuple(Metric&& found) {
+static std::tuple<SideRows, Index, Index, std::optional<SplitRows>> to_python(Metric&& found) {
   std::optional<SplitRows> splits;
   if (!found.splits.empty()) {
     FaceSplits& own = found.splits;
@@ -194,54 +196,39 @@ std::tuple<SideRows, Index, Index, std::optional<SplitRows>> as_tuple(Metric&& f
   return {to_numpy(std::move(found.sides)), found.shortened_edges, found.split_faces, std::move(splits)};
 }
 
-auto by_vertex_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
-  return as_tuple(lengths_by_cost(rows_of<3>(vertices), rows_of<3>(faces), values_of(cost)));
-}
+namespace {
 
-auto by_vertex_tensor(const VertexArray& vertices, const FaceArray& faces, const TensorArray& tensors) {
-  return as_tuple(lengths_by_tensor(rows_of<3>(vertices), rows_of<3>(faces), rows_of<9>(tensors)));
-}
+// An argument of these functions as the core takes it.
+std::span<const double> for_core(const ValueArray& values) { return values_of(values); }
+auto for_core(const VertexArray& rows) { return rows_of<3>(rows); }
+auto for_core(const TensorArray& tensors) { return rows_of<9>(tensors); }
+Point for_core(const PointArray& point) { return {point(0), point(1), point(2)}; }
+double for_core(double number) { return number; }
 
-SideRows by_face_cost(const VertexArray& vertices, const FaceArray& faces, const ValueArray& cost) {
-  return to_numpy(sides_by_face_cost(rows_of<3>(vertices), rows_of<3>(faces), values_of(cost)));
-}
-
-SideRows by_face_tensor(const VertexArray& vertices, const FaceArray& faces, const TensorArray& tensors) {
-  return to_numpy(sides_by_face_tensor(rows_of<3>(vertices), rows_of<3>(faces), rows_of<9>(tensors)));
-}
-
-Index points_for(const VertexArray& vertices, const FaceArray& faces, const VertexArray& sides) {
-  return edge_points_for(rows_of<3>(vertices), rows_of<3>(faces), rows_of<3>(sides));
-}
-
-Values<double> slope(const VertexArray& vertices, const FaceArray& faces, const VertexArray& up,
-                     double penalty) {
-  return to_numpy(slope_cost(rows_of<3>(vertices), rows_of<3>(faces), rows_of<3>(up)[0], penalty));
-}
-
-/// Nine numbers for each vertex.
-Rows<double, 9> curvature(const VertexArray& vertices, const FaceArray& faces, double weight) {
-  return to_numpy(curvature_tensors(rows_of<3>(vertices), rows_of<3>(faces), weight));
+/// Binds function(positions, faces, arguments...), whose arguments come from Python as `Arguments`.
+template <class... Arguments, class Function>
+void bind_metric(nb::module_& module, const char* name, Function function) {
+  module.def(name, [function](const VertexArray& vertices, const FaceArray& faces, Arguments... arguments) {
+    return to_python(function(rows_of<3>(vertices), rows_of<3>(faces), for_core(arguments)...));
+  });
 }
 
 }  // namespace
 
 void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
-  const nb::arg vertices("vertices"), faces("faces"), gap("gap"), folds("folds"), cost("cost"),
-      tensors("tensors");
-  const auto progress = nb::arg("progress").none();
-  module.def("read_mesh", &read_mesh, vertices, faces, nb::arg("sides").none(), gap, folds, progress);
-  module.def("check_mesh", &check, vertices, faces, gap, folds);
-  mesh.def("snap", &snap, nb::arg("points"))
-      .def("along_edges", &along_edges, nb::arg("ends"), nb::arg("spacing"))
-      .def("estimate", &estimate, nb::arg("threads"), nb::arg("memory_budget"), progress);
-  module.def("lengths_by_cost", &by_vertex_cost, vertices, faces, cost);
-  module.def("lengths_by_tensor", &by_vertex_tensor, vertices, faces, tensors);
-  module.def("sides_by_face_cost", &by_face_cost, vertices, faces, cost);
-  module.def("sides_by_face_tensor", &by_face_tensor, vertices, faces, tensors);
-  module.def("edge_points_for", &points_for, vertices, faces, nb::arg("sides"));
-  module.def("slope_cost", &slope, vertices, faces, nb::arg("up"), nb::arg("penalty"));
-  module.def("curvature_tensors", &curvature, vertices, faces, nb::arg("weight"));
+  module.def("read_mesh", &read_mesh, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
+             nb::arg("gap"), nb::arg("folds"), nb::arg("progress").none());
+  module.def("check_mesh", &check);
+  mesh.def("snap", &snap)
+      .def("along_edges", &along_edges)
+      .def("estimate", &estimate, nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());
+  bind_metric<const ValueArray&>(module, "lengths_by_cost", lengths_by_cost);
+  bind_metric<const TensorArray&>(module, "lengths_by_tensor", lengths_by_tensor);
+  bind_metric<const ValueArray&>(module, "sides_by_face_cost", sides_by_face_cost);
+  bind_metric<const TensorArray&>(module, "sides_by_face_tensor", sides_by_face_tensor);
+  bind_metric<const VertexArray&>(module, "edge_points_for", edge_points_for);
+  bind_metric<const PointArray&, double>(module, "slope_cost", slope_cost);
+  bind_metric<double>(module, "curvature_tensors", curvature_tensors);
 }
 
 }  // namespace vorogeo::python

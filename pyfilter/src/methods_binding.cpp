@@ -26,8 +26,8 @@ BoundMethod prepare(const HeldMesh& held, const std::string& name, const MethodO
 
 Values<double> field(BoundMethod& self, const IdArray& sources) {
   ProgressBridge bridge{nb::none()};
-  return of_given_vertices(*self.mesh, bridge.run([&](const Progress& progress) {
-    return self.method->field(values_of(sources), progress);
+  return to_numpy(bridge.run([&](const Progress& progress) {
+    return InputMap(*self.mesh).of_vertices(self.method->field(values_of(sources), progress));
   }));
 }
 
@@ -35,8 +35,6 @@ double pair(BoundMethod& self, Index source, Index target) {
   nb::gil_scoped_release release;
   return self.method->pair(source, target);
 }
-
-std::string warning(const HeldMesh& held, const std::string& name) { return warning_of(name, *held.mesh); }
 
 /// By method: what vorogeo.MethodInfo takes.
 nb::list describe() {
@@ -61,11 +59,12 @@ nb::list describe() {
 
 void bind_methods(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   nb::class_<BoundMethod>(module, "Method")
-      .def("field", &field, nb::arg("sources"))
-      .def("pair", &pair, nb::arg("source"), nb::arg("target"))
+      .def("field", &field)
+      .def("pair", &pair)
       .def("bytes", [](const BoundMethod& self) { return self.method->bytes(); });
   mesh.def("prepare_method", &prepare, nb::arg("name"), nb::arg("options"), nb::arg("progress").none());
-  mesh.def("method_warning", &warning, nb::arg("name"));
+  mesh.def("method_warning",
+           [](const HeldMesh& held, const std::string& name) { return warning_of(name, *held.mesh); });
   module.def("describe_methods", &describe);
 }
 

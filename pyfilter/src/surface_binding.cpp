@@ -61,7 +61,7 @@ void save(const HeldSurface& self, const std::filesystem::path& file) {
 
 Values<Index> face_patches(const HeldSurface& self, int layer) {
   const auto index = self.surface->index();
-  return by_input_face(self.held_mesh, index->face_patches(layer));
+  return to_numpy(by_input_face(self.held_mesh, index->face_patches(layer)));
 }
 
 nb::dict statistics(const HeldSurface& self) {
@@ -102,42 +102,35 @@ std::pair<double, double> vertex_distance(const HeldSurface& self, Index source,
   return {found, watch.seconds()};
 }
 
-auto field(const HeldSurface& self, const PointArrays& source, const ValueArray& offsets, double max_distance,
-           int method, nb::object progress) {
+auto field(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+           const ValueArray& offsets, double max_distance) {
   const PointList points = points_on(self.mesh(), self.points(source), "Source");
   std::vector<ExactSource> sources;
   for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets(i)});
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
-    return self.surface->field(sources, max_distance, how.by, *how.answered, how.progress);
-  });
-  return std::tuple(of_given_vertices(self.mesh(), std::move(found.distance)),
-                    of_given_vertices(self.mesh(), std::move(found.source)), std::move(answered));
+  auto found = self.surface->field(sources, max_distance, how.by, *how.answered, how.progress);
+  const InputMap map(self.mesh());
+  return std::tuple(map.of_vertices(std::move(found.distance)), map.of_vertices(std::move(found.source)));
 }
 
-auto distances(const HeldSurface& self, const PointArrays& source, const PointArrays& target, int method,
-               nb::object progress) {
+auto distances(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+               const PointArrays& target) {
   const PointList sources = self.points(source), targets = self.points(target);
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
-    return self.surface->distances({sources, targets}, how.by, *how.answered, how.progress);
-  });
-  return std::tuple(to_numpy(std::move(found)), std::move(answered));
+  return std::tuple(self.surface->distances({sources, targets}, how.by, *how.answered, how.progress));
 }
 
-/// Lengths, certified, where the points of each path begin, positions, vertices, faces, weights, and which
-/// points begin a step over a gap.
-auto paths(const HeldSurface& self, const PointArrays& source, const PointArrays& target, bool exact,
-           bool certify, int method, nb::object progress) {
+/// Lengths, certified, where the points of each path begin, positions, the points on the surface, and which
+/// of them begin a step over a gap.
+auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+           const PointArrays& target, bool exact, bool certify) {
   const Mesh& mesh = self.mesh();
   const PointList sources = self.points(source), targets = self.points(target);
-  const auto [found, answered] = ask(method, progress, [&](const TaskOptions& how) {
-    return self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress);
-  });
   std::vector<double> lengths;
   std::vector<Index> certified, over_gap;
   std::vector<std::int64_t> begin{0};
   std::vector<Point> positions;
   PointColumns columns;
-  for (const ExactPath& one : found) {
+  for (const ExactPath& one :
+       self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress)) {
     lengths.push_back(one.path.length);
     certified.push_back(one.certified ? 1 : 0);
     for (const SurfacePoint& point : one.path.points) {
@@ -147,10 +140,8 @@ auto paths(const HeldSurface& self, const PointArrays& source, const PointArrays
     for (const bool over : steps_over_gaps(mesh, one.path.points)) over_gap.push_back(over ? 1 : 0);
     begin.push_back(static_cast<std::int64_t>(positions.size()));
   }
-  return std::tuple(to_numpy(std::move(lengths)), to_numpy(std::move(certified)), to_numpy(std::move(begin)),
-                    to_numpy(std::move(positions)), to_numpy(std::move(columns.vertex)),
-                    to_numpy(std::move(columns.face)), to_numpy(std::move(columns.weights)),
-                    to_numpy(std::move(over_gap)), answered);
+  return std::tuple(std::move(lengths), std::move(certified), std::move(begin), std::move(positions),
+                    std::move(columns), std::move(over_gap));
 }
 
 /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,
@@ -172,24 +163,22 @@ std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progres
 }  // namespace
 
 void bind_surface(nb::class_<HeldMesh>& mesh, nb::class_<HeldSurface>& surface) {
-  const nb::arg threads("threads"), memory_budget("memory_budget"), sources("sources"), targets("targets"),
-      method("method"), file("file");
-  const auto progress = nb::arg("progress").none();
-  mesh.def("surface", &without_index, threads, memory_budget)
+  mesh.def("surface", &without_index)
       .def("surface_with_index", &with_index, nb::arg("first_layer_patches"), nb::arg("second_layer_patches"),
-           nb::arg("delta"), threads, nb::arg("seed"), memory_budget, nb::arg("file").none(), progress)
-      .def("load_index", &load_index, file, threads, nb::arg("mapped"));
+           nb::arg("delta"), nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"),
+           nb::arg("file").none(), nb::arg("progress").none())
+      .def("load_index", &load_index);
   surface.def_ro("mesh", &HeldSurface::held_mesh)
       .def("has_index", &has_index)
-      .def("build_index", &build_index, progress)
-      .def("save", &save, file)
-      .def("face_patches", &face_patches, nb::arg("layer"))
+      .def("build_index", &build_index, nb::arg("progress").none())
+      .def("save", &save)
+      .def("face_patches", &face_patches)
       .def("statistics", &statistics)
-      .def("vertex_distance", &vertex_distance, nb::arg("source"), nb::arg("target"))
-      .def("field", &field, sources, nb::arg("offsets"), nb::arg("max_distance"), method, progress)
-      .def("paths", &paths, sources, targets, nb::arg("exact"), nb::arg("certify"), method, progress)
-      .def("distances", &distances, sources, targets, method, progress)
-      .def("use_landmarks", &use_landmarks, nb::arg("count"), progress);
+      .def("vertex_distance", &vertex_distance)
+      .def("use_landmarks", &use_landmarks, nb::arg("count"), nb::arg("progress").none());
+  bind_question(surface, "field", &field);
+  bind_question(surface, "paths", &paths);
+  bind_question(surface, "distances", &distances);
 }
 
 }  // namespace vorogeo::python

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <span>
-#include <variant>
 
 #include "bindings.h"
 #include "mesh/outliers.h"
@@ -25,10 +24,6 @@ using OptionalPoints = std::optional<PointArrays>;
 
 // ---- Matrices and neighbours
 
-/// Memory of the caller, such as an array or a mapped file, in double or single precision.
-template <class Entry>
-using OutArray = nb::ndarray<Entry, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
-
 template <class Entry>
 std::span<Entry> entries_of(const OutArray<Entry>& out) {
   return {out.data(), out.shape(0) * out.shape(1)};
@@ -36,70 +31,55 @@ std::span<Entry> entries_of(const OutArray<Entry>& out) {
 
 /// Without `columns`, those of the rows.
 template <class Entry>
-std::tuple<About> fill_matrix(const HeldSurface& held, const PointArrays& rows, const OptionalPoints& columns,
-                              int entries, const OutArray<Entry>& out, int method, nb::object progress) {
-  auto filled = ask(method, progress, [&](const TaskOptions& options) {
-    const auto how = static_cast<MatrixMethod>(entries);
-    if (columns) {
-      distance_matrix(*held.surface, held.points(rows), held.points(*columns), how, entries_of(out), options);
-    } else {
-      distance_matrix(*held.surface, held.points(rows), how, entries_of(out), options);
-    }
-    return std::monostate{};
-  });
-  return {std::move(filled.second)};
+std::tuple<> fill_matrix(const TaskOptions& options, const HeldSurface& held, const PointArrays& rows,
+                         const OptionalPoints& columns, int entries, const OutArray<Entry>& out) {
+  const auto how = static_cast<MatrixMethod>(entries);
+  if (columns) {
+    distance_matrix(*held.surface, held.points(rows), held.points(*columns), how, entries_of(out), options);
+  } else {
+    distance_matrix(*held.surface, held.points(rows), how, entries_of(out), options);
+  }
+  return {};
 }
 
 template <class Entry>
-std::tuple<About> fill_fields(const HeldSurface& held, const PointArrays& sources, double max_distance,
-                              const OutArray<Entry>& out, int method, nb::object progress) {
-  auto filled = ask(method, progress, [&](const TaskOptions& options) {
-    distance_fields(*held.surface, held.points(sources), max_distance, entries_of(out), options);
-    return std::monostate{};
-  });
-  return {std::move(filled.second)};
+std::tuple<> fill_fields(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+                         double max_distance, const OutArray<Entry>& out) {
+  distance_fields(*held.surface, held.points(sources), max_distance, entries_of(out), options);
+  return {};
 }
 
 /// Where rows begin, columns, distances. Without `others`, pairs of `points`.
-auto within(const HeldSurface& held, const PointArrays& points, const OptionalPoints& others, double radius,
-            std::int64_t max_bytes, int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    const PointList from = held.points(points);
-    return others ? pairs_within(*held.surface, from, held.points(*others), radius, max_bytes, options)
-                  : pairs_within(*held.surface, from, radius, max_bytes, options);
-  });
-  return std::tuple(to_numpy(std::move(found.row_begin)), to_numpy(std::move(found.column)),
-                    to_numpy(std::move(found.distance)), std::move(answered));
+auto within(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+            const OptionalPoints& others, double radius, std::int64_t max_bytes) {
+  const PointList from = held.points(points);
+  auto found = others ? pairs_within(*held.surface, from, held.points(*others), radius, max_bytes, options)
+                      : pairs_within(*held.surface, from, radius, max_bytes, options);
+  return std::tuple(std::move(found.row_begin), std::move(found.column), std::move(found.distance));
 }
 
-auto nearest(const HeldSurface& held, const PointArrays& set, const PointArrays& queries, std::size_t count,
-             int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return nearest_of_set(*held.surface, held.points(set), held.points(queries), count, options);
-  });
-  return std::tuple(to_numpy(std::move(found.position)), to_numpy(std::move(found.distance)),
-                    std::move(answered));
+auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArrays& set,
+             const PointArrays& queries, std::size_t count) {
+  auto found = nearest_of_set(*held.surface, held.points(set), held.points(queries), count, options);
+  return std::tuple(std::move(found.position), std::move(found.distance));
 }
 
 // ---- Regions, samplings, lines and measures
 
-/// Vertices, faces and weights of points.
-PointRows rows_of_points(const HeldSurface& held, const std::vector<SurfacePoint>& points) {
+PointColumns columns_of(const HeldSurface& held, const std::vector<SurfacePoint>& points) {
   PointColumns columns;
   for (const SurfacePoint& point : points) columns.add(held.mesh(), point);
-  return columns.take();
+  return columns;
 }
 
 /// Regions and distances of vertices, regions of faces, areas, points and edges of borders, their regions.
-auto voronoi(const HeldSurface& held, const PointArrays& points, int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return voronoi_regions(*held.surface, held.points(points), options);
-  });
-  return std::tuple(of_given_vertices(held.mesh(), std::move(found.vertex_region)),
-                    of_given_vertices(held.mesh(), std::move(found.distance)),
-                    by_input_face(held.held_mesh, found.face_region), to_numpy(std::move(found.area)),
-                    to_numpy(std::move(found.borders.points)), to_numpy(std::move(found.borders.segments)),
-                    to_numpy(std::move(found.border_regions)), std::move(answered));
+auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+  auto found = voronoi_regions(*held.surface, held.points(points), options);
+  const InputMap map(held.mesh());
+  return std::tuple(
+      map.of_vertices(std::move(found.vertex_region)), map.of_vertices(std::move(found.distance)),
+      by_input_face(held.held_mesh, found.face_region), std::move(found.area),
+      std::move(found.borders.points), std::move(found.borders.segments), std::move(found.border_regions));
 }
 
 /// Points, edges, and the level at each point.
@@ -115,98 +95,64 @@ auto isolines_of(const HeldSurface& held, const ValueArray& field, const ValueAr
                     to_numpy(std::move(found.level_of_point)));
 }
 
-auto farthest(const HeldSurface& held, Index count, double radius, const PointArrays& start,
-              std::uint64_t seed, int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return sample_farthest(*held.surface, {count, radius}, held.points(start), seed, options);
-  });
-  return std::tuple(rows_of_points(held, found.points), to_numpy(std::move(found.radius)),
-                    to_numpy(std::move(found.distance)), found.covering_radius, std::move(answered));
+auto farthest(const TaskOptions& options, const HeldSurface& held, Index count, double radius,
+              const PointArrays& start, std::uint64_t seed) {
+  auto found = sample_farthest(*held.surface, {count, radius}, held.points(start), seed, options);
+  return std::tuple(columns_of(held, found.points), std::move(found.radius), std::move(found.distance),
+                    found.covering_radius);
 }
 
-auto poisson_disk(const HeldSurface& held, double radius, std::uint64_t seed, int method,
-                  nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return sample_poisson_disk(*held.surface, radius, seed, options);
-  });
-  return std::tuple(to_numpy(std::move(found)), std::move(answered));
+auto poisson_disk(const TaskOptions& options, const HeldSurface& held, double radius, std::uint64_t seed) {
+  return std::tuple(sample_poisson_disk(*held.surface, radius, seed, options));
 }
 
-auto disk(const HeldSurface& held, const PointArrays& sources, double radius, int method,
-          nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return geodesic_disk(*held.surface, held.points(sources), radius, options);
-  });
+auto disk(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources, double radius) {
+  auto found = geodesic_disk(*held.surface, held.points(sources), radius, options);
   for (Index& face : found.faces) face = held.mesh().input_face(face);
-  return std::tuple(to_numpy(std::move(found.vertices)), to_numpy(std::move(found.distance)),
-                    to_numpy(std::move(found.faces)), std::move(answered));
+  return std::tuple(std::move(found.vertices), std::move(found.distance), std::move(found.faces));
 }
 
-auto eccentricity(const HeldSurface& held, const PointArrays& points, int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return eccentricities(*held.surface, held.points(points), options);
-  });
+auto eccentricity(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   std::vector<double> distance;
   std::vector<Index> vertex;
-  for (const Eccentricity& one : found) {
+  for (const Eccentricity& one : eccentricities(*held.surface, held.points(points), options)) {
     distance.push_back(one.distance);
     vertex.push_back(one.farthest);
   }
-  return std::tuple(to_numpy(std::move(distance)), to_numpy(std::move(vertex)), std::move(answered));
+  return std::tuple(std::move(distance), std::move(vertex));
 }
 
 /// `start`: no_index for the largest component.
-auto extent(const HeldSurface& held, Index start, Index max_fields, int method, nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    const Index first = start == no_index ? largest_component(held.mesh()).first_vertex : start;
-    return extent_of_component(*held.surface, first, max_fields, options);
-  });
-  return std::tuple(
-      std::pair(found.diameter.lower, found.diameter.upper), std::pair(found.ends[0], found.ends[1]),
-      std::pair(found.radius.lower, found.radius.upper), found.centre, found.fields, std::move(answered));
+auto extent(const TaskOptions& options, const HeldSurface& held, Index start, Index max_fields) {
+  const Index first = start == no_index ? largest_component(held.mesh()).first_vertex : start;
+  const auto found = extent_of_component(*held.surface, first, max_fields, options);
+  return std::tuple(std::pair(found.diameter.lower, found.diameter.upper),
+                    std::pair(found.ends[0], found.ends[1]),
+                    std::pair(found.radius.lower, found.radius.upper), found.centre, found.fields);
 }
 
-auto relax(const HeldSurface& held, const PointArrays& points, Index rounds, int method,
-           nb::object progress) {
-  auto [found, answered] = ask(method, progress, [&](const TaskOptions& options) {
-    return relax_points(*held.surface, held.points(points), rounds, options);
-  });
-  return std::tuple(rows_of_points(held, found.points), to_numpy(std::move(found.energy)),
-                    std::move(answered));
-}
-
-/// The functions that write to an array, for arrays of one type.
-template <class Entry>
-void bind_fills(nb::class_<HeldSurface>& surface) {
-  const nb::arg method("method");
-  const auto out = nb::arg("out").noconvert();
-  const auto progress = nb::arg("progress").none();
-  surface
-      .def("fill_matrix", &fill_matrix<Entry>, nb::arg("rows"), nb::arg("columns").none(), nb::arg("entries"),
-           out, method, progress)
-      .def("fill_fields", &fill_fields<Entry>, nb::arg("sources"), nb::arg("max_distance"), out, method,
-           progress);
+auto relax(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, Index rounds) {
+  auto found = relax_points(*held.surface, held.points(points), rounds, options);
+  return std::tuple(columns_of(held, found.points), std::move(found.energy));
 }
 
 }  // namespace
 
 void bind_tasks(nb::class_<HeldSurface>& surface) {
-  const nb::arg points("points"), radius("radius"), seed("seed"), method("method");
-  const auto progress = nb::arg("progress").none();
-  bind_fills<double>(surface);
-  bind_fills<float>(surface);
-  surface
-      .def("pairs_within", &within, points, nb::arg("others").none(), radius, nb::arg("max_bytes"), method,
-           progress)
-      .def("nearest", &nearest, nb::arg("set"), nb::arg("queries"), nb::arg("count"), method, progress)
-      .def("voronoi", &voronoi, points, method, progress)
-      .def("isolines", &isolines_of, nb::arg("field"), nb::arg("levels"), nb::arg("interpolation"))
-      .def("sample_farthest", &farthest, nb::arg("count"), radius, nb::arg("start"), seed, method, progress)
-      .def("sample_poisson_disk", &poisson_disk, radius, seed, method, progress)
-      .def("disk", &disk, nb::arg("sources"), radius, method, progress)
-      .def("eccentricity", &eccentricity, points, method, progress)
-      .def("extent", &extent, nb::arg("start"), nb::arg("max_fields"), method, progress)
-      .def("relax", &relax, points, nb::arg("rounds"), method, progress);
+  bind_question(surface, "fill_matrix", &fill_matrix<double>);
+  bind_question(surface, "fill_matrix", &fill_matrix<float>);
+  bind_question(surface, "fill_fields", &fill_fields<double>);
+  bind_question(surface, "fill_fields", &fill_fields<float>);
+  bind_question(surface, "pairs_within", &within);
+  bind_question(surface, "nearest", &nearest);
+  bind_question(surface, "voronoi", &voronoi);
+  surface.def("isolines", &isolines_of);
+  bind_question(surface, "sample_farthest", &farthest);
+  bind_question(surface, "sample_poisson_disk", &poisson_disk);
+  bind_question(surface, "disk", &disk);
+  bind_question(surface, "eccentricity", &eccentricity);
+  bind_question(surface, "extent", &extent);
+  bind_question(surface, "relax", &relax);
 }
 
 // ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete
@@ -228,7 +174,7 @@ OutputFile* make(const std::filesystem::path& file, const std::string& what, con
 void bind_output(nb::module_& module) {
   module.def("available_memory_bytes", &available_memory_bytes);
   nb::class_<OutputFile>(module, "OutputFile")
-      .def_static("make", &make, nb::arg("file"), nb::arg("what"), nb::arg("head"), nb::arg("size"))
+      .def_static("make", &make)
       .def_prop_ro("temporary", &OutputFile::temporary)
       .def("finish", &OutputFile::finish, nb::call_guard<nb::gil_scoped_release>())
       .def("discard", &OutputFile::discard);

@@ -8,99 +8,59 @@ methods of ``pymeshlab.MeshSet``.
 """
 
 from importlib.metadata import version as _version
+from types import ModuleType as _ModuleType
 
-from ._output import matrix_bytes
-from .errors import Cancelled, Error, FileError, IndexFileError, InvalidInput, NotEnoughMemory, PluginError
-from .functions import estimate, exact_distance_field, exact_path
-from .geodesic_methods import (
-    GeodesicMethod,
-    MethodClaims,
-    MethodInfo,
-    MethodOption,
-    MethodWarning,
-    distance_field,
-    methods,
-)
-from .mesh_check import MeshFinding, MeshReport, check_mesh
-from .mesh_files import read_mesh
-from .metrics import (
-    EdgeLengths,
-    FaceCost,
-    FaceTensor,
-    MetricLengths,
-    VertexCost,
-    VertexTensor,
-    curvature_tensor,
-    slope_cost,
-)
+from ._output import matrix_bytes as matrix_bytes
+from .errors import Cancelled as Cancelled
+from .errors import Error as Error
+from .errors import FileError as FileError
+from .errors import IndexFileError as IndexFileError
+from .errors import InvalidInput as InvalidInput
+from .errors import NotEnoughMemory as NotEnoughMemory
+from .errors import PluginError as PluginError
+from .geodesic_methods import GeodesicMethod as GeodesicMethod
+from .geodesic_methods import MethodClaims as MethodClaims
+from .geodesic_methods import MethodInfo as MethodInfo
+from .geodesic_methods import MethodOption as MethodOption
+from .geodesic_methods import MethodWarning as MethodWarning
+from .geodesic_methods import distance_field as distance_field
+from .geodesic_methods import methods as methods
+from .mesh_check import MeshFinding as MeshFinding
+from .mesh_check import MeshReport as MeshReport
+from .mesh_check import check_mesh as check_mesh
+from .mesh_files import read_mesh as read_mesh
+from .metrics import EdgeLengths as EdgeLengths
+from .metrics import FaceCost as FaceCost
+from .metrics import FaceTensor as FaceTensor
+from .metrics import MetricLengths as MetricLengths
+from .metrics import VertexCost as VertexCost
+from .metrics import VertexTensor as VertexTensor
+from .metrics import curvature_tensor as curvature_tensor
+from .metrics import slope_cost as slope_cost
 from .plugin import load_on_import as _load_on_import
-from .plugin import load_plugin
-from .points import EdgeCurve, SurfacePoints
-from .results import (
-    Answered,
-    Disk,
-    Extent,
-    FarthestSamples,
-    GeodesicPath,
-    IndexEstimate,
-    IndexStatistics,
-    Isolines,
-    Polylines,
-    RelaxedPoints,
-    SparseDistances,
-    VoronoiRegions,
-)
-from .surface import GeodesicIndex, Surface
+from .plugin import load_plugin as load_plugin
+from .points import EdgeCurve as EdgeCurve
+from .points import SurfacePoints as SurfacePoints
+from .results import Answered as Answered
+from .results import Disk as Disk
+from .results import Extent as Extent
+from .results import FarthestSamples as FarthestSamples
+from .results import GeodesicPath as GeodesicPath
+from .results import IndexEstimate as IndexEstimate
+from .results import IndexStatistics as IndexStatistics
+from .results import Isolines as Isolines
+from .results import Polylines as Polylines
+from .results import RelaxedPoints as RelaxedPoints
+from .results import SparseDistances as SparseDistances
+from .results import VoronoiRegions as VoronoiRegions
+from .surface import GeodesicIndex as GeodesicIndex
+from .surface import Surface as Surface
+from .surface import estimate as estimate
+from .surface import exact_distance_field as exact_distance_field
+from .surface import exact_path as exact_path
 
 __version__ = _version("vorogeo")
-__all__ = [
-    "Answered",
-    "Cancelled",
-    "Disk",
-    "EdgeCurve",
-    "EdgeLengths",
-    "Error",
-    "Extent",
-    "FaceCost",
-    "FaceTensor",
-    "FarthestSamples",
-    "FileError",
-    "GeodesicIndex",
-    "GeodesicMethod",
-    "GeodesicPath",
-    "IndexEstimate",
-    "IndexFileError",
-    "IndexStatistics",
-    "InvalidInput",
-    "Isolines",
-    "MeshFinding",
-    "MeshReport",
-    "MethodClaims",
-    "MethodInfo",
-    "MethodOption",
-    "MethodWarning",
-    "MetricLengths",
-    "NotEnoughMemory",
-    "PluginError",
-    "Polylines",
-    "RelaxedPoints",
-    "SparseDistances",
-    "Surface",
-    "SurfacePoints",
-    "VertexCost",
-    "VertexTensor",
-    "VoronoiRegions",
-    "check_mesh",
-    "curvature_tensor",
-    "distance_field",
-    "estimate",
-    "exact_distance_field",
-    "exact_path",
-    "load_plugin",
-    "matrix_bytes",
-    "methods",
-    "read_mesh",
-    "slope_cost",
-]
+#: What is imported here under its own name.
+__all__ = [name for name, value in globals().items() if name[0] != "_" and not isinstance(value, _ModuleType)]
 
 _load_on_import()

@@ -197,18 +197,8 @@ def border_distance(
 ) -> NDArray[np.float64]:
     """Distance of every vertex from the nearest border between labels (`label_borders`).
 
-    Parameters
-    ----------
-    surface, labels, label
-        As for `label_borders`.
-    max_distance, method
-        As for `Surface.distance_field`.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        Too long by at most an eighth of an edge beside a border, far away by much less; infinity where no path
-        leads to one.
+    Arguments are those of `label_borders` and of `Surface.distance_field`. The result, float64 of shape (n,), is too
+    long by at most an eighth of an edge beside a border, far away by much less; infinity where no path leads to one.
     """
     points = label_borders(surface, labels, label)
     if not len(points):
@@ -227,8 +217,8 @@ def nearest_label(
 
     Parameters
     ----------
-    surface : Surface
-    labels : Labels or array_like of int, shape (n,)
+    surface, labels
+        As for `label_borders`.
     background : iterable of int, default (-1, 0)
         Values that are no label; these vertices get one.
     max_distance, method

@@ -7,13 +7,14 @@ import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as check
 from . import _core
+from ._records import doc, documented
 from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
@@ -24,77 +25,40 @@ class MethodWarning(UserWarning):
     """A method that will be slow, or inaccurate, on this mesh."""
 
 
+@documented
 class MethodOption(NamedTuple):
-    """A number that a method takes.
+    """A number that a method takes."""
 
-    Attributes
-    ----------
-    standard : float
-        The default.
-    least, greatest : float
-        The range.
-    whole : bool
-        Only whole numbers.
-    meaning : str
-        One line.
-    """
-
-    standard: float
-    least: float
-    greatest: float
-    whole: bool
-    meaning: str
+    standard: Annotated[float, "The default."]
+    least: Annotated[float, "The range."]
+    greatest: Annotated[float, "Likewise."]
+    whole: Annotated[bool, "Only whole numbers."]
+    meaning: Annotated[str, "One line."]
 
 
+@documented
 class MethodClaims(NamedTuple):
-    """What the literature claims of a method, in short phrases.
+    """What the literature claims of a method, in short phrases."""
 
-    Attributes
-    ----------
-    sources : str
-        "MSAD": many sources in one field; "SSSD": two points without a field.
-    reuse : str
-        What is prepared once and serves all sources.
-    bound : str
-        Of the error.
-    metrics : str
-        Other than the lengths of the mesh.
-    growth : str
-        Of the time, with the number n of vertices.
-    """
-
-    sources: str
-    reuse: str
-    bound: str
-    metrics: str
-    growth: str
+    sources: Annotated[str, '"MSAD": many sources in one field; "SSSD": two points without a field.']
+    reuse: Annotated[str, "What is prepared once and serves all sources."]
+    bound: Annotated[str, "Of the error."]
+    metrics: Annotated[str, "Other than the lengths of the mesh."]
+    growth: Annotated[str, "Of the time, with the number n of vertices."]
 
 
+@documented
 @dataclass(frozen=True)
 class MethodInfo:
-    """What is known of a method before it runs.
+    """What is known of a method before it runs."""
 
-    Attributes
-    ----------
-    name, title, paper : str
-        The name by which it is chosen, a title for people, and where it was published.
-    options : dict of str to MethodOption
-        Keywords that it takes.
-    claims : MethodClaims
-        What the literature says of it.
-    exact : bool
-        Whether its distances are exact up to rounding.
-    has_pairs : bool
-        Whether two points cost it less than a field.
-    """
-
-    name: str
-    title: str
-    paper: str
-    options: Mapping[str, MethodOption]
-    claims: MethodClaims
-    exact: bool
-    has_pairs: bool
+    name: str = doc("By which it is chosen.")
+    title: str = doc("For people.")
+    paper: str = doc("Where it was published.")
+    options: Mapping[str, MethodOption] = doc("Keywords that it takes.")
+    claims: MethodClaims = doc("What the literature says of it.")
+    exact: bool = doc("Whether its distances are exact up to rounding.")
+    has_pairs: bool = doc("Whether two points cost it less than a field.")
 
 
 def _described() -> Iterator[MethodInfo]:
@@ -162,17 +126,9 @@ class GeodesicMethod:
         self.seconds = time.perf_counter() - start
 
     def distance_field(self, sources: ArrayLike) -> NDArray[np.float64]:
-        """Distance of every vertex from its nearest source.
+        """Distance of every vertex from its nearest source; the sources are one or more vertex ids.
 
-        Parameters
-        ----------
-        sources : int or array_like of int, shape (k,), k >= 1
-            Vertex ids.
-
-        Returns
-        -------
-        ndarray of float64, shape (n,)
-            In the unit of the vertices; infinity where no path leads.
+        float64 of shape (n,), in the unit of the vertices; infinity where no path leads.
         """
         return self._method.field(check.source_ids(sources, self._vertex_count))
 

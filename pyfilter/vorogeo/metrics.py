@@ -249,7 +249,7 @@ def slope_cost(
     if towards.shape != (1, 3):
         raise InvalidInput(f"up: has shape {np.shape(up)}; give one vector of three numbers.")
     least = check.real("penalty", penalty, "a number of at least 0")
-    return VertexCost(_core.slope_cost(*_mesh(vertices, faces), towards, least))
+    return VertexCost(_core.slope_cost(*_mesh(vertices, faces), towards[0], least))
 
 
 def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0) -> VertexTensor:

@@ -47,18 +47,7 @@ class SurfacePoints:
         return f"SurfacePoints({len(self)} points{moved})"
 
     def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
-        """The positions of the points in space.
-
-        Parameters
-        ----------
-        vertices : array_like, shape (n, 3)
-        faces : array_like of int, shape (m, 3)
-            Arrays of the mesh of the surface.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, 3)
-        """
+        """The positions of the points in space, float64 of shape (k, 3), from the arrays of the mesh of the surface."""
         corners = np.asarray(vertices, dtype=np.float64)[np.asarray(faces)[np.atleast_1d(self.faces)]]
         found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
         return found
@@ -66,10 +55,7 @@ class SurfacePoints:
     def to_text(self) -> str:
         """The points as text for the parameter `surface_points` of the filters, on a layer with the same faces.
 
-        Returns
-        -------
-        str
-            For example "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": faces and weights, without loss of precision.
+        For example "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": faces and weights, without loss of precision.
         """
         rows = zip(np.atleast_1d(self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
         return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)

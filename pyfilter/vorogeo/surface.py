@@ -1,4 +1,4 @@
-"""A mesh that answers at once and builds an index when that pays, and one whose index is built at once."""
+"""A mesh that answers at once, one whose index is built at once, and single answers on a mesh that is not kept."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .mesh_input import MeshInput
 from .metrics import Metric
 from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-from .results import Answered, GeodesicPath, IndexStatistics
+from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics
 from .tasks import METHODS, Shared, Tasks
 
 _Kind = TypeVar("_Kind", bound="Surface")
@@ -204,10 +204,7 @@ class Surface(Tasks):
         From an index, distances of vertices err slightly (``docs/figures.md``); those of other points are lengths of
         refined paths (`path`).
 
-        Returns
-        -------
-        float, or ndarray of float64, shape (k,)
-            Symmetric.
+        The result, a float or ndarray of float64 of shape (k,), is symmetric.
         """
         count, core = len(self.vertices), self._shared.core
         # One distance takes less than the arrays that carry it.
@@ -253,7 +250,7 @@ class Surface(Tasks):
             One path if both are single ids or hold one surface point each. Where no path joins them, the result
             has no points and infinite length.
         """
-        return self._find_paths(source, target, method, False, False, progress)
+        return self._find_paths(source, target, False, False, method=method, progress=progress)
 
     def exact_path(
         self,
@@ -281,41 +278,31 @@ class Surface(Tasks):
         GeodesicPath, or list of k GeodesicPath
             `certified` says whether it is proven to be a shortest path.
         """
-        return self._find_paths(source, target, method, True, bool(certify), progress)
+        return self._find_paths(source, target, True, bool(certify), method=method, progress=progress)
 
     def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
         """Make all later certified paths faster, by exact distance fields from a few vertices.
 
         The differences of these distances are lower bounds of those of all pairs, on a curved surface much closer ones
         than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields,
-        and the build of the index if there is none.
+        and the build of the index if there is none. Returns the memory taken, in bytes: four for each vertex and
+        landmark.
 
         Parameters
         ----------
         landmarks : int, default 32
             Number of vertices, 1 to 32, spread over the component with the most vertices.
-
-        Returns
-        -------
-        int
-            The memory taken, in bytes: four for each vertex and landmark.
         """
         count = check.integer("landmarks", landmarks, 1, 32)
         with reporter(progress) as report:
             return self._shared.core.use_landmarks(count, report)
 
     def _find_paths(
-        self,
-        source: Any,
-        target: Any,
-        method: str | None,
-        exact: bool,
-        certify: bool,
-        progress: ProgressFunction | bool | None,
+        self, source: Any, target: Any, exact: bool, certify: bool, **how: Any
     ) -> GeodesicPath | list[GeodesicPath]:
         ends = point_lists.pairs(("source", "target"), source, target, len(self.vertices))
-        lengths, certified, begin, points, vertices, faces, weights, over_gap = self._ask(
-            self._shared.core.paths, *ends, exact, certify, method=method, progress=progress
+        lengths, certified, begin, points, (vertices, faces, weights), over_gap = self._ask(
+            self._shared.core.paths, *ends, exact, certify, **how
         )
         paths = [
             GeodesicPath(
@@ -460,17 +447,9 @@ class GeodesicIndex(Surface):
         self._shared.core.save(check.file_path(file))
 
     def face_patches(self, layer: int) -> NDArray[np.int32]:
-        """Patch of each face, numbered from 0.
+        """Patch of each face, numbered from 0, as int32 of shape (m,): large ones in layer 1, small ones in layer 2.
 
-        Parameters
-        ----------
-        layer : {1, 2}
-            The large or the small patches.
-
-        Returns
-        -------
-        ndarray of int32, shape (m,)
-            -1 for a face that is left out (a vertex twice, or a repetition of an earlier face).
+        -1 stands for a face that is left out (a vertex twice, or a repetition of an earlier face).
         """
         return self._shared.core.face_patches(check.integer("layer", layer, 1, 2))
 
@@ -487,3 +466,102 @@ class GeodesicIndex(Surface):
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
+
+
+def exact_distance_field(
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    sources: ArrayLike,
+    max_distance: float | None = None,
+    dtype: DTypeLike = np.float64,
+    mask: ArrayLike | None = None,
+    metric: Metric | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
+    threads: int | None = None,
+) -> NDArray[Any]:
+    """Exact distance of every vertex from its nearest source: a `Surface` asked once, by the method "exact".
+
+    Parameters
+    ----------
+    vertices, faces, mask, metric, gap, bridge_folds, threads, dtype
+        As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, distances are not exact but close, and one
+        thread does all.
+    sources : int or array_like of int, shape (k,), k >= 1
+        Vertex ids; repeated ones make no difference.
+    max_distance : float, optional
+        Distances above it are not computed and become infinity; None for no limit.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Lengths of shortest paths over the surface, in the unit of the vertices or of the metric; infinity where there
+        is none.
+
+    Notes
+    -----
+    Exact propagation of windows (Mitchell, Mount, Papadimitriou 1987). Releases the GIL; Ctrl-C stops it.
+    """
+    surface = Surface(vertices, faces, threads, None, mask, metric, gap, bridge_folds)
+    # Also what an error calls them: the caller gave ids.
+    ids = check.source_ids(sources, len(surface.vertices))
+    return surface.distance_field(ids, max_distance, method="exact", dtype=dtype)
+
+
+def exact_path(
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    source: Points,
+    target: Points,
+    metric: Metric | None = None,
+    mask: ArrayLike | None = None,
+    progress: ProgressFunction | bool | None = None,
+    gap: float = 0.0,
+    bridge_folds: bool = False,
+) -> GeodesicPath | list[GeodesicPath]:
+    """Exact shortest path between two points, or of each of k pairs: a `Surface` asked once.
+
+    Parameters
+    ----------
+    vertices, faces, mask, metric, gap, bridge_folds
+        As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, the edges that a path crosses are found by
+        points on edges, and its crossings are then moved to where it is shortest.
+    source, target, progress
+        As for `Surface.path`.
+
+    Returns
+    -------
+    GeodesicPath, or list of k GeodesicPath
+        `certified` says whether it is exact: with values of faces only of no path, and of one from a point to itself.
+
+    Notes
+    -----
+    Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
+    values of faces, by one propagation from each source, as far as its targets.
+    """
+    surface = Surface(vertices, faces, None, None, mask, metric, gap, bridge_folds)
+    return surface.path(source, target, progress, method="exact")
+
+
+def estimate(
+    vertices: ArrayLike | None,
+    faces: ArrayLike,
+    threads: int | None = None,
+    memory_budget: int | None = None,
+    mask: ArrayLike | None = None,
+    metric: Metric | None = None,
+    progress: ProgressFunction | bool | None = None,
+) -> IndexEstimate:
+    """What an index would cost, from some of the work that its build does; takes a few percent of it.
+
+    The result is right within a factor of about two. A mesh without a face is refused.
+
+    Parameters
+    ----------
+    vertices, faces, threads, memory_budget, mask, metric, progress
+        As for `Surface` and its questions: shapes (n, 3) and (m, 3).
+    """
+    given = MeshInput.read(vertices, faces, mask, metric)
+    workers, budget = check.threads(threads), check.memory_budget(memory_budget)
+    with reporter(progress) as report:
+        return IndexEstimate(**given.core_mesh().estimate(workers, budget, report))

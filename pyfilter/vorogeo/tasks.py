@@ -246,17 +246,10 @@ class Tasks:
             self._fill(self._shared.core.fill_matrix, result, rows, columns, how, method=method, progress=progress)
         return _reopened(result, out)
 
-    def _fill(
-        self,
-        question: Callable[..., Any],
-        result: NDArray[Any],
-        *arguments: Any,
-        method: str | None,
-        progress: ProgressFunction | bool | None,
-    ) -> None:
+    def _fill(self, question: Callable[..., Any], result: NDArray[Any], *arguments: Any, **how: Any) -> None:
         """Fill an array, if it has entries; a large file hands its pages back meanwhile."""
-        by = self._method(method)
-        with reporter(progress) as told:
+        by = self._method(how["method"])
+        with reporter(how["progress"]) as told:
             if result.size:
                 (answered,) = question(*arguments, result, by, releasing(result, told))
                 self.last = Answered(*answered)
@@ -472,7 +465,8 @@ class Tasks:
     ) -> NDArray[np.int32]:
         """Poisson-disk sampling: random vertices at least a radius apart, none of which could be added.
 
-        Complexity: a field for each sample, bounded by the radius.
+        Their ids, int32 of shape (k,), do not depend on the number of threads. Complexity: a field for each sample,
+        bounded by the radius.
 
         Parameters
         ----------
@@ -480,11 +474,6 @@ class Tasks:
             Least distance of two samples, above 0.
         seed : int, default 0
             Seed of the random numbers.
-
-        Returns
-        -------
-        ndarray of int32, shape (k,)
-            Vertex ids. The result does not depend on the number of threads.
         """
         reach = check.length("radius", radius)
         if not 0 < reach < np.inf:

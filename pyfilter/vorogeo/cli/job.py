@@ -23,21 +23,12 @@ from .sources import metric_of, points_of
 
 @dataclass(frozen=True)
 class Job:
-    """A command with its options, a mesh file and where the result goes; the options are plain values.
-
-    Attributes
-    ----------
-    command, mesh : str
-    out : str
-        The file to write; empty: none.
-    options : dict of str to Any
-        By their names on the command line.
-    """
+    """A command with its options, a mesh file and where the result goes; the options are plain values."""
 
     command: str
     mesh: str
-    out: str
-    options: dict[str, Any] = field(default_factory=dict)
+    out: str  # the file to write; empty: none
+    options: dict[str, Any] = field(default_factory=dict)  # by their names on the command line
 
     def as_dict(self) -> dict[str, Any]:
         """What JSON can hold."""

@@ -59,42 +59,47 @@ def _number(kind: type, low: float, high: float, what: str) -> Callable[[str], A
 
 _LENGTH = _number(float, 0, float("inf"), "a length of 0 or more")
 _COUNT = _number(int, 1, 2**31 - 1, "a whole number from 1 on")
+_SEED = _number(int, 0, 2**64 - 1, "a seed of 0 or more")
+_PATCHES = _number(int, 0, 2**31 - 1, "a number of patches")
+_THREADS = _number(int, 1, MAX_THREADS, "a number of threads")
+_FORMATS = ("npy", "npz", "mat", "csv", "ply", "gii")
 
+#: By the word that stands for what an option takes; "": nothing.
+_TAKES: dict[str, dict[str, Any]] = {
+    "": {"action": "store_true"},
+    "POINT": {"nargs": "+", "action": "extend"},
+    "L": {"type": _LENGTH},
+    "P": {"type": _LENGTH},
+    "W": {"type": _number(float, float("-inf"), float("inf"), "a number")},
+    "D": {"type": _number(float, 0, 1, "a number from 0 to below 1"), "default": 0.0},
+    "K": {"type": _COUNT},
+    "MIB": {"type": _COUNT},
+}
 
-#: A name and what argparse takes; those in a list exclude one another.
+#: What argparse takes; those in a list exclude one another.
 _Option = tuple[str, dict[str, Any]]
 _Options = Sequence[_Option | list[_Option]]
 
 
-def _option(name: str, text: str, **how: Any) -> _Option:
-    return name, {"help": text, **how}
+def _option(usage: str, text: str, **how: Any) -> _Option:
+    """An option as it is written, such as "--mask FILE"; one of choices is written without a word for what it takes."""
+    name, _, word = usage.partition(" ")
+    takes = {} if "choices" in how and not word else _TAKES.get(word, {})
+    return name, {"help": text, **takes, **({"metavar": word} if word else {}), **how}
 
 
-def _points(name: str, text: str, required: bool = True) -> _Option:
-    return _option(name, text, nargs="+", action="extend", required=required, metavar="POINT")
-
-
-def _length(name: str, text: str, metavar: str = "L", **how: Any) -> _Option:
-    return _option(name, text, type=_LENGTH, metavar=metavar, **how)
-
-
-def _flag(name: str, text: str) -> _Option:
-    return _option(name, text, action="store_true")
-
-
-_SOURCES = _points("--from", "the sources")
+_SOURCES = _option("--from POINT", "the sources", required=True)
 _PAIRS = (
-    _points("--from", "where they begin"),
-    _points("--to", "where they end; one start may have many ends, or one end many starts"),
+    _option("--from POINT", "where they begin", required=True),
+    _option("--to POINT", "where they end; one start may have many ends, or one end many starts", required=True),
 )
-_SEED = _number(int, 0, 2**64 - 1, "a seed of 0 or more")
 
 #: By command: what it does, what it needs besides a mesh, and its own options.
 _COMMANDS: dict[str, tuple[str, str, _Options]] = {
     "field": (
         "Distance of every vertex from the nearest source.",
         "--from POINT...",
-        (_SOURCES, _length("--max-distance", "distances above it become infinite")),
+        (_SOURCES, _option("--max-distance L", "distances above it become infinite")),
     ),
     "distance": (
         "Distances of pairs of points; without --out they are printed.",
@@ -110,8 +115,8 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         "Distances between all vertices, or between chosen points.",
         "",
         (
-            _points("--points", "rows, and columns without --to; default: all vertices", False),
-            _points("--to", "columns", False),
+            _option("--points POINT", "rows, and columns without --to; default: all vertices"),
+            _option("--to POINT", "columns"),
             _option("--method", "how it is filled", choices=("automatic", "pairs", "fields"), default="automatic"),
         ),
     ),
@@ -119,8 +124,8 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         "All pairs of points within a radius, as a sparse matrix (.npz of scipy).",
         "--radius L",
         (
-            _length("--radius", "in the unit of the mesh", required=True),
-            _points("--points", "the points; default: all vertices", False),
+            _option("--radius L", "in the unit of the mesh", required=True),
+            _option("--points POINT", "the points; default: all vertices"),
         ),
     ),
     "voronoi": ("The nearest source of every vertex and face, areas and borders.", "--from POINT...", (_SOURCES,)),
@@ -128,12 +133,12 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         "Vertices spread evenly over the surface.",
         "",
         (
-            _option("--count", "how many (farthest)", type=_COUNT, metavar="K"),
-            _length("--radius", "stop when every vertex is this near; or least distance (poisson)"),
+            _option("--count K", "how many (farthest)"),
+            _option("--radius L", "stop when every vertex is this near; or least distance (poisson)"),
             _option(
                 "--method", "default: farthest point sampling", choices=("farthest", "poisson"), default="farthest"
             ),
-            _option("--seed", "of random numbers; default 0", type=_SEED, default=0, metavar="N"),
+            _option("--seed N", "of random numbers; default 0", type=_SEED, default=0),
         ),
     ),
     "index": ("Build the index and write it to a file (.vgi), for --index of other commands.", "", ()),
@@ -144,32 +149,25 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
             _SOURCES,
             [
                 _option(
-                    "--methods",
+                    "--methods NAME",
                     f"compared one below the other, instead of the index (vorogeo): all, {', '.join(methods)}",
                     nargs="+",
                     choices=("all", *methods),
-                    metavar="NAME",
                 ),
-                _option("--with", "a .npy file with a field made elsewhere, instead of the index", metavar="FILE"),
+                _option("--with FILE", "a .npy file with a field made elsewhere, instead of the index"),
             ],
         ),
     ),
     "info": ("What a mesh contains, and what a user should know before trusting distances on it.", "", ()),
 }
 
-_FORMATS = ("npy", "npz", "mat", "csv", "ply", "gii")
-_ANY_NUMBER = _number(float, float("-inf"), float("inf"), "a number")
-_PATCHES = _number(int, 0, 2**31 - 1, "a number of patches")
-_DELTA = _number(float, 0, 1, "a number from 0 to below 1")
-_THREADS = _number(int, 1, MAX_THREADS, "a number of threads")
-
 #: Of every command.
 _COMMON: _Options = (
-    _option("mesh", "files, patterns or folders", nargs="+", metavar="MESH"),
-    _option("--out", "a file, or for several meshes a folder; default: MESH-COMMAND.npy here", metavar="PLACE"),
+    _option("mesh MESH", "files, patterns or folders", nargs="+"),
+    _option("--out PLACE", "a file, or for several meshes a folder; default: MESH-COMMAND.npy here"),
     _option("--format", "of files in a folder; default: npy, of neighbours npz", choices=_FORMATS),
     _option("--dtype", "of distances", choices=("float64", "float32"), default="float64"),
-    _flag("--exact", "exact propagation instead of the index: slower, no errors"),
+    _option("--exact", "exact propagation instead of the index: slower, no errors"),
     _option(
         "--normalise",
         "sqrt-area: scale the mesh to area 1, so lengths are parts of its root",
@@ -177,43 +175,34 @@ _COMMON: _Options = (
         default="none",
     ),
     _option(
-        "--mask",
+        "--mask FILE",
         "what belongs to the surface: labels, an annotation, GIFTI or .npy, with a value for each vertex",
-        metavar="FILE",
     ),
-    _length("--gap", "bridge gaps up to this width, in the unit of --normalise; default 0: none", default=0.0),
+    _option("--gap L", "bridge gaps up to this width, in the unit of --normalise; default 0: none", default=0.0),
     [
         _option(
-            "--metric",
+            "--metric FILE",
             "what a step costs, so that paths are the cheapest: a number above 0 for each vertex or face (.npy, "
             ".txt, .csv, GIFTI), or a tensor (.npy of shape (n, 3, 3))",
-            metavar="FILE",
         ),
-        _length("--slope-penalty", "terrain, z upwards: a step costs 1 + P sin(slope)", "P"),
-        _option(
-            "--curvature-weight",
-            "a step across limbs, ridges and valleys costs up to sqrt(1 + W)",
-            type=_ANY_NUMBER,
-            metavar="W",
-        ),
+        _option("--slope-penalty P", "terrain, z upwards: a step costs 1 + P sin(slope)"),
+        _option("--curvature-weight W", "a step across limbs, ridges and valleys costs up to sqrt(1 + W)"),
     ],
     _option(
-        "--index",
+        "--index FILE",
         "an index of this mesh from 'vorogeo index', with the same --normalise, --mask, --gap and metric",
-        metavar="FILE",
     ),
-    _option("--patches", "numbers of patches of the index; default: chosen", nargs=2, type=_PATCHES, metavar="N"),
-    _option("--delta", "error that pruning the index may add", type=_DELTA, default=0.0, metavar="D"),
-    _option("--memory-budget", "what the index may take; default 4096", type=_COUNT, metavar="MIB"),
-    _option("--threads", "for each mesh; default: cores shared by the jobs", type=_THREADS, metavar="N"),
-    _option("--jobs", "meshes, or processes of --scheduler local, at a time", type=_COUNT, default=1, metavar="N"),
+    _option("--patches N", "numbers of patches of the index; default: chosen", nargs=2, type=_PATCHES),
+    _option("--delta D", "error that pruning the index may add"),
+    _option("--memory-budget MIB", "what the index may take; default 4096"),
+    _option("--threads N", "for each mesh; default: cores shared by the jobs", type=_THREADS),
+    _option("--jobs N", "meshes, or processes of --scheduler local, at a time", type=_COUNT, default=1),
     _option(
-        "--scheduler",
+        "--scheduler ADDRESS",
         "tcp://HOST:PORT of a dask.distributed scheduler whose workers see the same files, or 'local'",
-        metavar="ADDRESS",
     ),
-    _flag("--overwrite", "compute results again that are already there"),
-    _flag("--quiet", "print errors only, and no progress"),
+    _option("--overwrite", "compute results again that are already there"),
+    _option("--quiet", "print errors only, and no progress"),
 )
 
 

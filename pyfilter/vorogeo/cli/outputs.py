@@ -18,33 +18,15 @@ from ..errors import FileError, InvalidInput
 
 @dataclass
 class Result:
-    """What a command found on one mesh.
+    """What a command found on one mesh."""
 
-    Attributes
-    ----------
-    main : str
-        The array that formats for one array hold.
-    arrays : dict of str to ndarray
-        All of them.
-    per_vertex : str
-        The one with a value for each vertex, for meshes with quality and GIFTI; empty: there is none.
-    mesh : (ndarray, ndarray)
-        Vertices, as in the file, and faces.
-    lines : (ndarray, ndarray), optional
-        Points and edges to write as PLY instead of the mesh.
-    sparse : Any
-        A scipy.sparse matrix instead of arrays.
-    text : str
-        What to tell the user.
-    """
-
-    main: str
-    arrays: dict[str, NDArray[Any]]
-    mesh: tuple[NDArray[Any], NDArray[Any]]
-    per_vertex: str = ""
-    lines: tuple[NDArray[Any], NDArray[Any]] | None = None
-    sparse: Any = None
-    text: str = ""
+    main: str  # the array that formats for one array hold
+    arrays: dict[str, NDArray[Any]]  # all of them
+    mesh: tuple[NDArray[Any], NDArray[Any]]  # vertices, as in the file, and faces
+    per_vertex: str = ""  # the one with a value for each vertex, for meshes with quality and GIFTI; empty: none
+    lines: tuple[NDArray[Any], NDArray[Any]] | None = None  # points and edges to write as PLY instead of the mesh
+    sparse: Any = None  # a scipy.sparse matrix instead of arrays
+    text: str = ""  # what to tell the user
     columns: list[str] = field(default_factory=list)
 
 

@@ -14,8 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _arguments as check
 from ..errors import InvalidInput
-from ..functions import exact_distance_field
-from ..surface import Surface
+from ..surface import Surface, exact_distance_field
 
 
 def compute_gdist(
