@@ -8,8 +8,7 @@
 
 #include "edit/ruler_factory.h"
 #include "host/filter_row.h"
-#include "host/host_api.h"
-#include "layers/layer_cache.h"
+#include "layers/layer_surface.h"
 
 namespace vorogeo::plugin {
 class RulerShared;

@@ -1,13 +1,73 @@
-// From picked points to points of the surface, and from answers of the core to what is drawn.
+// From picked points to points of the surface, and from answers of the core to what is drawn and logged.
 #include "edit/ruler_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "query/rent_or_buy.h"
 
 namespace vorogeo::plugin {
+
+// ---- A drag: the choice between corridor and propagation, and the sentence about it
+
+DragPaths::DragPaths(const std::shared_ptr<const LocalGeometry>& geometry, std::chrono::milliseconds wait)
+    : wait_(wait), corridors_(geometry), from_source_(geometry) {}
+
+SurfacePath DragPaths::path(const SurfacePoint& source, const SurfacePoint& target) {
+  if (source != source_) {
+    propagation_.stop();
+    has_failed_ = false;
+    from_source_.reset(source);
+    source_ = source;
+  }
+  if (!is_propagating() && from_source_.reaches(target)) return from_source_.path_to(target);
+  const Stopwatch watch;
+  SurfacePath found = corridors_.exact_path(source, target).path;
+  const bool is_slow = std::chrono::duration<double>(watch.seconds()) >= wait_;
+  if (is_slow && found.length < unreachable && !is_propagating() && !has_failed_) {
+    propagation_.post([this, distance = found.length](const Progress& progress) {
+      const auto propagate = [&] { from_source_.propagate_to(distance, progress); };
+      has_failed_ = !error_of(propagate, "There is not enough memory.").empty();
+    });
+  }
+  return found;
+}
+
+void DragLog::asked(Time now) {
+  if (!asked_) asked_ = now;
+}
+
+void DragLog::computed(double seconds) {
+  ++computed_;
+  sum_ += seconds;
+  slowest_ = std::max(slowest_, seconds);
+}
+
+void DragLog::shown(Time now) {
+  if (shown_ == 0) first_ = now;
+  if (shown_ > 0) longest_ = std::max(longest_, std::chrono::duration<double>(now - last_).count());
+  last_ = now;
+  ++shown_;
+}
+
+std::string DragLog::sentence(const std::string& what, const std::string& method) const {
+  const double seconds = std::chrono::duration<double>(last_ - first_).count();
+  if (shown_ < 2 || computed_ == 0 || seconds <= 0.0) return {};
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "Ruler: " << shown_ << ' ' << what << " shown in " << std::setprecision(3) << seconds << " s, "
+       << (shown_ - 1) / seconds << " a second, " << 1e3 * longest_ << " ms at most between two";
+  if (asked_)
+    text << ", the first after " << 1e3 * std::chrono::duration<double>(first_ - *asked_).count() << " ms";
+  text << "; " << method << ", " << computed_ << " computed in " << 1e3 * sum_ / computed_
+       << " ms on average, " << 1e3 * slowest_ << " ms at most";
+  return text.str();
+}
+
+// ---- Answers
 
 namespace {
 

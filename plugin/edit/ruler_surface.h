@@ -1,18 +1,75 @@
-// A mesh that is measured: paths and fields between points that were picked, by what answers at once.
+// A mesh that is measured: paths and fields between points that were picked, by what answers at once; exact
+// paths of a drag, and how many answers it showed in a second.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "edit/drag_paths.h"
+#include "edit/background.h"
+#include "exact/paths_from_point.h"
 #include "layers/layer_surface.h"
 #include "layers/path_lines.h"
+#include "query/path_query.h"
 #include "support/progress.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {
+
+/// While the mouse drags, all paths begin in one point: a propagation around it serves them all in a fraction
+/// of a millisecond each, but takes seconds on a large mesh. It runs in the background; until it has reached
+/// far enough, each path is searched in a corridor. One object belongs to one thread.
+class DragPaths {
+ public:
+  /// Paths that are found in a corridor in less time than this need no propagation.
+  static constexpr std::chrono::milliseconds max_wait{5};
+
+  explicit DragPaths(const std::shared_ptr<const LocalGeometry>& geometry,
+                     std::chrono::milliseconds wait = max_wait);
+
+  /// The shortest path; see PathsFromPoint::path_to. \throw Cancelled at a checkpoint, InvalidInput for a
+  /// point that is not on the mesh.
+  SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
+  bool is_propagating() const { return propagation_.is_running(); }
+
+ private:
+  const std::chrono::milliseconds wait_;
+  PathQuery corridors_;
+  PathsFromPoint from_source_;  ///< the propagation's while that runs
+  SurfacePoint source_;
+  std::atomic<bool> has_failed_ = false;  ///< no memory was left: all paths are searched in corridors
+  Background propagation_;                ///< last, so that it ends before anything else is destroyed
+};
+
+/// Counts from the first answer of a drag to its last.
+class DragLog {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  void begin() { *this = {}; }
+  /// An answer is asked for.
+  void asked(Time now);
+  /// An answer was computed; `seconds` of the worker.
+  void computed(double seconds);
+  /// The window shows an answer that it did not show before.
+  void shown(Time now);
+  /// For the log; empty if fewer than two answers were shown. `what`: such as "paths".
+  std::string sentence(const std::string& what, const std::string& method) const;
+
+ private:
+  int computed_ = 0;
+  int shown_ = 0;
+  double sum_ = 0.0;
+  double slowest_ = 0.0;
+  double longest_ = 0.0;       ///< time between two frames
+  std::optional<Time> asked_;  ///< the first time
+  Time first_;
+  Time last_;
+};
 
 /// A point that was picked on the screen: a position in the coordinates of the layer, and how far from the
 /// surface it may lie: what a pixel and the depth of the picture resolve. Farther away, something else was

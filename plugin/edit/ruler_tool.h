@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "edit/background.h"
-#include "edit/drag_log.h"
 #include "edit/ruler_dock.h"
 #include "edit/ruler_surface.h"
 #include "edit/scene.h"
 #include "host/edit_host.h"
-#include "layers/layer_cache.h"
+#include "layers/layer_surface.h"
 
 namespace vorogeo::plugin {
 

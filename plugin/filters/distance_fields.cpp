@@ -9,7 +9,6 @@
 
 #include "filters/rows.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "mesh/mesh_input.h"

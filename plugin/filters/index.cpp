@@ -8,7 +8,7 @@
 #include "filters/rows.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
+#include "layers/points.h"
 #include "support/error.h"
 #include "support/file.h"
 
@@ -58,28 +58,19 @@ RichParameterList build_index_parameters(const MeshDocument&) {
 constexpr int max_threads = 1024;
 
 IndexOptions options_of(const FilterCall& call) {
-  const RichParameterList& parameters = call.parameters;
-  const int n1 = parameters.getInt("n1");
-  const int n2 = parameters.getInt("n2");
-  const double delta = parameters.getFloat("delta");
-  const int memory_budget = parameters.getInt("memory_budget");
-  const int threads = parameters.getInt("threads");
-  if (n1 < 0) refuse(call, "n1", n1, ". Give a positive number of patches, or 0 to have it chosen.");
-  if (n2 < 0) refuse(call, "n2", n2, ". Give a positive number of patches, or 0 to have it chosen.");
-  if (!(delta >= 0.0 && delta < 1.0)) refuse(call, "delta", delta, ". Give a number from 0 to below 1.");
-  if (memory_budget < 0) {
-    refuse(call, "memory_budget", memory_budget, ". Give a positive number of MiB, or 0 for 4096.");
-  }
-  if (threads < 0 || threads > max_threads) {
-    refuse(call, "threads", threads, ". Give a number from 1 to 1024, or 0 for one per core.");
-  }
+  constexpr const char* patches = ". Give a positive number of patches, or 0 to have it chosen.";
   IndexOptions options;
-  options.first_layer_patches = n1;
-  options.second_layer_patches = n2;
-  options.delta = delta;
-  options.threads = threads;
+  options.first_layer_patches = number_of(call, "n1", 0, patches);
+  options.second_layer_patches = number_of(call, "n2", 0, patches);
+  options.delta = call.parameters.getFloat("delta");
+  if (!(options.delta >= 0.0 && options.delta < 1.0)) {
+    refuse(call, "delta", options.delta, ". Give a number from 0 to below 1.");
+  }
+  options.memory_budget =
+      number_of(call, "memory_budget", 0, ". Give a positive number of MiB, or 0 for 4096.");
+  options.threads =
+      number_of(call, "threads", 0, ". Give a number from 1 to 1024, or 0 for one per core.", max_threads);
   options.seed = seed_of(call);
-  options.memory_budget = memory_budget;
   return options;
 }
 

@@ -9,7 +9,6 @@
 
 #include "filters/rows.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "support/error.h"
@@ -160,10 +159,7 @@ RichParameterList nearest_parameters(const MeshDocument& document) {
 
 Results nearest_points(FilterCall& call) {
   const auto layer = layer_of(call);
-  const int neighbours = call.parameters.getInt("neighbour_number");
-  if (neighbours < 1) {
-    refuse(call, "neighbour_number", neighbours, ". Give 1 or more.");
-  }
+  const int neighbours = number_of(call, "neighbour_number", 1, ". Give 1 or more.");
   const TaskPoints queries = task_points(call, *layer, "whose nearest points are wanted");
   const auto file = output_file(call);
   const auto count = static_cast<std::size_t>(neighbours);
@@ -173,9 +169,7 @@ Results nearest_points(FilterCall& call) {
                  "Lower neighbour_number or give fewer points.");
   const TaskPoints set = snapped_layer(call, *layer, "source_layer", "points");
   auto [nearest, answered, results] =
-      ask_task(call, *layer, "Nearest points", [&](Surface& surface, const TaskOptions& options) {
-        return nearest_of_set(surface, set.points, queries.points, count, options);
-      });
+      ask_task(call, *layer, "Nearest points", nearest_of_set, set.points, queries.points, count);
   std::vector<int> of_query;
   std::vector<double> place;
   std::vector<double> table;

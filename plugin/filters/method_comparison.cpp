@@ -15,7 +15,6 @@
 #include "host/host_methods.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "query/rent_or_buy.h"
@@ -43,8 +42,7 @@ RichParameterList table_parameters(const MeshDocument&) {
 
 Results measure_methods(FilterCall& call) {
   auto requests = parse_methods(call.parameters.getString("methods").toStdString());
-  const int count = call.parameters.getInt("sources");
-  if (count < 1) refuse(call, "sources", count, ". Give 1 or more.");
+  const int count = number_of(call, "sources", 1, ". Give 1 or more.");
   const std::filesystem::path file =
       QFile::encodeName(call.parameters.getSaveFileName("csv_file")).toStdString();
   if (!file.empty()) output_target(file, "The CSV file");

@@ -6,7 +6,6 @@
 #include "filters/rows.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/path_lines.h"
 #include "layers/points.h"
 #include "layers/results.h"

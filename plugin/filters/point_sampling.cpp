@@ -3,7 +3,6 @@
 
 #include "filters/rows.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "tasks/spread_points.h"
@@ -36,9 +35,7 @@ Results farthest_sampling(FilterCall& call) {
     start = task_points(call, *layer, "that the sampling shall begin with");
   }
   auto [samples, answered, results] =
-      ask_task(call, *layer, "Farthest point sampling", [&](Surface& surface, const TaskOptions& options) {
-        return sample_farthest(surface, stop, start.points, seed, options);
-      });
+      ask_task(call, *layer, "Farthest point sampling", sample_farthest, stop, start.points, seed);
   results["samples"] = static_cast<int>(samples.points.size());
   results["covering_radius"] = samples.covering_radius;
   results["vertices"] =
@@ -60,9 +57,7 @@ Results poisson_disk_sampling(FilterCall& call) {
   const double radius = length_of(call, "radius", false);
   const std::uint64_t seed = seed_of(call);
   auto [samples, answered, results] =
-      ask_task(call, *layer, "Poisson-disk sampling", [&](Surface& surface, const TaskOptions& options) {
-        return sample_poisson_disk(surface, radius, seed, options);
-      });
+      ask_task(call, *layer, "Poisson-disk sampling", sample_poisson_disk, radius, seed);
   results["samples"] = static_cast<int>(samples.size());
   results["vertices"] =
       add_surface_point_layer(call, "Poisson-disk samples", *layer, *layer->mesh(), PointList(samples));
@@ -77,14 +72,11 @@ RichParameterList lloyd_parameters(const MeshDocument& document) {
 }
 
 Results lloyd_relaxation(FilterCall& call) {
-  const int rounds = call.parameters.getInt("rounds");
-  if (rounds < 0) refuse(call, "rounds", rounds, ". Give 0 or more.");
+  const int rounds = number_of(call, "rounds", 0, ". Give 0 or more.");
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that shall be relaxed");
   auto [relaxed, answered, results] =
-      ask_task(call, *layer, "Lloyd relaxation", [&](Surface& surface, const TaskOptions& options) {
-        return relax_points(surface, points.points, rounds, options);
-      });
+      ask_task(call, *layer, "Lloyd relaxation", relax_points, points.points, rounds);
   results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
   results["energy_before"] = relaxed.energy.front();
   results["energy_after"] = relaxed.energy.back();
@@ -95,21 +87,6 @@ Results lloyd_relaxation(FilterCall& call) {
            std::to_string(relaxed.energy.back()) + " in " + std::to_string(relaxed.energy.size() - 1) +
            " rounds");
   return results;
-}
-
-QString references_of_farthest() {
-  return "<p>See:<br/><i>Carsten Moenning, Neil A. Dodgson</i><br/><b>\"Fast marching farthest point "
-         "sampling\"</b><br/>Eurographics 2003.</p>";
-}
-
-QString references_of_poisson() {
-  return "<p>See:<br/><i>Robert L. Cook</i><br/><b>\"Stochastic sampling in computer graphics\"</b><br/>ACM "
-         "Transactions on Graphics 5(1), 1986.</p>";
-}
-
-QString references_of_lloyd() {
-  return "<p>See:<br/><i>Gabriel Peyr&eacute;, Laurent D. Cohen</i><br/><b>\"Geodesic remeshing using front "
-         "propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>";
 }
 
 }  // namespace
@@ -125,7 +102,9 @@ std::vector<FilterRow> sampling_rows() {
        "first; otherwise the first sample is a random vertex, chosen by <b>Seed</b>. Returns the number of "
        "<i>samples</i>, the <i>covering_radius</i>, and the numbers of the <i>vertices</i> in the sampled "
        "layer (-1: a point to begin with that is not a vertex).</p>" +
-           help_on_task_points() + help_on_exact_parameter() + references_of_farthest(),
+           help_on_task_points() + help_on_exact_parameter() +
+           "<p>See:<br/><i>Carsten Moenning, Neil A. Dodgson</i><br/><b>\"Fast marching farthest point "
+           "sampling\"</b><br/>Eurographics 2003.</p>",
        FilterPlugin::Sampling, MeshModel::MM_NONE, farthest_parameters, farthest_sampling},
       {"Geodesic Poisson-disk sampling (VoroGeo)", "generate_sampling_vorogeo_poisson_disk",
        "<p>Random vertices with a geodesic distance of at least <b>Radius</b> from each other, as a new "
@@ -133,7 +112,10 @@ std::vector<FilterRow> sampling_rows() {
        "radius from a sample. Distances run over the surface, so that samples on two sides of a thin wall do "
        "not repel each other.</p><p>Returns the number of <i>samples</i> and the numbers of the "
        "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
-           help_on_exact_parameter() + references_of_poisson(),
+           help_on_exact_parameter() +
+           "<p>See:<br/><i>Robert L. Cook</i><br/><b>\"Stochastic sampling in computer "
+           "graphics\"</b><br/>ACM "
+           "Transactions on Graphics 5(1), 1986.</p>",
        FilterPlugin::Sampling, MeshModel::MM_NONE, poisson_parameters, poisson_disk_sampling},
       {"Geodesic Lloyd relaxation of the selection (VoroGeo)", "generate_sampling_vorogeo_lloyd_relaxation",
        "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
@@ -143,7 +125,10 @@ std::vector<FilterRow> sampling_rows() {
        "one.</p>"
        "<p>Returns the <i>rounds</i> done, <i>energy_before</i>, <i>energy_after</i> and the numbers of the "
        "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
-           help_on_task_points() + help_on_exact_parameter() + references_of_lloyd(),
+           help_on_task_points() + help_on_exact_parameter() +
+           "<p>See:<br/><i>Gabriel Peyr&eacute;, Laurent D. Cohen</i><br/><b>\"Geodesic remeshing using "
+           "front "
+           "propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>",
        FilterPlugin::Sampling, MeshModel::MM_NONE, lloyd_parameters, lloyd_relaxation}};
 }
 

@@ -7,7 +7,6 @@
 
 #include "filters/rows.h"
 #include "layers/answering.h"
-#include "layers/parameters.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "mesh/mesh_input.h"
@@ -54,9 +53,7 @@ Results color_voronoi_regions(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "whose regions are wanted");
   auto [regions, answered, results] =
-      ask_task(call, *layer, "Voronoi regions", [&](Surface& surface, const TaskOptions& options) {
-        return voronoi_regions(surface, points.points, options);
-      });
+      ask_task(call, *layer, "Voronoi regions", voronoi_regions, points.points);
   const auto shared_mesh = layer->mesh();
   const Mesh& mesh = *shared_mesh;
   const PatchColoring coloring = coloring_of(mesh, regions, points.size());
@@ -92,10 +89,8 @@ RichParameterList patch_colors_parameters(const MeshDocument&) {
 }
 
 Results color_patches(FilterCall& call) {
-  const int number = call.parameters.getInt("layer");
-  if (number != 1 && number != 2) {
-    refuse(call, "layer", number, ". The index has two layers: give 1 (large patches) or 2 (small patches).");
-  }
+  const int number = number_of(call, "layer", 1,
+                               ". The index has two layers: give 1 (large patches) or 2 (small patches).", 2);
   const auto layer = layer_of(call);
   const bool is_reused = layer->index() != nullptr;
   if (!is_reused) build_index(call, *layer, {}, call.progress.part(0.0, 0.9));
@@ -139,10 +134,7 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
                        "', which is not a finite number. Separate numbers by spaces or semicolons.");
   }
   if (!values.empty()) return values;
-  const int count = call.parameters.getInt("line_number");
-  if (count < 1) {
-    refuse(call, "line_number", count, ". Give 1 or more, or the values themselves.");
-  }
+  const int count = number_of(call, "line_number", 1, ". Give 1 or more, or the values themselves.");
   for (int i = 1; i <= count; ++i) values.push_back(low + (high - low) * i / (count + 1));
   return values;
 }
@@ -204,9 +196,7 @@ Results select_disk(FilterCall& call) {
     sources = task_points(call, *layer, "around which the disk shall lie");
   }
   auto [disk, answered, results] =
-      ask_task(call, *layer, "Geodesic disk", [&](Surface& surface, const TaskOptions& options) {
-        return geodesic_disk(surface, sources.points, radius, options);
-      });
+      ask_task(call, *layer, "Geodesic disk", geodesic_disk, sources.points, radius);
   const auto mesh = layer->mesh();
   call.progress.report(1.0, "Selecting");
   for (CVertexO& vertex : call.layer.cm.vert) {
@@ -233,16 +223,13 @@ RichParameterList extent_parameters(const MeshDocument&) {
 }
 
 Results measure_extent(FilterCall& call) {
-  const int fields = call.parameters.getInt("fields");
-  if (fields < 2) refuse(call, "fields", fields, ". Give 2 or more.");
+  const int fields = number_of(call, "fields", 2, ". Give 2 or more.");
   const auto layer = layer_of(call);
   const int number = call.parameters.getInt("vertex_index");
   Index start = number == -1 ? no_index : vertex_of(call, *layer, "vertex_index");
   if (start == no_index) start = largest_component(*layer->mesh()).first_vertex;
   auto [extent, answered, results] =
-      ask_task(call, *layer, "Diameter and centre", [&](Surface& surface, const TaskOptions& options) {
-        return extent_of_component(surface, start, fields, options);
-      });
+      ask_task(call, *layer, "Diameter and centre", extent_of_component, start, fields);
   results["diameter_lower"] = extent.diameter.lower;
   results["diameter_upper"] = extent.diameter.upper;
   results["diameter_start"] = layer->host_vertex(extent.ends[0]);

@@ -1,5 +1,12 @@
-// What one filter is: a row of names, help, masks and functions; and what it gets when it is applied.
+// The host's plugin interface, with the differences between the supported MeshLab versions evened out; and
+// what one filter is: a row of names, help, masks and functions, and what it gets when it is applied.
 #pragma once
+
+#include <common/plugins/interfaces/filter_plugin.h>
+
+#if VOROGEO_HOST_VERSION >= 202301
+#include <common/parameters/rich_parameters.h>
+#endif
 
 #include <QString>
 #include <QVariant>
@@ -8,10 +15,20 @@
 #include <string>
 #include <type_traits>
 
-#include "host/host_api.h"
 #include "support/progress.h"
 
 namespace vorogeo::plugin {
+
+// These parameter types were renamed after 2022.02.
+#if VOROGEO_HOST_VERSION >= 202301
+using RichFileToWrite = RichFileSave;
+using RichFileToRead = RichFileOpen;
+using RichLength = RichPercentage;
+#else
+using RichFileToWrite = RichSaveFile;
+using RichFileToRead = RichOpenFile;
+using RichLength = RichAbsPerc;
+#endif
 
 class LayerCache;
 

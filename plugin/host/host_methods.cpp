@@ -4,7 +4,7 @@
 #include <vcg/complex/algorithms/geodesic.h>
 #include <vcg/complex/complex.h>
 
-#include "host/host_api.h"
+#include "host/filter_row.h"
 #if VOROGEO_HOST_VERSION >= 202301
 #include <vcg/complex/algorithms/geodesic_heat.h>
 #endif
@@ -72,32 +72,38 @@ void read_quality(const Component& taken, const Mesh& mesh, MethodField& field) 
   }
 }
 
-/// Runs and times a method that needs the faces around each vertex.
-template <class Run>
-MethodField timed_field(const Mesh& mesh, Index source, Run run) {
+/// Runs and times a method: run(taken, prepare(mesh)).
+template <class Prepare, class Run>
+MethodField timed_field(const Mesh& mesh, Index source, Prepare prepare, Run run) {
   Component taken;
   take_component(mesh, source, taken);
   MethodField field;
   const Stopwatch preparing;
-  vcg::tri::UpdateTopology<MethodMesh>::VertexFace(taken.mesh);
+  auto prepared = prepare(taken.mesh);
   field.build_seconds = preparing.seconds();
   const Stopwatch running;
-  run(taken);
+  run(taken, prepared);
   field.seconds = running.seconds();
   read_quality(taken, mesh, field);
   return field;
 }
 
+/// The faces around each vertex.
+bool find_faces(MethodMesh& mesh) {
+  vcg::tri::UpdateTopology<MethodMesh>::VertexFace(mesh);
+  return true;
+}
+
 }  // namespace
 
 MethodField fast_marching_field(const Mesh& mesh, Index source) {
-  return timed_field(mesh, source, [](Component& taken) {
+  return timed_field(mesh, source, find_faces, [](Component& taken, bool) {
     vcg::tri::Geodesic<MethodMesh>::Compute(taken.mesh, taken.source);
   });
 }
 
 MethodField edge_graph_field(const Mesh& mesh, Index source) {
-  return timed_field(mesh, source, [](Component& taken) {
+  return timed_field(mesh, source, find_faces, [](Component& taken, bool) {
     vcg::tri::EuclideanDistance<MethodMesh> edge_length;
     vcg::tri::Geodesic<MethodMesh>::PerVertexDijkstraCompute(taken.mesh, taken.source, edge_length);
   });
@@ -107,23 +113,17 @@ MethodField edge_graph_field(const Mesh& mesh, Index source) {
 
 MethodField heat_field(const Mesh& mesh, Index source) {
   using Heat = vcg::tri::GeodesicHeat<MethodMesh>;
-  Component taken;
-  take_component(mesh, source, taken);
-  MethodField field;
-  const Stopwatch preparing;
-  auto factorisation = Heat::BuildCache(taken.mesh);
-  field.build_seconds = preparing.seconds();
-  const bool factorised =
-      factorisation.first->info() == Eigen::Success && factorisation.second->info() == Eigen::Success;
-  const Stopwatch running;
-  if (!factorised || !Heat::ComputeFromCache(taken.mesh, taken.source, factorisation)) {
-    throw InvalidInput(
-        "The heat method fails on this mesh: its matrices cannot be factorised, mostly because of zero-area "
-        "faces. Repair the mesh or choose another method.");
-  }
-  field.seconds = running.seconds();
-  read_quality(taken, mesh, field);
-  return field;
+  const auto prepare = [](MethodMesh& taken) { return Heat::BuildCache(taken); };
+  return timed_field(mesh, source, prepare, [](Component& taken, auto& factorisation) {
+    const bool factorised =
+        factorisation.first->info() == Eigen::Success && factorisation.second->info() == Eigen::Success;
+    if (!factorised || !Heat::ComputeFromCache(taken.mesh, taken.source, factorisation)) {
+      throw InvalidInput(
+          "The heat method fails on this mesh: its matrices cannot be factorised, mostly because of "
+          "zero-area "
+          "faces. Repair the mesh or choose another method.");
+    }
+  });
 }
 
 #else

@@ -4,9 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "layers/layer_cache.h"
 #include "layers/layer_metric.h"
-#include "layers/parameters.h"
+#include "layers/points.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {

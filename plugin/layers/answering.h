@@ -75,13 +75,14 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
 }
 
 /// The same for a task of the core, as the parameter exact says: from the index, which is built if there is
-/// none, or by exact propagation. The answer of ask(surface, options).
-template <class Ask>
-auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Ask&& ask) {
+/// none, or by exact propagation. The answer of task(surface, arguments..., options).
+template <class Task, class... Arguments>
+auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
+              const Arguments&... arguments) {
   const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::index;
   return ask_surface(call, layer, activity,
                      [&](Surface& surface, Answered& answered, const Progress& progress) {
-                       return ask(surface, TaskOptions{by, progress, &answered});
+                       return task(surface, arguments..., TaskOptions{by, progress, &answered});
                      });
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "layers/parameters.h"
+#include "layers/points.h"
 #include "mesh/metric.h"
 #include "support/error.h"
 
@@ -68,20 +68,27 @@ double checked_cost(const FilterCall& call, const char* element, Index number, S
              (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
 }
 
+/// The costs of the elements that are not deleted; `quality_of` has that of a number.
+template <class Elements, class Quality>
+std::vector<double> costs_of(const FilterCall& call, const char* element, const Elements& elements,
+                             Quality&& quality_of) {
+  std::vector<double> costs;
+  costs.reserve(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i].IsD()) continue;
+    costs.push_back(checked_cost(call, element, static_cast<Index>(i), quality_of(i)));
+  }
+  return costs;
+}
+
 std::vector<double> cost_of_faces(const FilterCall& call) {
   if (!call.layer.hasDataMask(MeshModel::MM_FACEQUALITY)) {
     throw InvalidInput(
         "The faces have no quality that could be the cost of paths. Compute one above 0, or choose another "
         "metric.");
   }
-  const CMeshO& layer = call.layer.cm;
-  std::vector<double> cost;
-  cost.reserve(layer.face.size());
-  for (std::size_t f = 0; f < layer.face.size(); ++f) {
-    if (layer.face[f].IsD()) continue;
-    cost.push_back(checked_cost(call, "face", static_cast<Index>(f), layer.face[f].cQ()));
-  }
-  return cost;
+  const auto& faces = call.layer.cm.face;
+  return costs_of(call, "face", faces, [&](std::size_t f) { return faces[f].cQ(); });
 }
 
 std::vector<double> cost_of_vertices(const FilterCall& call) {
@@ -97,14 +104,7 @@ std::vector<double> cost_of_vertices(const FilterCall& call) {
                          "the vertex attribute ") +
              cost_attribute);
   }
-  const CMeshO& layer = call.layer.cm;
-  std::vector<double> cost;
-  cost.reserve(values.size());
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (layer.vert[v].IsD()) continue;
-    cost.push_back(checked_cost(call, "vertex", static_cast<Index>(v), values[v]));
-  }
-  return cost;
+  return costs_of(call, "vertex", call.layer.cm.vert, [&](std::size_t v) { return values[v]; });
 }
 
 /// These parameters are shown on request only: most questions are about lengths on the mesh as it is.

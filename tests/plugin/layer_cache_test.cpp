@@ -1,10 +1,9 @@
 // The plugin's cache of layers: found by all that distances depend on; bounded in number and in memory.
-#include "layers/layer_cache.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "layers/layer_surface.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

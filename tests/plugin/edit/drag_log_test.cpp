@@ -1,7 +1,7 @@
 // The sentence about a drag: frames a second and times of computing.
-#include "edit/drag_log.h"
-
 #include <gtest/gtest.h>
+
+#include "edit/ruler_surface.h"
 
 namespace vorogeo::plugin {
 namespace {

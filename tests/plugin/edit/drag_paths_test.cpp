@@ -1,11 +1,10 @@
 // Paths of a drag are those of formulas, before and after the propagation has come as far as they go.
-#include "edit/drag_paths.h"
-
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <vector>
 
+#include "edit/ruler_surface.h"
 #include "support/shapes.h"
 
 namespace vorogeo::plugin {

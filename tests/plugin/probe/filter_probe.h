@@ -2,9 +2,12 @@
 // some progress calls, and it deletes elements right before without compacting the layer.
 #pragma once
 
-#include <QObject>
+#include <common/plugins/interfaces/filter_plugin.h>
 
-#include "host/host_api.h"
+#include <QObject>
+#if VOROGEO_HOST_VERSION >= 202301
+#include <common/parameters/rich_parameters.h>
+#endif
 
 class FilterProbe : public QObject, public FilterPlugin {
   Q_OBJECT
