@@ -24,26 +24,18 @@
 
 // The core's own names, before the header below declares public ones beside them.
 namespace inner {
-using vorogeo::Answered;
-using vorogeo::AnswerMethod;
 using vorogeo::Cancelled;
 using vorogeo::check_mesh;
 using vorogeo::Error;
-using vorogeo::ExactPath;
-using vorogeo::ExactSource;
-using vorogeo::GapLimit;
-using vorogeo::GeodesicIndex;
 using vorogeo::IndexFileError;
 using vorogeo::IndexOptions;
 using vorogeo::InvalidInput;
 using vorogeo::isolines;
-using vorogeo::Mesh;
 using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
 using vorogeo::Query;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
-using vorogeo::SurfaceLocator;
 using vorogeo::SurfacePoint;
 using vorogeo::TaskOptions;
 using vorogeo::to_string;
@@ -55,20 +47,20 @@ namespace vorogeo {
 inline namespace v0 {
 
 struct Surface::State {
-  std::shared_ptr<const inner::Mesh> mesh;
+  std::shared_ptr<const Mesh> mesh;
   std::size_t face_count = 0;  ///< of the faces given
   inner::IndexOptions options;
 
   std::mutex mutex;  ///< of the surface, held for moments
   std::shared_ptr<inner::Surface> surface;
   std::once_flag locator_made;
-  std::unique_ptr<const inner::SurfaceLocator> locator;
+  std::unique_ptr<const SurfaceLocator> locator;
 
   std::shared_ptr<inner::Surface> current() {
     const std::lock_guard lock(mutex);
     return surface;
   }
-  void adopt(std::shared_ptr<const inner::GeodesicIndex> index) {
+  void adopt(std::shared_ptr<const GeodesicIndex> index) {
     const std::lock_guard lock(mutex);
     surface = std::make_shared<inner::Surface>(mesh, std::move(index), surface->spent(), options);
   }
@@ -98,11 +90,11 @@ auto translated(Body&& body) {
 
 // ---- Points in and out
 
-inner::SurfacePoint point_in(const inner::Mesh& mesh, const SurfacePoint& point) {
+inner::SurfacePoint point_in(const Mesh& mesh, const SurfacePoint& point) {
   return InputMap(mesh).point_in({point.vertex, point.face, point.weights});
 }
 
-inner::PointList points_in(const inner::Mesh& mesh, const PointList& points) {
+inner::PointList points_in(const Mesh& mesh, const PointList& points) {
   std::vector<inner::SurfacePoint> list;
   list.reserve(points.size());
   for (const SurfacePoint& point : points) list.push_back(point_in(mesh, point));
@@ -110,17 +102,48 @@ inner::PointList points_in(const inner::Mesh& mesh, const PointList& points) {
 }
 
 /// A point over a gap lies in no face that was given.
-SurfacePoint point_out(const inner::Mesh& mesh, const inner::SurfacePoint& point) {
+SurfacePoint point_out(const Mesh& mesh, const inner::SurfacePoint& point) {
   const InputPoint out = InputMap(mesh).point_out(point);
   return out.vertex >= 0 ? SurfacePoint(out.vertex) : SurfacePoint(out.face, out.weights);
 }
 
-std::vector<SurfacePoint> points_out(const inner::Mesh& mesh,
-                                     const std::vector<inner::SurfacePoint>& points) {
+std::vector<SurfacePoint> points_out(const Mesh& mesh, const std::vector<inner::SurfacePoint>& points) {
   std::vector<SurfacePoint> out;
-  out.reserve(points.size());
   for (const auto& point : points) out.push_back(point_out(mesh, point));
   return out;
+}
+
+// ---- Questions and what answers them
+
+/// The method and the progress of any of the public options.
+template <class Options>
+inner::TaskOptions core_options(const Options& options) {
+  return {.by = static_cast<AnswerMethod>(options.by), .progress = Progress(options.progress)};
+}
+
+/// How and where a question is asked. What answered it is noted by all but tasks.
+struct Asked {
+  inner::Surface& surface;
+  const Mesh& mesh;
+  inner::TaskOptions options;
+  Answered answered = {};
+
+  inner::SurfacePoint in(const SurfacePoint& point) const { return point_in(mesh, point); }
+  inner::PointList in(const PointList& points) const { return points_in(mesh, points); }
+};
+
+/// What body(asked) returns for the surface as it is now.
+template <class Options, class Body>
+auto ask(Surface::State& state, const Options& options, Body&& body) {
+  return translated([&] {
+    const auto surface = state.current();
+    Asked asked{*surface, *state.mesh, core_options(options)};
+    return body(asked);
+  });
+}
+template <class Options, class Body>
+auto ask(const Surface& surface, const Options& options, Body&& body) {
+  return ask(surface.state(), options, std::forward<Body>(body));
 }
 
 // ---- The mesh that is measured on
@@ -148,9 +171,8 @@ void leave_out_masked(const std::vector<bool>& mask, std::size_t vertices,
   }
 }
 
-std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
-                                           std::vector<std::array<int, 3>> faces,
-                                           const SurfaceOptions& options) {
+std::shared_ptr<const Mesh> mesh_of(std::vector<Point> positions, std::vector<std::array<int, 3>> faces,
+                                    const SurfaceOptions& options) {
   leave_out_masked(options.mask, positions.size(), faces);
   Metric metric;
   std::string given;
@@ -176,13 +198,13 @@ std::shared_ptr<const inner::Mesh> mesh_of(std::vector<Point> positions,
     metric = {sides, edge_points_for(positions, faces, sides)};
   }
   if (is_given(options.side_lengths, "side_lengths", faces.size(), "faces")) metric = options.side_lengths;
-  const inner::GapLimit gap{options.gap, options.bridge_folds};
+  const GapLimit gap{options.gap, options.bridge_folds};
   return measured_mesh({std::move(positions), std::move(faces), std::move(metric), gap});
 }
 
 }  // namespace
 
-const char* to_string(Answer answer) { return inner::to_string(static_cast<inner::AnswerMethod>(answer)); }
+const char* to_string(Answer answer) { return inner::to_string(static_cast<AnswerMethod>(answer)); }
 
 MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<int, 3>>& faces,
                       double gap) {
@@ -224,32 +246,29 @@ std::vector<double> Surface::distances_from(const PointList& sources) const {
 }
 
 Field Surface::field(const PointList& sources, const FieldOptions& options) const {
-  return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
+  return ask(*this, options, [&](Asked& at) {
     if (!options.offsets.empty() && options.offsets.size() != sources.size()) {
       throw InvalidInput("There are " + std::to_string(sources.size()) + " sources and " +
                          std::to_string(options.offsets.size()) + " offsets; give one for each source.");
     }
-    const inner::PointList points = points_on(mesh, points_in(mesh, sources), "Source");
-    std::vector<inner::ExactSource> from;
+    const inner::PointList points = points_on(at.mesh, at.in(sources), "Source");
+    std::vector<ExactSource> from;
     for (std::size_t i = 0; i < points.size(); ++i) {
       from.push_back({points[i], options.offsets.empty() ? 0.0 : options.offsets[i]});
     }
-    inner::Answered answered;
-    auto found = state_->current()->field(from, options.limit, static_cast<inner::AnswerMethod>(options.by),
-                                          answered, Progress(options.progress));
+    auto found = at.surface.field(from, options.limit, at.options.by, at.answered, at.options.progress);
     Field field;
-    field.distance = InputMap(mesh).of_vertices(std::move(found.distance));
-    if (options.labels) field.label = InputMap(mesh).of_vertices(std::move(found.source));
-    field.answered_by = static_cast<Answer>(answered.by);
-    field.remark = std::move(answered.remark);
+    field.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
+    if (options.labels) field.label = InputMap(at.mesh).of_vertices(std::move(found.source));
+    field.answered_by = static_cast<Answer>(at.answered.by);
+    field.remark = std::move(at.answered.remark);
     return field;
   });
 }
 
 PointList Surface::along_edges(const std::vector<std::array<int, 2>>& edges, double spacing) const {
   return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
+    const Mesh& mesh = *state_->mesh;
     for (const auto& ends : edges) points_in(mesh, {ends[0], ends[1]});
     if (spacing == 0.0) spacing = 0.25 * mesh.typical_edge_length();
     std::vector<SurfacePoint> points;
@@ -261,11 +280,8 @@ PointList Surface::along_edges(const std::vector<std::array<int, 2>>& edges, dou
 }
 
 double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answer by) const {
-  return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
-    inner::Answered answered;
-    return state_->current()->distance(point_in(mesh, from), point_in(mesh, to),
-                                       static_cast<inner::AnswerMethod>(by), answered);
+  return ask(*this, TaskOptions{by}, [&](Asked& at) {
+    return at.surface.distance(at.in(from), at.in(to), at.options.by, at.answered);
   });
 }
 
@@ -278,55 +294,44 @@ void require_pairs(const PointList& from, const PointList& to) {
                      std::to_string(to.size()) + " to go to; give as many of both.");
 }
 
-Path path_out(const inner::Mesh& mesh, const inner::ExactPath& found, inner::AnswerMethod by) {
+Path path_out(const Mesh& mesh, const ExactPath& found, const Answered& answered) {
   Path path;
   for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
   path.surface_points = points_out(mesh, found.path.points);
   path.length = found.path.length;
   path.certified = found.certified;
-  path.answered_by = static_cast<Answer>(by);
+  path.answered_by = static_cast<Answer>(answered.by);
+  path.remark = answered.remark;
   return path;
 }
 
 }  // namespace
 
 std::vector<double> Surface::distances(const PointList& from, const PointList& to, Answer by) const {
-  return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
+  return ask(*this, TaskOptions{by}, [&](Asked& at) {
     require_pairs(from, to);
-    inner::Answered answered;
-    return state_->current()->distances({points_in(mesh, from), points_in(mesh, to)},
-                                        static_cast<inner::AnswerMethod>(by), answered);
+    return at.surface.distances({at.in(from), at.in(to)}, at.options.by, at.answered);
   });
 }
 
 Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options) const {
-  return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
-    inner::Answered answered;
-    const auto found = state_->current()->path(
-        point_in(mesh, from), point_in(mesh, to), static_cast<inner::AnswerMethod>(options.by),
-        {.exact = options.exact, .certify = options.certify}, answered, Progress(options.progress));
-    Path path = path_out(mesh, found, answered.by);
-    path.remark = std::move(answered.remark);
-    return path;
+  return ask(*this, options, [&](Asked& at) {
+    const auto found = at.surface.path(at.in(from), at.in(to), at.options.by,
+                                       {.exact = options.exact, .certify = options.certify}, at.answered,
+                                       at.options.progress);
+    return path_out(at.mesh, found, at.answered);
   });
 }
 
 std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
                                  const PathOptions& options) const {
-  return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
+  return ask(*this, options, [&](Asked& at) {
     require_pairs(from, to);
-    inner::Answered answered;
-    const auto found = state_->current()->paths(
-        {points_in(mesh, from), points_in(mesh, to)}, static_cast<inner::AnswerMethod>(options.by),
-        {.exact = options.exact, .certify = options.certify}, answered, Progress(options.progress));
     std::vector<Path> paths;
-    paths.reserve(found.size());
-    for (const auto& one : found) {
-      paths.push_back(path_out(mesh, one, answered.by));
-      paths.back().remark = answered.remark;
+    for (const auto& one : at.surface.paths({at.in(from), at.in(to)}, at.options.by,
+                                            {.exact = options.exact, .certify = options.certify}, at.answered,
+                                            at.options.progress)) {
+      paths.push_back(path_out(at.mesh, one, at.answered));
     }
     return paths;
   });
@@ -335,8 +340,7 @@ std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
 SnappedPoint Surface::nearest(const Point& position) const {
   return translated([&] {
     State& state = *state_;
-    std::call_once(state.locator_made,
-                   [&] { state.locator = std::make_unique<inner::SurfaceLocator>(state.mesh); });
+    std::call_once(state.locator_made, [&] { state.locator = std::make_unique<SurfaceLocator>(state.mesh); });
     const auto found = state.locator->nearest(position);
     return SnappedPoint{point_out(*state_->mesh, found.point), found.distance};
   });
@@ -344,7 +348,7 @@ SnappedPoint Surface::nearest(const Point& position) const {
 
 Point Surface::position(const SurfacePoint& point) const {
   return translated([&] {
-    const inner::Mesh& mesh = *state_->mesh;
+    const Mesh& mesh = *state_->mesh;
     return position_of(mesh, validated(mesh, point_in(mesh, point)));
   });
 }
@@ -381,8 +385,8 @@ void Surface::build_index(const IndexOptions& options) {
         [&](const Progress& progress) {
           is_new = true;
           return options.file.empty()
-                     ? inner::GeodesicIndex::build(state_->mesh, wanted, progress)
-                     : inner::GeodesicIndex::build_in_file(options.file, state_->mesh, wanted, progress);
+                     ? GeodesicIndex::build(state_->mesh, wanted, progress)
+                     : GeodesicIndex::build_in_file(options.file, state_->mesh, wanted, progress);
         },
         Progress(options.progress));
     if (!is_new && !options.file.empty()) index->save(options.file);
@@ -393,7 +397,7 @@ bool Surface::has_index() const { return state_->current()->index() != nullptr; 
 
 namespace {
 
-std::shared_ptr<const inner::GeodesicIndex> index_of(Surface::State& state) {
+std::shared_ptr<const GeodesicIndex> index_of(Surface::State& state) {
   if (auto index = state.current()->index()) return index;
   throw InvalidInput("The surface has no index; call build_index() or load_index() first.");
 }
@@ -412,16 +416,16 @@ void Surface::save_index(const std::filesystem::path& file) const {
 }
 
 void Surface::load_index(const std::filesystem::path& file) {
-  translated([&] { state_->adopt(inner::GeodesicIndex::load(file, state_->mesh)); });
+  translated([&] { state_->adopt(GeodesicIndex::load(file, state_->mesh)); });
 }
 
 // ---- The questions of one thread
 
 struct Query::State {
-  explicit State(std::shared_ptr<inner::Surface> asked_surface, inner::AnswerMethod method)
+  explicit State(std::shared_ptr<inner::Surface> asked_surface, AnswerMethod method)
       : surface(std::move(asked_surface)), by(method), query(*surface) {}
   inner::SurfacePoint in(const SurfacePoint& point) const {
-    const inner::Mesh& mesh = *surface->mesh();
+    const Mesh& mesh = *surface->mesh();
     return canonical(mesh, validated(mesh, point_in(mesh, point)));
   }
   inner::PointList in(const PointList& points, const char* what) const {
@@ -429,7 +433,7 @@ struct Query::State {
   }
 
   std::shared_ptr<inner::Surface> surface;
-  inner::AnswerMethod by;
+  AnswerMethod by;
   inner::Query query;
 };
 
@@ -440,7 +444,7 @@ Query Surface::query(Answer by) const {
   if (by == Answer::index) index_of(*state_);
   const auto surface = state_->current();
   if (by == Answer::automatic) by = surface->index() ? Answer::index : Answer::exact;
-  return Query(std::make_unique<Query::State>(surface, static_cast<inner::AnswerMethod>(by)));
+  return Query(std::make_unique<Query::State>(surface, static_cast<AnswerMethod>(by)));
 }
 
 Query::Query(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -454,7 +458,7 @@ std::vector<double> Query::distances_from(const PointList& sources, double limit
   return translated([&] {
     if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
     require_limit(limit);
-    std::vector<inner::ExactSource> from;
+    std::vector<ExactSource> from;
     for (const auto& point : state_->in(sources, "Source")) from.push_back({point});
     return InputMap(*state_->surface->mesh()).of_vertices(state_->query.field(from, limit, state_->by, 1));
   });
@@ -474,28 +478,15 @@ std::vector<double> Query::distances(const SurfacePoint& from, const PointList& 
 Path Query::path(const SurfacePoint& from, const SurfacePoint& to, bool exact) {
   return translated([&] {
     const auto found = state_->query.path(state_->in(from), state_->in(to), state_->by, exact, true);
-    return path_out(*state_->surface->mesh(), found, state_->by);
+    Answered answered;
+    answered.by = state_->by;
+    return path_out(*state_->surface->mesh(), found, answered);
   });
 }
 
 // ---- Tasks
 
 namespace {
-
-/// The part that tasks of the core take of TaskOptions and of FarthestOptions.
-template <class Options>
-inner::TaskOptions core_options(const Options& options) {
-  return {.by = static_cast<inner::AnswerMethod>(options.by), .progress = Progress(options.progress)};
-}
-
-/// Runs a task: body(surface, mesh).
-template <class Body>
-auto run_task(const Surface& surface, Body&& body) {
-  return translated([&] {
-    const auto current = surface.state().current();
-    return body(*current, *current->mesh());
-  });
-}
 
 /// For so many rows of distances. \throw NotEnoughMemory before anything is allocated.
 std::vector<double> rows_of_distances(std::size_t rows, std::size_t width) {
@@ -504,70 +495,64 @@ std::vector<double> rows_of_distances(std::size_t rows, std::size_t width) {
   return std::vector<double>(rows * width);
 }
 
-SparseDistances sparse_out(inner::Surface& surface, const inner::PointList& points, double radius,
-                           const inner::TaskOptions& options) {
-  auto found = pairs_within(surface, points, radius, 0, options);
-  return {std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
-}
-
 }  // namespace
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
                                     const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    const inner::PointList all = points_in(mesh, points);
+  return ask(surface, options, [&](const Asked& at) {
+    const inner::PointList all = at.in(points);
     std::vector<double> matrix = rows_of_distances(all.size(), all.size());
-    distance_matrix(asked, all, MatrixMethod::automatic, std::span(matrix), core_options(options));
+    distance_matrix(at.surface, all, MatrixMethod::automatic, std::span(matrix), at.options);
     return matrix;
   });
 }
 
 std::vector<double> distance_matrix(const Surface& surface, const PointList& rows, const PointList& columns,
                                     const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    const inner::PointList from = points_in(mesh, rows);
-    const inner::PointList to = points_in(mesh, columns);
+  return ask(surface, options, [&](const Asked& at) {
+    const inner::PointList from = at.in(rows);
+    const inner::PointList to = at.in(columns);
     std::vector<double> matrix = rows_of_distances(from.size(), to.size());
-    distance_matrix(asked, from, to, MatrixMethod::automatic, std::span(matrix), core_options(options));
+    distance_matrix(at.surface, from, to, MatrixMethod::automatic, std::span(matrix), at.options);
     return matrix;
   });
 }
 
 std::vector<double> distance_fields(const Surface& surface, const PointList& sources, double limit,
                                     const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    const inner::PointList from = points_in(mesh, sources);
+  return ask(surface, options, [&](const Asked& at) {
+    const inner::PointList from = at.in(sources);
     std::vector<double> rows =
         rows_of_distances(from.size(), static_cast<std::size_t>(surface.vertex_count()));
-    distance_fields(asked, from, limit, std::span(rows), core_options(options));
+    distance_fields(at.surface, from, limit, std::span(rows), at.options);
     return rows;
   });
 }
 
 SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                              const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    return sparse_out(asked, points_in(mesh, points), radius, core_options(options));
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = pairs_within(at.surface, at.in(points), radius, 0, at.options);
+    return SparseDistances{std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
   });
 }
 
 NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                      std::size_t count, const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found =
-        nearest_of_set(asked, points_in(mesh, set), points_in(mesh, queries), count, core_options(options));
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = nearest_of_set(at.surface, at.in(set), at.in(queries), count, at.options);
     return NearestOfSet{std::move(found.position), std::move(found.distance)};
   });
 }
 
 VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = voronoi_regions(asked, points_in(mesh, sites), core_options(options));
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = voronoi_regions(at.surface, at.in(sites), at.options);
     VoronoiRegions regions;
     regions.face_region =
-        InputMap(mesh).of_faces(found.face_region, static_cast<std::size_t>(surface.face_count()));
-    regions.vertex_region = InputMap(mesh).of_vertices(std::move(found.vertex_region));
-    regions.distance = InputMap(mesh).of_vertices(std::move(found.distance));
+        InputMap(at.mesh).of_faces(found.face_region, static_cast<std::size_t>(surface.face_count()));
+    regions.vertex_region = InputMap(at.mesh).of_vertices(std::move(found.vertex_region));
+    regions.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     regions.area = std::move(found.area);
     regions.borders = {std::move(found.borders.points), std::move(found.borders.segments)};
     regions.border_regions = std::move(found.border_regions);
@@ -585,44 +570,40 @@ Isolines isolines(const Surface& surface, const std::vector<double>& field,
 }
 
 FarthestSamples sample_farthest(const Surface& surface, const FarthestOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    FarthestStop stop;
-    stop.count = options.count;
-    stop.radius = options.radius;
-    auto found =
-        sample_farthest(asked, stop, points_in(mesh, options.start), options.seed, core_options(options));
-    return FarthestSamples{points_out(mesh, found.points), std::move(found.radius), std::move(found.distance),
-                           found.covering_radius};
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = sample_farthest(at.surface, FarthestStop{options.count, options.radius},
+                                 at.in(options.start), options.seed, at.options);
+    return FarthestSamples{points_out(at.mesh, found.points), std::move(found.radius),
+                           std::move(found.distance), found.covering_radius};
   });
 }
 
 std::vector<int> sample_poisson_disk(const Surface& surface, double radius, std::uint64_t seed,
                                      const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh&) {
-    return sample_poisson_disk(asked, radius, seed, core_options(options));
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return sample_poisson_disk(at.surface, radius, seed, at.options); });
 }
 
 RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds, const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = relax_points(asked, points_in(mesh, points), rounds, core_options(options));
-    return RelaxedPoints{points_out(mesh, found.points), std::move(found.energy)};
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = relax_points(at.surface, at.in(points), rounds, at.options);
+    return RelaxedPoints{points_out(at.mesh, found.points), std::move(found.energy)};
   });
 }
 
 Disk disk(const Surface& surface, const PointList& sources, double radius, const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
-    auto found = geodesic_disk(asked, points_in(mesh, sources), radius, core_options(options));
-    for (int& face : found.faces) face = mesh.input_face(face);
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = geodesic_disk(at.surface, at.in(sources), radius, at.options);
+    for (int& face : found.faces) face = at.mesh.input_face(face);
     return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
   });
 }
 
 std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
                                          const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+  return ask(surface, options, [&](const Asked& at) {
     std::vector<Eccentricity> out;
-    for (const auto& one : eccentricities(asked, points_in(mesh, points), core_options(options))) {
+    for (const auto& one : eccentricities(at.surface, at.in(points), at.options)) {
       out.push_back({one.distance, one.farthest});
     }
     return out;
@@ -630,9 +611,9 @@ std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList
 }
 
 Extent extent(const Surface& surface, int max_fields, const TaskOptions& options) {
-  return run_task(surface, [&](inner::Surface& asked, const inner::Mesh& mesh) {
+  return ask(surface, options, [&](const Asked& at) {
     const auto found =
-        extent_of_component(asked, largest_component(mesh).first_vertex, max_fields, core_options(options));
+        extent_of_component(at.surface, largest_component(at.mesh).first_vertex, max_fields, at.options);
     return Extent{{found.diameter.lower, found.diameter.upper},
                   {found.ends[0], found.ends[1]},
                   {found.radius.lower, found.radius.upper},
