@@ -91,7 +91,7 @@ BoundaryDijkstra::BoundaryDijkstra(const PatchLayer& layer)
     : layer_(layer),
       distance_(layer.node_count(), unreachable),
       state_(layer.node_count()),
-      bucket_width_(0.5 * layer.edges.typical_length()) {
+      bucket_width_(0.5 * layer.typical_border_edge) {
   queue_.resize(layer.node_count());
   queue_.reset(bucket_width_);
 }
@@ -116,24 +116,20 @@ void BoundaryDijkstra::relax(Index node, double distance, Index patch, Index row
 void BoundaryDijkstra::add(Index node, double distance, Index wave) { relax(node, distance, no_index, wave); }
 
 double BoundaryDijkstra::across(Index patch, Index row, Index column, double sum) const {
-  const Index* nodes = layer_.border_node.data() + layer_.border_begin[patch];
-  const NodeState& at = state_[nodes[row]];
-  if (at.patch == patch) return sum;
-  const double source = distance_[nodes[row]];
-  const double target = layer_.distance(patch, row, column);
-  // Where more borders meet, the neighbours beyond the first few are left out.
-  std::array<BorderSample, 4> neighbours{};
-  std::size_t known = 0;
+  const auto nodes = layer_.nodes(patch);
+  const Index node = nodes[row];
+  if (state_[node].patch == patch) return sum;
+  const PatchLayer::Column targets = layer_.column_of(patch, column);
+  Crossing<double> crossing{distance_[node], targets.distance(row)};
   for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
-    const NodeState& other = state_[nodes[next.row]];
-    const double other_source = distance_[nodes[next.row]];
-    if (other_source == unreachable || other.patch == patch ||
-        !may_share_wave(predecessor(nodes[row]), predecessor(nodes[next.row])))
+    const Index other = nodes[next.row];
+    if (distance_[other] == unreachable || state_[other].patch == patch ||
+        !may_share_wave(predecessor(node), predecessor(other))) {
       continue;
-    if (known == neighbours.size()) break;
-    neighbours[known++] = {other_source, layer_.distance(patch, next.row, column), next.length};
+    }
+    crossing.add({distance_[other], targets.distance(next.row), next.length});
   }
-  return std::min(sum, crossing_distance(source, target, {neighbours.data(), known}));
+  return std::min(sum, crossing_distance(crossing));
 }
 
 double BoundaryDijkstra::sum(Index node) const {
@@ -310,8 +306,6 @@ void FollowerSweep::settle(Index rank, std::uint32_t chosen, const Sums& sums) {
   const Index node = order_[rank];
   std::array<Index, lanes> from_patch;
   Crossings crossings{};
-  float corrected[Crossings::capacity];
-  std::uint32_t alone = 0;
   for_each_lane(chosen, [&](Index lane) {
     const Index slot = sums.slot[lane];
     PatchRow to = layer_.patches_of(node)[0];
@@ -321,43 +315,20 @@ void FollowerSweep::settle(Index rank, std::uint32_t chosen, const Sums& sums) {
     }
     from_patch[lane] = to.patch;
     const Index begin = patch_slot_[to.patch];
-    const PatchLayer::Column column = layer_.column_of(to.patch, to.row);
-    const TableScale scale = layer_.scale[to.patch];
-    auto target = [&](Index row) {
-      const std::uint16_t entry = column.first[row * column.step];
-      return entry == PatchLayer::infinite_entry ? unreachable_float : scale.distance(entry);
-    };
-    crossings.source[lane] = above_[at(slot, lane)];
-    crossings.target[lane] = target(slot - begin);
-    // Where more borders meet, the neighbours beyond the first few are left out.
-    std::array<BorderSample, 4> neighbours{};
-    std::size_t known = 0;
+    const PatchLayer::Column targets = layer_.column_of(to.patch, to.row);
+    Crossing<float> crossing{above_[at(slot, lane)], targets.distance(slot - begin)};
     for (const BorderNeighbour& next : layer_.neighbours(to.patch, slot - begin)) {
       const float source = above_[at(begin + next.row, lane)];
-      if (source == unreachable_float) continue;
-      if (known == neighbours.size()) break;
-      neighbours[known++] = {source, target(next.row), next.length};
+      if (source != unreachable_float) crossing.add({source, targets.distance(next.row), next.length});
     }
-    if (known > 2) {
-      alone |= 1u << lane;
-      corrected[lane] = static_cast<float>(
-          crossing_distance(crossings.source[lane], crossings.target[lane], {neighbours.data(), known}));
-      return;
-    }
-    for (std::size_t side = 0; side < known; ++side) {
-      if (neighbours[side].target == unreachable) continue;
-      crossings.side[side].source[lane] = static_cast<float>(neighbours[side].source);
-      crossings.side[side].target[lane] = static_cast<float>(neighbours[side].target);
-      crossings.side[side].length[lane] = static_cast<float>(neighbours[side].length);
-    }
+    crossings.set(lane, crossing);
   });
   float gain[Crossings::capacity];
   crossing_gains(crossings, 0.0f, gain);
   for_each_lane(chosen, [&](Index lane) {
-    const float sum = sums.least[lane];
-    const float improved = (alone >> lane & 1u) != 0 ? std::min(sum, corrected[lane]) : sum - gain[lane];
     // Not less than that of the predecessor.
-    const float distance = std::max(improved, std::min(sum, crossings.source[lane]));
+    const float sum = sums.least[lane];
+    const float distance = std::max(sum - gain[lane], std::min(sum, crossings.source[lane]));
     distance_[at(rank, lane)] = distance;
     set_above(node, lane, from_patch[lane], distance);
   });

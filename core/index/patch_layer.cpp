@@ -10,31 +10,6 @@
 
 namespace vorogeo {
 
-// ---- Collecting the border edges of all patches by node
-
-BorderEdges::BorderEdges(const PatchLayer& layer) : edges_(layer.node_count()) {
-  for (Index p = 0; p < layer.patch_count; ++p) {
-    const auto nodes = layer.nodes(p);
-    for (std::size_t row = 0; row < nodes.size(); ++row) {
-      auto& edges = edges_[nodes[row]];
-      for (const BorderNeighbour& next : layer.neighbours(p, static_cast<Index>(row))) {
-        const Index other = nodes[next.row];
-        const auto place = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
-          return edge.node == other || edge.node == no_index;
-        });
-        if (place != edges.end()) *place = {other, next.length};
-      }
-    }
-  }
-  if (layer.neighbour.empty()) return;
-  std::vector<float> lengths;
-  lengths.reserve(layer.neighbour.size());
-  for (const BorderNeighbour& next : layer.neighbour) lengths.push_back(next.length);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  typical_length_ = *middle;
-}
-
 // ---- One pass over the border nodes of all patches
 
 BorderStretches::BorderStretches(const PatchLayer& layer) {
@@ -193,6 +168,17 @@ void order_along_borders(Index place_count, const std::vector<BorderPiece>& piec
   node_place.swap(ordered);
 }
 
+/// Edges of whatever length hardly change it, if they are few.
+double median_length(const std::vector<BorderNeighbour>& edges) {
+  if (edges.empty()) return 0.0;
+  std::vector<float> lengths;
+  lengths.reserve(edges.size());
+  for (const BorderNeighbour& edge : edges) lengths.push_back(edge.length);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  return *middle;
+}
+
 }  // namespace
 
 PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> label, Index patch_count,
@@ -273,7 +259,7 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   }
   layer.incidence.shrink_to_fit();
   layer.neighbour.shrink_to_fit();
-  layer.edges = BorderEdges(layer);
+  layer.typical_border_edge = median_length(layer.neighbour);
   layer.touching = PatchNeighbours(layer);
   layer.stretches = BorderStretches(layer);
   return layer;
@@ -301,33 +287,16 @@ std::int64_t pairs_of_nodes(const PatchLayer& layer) {
 }
 
 std::size_t table_size(const PatchLayer& layer, Index patch) {
-  auto columns = static_cast<std::size_t>(layer.member_count(patch));
-  if (layer.order == TableOrder::tiles) {
-    constexpr std::size_t width = PatchLayer::tile_width;
-    columns = (columns + width - 1) / width * width;
-  }
+  const auto width = static_cast<std::size_t>(width_of(layer.order));
+  const std::size_t columns = (layer.member_count(patch) + width - 1) / width * width;
   return columns * layer.border_size(patch);
 }
 
-void PatchLayer::read_column(Index patch, Index column, float* distances) const {
-  const Index rows = border_size(patch);
-  if (order == TableOrder::lines) {
-    scale_entries(line(patch, column), rows, scale[patch], distances);
-    return;
-  }
-  for (Index row = 0; row < rows; ++row) distances[row] = distance(patch, row, column);
-}
-
 void PatchLayer::read_border(Index patch, Index row, float* distances) const {
-  const Index rows = border_size(patch);
-  if (order == TableOrder::lines) {
-    scale_entries(line(patch, row), rows, scale[patch], distances);
-    return;
-  }
-  for (Index begin = 0; begin < rows; begin += tile_width) {
-    scale_entries(tile(patch, begin / tile_width) + static_cast<std::size_t>(row) * tile_width,
-                  std::min(tile_width, rows - begin), scale[patch], distances + begin);
-  }
+  const BorderStretch all{patch, 0, 0, border_size(patch)};
+  for_each_run(all, row, [&](const BorderStretch& part, const std::uint16_t* entries) {
+    scale_entries(entries, part.end - part.begin, scale[patch], distances + part.row);
+  });
 }
 
 std::size_t PatchLayer::memory_bytes() const {
@@ -335,8 +304,7 @@ std::size_t PatchLayer::memory_bytes() const {
   return bytes(node_place) + bytes(place_node) + bytes(border_begin) + bytes(border_node) +
          bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
          bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(scale) +
-         bytes(offset) + bytes(complete) + edges.memory_bytes() + touching.memory_bytes() +
-         stretches.memory_bytes();
+         bytes(offset) + bytes(complete) + touching.memory_bytes() + stretches.memory_bytes();
 }
 
 }  // namespace vorogeo

@@ -15,42 +15,6 @@
 
 namespace vorogeo {
 
-// ---- How a route goes from one border node to the next: by the table of a patch, or by the transit table
-
-/// One leg of a route, in the 32 bits that index files hold for it: patch p of the second layer as p, of the
-/// first layer as -1 - p.
-class Leg {
- public:
-  enum class Table : std::uint8_t { second, first, transit };
-
-  /// By the transit table.
-  constexpr Leg() = default;
-  /// Through a patch of the second layer.
-  static constexpr Leg through_second(Index patch) { return Leg(patch); }
-  /// Through a patch of the first layer.
-  static constexpr Leg through_first(Index patch) { return Leg(-1 - patch); }
-  /// From one first-layer node to another by the transit table.
-  static constexpr Leg by_transit_table() { return {}; }
-
-  constexpr Table table() const {
-    if (code_ >= 0) return Table::second;
-    return code_ == transit_code ? Table::transit : Table::first;
-  }
-  constexpr bool in_first_layer() const { return table() == Table::first; }
-  constexpr bool in_second_layer() const { return code_ >= 0; }
-  /// The patch in its layer; no_index for the transit table.
-  constexpr Index patch() const {
-    if (code_ >= 0) return code_;
-    return code_ == transit_code ? no_index : -1 - code_;
-  }
-  constexpr bool operator==(const Leg&) const = default;
-
- private:
-  static constexpr Index transit_code = std::numeric_limits<Index>::min();
-  explicit constexpr Leg(Index code) : code_(code) {}
-  Index code_ = transit_code;
-};
-
 // ---- What the entries of a table stand for
 
 /// Entries are whole numbers. On an *even* scale they are multiples of a unit, which resolves all distances
@@ -96,45 +60,10 @@ inline constexpr float small_part = 1.0f / 512.0f;
 /// change their distance by a sixteenth or more.
 inline constexpr float least_steps = 8.0f;
 
-/// The distance of an entry where the kind of scale is chosen outside a loop.
-template <bool is_graded>
-inline __attribute__((always_inline)) float distance_on_scale(float unit, float entry) {
-  const float root = unit * entry;
-  return is_graded ? (root * root) * (root * root) : root;
-}
-
-// ---- Which border nodes of a layer are joined by a border edge
-
 struct InnerSurface;
 struct PatchLayer;
 
-/// Neighbours of each node along the borders of its patches, up to four; where more borders meet, the rest
-/// are left out.
-class BorderEdges {
- public:
-  BorderEdges() = default;
-  explicit BorderEdges(const PatchLayer& layer);
-
-  struct Edge {
-    Index node = no_index;
-    float length = 0.0f;
-  };
-  /// The edges of a node; those that do not exist lead to no_index.
-  const std::array<Edge, 4>& at(Index node) const { return edges_[node]; }
-
-  /// Median length of the border edges, each counted once for every adjacent patch; a few of whatever length
-  /// do not change it. 0 if there are none.
-  double typical_length() const { return typical_length_; }
-  std::size_t memory_bytes() const { return edges_.size() * sizeof(edges_[0]); }
-
- private:
-  std::vector<std::array<Edge, 4>> edges_;
-  double typical_length_ = 0.0;
-};
-
 // ---- The border of a patch as stretches of consecutive nodes
-
-struct PatchLayer;
 
 /// Consecutive nodes of a patch, whose rows are consecutive, too.
 struct BorderStretch {
@@ -163,8 +92,6 @@ class BorderStretches {
 };
 
 // ---- Which patches of a layer have a border node in common
-
-struct PatchLayer;
 
 /// Lists of touching patches.
 class PatchNeighbours {
@@ -201,7 +128,9 @@ struct BorderNeighbour {
 /// How the table of a patch lies in memory. *Lines*: column by column, so that all distances of one member
 /// are consecutive. *Tiles*: tile_width columns at a time, row by row, so that a scan finds the least sums of
 /// all columns of a tile at once; the last tile is padded with infinite_entry.
-enum class TableOrder { lines, tiles };
+/// The values are binary logarithms of how many columns lie side by side.
+enum class TableOrder : std::uint8_t { lines = 0, tiles = 5 };
+constexpr Index width_of(TableOrder order) { return 1 << static_cast<int>(order); }
 
 /// Patches of one layer over the inner surface. A *node* is a place on the border of two or more patches.
 ///
@@ -215,7 +144,7 @@ enum class TableOrder { lines, tiles };
 /// entries hold its distances minus an offset, the least of them, so that it does not coarsen the unit for
 /// all others. Scans are not affected: the offset is the same for all rows.
 struct PatchLayer {
-  static constexpr Index tile_width = 32;
+  static constexpr Index tile_width = width_of(TableOrder::tiles);
   static constexpr std::uint16_t greatest_entry = 32766;
   static constexpr std::uint16_t infinite_entry = 32767;  ///< the entry for an infinite distance
   /// Members are far if they are beyond this many times the greatest distance between two nodes of the patch.
@@ -232,9 +161,10 @@ struct PatchLayer {
   std::vector<PatchRow> incidence;     ///< patches of each node, ascending
   std::vector<Index> neighbour_begin;  ///< by border_begin[patch] + row, into neighbour
   std::vector<BorderNeighbour> neighbour;
-  BorderEdges edges;          ///< by node
   PatchNeighbours touching;   ///< by patch
   BorderStretches stretches;  ///< by patch
+  /// Median length of the border edges, each counted once for every patch beside it; 0 if there are none.
+  double typical_border_edge = 0.0;
   TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
   SharedArray<std::uint16_t> table;
@@ -265,29 +195,27 @@ struct PatchLayer {
     const Index slot = border_begin[patch] + row;
     return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
   }
-  /// Where the entries of a member lie: that of `row` is first[row * step].
+  /// The distances of a member from the border nodes, by row.
   struct Column {
     const std::uint16_t* first;
     std::size_t step;
+    TableScale scale;
+    float offset;  ///< 0 for nodes
+
+    const std::uint16_t& entry(Index row) const { return first[row * step]; }
+    float distance(Index row) const {
+      return entry(row) == infinite_entry ? unreachable_float : offset + scale.distance(entry(row));
+    }
   };
   Column column_of(Index patch, Index column) const {
-    const std::uint16_t* of_patch = table.data() + table_begin[patch];
-    const auto rows = static_cast<std::size_t>(border_size(patch));
-    if (order == TableOrder::lines) return {of_patch + column * rows, 1};
-    return {of_patch + column / tile_width * rows * tile_width + column % tile_width, tile_width};
-  }
-  std::uint16_t entry(Index patch, Index row, Index column) const {
-    const Column entries = column_of(patch, column);
-    return entries.first[row * entries.step];
-  }
-  /// The offset to be added to the entries of a member; 0 for nodes.
-  float offset_of(Index patch, Index column) const {
-    return offset.empty() ? 0.0f : offset[member_begin[patch] + column];
+    const auto shift = static_cast<int>(order);
+    const auto group = static_cast<std::size_t>(column >> shift) * border_size(patch) << shift;
+    return {table.data() + table_begin[patch] + group + (column & (width_of(order) - 1)),
+            static_cast<std::size_t>(width_of(order)), scale[patch],
+            offset.empty() ? 0.0f : offset[member_begin[patch] + column]};
   }
   float distance(Index patch, Index row, Index column) const {
-    const std::uint16_t found = entry(patch, row, column);
-    return found == infinite_entry ? std::numeric_limits<float>::infinity()
-                                   : offset_of(patch, column) + scale[patch].distance(found);
+    return column_of(patch, column).distance(row);
   }
   /// Entries of a member by row; for the order of lines only.
   const std::uint16_t* line(Index patch, Index column) const {
@@ -298,24 +226,22 @@ struct PatchLayer {
     return table.data() + table_begin[patch] +
            static_cast<std::size_t>(tile) * tile_width * border_size(patch);
   }
-  /// Writes the distances of a member from the border nodes, by row (border_size of them).
-  void read_column(Index patch, Index column, float* distances) const;
-  /// The same for a border node, by its row: the table is symmetric there.
+  /// Writes the distances of a border node (by its row) from all border nodes of its patch.
   void read_border(Index patch, Index row, float* distances) const;
   /// Cuts a stretch of border nodes into parts whose distances from the node in row `from` are contiguous in
-  /// memory, and calls visit(part, entries) for each.
-  template <class Stretch, class Visit>
-  void for_each_run(const Stretch& stretch, Index from, Visit&& visit) const;
+  /// memory, and calls visit(part, entries) for each: the table is symmetric there.
+  template <class Visit>
+  void for_each_run(const BorderStretch& stretch, Index from, Visit&& visit) const;
   std::size_t memory_bytes() const;
 };
 
-template <class Stretch, class Visit>
-void PatchLayer::for_each_run(const Stretch& stretch, Index from, Visit&& visit) const {
+template <class Visit>
+void PatchLayer::for_each_run(const BorderStretch& stretch, Index from, Visit&& visit) const {
   if (order == TableOrder::lines) {
     visit(stretch, line(stretch.patch, from) + stretch.row);
     return;
   }
-  Stretch part = stretch;
+  BorderStretch part = stretch;
   while (part.begin < stretch.end) {
     const Index in_tile = part.row % tile_width;
     part.end = std::min(stretch.end, part.begin + tile_width - in_tile);

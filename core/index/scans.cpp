@@ -2,24 +2,65 @@
 #include "index/scans.h"
 
 #include <bit>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
-#include "index/unfolding.h"
 #include "support/processor.h"
 
 namespace vorogeo {
 
-// ---- The scan, with the least sums of all lanes in registers
+// ---- Vectors of fixed width, which the compiler maps to one or more registers of the chosen instruction
+// set, and the distances of entries on both kinds of scales
 
 namespace {
 
-constexpr std::uint16_t infinite_entry = 32767;
+constexpr std::uint16_t infinite_entry_15 = 32767;
+constexpr std::uint16_t infinite_entry_16 = 65535;
+constexpr std::int16_t greatest_sum = 32767;
 
+using Bytes = std::uint8_t __attribute__((vector_size(32)));
+using HalfOfBytes = std::uint8_t __attribute__((vector_size(16)));
+using FewBytes = std::uint8_t __attribute__((vector_size(8)));
+using Shorts = std::int16_t __attribute__((vector_size(32)));
+using HalfOfShorts = std::int16_t __attribute__((vector_size(16)));
+using FewShorts = std::int16_t __attribute__((vector_size(8)));
 using Floats = float __attribute__((vector_size(32)));
 using Masks = std::int32_t __attribute__((vector_size(32)));
 using Entries = std::uint16_t __attribute__((vector_size(16)));
+
+static_assert(sizeof(Bytes) == byte_lanes && sizeof(Shorts) == 2 * short_lanes);
+
+template <class Vector>
+VOROGEO_INLINE void load(Vector& to, const void* from) {
+  std::memcpy(&to, from, sizeof(to));
+}
+
+/// The distances of entries that are not infinite.
+template <bool is_graded>
+struct Decoder {
+  float unit;
+
+  VOROGEO_INLINE float operator()(std::uint16_t entry) const {
+    const float root = unit * static_cast<float>(entry);
+    return is_graded ? (root * root) * (root * root) : root;
+  }
+  VOROGEO_INLINE void operator()(const Masks& entries, Floats& distances) const {
+    const Floats root = unit * __builtin_convertvector(entries, Floats);
+    distances = is_graded ? (root * root) * (root * root) : root;
+  }
+};
+
+/// Calls scan(decoder): a scan is compiled for each kind of scale.
+template <class Scan>
+VOROGEO_INLINE auto on_scale(TableScale scale, const Scan& scan) {
+  return scale.is_graded() ? scan(Decoder<true>{scale.unit()}) : scan(Decoder<false>{scale.unit()});
+}
+
+}  // namespace
+
+// ---- Scans in integers and plain sums give the same result to the last bit on all instruction sets; where a
+// product is added, some sets round once and others twice
+
+namespace {
 
 /// The least sums so far, and where they come from, in registers.
 struct Lanes {
@@ -27,10 +68,10 @@ struct Lanes {
   Floats least[2];
   Masks best[2];
 
-  inline __attribute__((always_inline)) void relax(const float* base, float distance, Index name) {
+  VOROGEO_INLINE void relax(const float* base, float distance, Index name) {
     for (int k = 0; k < 2; ++k) {
       Floats sum;
-      std::memcpy(&sum, base + k * half, sizeof(sum));
+      load(sum, base + k * half);
       sum += distance;
       const Masks is_less = sum < least[k];
       least[k] = is_less ? sum : least[k];
@@ -39,161 +80,43 @@ struct Lanes {
   }
 };
 
-template <bool is_graded>
-inline __attribute__((always_inline)) void relax_lanes_on(const std::uint16_t* entries, float unit,
-                                                          Index count, const float* base, Index first_name,
-                                                          float* least, Index* best) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  constexpr Index block = 8;
-  Lanes lanes;
-  std::memcpy(lanes.least, least, sizeof(lanes.least));
-  std::memcpy(lanes.best, best, sizeof(lanes.best));
-  if (count < block) {
-    for (Index i = 0; i < count; ++i) {
-      const float finite = distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
-      lanes.relax(base + i * lane_count, entries[i] == infinite_entry ? infinite : finite, first_name + i);
-    }
-  } else {
-    for (Index done = 0; done < count; done += block) {
-      // The last block begins early enough to be whole: what is done twice does no harm.
-      const Index begin = done < count - block ? done : count - block;
-      Entries entry;
-      std::memcpy(&entry, entries + begin, sizeof(entry));
-      const Masks wide = __builtin_convertvector(entry, Masks);
-      const Floats root = unit * __builtin_convertvector(wide, Floats);
-      const Floats finite = is_graded ? (root * root) * (root * root) : root;
-      const Floats distance = wide == infinite_entry ? Floats{} + infinite : finite;
-      const float* from = base + static_cast<std::size_t>(begin) * lane_count;
-      for (Index i = 0; i < block; ++i) {
-        lanes.relax(from + i * lane_count, distance[i], first_name + begin + i);
-      }
-    }
-  }
-  std::memcpy(least, lanes.least, sizeof(lanes.least));
-  std::memcpy(best, lanes.best, sizeof(lanes.best));
-}
-
 }  // namespace
 
 VOROGEO_CLONES
 void relax_lanes(const std::uint16_t* entries, TableScale scale, Index count, const float* base,
                  Index first_name, float* least, Index* best) {
-  scale.is_graded() ? relax_lanes_on<true>(entries, scale.unit(), count, base, first_name, least, best)
-                    : relax_lanes_on<false>(entries, scale.unit(), count, base, first_name, least, best);
+  constexpr Index block = 8;
+  Lanes lanes;
+  load(lanes.least, least);
+  load(lanes.best, best);
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        if (count < block) {
+          for (Index i = 0; i < count; ++i) {
+            lanes.relax(base + i * lane_count,
+                        entries[i] == infinite_entry_15 ? unreachable_float : decode(entries[i]),
+                        first_name + i);
+          }
+          return;
+        }
+        for (Index done = 0; done < count; done += block) {
+          // The last block begins early enough to be whole: what is done twice does no harm.
+          const Index begin = done < count - block ? done : count - block;
+          Entries entry;
+          load(entry, entries + begin);
+          const Masks wide = __builtin_convertvector(entry, Masks);
+          Floats distance;
+          decode(wide, distance);
+          distance = wide == infinite_entry_15 ? Floats{} + unreachable_float : distance;
+          const float* from = base + static_cast<std::size_t>(begin) * lane_count;
+          for (Index i = 0; i < block; ++i) {
+            lanes.relax(from + i * lane_count, distance[i], first_name + begin + i);
+          }
+        }
+      });
+  std::memcpy(least, lanes.least, sizeof(lanes.least));
+  std::memcpy(best, lanes.best, sizeof(lanes.best));
 }
-
-// ---- The scans. Scans in integers and plain sums give the same result to the last bit on all instruction
-// sets; where a product is added, some sets round once and others twice
-
-namespace {
-
-constexpr std::uint16_t infinite_entry_15 = 32767;
-constexpr std::uint16_t infinite_entry_16 = 65535;
-constexpr std::int16_t greatest_sum = 32767;
-
-using Floats = float __attribute__((vector_size(32)));
-using Masks = std::int32_t __attribute__((vector_size(32)));
-using Entries = std::uint16_t __attribute__((vector_size(16)));
-
-// The scans over distances, for each kind of scale; they are parts of the functions that choose between them.
-#define VOROGEO_ON_SCALE    \
-  template <bool is_graded> \
-  inline __attribute__((always_inline))
-
-VOROGEO_ON_SCALE IndexRange range_within_on(const float* base, const std::uint16_t* entries, float unit,
-                                            float bound, Index count) {
-  constexpr Index block = 16;
-  auto within = [&](Index i) {
-    return base[i] + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i])) <= bound;
-  };
-  Index begin = 0;
-  for (; begin + block <= count; begin += block) {
-    int found = 0;
-    for (Index k = 0; k < block; ++k) found |= within(begin + k) ? 1 : 0;
-    if (found != 0) break;
-  }
-  while (begin < count && !within(begin)) ++begin;
-  Index end = count;
-  for (; end - block >= begin; end -= block) {
-    int found = 0;
-    for (Index k = 1; k <= block; ++k) found |= within(end - k) ? 1 : 0;
-    if (found != 0) break;
-  }
-  while (end > begin && !within(end - 1)) --end;
-  return {begin, end};
-}
-
-VOROGEO_ON_SCALE void relax_by_line_on(const std::uint16_t* entries, float unit, float base, Index name,
-                                       Index count, float* least, Index* best) {
-  for (Index i = 0; i < count; ++i) {
-    const float through = base + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
-    const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
-    least[i] = is_less ? through : least[i];
-    best[i] = is_less ? name : best[i];
-  }
-}
-
-VOROGEO_ON_SCALE float relax_by_cell_on(const std::uint16_t* cell, Index rows, Index columns,
-                                        const float* base, float offset, float unit, Index first_name,
-                                        float* least, Index* best) {
-  float worst = 0.0f;
-  for (Index row = 0; row < rows; ++row) {
-    const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
-    const float start = base[row] + offset;
-    for (Index i = 0; i < columns; ++i) {
-      const float through = start + distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
-      const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
-      least[i] = is_less ? through : least[i];
-      best[i] = is_less ? first_name + row : best[i];
-    }
-  }
-  for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
-  return worst;
-}
-
-VOROGEO_ON_SCALE float least_in_cell_on(const std::uint16_t* cell, Index rows, Index columns,
-                                        const float* from, const float* to, float unit) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  constexpr Index width = 8;
-  float least = infinite;
-  if (columns != width) {
-    for (Index row = 0; row < rows; ++row) {
-      const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
-      for (Index k = 0; k < columns; ++k) {
-        const float between = distance_on_scale<is_graded>(unit, static_cast<float>(entries[k]));
-        const float sum = (from[row] + between) + to[k];
-        if (entries[k] != infinite_entry_16 && sum < least) least = sum;
-      }
-    }
-    return least;
-  }
-  Floats lane = Floats{} + infinite;
-  for (Index row = 0; row < rows; ++row) {
-    Entries entry;
-    std::memcpy(&entry, cell + static_cast<std::size_t>(row) * width, sizeof(entry));
-    const Masks wide = __builtin_convertvector(entry, Masks);
-    const Floats between = __builtin_convertvector(wide, Floats);
-    const Floats root = unit * between;
-    const Floats sum = from[row] + (is_graded ? (root * root) * (root * root) : root);
-    lane = (wide != infinite_entry_16) & (sum < lane) ? sum : lane;
-  }
-  // The last part is the same for all rows.
-  Floats last;
-  std::memcpy(&last, to, sizeof(last));
-  lane += last;
-  for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
-  return least;
-}
-
-VOROGEO_ON_SCALE void scale_entries_on(const std::uint16_t* entries, Index count, float unit,
-                                       float* distances) {
-  for (Index i = 0; i < count; ++i) {
-    const float distance = distance_on_scale<is_graded>(unit, static_cast<float>(entries[i]));
-    distances[i] = entries[i] == infinite_entry_15 ? std::numeric_limits<float>::infinity() : distance;
-  }
-}
-
-}  // namespace
 
 VOROGEO_CLONES
 Index first_lower(const float* line, double base, const double* distance, Index begin, Index count) {
@@ -217,15 +140,44 @@ Index first_lower(const float* line, double base, const double* distance, Index 
 VOROGEO_CLONES
 IndexRange range_within(const float* base, const std::uint16_t* entries, TableScale scale, float bound,
                         Index count) {
-  return scale.is_graded() ? range_within_on<true>(base, entries, scale.unit(), bound, count)
-                           : range_within_on<false>(base, entries, scale.unit(), bound, count);
+  constexpr Index block = 8;
+  IndexRange range{0, count};
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        const auto is_within = [&](Index i) { return base[i] + decode(entries[i]) <= bound; };
+        const auto is_any_within = [&](Index i) __attribute__((always_inline)) {
+          Entries entry;
+          Floats from;
+          Floats sum;
+          load(entry, entries + i);
+          load(from, base + i);
+          decode(__builtin_convertvector(entry, Masks), sum);
+          const Masks within = from + sum <= bound;
+          std::uint64_t words[4];
+          load(words, &within);
+          return (words[0] | words[1] | words[2] | words[3]) != 0;
+        };
+        auto& [begin, end] = range;
+        while (begin + block <= count && !is_any_within(begin)) begin += block;
+        while (begin < count && !is_within(begin)) ++begin;
+        while (end - block >= begin && !is_any_within(end - block)) end -= block;
+        while (end > begin && !is_within(end - 1)) --end;
+      });
+  return range;
 }
 
 VOROGEO_CLONES
 void relax_by_line(const std::uint16_t* entries, TableScale scale, float base, Index name, Index count,
                    float* least, Index* best) {
-  scale.is_graded() ? relax_by_line_on<true>(entries, scale.unit(), base, name, count, least, best)
-                    : relax_by_line_on<false>(entries, scale.unit(), base, name, count, least, best);
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        for (Index i = 0; i < count; ++i) {
+          const float through = base + decode(entries[i]);
+          const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
+          least[i] = is_less ? through : least[i];
+          best[i] = is_less ? name : best[i];
+        }
+      });
 }
 
 VOROGEO_CLONES
@@ -239,23 +191,69 @@ void relax_by_sums(const float* line, float base, Index count, float* least) {
 VOROGEO_CLONES
 float relax_by_cell(const std::uint16_t* cell, Index rows, Index columns, const float* base, float offset,
                     TableScale scale, Index first_name, float* least, Index* best) {
-  return scale.is_graded() ? relax_by_cell_on<true>(cell, rows, columns, base, offset, scale.unit(),
-                                                    first_name, least, best)
-                           : relax_by_cell_on<false>(cell, rows, columns, base, offset, scale.unit(),
-                                                     first_name, least, best);
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        for (Index row = 0; row < rows; ++row) {
+          const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+          const float start = base[row] + offset;
+          for (Index i = 0; i < columns; ++i) {
+            const float through = start + decode(entries[i]);
+            const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
+            least[i] = is_less ? through : least[i];
+            best[i] = is_less ? first_name + row : best[i];
+          }
+        }
+      });
+  float worst = 0.0f;
+  for (Index i = 0; i < columns; ++i) worst = least[i] > worst ? least[i] : worst;
+  return worst;
 }
 
 VOROGEO_CLONES
 float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const float* from, const float* to,
                     TableScale scale) {
-  return scale.is_graded() ? least_in_cell_on<true>(cell, rows, columns, from, to, scale.unit())
-                           : least_in_cell_on<false>(cell, rows, columns, from, to, scale.unit());
+  return on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        constexpr Index width = 8;
+        float least = unreachable_float;
+        if (columns != width) {
+          for (Index row = 0; row < rows; ++row) {
+            const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
+            for (Index k = 0; k < columns; ++k) {
+              const float sum = (from[row] + decode(entries[k])) + to[k];
+              if (entries[k] != infinite_entry_16 && sum < least) least = sum;
+            }
+          }
+          return least;
+        }
+        Floats lane = Floats{} + unreachable_float;
+        for (Index row = 0; row < rows; ++row) {
+          Entries entry;
+          load(entry, cell + static_cast<std::size_t>(row) * width);
+          const Masks wide = __builtin_convertvector(entry, Masks);
+          Floats sum;
+          decode(wide, sum);
+          sum += from[row];
+          lane = (wide != infinite_entry_16) & (sum < lane) ? sum : lane;
+        }
+        // The last part is the same for all rows.
+        Floats last;
+        load(last, to);
+        lane += last;
+        for (Index k = 0; k < width; ++k) least = lane[k] < least ? lane[k] : least;
+        return least;
+      });
 }
 
 VOROGEO_CLONES
 void scale_entries(const std::uint16_t* entries, Index count, TableScale scale, float* distances) {
-  scale.is_graded() ? scale_entries_on<true>(entries, count, scale.unit(), distances)
-                    : scale_entries_on<false>(entries, count, scale.unit(), distances);
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        for (Index i = 0; i < count; ++i) {
+          const float distance = decode(entries[i]);
+          distances[i] = entries[i] == infinite_entry_15 ? unreachable_float : distance;
+        }
+      });
 }
 
 VOROGEO_CLONES
@@ -318,54 +316,12 @@ void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index 
   std::memcpy(best, at, sizeof(at));
 }
 
-VOROGEO_CLONES
-void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count, const std::uint16_t* tile,
-                        std::int16_t* least, std::int16_t* best) {
-  constexpr Index width = 32;
-  std::int16_t lowest[width];
-  std::int16_t at[width];
-  for (Index k = 0; k < width; ++k) {
-    lowest[k] = greatest_sum;
-    at[k] = 0;
-  }
-  for (Index i = 0; i < count; ++i) {
-    const std::uint16_t* entries = tile + static_cast<std::size_t>(rows[i]) * width;
-    for (Index k = 0; k < width; ++k) {
-      const auto sum = static_cast<std::int16_t>(base[i] + entries[k]);
-      const bool is_less = sum < lowest[k];
-      lowest[k] = is_less ? sum : lowest[k];
-      at[k] = is_less ? static_cast<std::int16_t>(i) : at[k];
-    }
-  }
-  std::memcpy(least, lowest, sizeof(lowest));
-  std::memcpy(best, at, sizeof(at));
-}
-
-// ---- Scans by vectors of fixed width, which the compiler maps to one or more registers of the chosen
-// instruction set
+// ---- Scans over lower bounds
 
 namespace {
 
-using Bytes = std::uint8_t __attribute__((vector_size(32)));
-using HalfOfBytes = std::uint8_t __attribute__((vector_size(16)));
-using FewBytes = std::uint8_t __attribute__((vector_size(8)));
-using Shorts = std::int16_t __attribute__((vector_size(32)));
-using HalfOfShorts = std::int16_t __attribute__((vector_size(16)));
-using FewShorts = std::int16_t __attribute__((vector_size(8)));
-using Floats = float __attribute__((vector_size(32)));
-using Masks = std::int32_t __attribute__((vector_size(32)));
-using Entries = std::uint16_t __attribute__((vector_size(16)));
-
-static_assert(sizeof(Bytes) == byte_lanes && sizeof(Shorts) == 2 * short_lanes);
-
-template <class Vector>
-inline __attribute__((always_inline)) void load(Vector& to, const void* from) {
-  std::memcpy(&to, from, sizeof(to));
-}
-
 /// base + bounds of all lanes at once; sums saturate at 255.
-inline __attribute__((always_inline)) void add_bytes(const std::uint8_t* base, const std::uint8_t* bounds,
-                                                     Bytes& sum) {
+VOROGEO_INLINE void add_bytes(const std::uint8_t* base, const std::uint8_t* bounds, Bytes& sum) {
   Bytes from;
   Bytes bound;
   load(from, base);
@@ -376,85 +332,23 @@ inline __attribute__((always_inline)) void add_bytes(const std::uint8_t* base, c
 
 /// The least of the lanes, by taking the minimum of two halves until one is left.
 template <class Half, class Quarter, class Vector>
-inline __attribute__((always_inline)) auto least_lane(const Vector& lanes) {
+VOROGEO_INLINE auto least_lane(const Vector& lanes) {
   Half half[2];
-  std::memcpy(half, &lanes, sizeof(half));
+  load(half, &lanes);
   half[0] = half[0] < half[1] ? half[0] : half[1];
   Quarter quarter[2];
-  std::memcpy(quarter, &half[0], sizeof(quarter));
+  load(quarter, &half[0]);
   Quarter least = quarter[0] < quarter[1] ? quarter[0] : quarter[1];
   // Lanes that a shift leaves empty are never compared with the first one.
   for (unsigned bits = 32; bits >= 8 * sizeof(least[0]); bits /= 2) {
     std::uint64_t word;
-    std::memcpy(&word, &least, sizeof(word));
+    load(word, &least);
     word >>= bits;
     Quarter shifted;
     load(shifted, &word);
     least = least < shifted ? least : shifted;
   }
   return least[0];
-}
-
-/// relax_within() for one kind of scale; a part of that function.
-template <bool is_graded>
-inline __attribute__((always_inline)) void relax_within_on(const SeedLanes& seeds, const std::uint8_t* bounds,
-                                                           const std::uint16_t* table, Index line_size,
-                                                           float unit, float bound_unit, float limit,
-                                                           Index columns, Index first, Index end,
-                                                           float* least) {
-  constexpr Index width = 8;
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  std::uint8_t sums[max_lanes];
-  Bytes lowest = ~Bytes{};
-  for (Index lane = 0; lane < seeds.lanes; lane += byte_lanes) {
-    Bytes sum;
-    add_bytes(seeds.bound + lane, bounds + lane, sum);
-    lowest = sum < lowest ? sum : lowest;
-    std::memcpy(sums + lane, &sum, sizeof(sum));
-  }
-  const auto of_best = least_lane<HalfOfBytes, FewBytes>(lowest);
-  Floats found = Floats{} + infinite;
-  const std::size_t size = columns == width ? sizeof(found) : columns * sizeof(float);
-  std::memcpy(&found, least, size);
-  const auto take = [&](Index lane) __attribute__((always_inline)) {
-    const std::uint16_t* line = table + static_cast<std::size_t>(seeds.line[lane]) * line_size;
-    Entries entry = Entries{} + infinite_entry_15;
-    if (columns == width) {
-      load(entry, line);
-    } else {
-      std::memcpy(&entry, line, columns * sizeof(*line));
-    }
-    const Masks wide = __builtin_convertvector(entry, Masks);
-    const Floats root = unit * __builtin_convertvector(wide, Floats);
-    const Floats sum = seeds.distance[lane] + (is_graded ? (root * root) * (root * root) : root);
-    found = (wide != infinite_entry_15) & (sum < found) ? sum : found;
-  };
-  // The best seed first: it rules out most of the others.
-  Index best = 0;
-  while (sums[best] != of_best) ++best;
-  if (seeds.distance[best] < infinite) take(best);
-  float farthest = 0.0f;
-  for (Index k = first; k < end; ++k) farthest = found[k] > farthest ? found[k] : farthest;
-  const float max_sum = limit < farthest ? limit : farthest;
-  const float in_units = bound_unit > 0.0f ? max_sum / bound_unit : 255.0f;
-  const auto max_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
-  for (Index begin = 0; begin < seeds.lanes; begin += byte_lanes) {
-    Bytes sum;
-    load(sum, sums + begin);
-    const Bytes within = reinterpret_cast<Bytes>(sum <= max_bound);
-    std::uint64_t words[byte_lanes / sizeof(std::uint64_t)];
-    std::memcpy(words, &within, sizeof(words));
-    Index lane = begin;
-    for (std::uint64_t flags : words) {
-      flags &= 0x0101010101010101U;
-      for (; flags != 0; flags &= flags - 1) {
-        const Index at = lane + static_cast<Index>(static_cast<unsigned>(std::countr_zero(flags)) / 8);
-        if (seeds.distance[at] < infinite) take(at);
-      }
-      lane += sizeof(flags);
-    }
-  }
-  std::memcpy(least, &found, size);
 }
 
 }  // namespace
@@ -478,10 +372,62 @@ VOROGEO_CLONES
 void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
                   Index line_size, TableScale scale, float bound_unit, float limit, Index columns,
                   Index first, Index end, float* least) {
-  scale.is_graded() ? relax_within_on<true>(seeds, bounds, table, line_size, scale.unit(), bound_unit, limit,
-                                            columns, first, end, least)
-                    : relax_within_on<false>(seeds, bounds, table, line_size, scale.unit(), bound_unit, limit,
-                                             columns, first, end, least);
+  constexpr Index width = 8;
+  std::uint8_t sums[max_lanes];
+  Bytes lowest = ~Bytes{};
+  for (Index lane = 0; lane < seeds.lanes; lane += byte_lanes) {
+    Bytes sum;
+    add_bytes(seeds.bound + lane, bounds + lane, sum);
+    lowest = sum < lowest ? sum : lowest;
+    std::memcpy(sums + lane, &sum, sizeof(sum));
+  }
+  const auto of_best = least_lane<HalfOfBytes, FewBytes>(lowest);
+  Floats found = Floats{} + unreachable_float;
+  const std::size_t size = columns == width ? sizeof(found) : columns * sizeof(float);
+  std::memcpy(&found, least, size);
+  on_scale(
+      scale, [&](auto decode) __attribute__((always_inline)) {
+        const auto take = [&](Index lane) __attribute__((always_inline)) {
+          const std::uint16_t* line = table + static_cast<std::size_t>(seeds.line[lane]) * line_size;
+          Entries entry = Entries{} + infinite_entry_15;
+          if (columns == width) {
+            load(entry, line);
+          } else {
+            std::memcpy(&entry, line, columns * sizeof(*line));
+          }
+          const Masks wide = __builtin_convertvector(entry, Masks);
+          Floats sum;
+          decode(wide, sum);
+          sum += seeds.distance[lane];
+          found = (wide != infinite_entry_15) & (sum < found) ? sum : found;
+        };
+        // The best seed first: it rules out most of the others.
+        Index best = 0;
+        while (sums[best] != of_best) ++best;
+        if (seeds.distance[best] < unreachable_float) take(best);
+        float farthest = 0.0f;
+        for (Index k = first; k < end; ++k) farthest = found[k] > farthest ? found[k] : farthest;
+        const float max_sum = limit < farthest ? limit : farthest;
+        const float in_units = bound_unit > 0.0f ? max_sum / bound_unit : 255.0f;
+        const auto max_bound = static_cast<std::uint8_t>(in_units < 255.0f ? in_units : 255.0f);
+        for (Index begin = 0; begin < seeds.lanes; begin += byte_lanes) {
+          Bytes sum;
+          load(sum, sums + begin);
+          const Bytes within = reinterpret_cast<Bytes>(sum <= max_bound);
+          std::uint64_t words[byte_lanes / sizeof(std::uint64_t)];
+          load(words, &within);
+          Index lane = begin;
+          for (std::uint64_t flags : words) {
+            flags &= 0x0101010101010101U;
+            for (; flags != 0; flags &= flags - 1) {
+              const Index at = lane + static_cast<Index>(static_cast<unsigned>(std::countr_zero(flags)) / 8);
+              if (seeds.distance[at] < unreachable_float) take(at);
+            }
+            lane += sizeof(flags);
+          }
+        }
+      });
+  std::memcpy(least, &found, size);
 }
 
 VOROGEO_CLONES
@@ -540,140 +486,20 @@ void short_sums_within(const std::int16_t* between, const std::int16_t* column_b
   }
 }
 
-// ---- The formulas of unfolding.h without branches
-
-namespace {
-
-inline __attribute__((always_inline)) float root(float square) {
-  return std::sqrt(square > 0.0f ? square : 0.0f);
-}
-
-/// Let s and t be the distances of source and target from the end of the edge where the crossing is, and phi
-/// the sum of the angles of both straight lines with the edge. By the law of cosines the straight line r
-/// between them has (s + t)^2 - r^2 = 2 s t (1 + cos phi). The gain s + t - r is found from that with
-/// everything divided by s, which may be much longer than the rest; `excess` is t (1 + cos phi).
-inline __attribute__((always_inline)) float unfolded_gain(float source, float other_source, float target,
-                                                          float other_target, float length, float lowest) {
-  const float away = lowest + source;
-  const float source_difference = source - other_source;
-  const float target_difference = target - other_target;
-  const float source_cosine =
-      0.5f * (length / away + source_difference / length * ((away + (lowest + other_source)) / away));
-  const float target_along = 0.5f * (length + target_difference / length * (target + other_target));
-  const float source_sine = root(1.0f - source_cosine * source_cosine);
-  const float target_off = root((target - target_along) * (target + target_along));
-  const float excess = target + target_along * source_cosine - target_off * source_sine;
-  const float sum = 1.0f + target / away;
-  const float gain = 2.0f * excess / (sum + root(sum * sum - 2.0f * excess / away));
-  // Where the straight line meets the edge, from the end at which the crossing is.
-  const float height = source_sine + target_off / away;
-  const float crossing = source_cosine * target_off + target_along * source_sine;
-  const bool valid = (std::fabs(source_difference) <= length) & (std::fabs(target_difference) <= length) &
-                     (height > 0.0f) & (crossing > 0.0f) & (crossing < length * height) & (gain > 0.0f) &
-                     (gain <= 2.0f * target) & (gain <= 2.0f * away);
-  return valid ? gain : 0.0f;
-}
-
-inline __attribute__((always_inline)) float offset(float source_difference, float target_difference,
-                                                   float length) {
-  const float cosine = 0.5f * (source_difference - target_difference) / length;
-  return length * root(1.0f - cosine * cosine);
-}
-
-inline __attribute__((always_inline)) float bounded(float cosine) {
-  const float least = cosine < -1.0f ? -1.0f : cosine;
-  return least > 1.0f ? 1.0f : least;
-}
-
-struct FloatSideAngle {
-  float cosine;
-  float sine;
-};
-
-/// side_angle().
-inline __attribute__((always_inline)) FloatSideAngle float_side_angle(float source, float other_source,
-                                                                      float target, float other_target,
-                                                                      float length, float lowest) {
-  const float away = lowest + source;
-  const float to_source = bounded(
-      0.5f * (length / away + (source - other_source) / length * ((away + (lowest + other_source)) / away)));
-  const float to_target = bounded(
-      0.5f * (length / target + (target - other_target) / length * ((target + other_target) / target)));
-  const float source_sine = root(1.0f - to_source * to_source);
-  const float target_sine = root(1.0f - to_target * to_target);
-  return {to_source * to_target - source_sine * target_sine,
-          source_sine * to_target + to_source * target_sine};
-}
-
-/// may_be_one_path().
-inline __attribute__((always_inline)) bool one_path(const FloatSideAngle& before,
-                                                    const FloatSideAngle& after) {
-  const float sine = before.sine * after.cosine + before.cosine * after.sine;
-  const float cosine = before.cosine * after.cosine - before.sine * after.sine;
-  return ((sine < 0.0f) & (cosine >= 0.0f)) |
-         ((sine >= 0.0f) & ((before.sine <= 0.0f) | (after.sine <= 0.0f)));
-}
-
-}  // namespace
+// ---- Crossings
 
 VOROGEO_CLONES
 void crossing_gains(const Crossings& crossings, float lowest, float* gain) {
-  constexpr float least_edges = 3.0f;
-  constexpr auto steepest = static_cast<float>(greatest_gain);
-  constexpr auto excess = static_cast<float>(greatest_excess);
-  constexpr auto narrowest = static_cast<float>(least_offset);
-  const float* sources = crossings.source;
-  const float* targets = crossings.target;
-  const float* sources_before = crossings.side[0].source;
-  const float* targets_before = crossings.side[0].target;
-  const float* lengths_before = crossings.side[0].length;
-  const float* sources_after = crossings.side[1].source;
-  const float* targets_after = crossings.side[1].target;
-  const float* lengths_after = crossings.side[1].length;
-  float best[Crossings::capacity];
+  float found[Crossings::capacity];
+  const auto& [before, after] = crossings.side;
   for (Index k = 0; k < Crossings::capacity; ++k) {
-    const float source = sources[k];
-    const float target = targets[k];
-    const float before = lengths_before[k];
-    const float after = lengths_after[k];
-    const float first = unfolded_gain(source, sources_before[k], target, targets_before[k], before, lowest);
-    const float second = unfolded_gain(source, sources_after[k], target, targets_after[k], after, lowest);
-    const bool consistent =
-        !(before > 0.0f) | !(after > 0.0f) |
-        one_path(float_side_angle(source, sources_before[k], target, targets_before[k], before, lowest),
-                 float_side_angle(source, sources_after[k], target, targets_after[k], after, lowest));
-    const float unfolded = consistent ? (first > second ? first : second) : 0.0f;
-    const float source_before = sources_before[k] - source;
-    const float target_before = targets_before[k] - target;
-    const float source_after = sources_after[k] - source;
-    const float target_after = targets_after[k] - target;
-    const float left = -offset(source_before, target_before, before);
-    const float right = offset(source_after, target_after, after);
-    const float to_left = (source_before + target_before) / left;
-    const float to_right = (source_after + target_after) / right;
-    const float away = lowest + source;
-    const float longest = before > after ? before : after;
-    const float of_circles = (away + target) / (away * target);
-    const float fitted = (to_right - to_left) / (right - left);
-    const float most = 0.5f * (of_circles + excess / longest);
-    const float curvature = fitted < most ? fitted : most;
-    const bool falls_to_right = to_right < fitted * right;
-    const float slope = falls_to_right ? to_right - curvature * right : to_left - curvature * left;
-    const float lowest_point = -0.5f * slope / curvature;
-    const float max_gain = steepest * longest * longest * of_circles;
-    const float free = -0.5f * slope * lowest_point;
-    const float parabola = free < max_gain ? free : max_gain;
-    // By the triangle inequality no gain is more than twice the nearer distance; rounding of distances that
-    // are much longer than their edges could make it more, and the distance negative.
-    const float nearer = away < target ? away : target;
-    const bool valid = consistent & (nearer >= least_edges * before) & (nearer >= least_edges * after) &
-                       (left < 0.0f) & (right > 0.0f) & (-left >= narrowest * before) &
-                       (right >= narrowest * after) & (curvature > 0.0f) &
-                       (falls_to_right == (slope < 0.0f)) & (lowest_point > left) & (lowest_point < right) &
-                       (parabola > unfolded) & (parabola <= nearer);
-    best[k] = valid ? parabola : unfolded;
+    found[k] = crossing_gain<float>({crossings.source[k],
+                                     crossings.target[k],
+                                     {{before.source[k], before.target[k], before.length[k]},
+                                      {after.source[k], after.target[k], after.length[k]}}},
+                                    lowest);
   }
-  std::memcpy(gain, best, sizeof(best));
+  std::memcpy(gain, found, sizeof(found));
 }
 
 }  // namespace vorogeo

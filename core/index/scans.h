@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "index/patch_layer.h"
+#include "index/unfolding.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -68,11 +69,6 @@ Index first_entry_sum(const std::int16_t* base, const std::uint16_t* entries, In
 /// row that has it.
 void least_tile_sums(const std::int16_t* base, const std::uint16_t* tile, Index rows, std::int16_t* least,
                      std::int16_t* best);
-
-/// The same for the rows rows[0 .. count) only; base[i] is that of rows[i], and `best` holds positions in
-/// `rows`.
-void least_tile_sums_of(const std::int16_t* base, const Index* rows, Index count, const std::uint16_t* tile,
-                        std::int16_t* least, std::int16_t* best);
 
 // Cells of the transit table: 16 bits, of which 65535 stands for an infinite distance; row by row.
 
@@ -142,10 +138,10 @@ void for_each_flag(const std::uint8_t* flags, Index lanes, Visit&& visit) {
   }
 }
 
-// ---- Edge unfolding and parabola (unfolding.h) for many crossings at once, in single precision
+// ---- Many crossings at once, in single precision
 
-/// Crossings, as a structure of arrays. Distances of the source are relative to `lowest`, so
-/// that those of a far source keep their digits. A neighbour that may not be used has a length of 0.
+/// Crossings, as a structure of arrays. Distances of the source are relative to `lowest`, so that those of a
+/// far source keep their digits.
 struct Crossings {
   static constexpr Index capacity = 32;
   float source[capacity];
@@ -155,11 +151,19 @@ struct Crossings {
     float target[capacity];
     float length[capacity];
   } side[2];
+
+  void set(Index k, const Crossing<float>& crossing) {
+    source[k] = crossing.source;
+    target[k] = crossing.target;
+    for (int s : {0, 1}) {
+      side[s].source[k] = crossing.side[s].source;
+      side[s].target[k] = crossing.side[s].target;
+      side[s].length[k] = crossing.side[s].length;
+    }
+  }
 };
 
-/// By how much each crossing's sum source + target is too long; 0 where nothing is known. The same as by
-/// unfolded_distance over both edges and by parabola_distance, up to rounding of the target's distances: the
-/// difference is computed without subtracting two long distances.
+/// crossing_gain() of each.
 void crossing_gains(const Crossings& crossings, float lowest, float* gain);
 
 }  // namespace vorogeo

@@ -21,56 +21,37 @@ static_assert(Crossings::capacity == PatchLayer::tile_width);
 
 }  // namespace
 
-void FieldSweep::look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row) {
-  Beside& beside = beside_[row];
-  beside.known = true;
-  const auto nodes = layer.nodes(patch);
-  const Index predecessor = border.predecessor[nodes[row]];
-  int count = 0;
-  for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
-    if (count == 2) break;
-    const Index node = nodes[next.row];
-    if (border.distance[node] == unreachable) continue;
-    if (!BoundaryDijkstra::may_share_wave(predecessor, border.predecessor[node])) continue;
-    beside.row[count] = next.row;
-    beside.length[count] = next.length;
-    ++count;
-  }
-}
-
-void FieldSweep::scan_tiles(const PatchLayer& layer, Index patch, Index column, int count) {
-  std::int16_t least[PatchLayer::tile_width];
-  std::int16_t best[PatchLayer::tile_width];
-  least_tile_sums(base_.data(), layer.tile(patch, column / PatchLayer::tile_width), layer.border_size(patch),
-                  least, best);
-  for (int k = 0; k < count; ++k) row_[k] = least[k] <= greatest_least ? best[k] : no_index;
-}
-
-void FieldSweep::scan_lines(const PatchLayer& layer, Index patch, Index column, int count) {
+/// By row in row_: where the sum of border distance and entry is least.
+void FieldSweep::find_rows(const PatchLayer& layer, Index patch, Index column, int count) {
   const Index rows = layer.border_size(patch);
-  for (int k = 0; k < count; ++k) {
-    const std::uint16_t* line = layer.line(patch, column + k);
-    const std::int16_t least = least_entry_sum(base_.data(), line, rows);
-    row_[k] = least <= greatest_least ? first_entry_sum(base_.data(), line, rows, least) : no_index;
-  }
-}
-
-/// For incomplete tables and those with a graded scale.
-void FieldSweep::scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count) {
-  const Index rows = layer.border_size(patch);
-  std::fill(std::begin(row_), std::end(row_), no_index);
+  const TableScale scale = layer.scale[patch];
   if (layer.order == TableOrder::tiles) {
-    float least[PatchLayer::tile_width];
-    std::fill(std::begin(least), std::end(least), unreachable_float);
     const std::uint16_t* tile = layer.tile(patch, column / PatchLayer::tile_width);
+    if (in_integers_) {
+      std::int16_t least[PatchLayer::tile_width];
+      std::int16_t best[PatchLayer::tile_width];
+      least_tile_sums(base_.data(), tile, rows, least, best);
+      for (int k = 0; k < count; ++k) row_[k] = least[k] <= greatest_least ? best[k] : no_index;
+      return;
+    }
+    float least[PatchLayer::tile_width];
+    std::ranges::fill(least, unreachable_float);
+    std::ranges::fill(row_, no_index);
     for (Index row = 0; row < rows; ++row, tile += PatchLayer::tile_width) {
-      relax_by_line(tile, layer.scale[patch], above_[row], row, PatchLayer::tile_width, least, row_);
+      relax_by_line(tile, scale, above_[row], row, PatchLayer::tile_width, least, row_);
     }
     return;
   }
-  line_.resize(rows);
   for (int k = 0; k < count; ++k) {
-    layer.read_column(patch, column + k, line_.data());
+    const std::uint16_t* line = layer.line(patch, column + k);
+    row_[k] = no_index;
+    if (in_integers_) {
+      const std::int16_t least = least_entry_sum(base_.data(), line, rows);
+      if (least <= greatest_least) row_[k] = first_entry_sum(base_.data(), line, rows, least);
+      continue;
+    }
+    line_.resize(rows);
+    scale_entries(line, rows, scale, line_.data());
     float least = unreachable_float;
     for (Index row = 0; row < rows; ++row) {
       const float sum = above_[row] + line_[row];
@@ -83,56 +64,42 @@ void FieldSweep::scan_in_distances(const PatchLayer& layer, Index patch, Index c
 
 void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column,
                        int count) {
-  const bool tiles = layer.order == TableOrder::tiles;
-  const auto rows = static_cast<std::size_t>(layer.border_size(patch));
-  const std::uint16_t* entries =
-      tiles ? layer.tile(patch, column / PatchLayer::tile_width) : layer.line(patch, column);
-  // Steps in memory from one row, or column, to the next.
-  const std::size_t row_step = tiles ? PatchLayer::tile_width : 1;
-  const std::size_t column_step = tiles ? 1 : rows;
-  const TableScale scale = layer.scale[patch];
-  for (int k = 0; k < Crossings::capacity; ++k) {
-    if (k >= count || row_[k] == no_index) {
-      crossings_.source[k] = crossings_.target[k] = 0.0f;
-      for (auto& side : crossings_.side) side.source[k] = side.target[k] = side.length[k] = 0.0f;
-      continue;
-    }
+  const auto nodes = layer.nodes(patch);
+  Crossings crossings{};
+  for (int k = 0; k < count; ++k) {
     const Index row = row_[k];
-    if (!beside_[row].known) look_beside(layer, border, patch, row);
-    const Beside& beside = beside_[row];
-    const std::uint16_t* of_column = entries + k * column_step;
-    crossings_.source[k] = above_[row];
-    const float offset = layer.offset_of(patch, column + k);
-    crossings_.target[k] = offset + scale.distance(of_column[row * row_step]);
-    for (int s : {0, 1}) {
-      auto& side = crossings_.side[s];
-      const Index other = beside.row[s] == no_index ? row : beside.row[s];
-      const std::uint16_t entry = of_column[other * row_step];
-      side.source[k] = above_[other];
-      side.target[k] = offset + scale.distance(entry);
-      side.length[k] = entry == PatchLayer::infinite_entry ? 0.0f : beside.length[s];
+    if (row == no_index) continue;
+    BesideNode& beside = beside_[row];
+    if (!beside.known) {
+      beside.known = true;
+      for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
+        const Index other = nodes[next.row];
+        if (border.distance[other] < unreachable) {
+          beside.add(border.predecessor[nodes[row]], border.predecessor[other], next.row, next.length);
+        }
+      }
     }
+    const PatchLayer::Column targets = layer.column_of(patch, column + k);
+    crossings.set(k, beside.crossing(
+                         row, [&](Index from) { return above_[from]; },
+                         [&](Index from) { return targets.distance(from); }));
   }
   float gain[Crossings::capacity];
-  crossing_gains(crossings_, static_cast<float>(lowest_), gain);
+  crossing_gains(crossings, static_cast<float>(lowest_), gain);
   for (int k = 0; k < count; ++k) {
     crossing_row_[column + k] = row_[k];
     if (row_[k] == no_index) continue;
-    const float above = crossings_.source[k] + crossings_.target[k] - gain[k];
+    const float above = crossings.source[k] + crossings.target[k] - gain[k];
     result_[column + k] = lowest_ + static_cast<double>(above);
   }
 }
 
 void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count) {
-  const TableScale scale = layer.scale[patch];
-  const std::uint16_t* entries = layer.tile(patch, column / PatchLayer::tile_width);
   for (const LongBorderEdge& edge : long_edges_) {
     for (int k = 0; k < count; ++k) {
-      const double offset = layer.offset_of(patch, column + k);
-      const auto through = edge.across(result_[column + k], [&](Index from) {
-        const std::uint16_t entry = entries[static_cast<std::size_t>(from) * PatchLayer::tile_width + k];
-        return entry == PatchLayer::infinite_entry ? unreachable : offset + scale.distance(entry);
-      });
+      const PatchLayer::Column targets = layer.column_of(patch, column + k);
+      const auto through =
+          edge.across(result_[column + k], [&](Index from) -> double { return targets.distance(from); });
       if (through.row == no_index) continue;
       result_[column + k] = through.distance;
       crossing_row_[column + k] = through.row;
@@ -157,10 +124,11 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
     above_[row] = static_cast<float>(border.distance[nodes[row]] - lowest_);
   }
   const TableScale scale = layer.scale[patch];
-  const bool in_integers =
+  // Not on graded scales, and not where an entry may be infinite.
+  in_integers_ =
       layer.complete[patch] != 0 && !scale.is_graded() && rows <= std::numeric_limits<std::int16_t>::max();
-  if (in_integers) base_.resize(rows);
-  for (Index row = 0; in_integers && row < rows; ++row) {
+  if (in_integers_) base_.resize(rows);
+  for (Index row = 0; in_integers_ && row < rows; ++row) {
     const double above = border.distance[nodes[row]] - lowest_;
     // In a complete table, a row that exceeds the lowest one by more than the greatest entry is of no use: no
     // member is that far from the lowest row.
@@ -171,22 +139,15 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
   }
   if (layer.order == TableOrder::tiles) {
     find_long_border_edges(
-        layer, patch, long_border_edge * layer.edges.typical_length(),
+        layer, patch, long_border_edge * layer.typical_border_edge,
         [&](Index node) { return border.distance[node]; },
         [&](Index node) { return border.predecessor[node]; }, long_edges_);
   }
   // Tiles begin among the border nodes, which keep their own distances.
-  const Index begin =
-      layer.order == TableOrder::tiles ? rows / PatchLayer::tile_width * PatchLayer::tile_width : rows;
+  const Index begin = rows / width_of(layer.order) * width_of(layer.order);
   for (Index column = begin; column < columns; column += Crossings::capacity) {
     const int count = std::min(Crossings::capacity, columns - column);
-    if (!in_integers) {
-      scan_in_distances(layer, patch, column, count);
-    } else if (layer.order == TableOrder::tiles) {
-      scan_tiles(layer, patch, column, count);
-    } else {
-      scan_lines(layer, patch, column, count);
-    }
+    find_rows(layer, patch, column, count);
     cross(layer, border, patch, column, count);
     if (layer.order == TableOrder::tiles) cross_long_edges(layer, patch, column, count);
   }
@@ -218,7 +179,8 @@ BorderField::BorderField(const IndexData& data)
       predecessor_(data.second.node_count(), no_index),
       first_distance_(data.first.node_count(), unreachable),
       first_predecessor_(data.first.node_count(), no_index),
-      is_seed_parent_(data.first.patch_count, 0) {}
+      is_seed_parent_(data.first.patch_count, 0),
+      beside_(data.first.node_count()) {}
 
 void BorderField::reset(std::span<const Seed> seeds, double max_distance, int threads) {
   max_distance_ = max_distance;
@@ -272,7 +234,7 @@ void BorderField::cross_long_edges(Index patch) {
     return found <= max_distance_ && search_.predecessor_patch(node) != patch ? found : unreachable;
   };
   find_long_border_edges(
-      layer, patch, long_edge_for_nodes * layer.edges.typical_length(), distance,
+      layer, patch, long_edge_for_nodes * layer.typical_border_edge, distance,
       [&](Index node) { return search_.predecessor(node); }, long_edges_);
   if (long_edges_.empty()) return;
   const Index count = layer.border_size(patch);
@@ -314,6 +276,7 @@ void BorderField::cross_transit_table(int threads) {
     const double distance = search_.distance(data_.second_node[node]);
     if (!beside_start || !(distance <= max_distance_)) continue;
     rows_.push_back(node);
+    look_beside(node);
     lowest_ = std::min(lowest_, distance);
   }
   least_.assign(count, std::numeric_limits<float>::infinity());
@@ -332,6 +295,19 @@ void BorderField::cross_transit_table(int threads) {
       cross_rows(begin, std::min(Crossings::capacity, end - begin));
     }
   });
+}
+
+/// The neighbours of a first-layer node along the borders of all its patches.
+void BorderField::look_beside(Index node) {
+  beside_[node] = {};
+  for (const PatchRow& at : data_.first.patches_of(node)) {
+    for (const BorderNeighbour& next : data_.first.neighbours(at.patch, at.row)) {
+      const Index other = data_.first.nodes(at.patch)[next.row];
+      if (search_.distance(data_.second_node[other]) == unreachable) continue;
+      beside_[node].add(search_.predecessor(data_.second_node[node]),
+                        search_.predecessor(data_.second_node[other]), other, next.length);
+    }
+  }
 }
 
 /// Sorts rows_ into groups, the nearest group first.
@@ -373,27 +349,15 @@ void BorderField::scan_transit_table(Index first_group, Index end_group) {
 
 /// Distances of the first-layer nodes [begin, begin + count), unfolded at the row of the least sum.
 void BorderField::cross_rows(Index begin, Index count) {
+  const auto above = [&](Index row) {
+    return static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
+  };
   Crossings crossings{};
   for (Index k = 0; k < count; ++k) {
     const Index row = least_row_[begin + k];
     if (row == no_index) continue;
-    const Index column = begin + k;
-    crossings.source[k] = static_cast<float>(search_.distance(data_.second_node[row]) - lowest_);
-    crossings.target[k] = data_.transit_table.distance(row, column);
-    int used = 0;
-    for (const BorderEdges::Edge& edge : data_.first.edges.at(row)) {
-      if (edge.node == no_index || used == 2) break;
-      const double distance = search_.distance(data_.second_node[edge.node]);
-      if (distance == unreachable ||
-          !BoundaryDijkstra::may_share_wave(search_.predecessor(data_.second_node[row]),
-                                            search_.predecessor(data_.second_node[edge.node]))) {
-        continue;
-      }
-      auto& side = crossings.side[used++];
-      side.source[k] = static_cast<float>(distance - lowest_);
-      side.target[k] = data_.transit_table.distance(edge.node, column);
-      side.length[k] = edge.length;
-    }
+    const auto to_column = [&](Index from) { return data_.transit_table.distance(from, begin + k); };
+    crossings.set(k, beside_[row].crossing(row, above, to_column));
   }
   float gain[Crossings::capacity];
   crossing_gains(crossings, static_cast<float>(lowest_), gain);
@@ -404,8 +368,8 @@ void BorderField::cross_rows(Index begin, Index count) {
     double distance = search_.distance(name);
     Index predecessor = search_.predecessor(name);
     if (row != no_index && row != node) {
-      const float above = crossings.source[k] + crossings.target[k] - gain[k];
-      const double through = lowest_ + static_cast<double>(above);
+      const float sum = crossings.source[k] + crossings.target[k] - gain[k];
+      const double through = lowest_ + static_cast<double>(sum);
       if (through < distance) {
         distance = through;
         predecessor = data_.second_node[row];

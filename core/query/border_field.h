@@ -64,8 +64,8 @@ struct LongBorderEdge {
     if (!(beside < unreachable)) return true;
     const int other = 1 - at;
     return may_be_one_path(
-        side_angle(from.source, targets[at], {end[other].source, targets[other], length}),
-        side_angle(from.source, targets[at], {from.beside_source, beside, from.beside_length}));
+        side_angle(from.source, targets[at], {end[other].source, targets[other], length}, 0.0),
+        side_angle(from.source, targets[at], {from.beside_source, beside, from.beside_length}, 0.0));
   }
 };
 
@@ -109,6 +109,32 @@ struct BorderDistances {
   std::span<const Index> predecessor;  ///< by node; a BoundaryDijkstra::source_name for a seed
 };
 
+/// The neighbours of a border node along the border that are used where paths cross there: the first two that
+/// the same wave has reached.
+struct BesideNode {
+  Index other[2] = {no_index, no_index};
+  float length[2] = {0.0f, 0.0f};
+  bool known = false;
+
+  /// A neighbour that was reached, and what precedes both.
+  void add(Index predecessor, Index other_predecessor, Index neighbour, float edge) {
+    if (other[1] != no_index || other[0] == neighbour) return;
+    if (!BoundaryDijkstra::may_share_wave(predecessor, other_predecessor)) return;
+    const int at = other[0] == no_index ? 0 : 1;
+    other[at] = neighbour;
+    length[at] = edge;
+  }
+  /// The crossing at the node, where source(node) and target(node) are the distances from it.
+  template <class Source, class Target>
+  Crossing<float> crossing(Index node, const Source& source, const Target& target) const {
+    Crossing<float> result{source(node), target(node)};
+    for (int s = 0; s < 2 && other[s] != no_index; ++s) {
+      result.add({source(other[s]), target(other[s]), length[s]});
+    }
+    return result;
+  }
+};
+
 /// Scratch memory of a sweep; one object belongs to one thread.
 class FieldSweep {
  public:
@@ -121,29 +147,20 @@ class FieldSweep {
   std::span<const Index> crossing_rows() const { return crossing_row_; }
 
  private:
-  void look_beside(const PatchLayer& layer, const BorderDistances& border, Index patch, Index row);
+  void find_rows(const PatchLayer& layer, Index patch, Index column, int count);
   void cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column, int count);
   void cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count);
-  void scan_tiles(const PatchLayer& layer, Index patch, Index column, int count);
-  void scan_lines(const PatchLayer& layer, Index patch, Index column, int count);
-  void scan_in_distances(const PatchLayer& layer, Index patch, Index column, int count);
 
-  /// The two neighbours of a row along the border that belong to the same wave.
-  struct Beside {
-    Index row[2] = {no_index, no_index};
-    float length[2] = {0.0f, 0.0f};
-    bool known = false;
-  };
   double lowest_ = 0.0;
   std::vector<float> above_;        ///< by row: distance minus the lowest
   std::vector<std::int16_t> base_;  ///< the same on the even scale of the patch, as scans.h expects it
-  std::vector<Beside> beside_;
+  bool in_integers_ = false;
+  std::vector<BesideNode> beside_;  ///< by row
   std::vector<LongBorderEdge> long_edges_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;
   std::vector<float> line_;
   Index row_[Crossings::capacity];
-  Crossings crossings_;
 };
 
 // ---- Distances of all second-layer border nodes from some seeds
@@ -178,6 +195,7 @@ class BorderField {
   void cross_transit_table(int threads);
   void find_bases();
   void scan_transit_table(Index first_group, Index end_group);
+  void look_beside(Index node);
   void cross_rows(Index begin, Index count);
 
   const IndexData& data_;
@@ -202,6 +220,7 @@ class BorderField {
   std::vector<Index> least_row_;
   std::vector<std::uint8_t> allowed_;
   std::vector<std::uint8_t> is_seed_parent_;
+  std::vector<BesideNode> beside_;  ///< of the nodes in rows_
   double max_distance_ = unreachable;
   double lowest_ = 0.0;
   bool searched_all_ = false;

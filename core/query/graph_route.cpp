@@ -99,7 +99,7 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
 /// Arcs in a row through one patch are one leg, as its table holds every pair of its nodes.
 void GraphRouter::write(GraphRoute& result) const {
   auto go_on = [&](Index patch, Index node) {
-    const Leg leg = Leg::through_first(patch);
+    const Leg leg = Leg{Leg::Table::first, patch};
     if (!result.legs.empty() && result.legs.back() == leg) {
       result.nodes.back() = node;
     } else {
@@ -116,13 +116,13 @@ void GraphRouter::write(GraphRoute& result) const {
   for (; state_[node].predecessor[0] != no_index; node = state_[node].predecessor[0]) {
     go_on(state_[node].by[0], data_.second_node[state_[node].predecessor[0]]);
   }
-  result.go_on(Leg::through_first(access_of(0, node).parent), access_of(0, node).seed);
+  result.go_on(Leg{Leg::Table::first, access_of(0, node).parent}, access_of(0, node).seed);
   std::ranges::reverse(result.nodes);
   std::ranges::reverse(result.legs);
   for (node = meeting_; state_[node].predecessor[1] != no_index; node = state_[node].predecessor[1]) {
     go_on(state_[node].by[1], data_.second_node[state_[node].predecessor[1]]);
   }
-  result.go_on(Leg::through_first(access_of(1, node).parent), access_of(1, node).seed);
+  result.go_on(Leg{Leg::Table::first, access_of(1, node).parent}, access_of(1, node).seed);
 }
 
 }  // namespace vorogeo

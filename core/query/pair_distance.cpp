@@ -43,16 +43,15 @@ double PairDistance::bound_by_tables(Index source, Index target) {
       share_patch_ |= p == q;
       add(p);
       add(q);
-      source_column_.resize(second.border_size(p));
-      target_column_.resize(second.border_size(q));
-      second.read_column(p, source_at, source_column_.data());
-      second.read_column(q, target_at, target_column_.data());
+      const PatchLayer::Column from_source = second.column_of(p, source_at);
+      const PatchLayer::Column from_target = second.column_of(q, target_at);
       // Both lists of nodes are ascending.
       const auto here = second.nodes(p);
       const auto there = second.nodes(q);
       for (std::size_t i = 0, k = 0; i < here.size() && k < there.size();) {
         if (here[i] == there[k]) {
-          bound = std::min(bound, static_cast<double>(source_column_[i]) + target_column_[k]);
+          bound = std::min(bound, static_cast<double>(from_source.distance(static_cast<Index>(i))) +
+                                      from_target.distance(static_cast<Index>(k)));
         }
         const bool next_here = here[i] <= there[k];
         const bool next_there = there[k] <= here[i];
@@ -99,7 +98,7 @@ std::span<const double> PairDistance::bound_rest(Index target) {
       const Index count = std::min(PatchLayer::tile_width, static_cast<Index>(members.size()) - begin);
       for (Index k = 0; k < count; ++k) {
         // Far members have an offset, infinite entries no distance.
-        const bool is_far = second.offset_of(patch, begin + k) > 0.0f || second.complete[patch] == 0;
+        const bool is_far = second.column_of(patch, begin + k).offset > 0.0f || second.complete[patch] == 0;
         const Index vertex = members[begin + k];
         if (is_far || !data_.surface.is_vertex(vertex)) continue;
         least_rest_[vertex] = rest_slack * std::max(0.0f, greatest_[k] - 2.0f * step);

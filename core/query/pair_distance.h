@@ -35,8 +35,6 @@ class PairDistance {
   GraphRoute route_;
   std::vector<Index> patches_;  ///< of both ends, if they touch
   bool share_patch_ = false;    ///< whether one of them is a patch of both
-  std::vector<float> source_column_;
-  std::vector<float> target_column_;
   // Bounds of near pairs, where the metric jumps.
   std::vector<double> least_rest_;  ///< by vertex
   std::vector<Index> bounded_;      ///< where it is not 0

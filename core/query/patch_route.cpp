@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "index/scans.h"
 
 namespace vorogeo {
 
 namespace {
-
-/// Greatest number of rows in one scan: as many as it can number.
-constexpr std::size_t max_rows = 32767;
 
 /// Entries are rounded, so they may be slightly shorter than the straight line.
 constexpr double line_slack = 0.9999;
@@ -101,68 +97,18 @@ void PatchRouter::scan_patch(Index patch) {
   const auto nodes = second.nodes(patch);
   PatchState& state = patch_[patch];
   rows_.clear();
-  float lowest = unreachable_float;
   for (Index row : state.rows) {
     row_waits_[second.border_begin[patch] + row] = 0;
     const NodeState& at = node_[nodes[row]];
-    if (!(at.distance + at.lower_bound < best_)) continue;
-    rows_.push_back(row);
-    lowest = std::min(lowest, at.distance);
+    if (at.distance + at.lower_bound < best_) rows_.push_back(row);
   }
   state.rows.clear();
   if (rows_.empty()) return;
-  if (second.scale[patch].is_graded()) {
-    scan_in_distances(patch);
-    return;
-  }
-  const float unit = second.scale[patch].unit();
-  const float per_unit = unit > 0.0f ? 1.0f / unit : 0.0f;
-  // In a complete table, paths from the lowest row are shorter everywhere than from rows that exceed it by
-  // more than any entry. In an incomplete one such a row may be the only access, so it waits for a scan
-  // in which it fits.
-  const bool complete = second.complete[patch] != 0;
-  const float max_above = complete ? unit * static_cast<float>(PatchLayer::greatest_entry) : 0.0f;
-  base_.clear();
-  std::size_t kept = 0;
-  for (Index row : rows_) {
-    const NodeState& at = node_[nodes[row]];
-    const float above = at.distance - lowest;
-    if (above > max_above && complete) continue;
-    if (above > max_above || kept == max_rows) {
-      wait(patch, row, at.distance + at.lower_bound);
-      continue;
-    }
-    rows_[kept++] = row;
-    base_.push_back(static_cast<std::int16_t>(
-        lowest_base + std::min(std::ceil(above * per_unit), static_cast<float>(PatchLayer::greatest_entry))));
-  }
-  rows_.resize(kept);
-  const Index columns = second.border_size(patch);
-  for (Index begin = 0; begin < columns; begin += PatchLayer::tile_width) {
-    std::int16_t least[PatchLayer::tile_width];
-    std::int16_t best[PatchLayer::tile_width];
-    least_tile_sums_of(base_.data(), rows_.data(), static_cast<Index>(kept),
-                       second.tile(patch, begin / PatchLayer::tile_width), least, best);
-    const Index count = std::min(PatchLayer::tile_width, columns - begin);
-    for (Index k = 0; k < count; ++k) {
-      if (least[k] > greatest_least) continue;
-      // Never below the predecessor, or two nodes could relax each other without end.
-      const Index predecessor = nodes[rows_[best[k]]];
-      const float sum = lowest + unit * (static_cast<float>(least[k]) - lowest_base);
-      relax(nodes[begin + k], std::max(sum, node_[predecessor].distance), predecessor, patch);
-    }
-  }
-}
-
-/// For tables with a graded scale.
-void PatchRouter::scan_in_distances(Index patch) {
-  const PatchLayer& second = data_.second;
-  const auto nodes = second.nodes(patch);
   const Index columns = second.border_size(patch);
   for (Index begin = 0; begin < columns; begin += PatchLayer::tile_width) {
     float least[PatchLayer::tile_width];
     Index best[PatchLayer::tile_width];
-    std::fill(std::begin(least), std::end(least), unreachable_float);
+    std::ranges::fill(least, unreachable_float);
     const std::uint16_t* tile = second.tile(patch, begin / PatchLayer::tile_width);
     for (Index row : rows_) {
       relax_by_line(tile + static_cast<std::size_t>(row) * PatchLayer::tile_width, second.scale[patch],
@@ -212,7 +158,7 @@ void PatchRouter::write(GraphRoute& result) const {
   for (; node_[node].predecessor != no_index; node = node_[node].predecessor) {
     const NodeState& at = node_[node];
     result.nodes.push_back(node);
-    result.legs.push_back(Leg::through_second(at.patch));
+    result.legs.push_back(Leg{Leg::Table::second, at.patch});
     result.length +=
         second.distance(at.patch, second.row_of(at.predecessor, at.patch), second.row_of(node, at.patch));
   }

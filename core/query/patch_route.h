@@ -40,7 +40,6 @@ class PatchRouter {
   void relax(Index node, float distance, Index predecessor, Index patch);
   void wait(Index patch, Index row, float key);
   void scan_patch(Index patch);
-  void scan_in_distances(Index patch);
   void write(GraphRoute& result) const;
 
   const IndexData& data_;
@@ -56,7 +55,6 @@ class PatchRouter {
   float best_ = 0.0f;
   Index meeting_ = no_index;
   std::vector<Index> rows_;
-  std::vector<std::int16_t> base_;
 };
 
 }  // namespace vorogeo

@@ -289,10 +289,7 @@ void StepWalk::fetch_column(Index vertex) const {
 
 Index StepWalk::fetch_distance(Index vertex) const {
   const Index column = data_.column_in_patch(patch_, vertex);
-  if (column != no_index) {
-    const PatchLayer::Column entries = data_.second.column_of(patch_, column);
-    prefetch_line(entries.first + static_cast<std::size_t>(row_) * entries.step);
-  }
+  if (column != no_index) prefetch_line(&data_.second.column_of(patch_, column).entry(row_));
   return column;
 }
 
@@ -542,8 +539,7 @@ class ChainBuilder {
       const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
       for (std::size_t i = 0; inside && i < nodes.size(); ++i) {
         // Each entry is in a cache line of its own.
-        const PatchLayer::Column entries = data_.first.column_of(parent, columns[i]);
-        prefetch_line(entries.first + static_cast<std::size_t>(fixed) * entries.step);
+        prefetch_line(&data_.first.column_of(parent, columns[i]).entry(fixed));
       }
       data_.second.read_border(at.patch, at.row, length.data());
       for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -656,15 +652,15 @@ PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index s
     const Index a = route.nodes[i];
     const Index b = route.nodes[i + 1];
     const Leg leg = route.legs[i];
-    switch (leg.table()) {
+    switch (leg.table) {
       case Leg::Table::transit:
         builder.transit_table_step(a, b);
         break;
       case Leg::Table::first:
-        builder.first_layer_step(leg.patch(), a, b);
+        builder.first_layer_step(leg.patch, a, b);
         break;
       case Leg::Table::second:
-        builder.second_layer_step(leg.patch(), place_of(b));
+        builder.second_layer_step(leg.patch, place_of(b));
         break;
     }
   }

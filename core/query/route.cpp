@@ -29,14 +29,11 @@ void route_end(const IndexData& data, Index place, RouteEnd& end) {
   add_parent(end.patch);
   const auto nodes = second.nodes(end.patch);
   const PatchLayer::Column entries = second.column_of(end.patch, data.home_column[place]);
-  const TableScale scale = second.scale[end.patch];
-  const float offset = second.offset_of(end.patch, data.home_column[place]);
   end.seeds.resize(nodes.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const std::uint16_t entry = entries.first[i * entries.step];
-    end.seeds[count] = {nodes[i], offset + scale.distance(entry)};
-    count += entry != PatchLayer::infinite_entry ? 1 : 0;
+    end.seeds[count] = {nodes[i], entries.distance(static_cast<Index>(i))};
+    count += end.seeds[count].distance < unreachable ? 1 : 0;
   }
   end.seeds.resize(count);
   end.vertex = place;
@@ -46,8 +43,7 @@ void prefetch_end(const IndexData& data, Index place) {
   if (data.second.place_node[place] != no_index) return;
   const Index patch = data.home_patch[place];
   const PatchLayer::Column entries = data.second.column_of(patch, data.home_column[place]);
-  const auto rows = static_cast<std::size_t>(data.second.border_size(patch));
-  for (std::size_t i = 0; i < rows; ++i) prefetch_line(entries.first + i * entries.step);
+  for (Index row = 0; row < data.second.border_size(patch); ++row) prefetch_line(&entries.entry(row));
 }
 
 }  // namespace vorogeo

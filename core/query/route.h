@@ -1,6 +1,7 @@
 // A route between two points by the tables of an index, and the two ends that it joins.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "index/index_data.h"
@@ -25,6 +26,14 @@ void route_end(const IndexData& data, Index place, RouteEnd& end);
 
 /// Prefetches what route_end will read.
 void prefetch_end(const IndexData& data, Index place);
+
+/// One leg of a route: by the table of a patch, or by the transit table.
+struct Leg {
+  enum class Table : std::uint8_t { second, first, transit };
+  Table table = Table::transit;
+  Index patch = no_index;  ///< in the layer of the table
+  bool operator==(const Leg&) const = default;
+};
 
 /// A shortest route: second-layer nodes in order, the leg between consecutive ones, and the whole length.
 struct GraphRoute {

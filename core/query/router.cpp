@@ -24,24 +24,24 @@ Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
 
 /// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
 double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
-  if (leg.table() == Leg::Table::transit) {
+  if (leg.table == Leg::Table::transit) {
     const Index a = data.first.place_node[from];
     const Index b = data.first.place_node[to];
     return a == no_index || b == no_index ? unreachable : data.transit_table.distance(a, b);
   }
-  const PatchLayer& layer = leg.in_first_layer() ? data.first : data.second;
+  const PatchLayer& layer = leg.table == Leg::Table::first ? data.first : data.second;
   auto column_of = [&](Index vertex) {
-    return leg.in_second_layer() ? data.column_in_patch(leg.patch(), vertex)
-                                 : data.column_in_parent(leg.patch(), data.second.place_node[vertex]);
+    return leg.table == Leg::Table::second ? data.column_in_patch(leg.patch, vertex)
+                                           : data.column_in_parent(leg.patch, data.second.place_node[vertex]);
   };
-  Index row = row_in(layer, from, leg.patch());
+  Index row = row_in(layer, from, leg.patch);
   Index other = to;
   if (row == no_index) {
-    row = row_in(layer, to, leg.patch());
+    row = row_in(layer, to, leg.patch);
     other = from;
   }
   const Index column = row == no_index ? no_index : column_of(other);
-  return column == no_index ? unreachable : layer.distance(leg.patch(), row, column);
+  return column == no_index ? unreachable : layer.distance(leg.patch, row, column);
 }
 
 /// Least distance of a vertex through the near nodes, then across the border edges at the best of them.
@@ -58,14 +58,13 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
     }
   }
   if (best == unreachable) return best;
-  std::array<BorderSample, 8> beside{};
-  std::size_t known = 0;
+  Crossing<double> crossing{near[least].distance, beyond[least]};
   for (std::size_t i = 0; i < count; ++i) {
     // Only the route's own node is a neighbour of all the others.
     if (i == least || (least != 0 && i != 0) || beyond[i] == unreachable) continue;
-    beside[known++] = {near[i].distance, beyond[i], near[std::max(i, least)].length};
+    crossing.add({near[i].distance, beyond[i], near[std::max(i, least)].length});
   }
-  return crossing_distance(near[least].distance, beyond[least], {beside.data(), known});
+  return crossing_distance(crossing);
 }
 
 void find_stages(const IndexData& data, const GraphRoute& route, Index source, Index target,
@@ -79,11 +78,11 @@ void find_stages(const IndexData& data, const GraphRoute& route, Index source, I
   if (data.second.place_node[source] == no_index) source_patch = data.home_patch[source];
   if (data.second.place_node[target] == no_index) target_patch = data.home_patch[target];
   if (source_patch != no_index && source != vertex_of(route.nodes.front())) {
-    add(Leg::through_second(source_patch), vertex_of(route.nodes.front()));
+    add(Leg{Leg::Table::second, source_patch}, vertex_of(route.nodes.front()));
   }
   for (std::size_t i = 0; i < route.legs.size(); ++i) add(route.legs[i], vertex_of(route.nodes[i + 1]));
   if (target_patch != no_index && target != vertex_of(route.nodes.back())) {
-    add(Leg::through_second(target_patch), target);
+    add(Leg{Leg::Table::second, target_patch}, target);
   }
 }
 
@@ -92,12 +91,12 @@ void find_stages(const IndexData& data, const GraphRoute& route, Index source, I
 template <class Visit>
 void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& next, Visit&& visit) {
   for (const Leg& side : {stage.leg, next.leg}) {
-    if (side.table() == Leg::Table::transit) continue;
-    const PatchLayer& layer = side.in_first_layer() ? data.first : data.second;
-    const Index row = row_in(layer, stage.exit_vertex, side.patch());
+    if (side.table == Leg::Table::transit) continue;
+    const PatchLayer& layer = side.table == Leg::Table::first ? data.first : data.second;
+    const Index row = row_in(layer, stage.exit_vertex, side.patch);
     if (row == no_index) continue;
-    for (const BorderNeighbour& beside : layer.neighbours(side.patch(), row)) {
-      visit(layer.node_place[layer.nodes(side.patch())[beside.row]], beside.length);
+    for (const BorderNeighbour& beside : layer.neighbours(side.patch, row)) {
+      visit(layer.node_place[layer.nodes(side.patch)[beside.row]], beside.length);
     }
     return;
   }

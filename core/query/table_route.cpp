@@ -324,9 +324,9 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       result.legs.clear();
       auto second_node = [&](Index parent, Index row) { return data_.second_node[first.nodes(parent)[row]]; };
       result.nodes.push_back(source.seeds[from_.seed_of(best.group[at_source], best.row[at_source])].node);
-      result.go_on(Leg::through_first(source_parent), second_node(source_parent, best.row[at_source]));
-      result.go_on(Leg::by_transit_table(), second_node(target_parent, best.row[at_target]));
-      result.go_on(Leg::through_first(target_parent),
+      result.go_on(Leg{Leg::Table::first, source_parent}, second_node(source_parent, best.row[at_source]));
+      result.go_on(Leg{Leg::Table::transit}, second_node(target_parent, best.row[at_target]));
+      result.go_on(Leg{Leg::Table::first, target_parent},
                    target.seeds[to_.seed_of(best.group[at_target], best.row[at_target])].node);
     }
   }

@@ -10,6 +10,14 @@
 #define VOROGEO_CLONES
 #endif
 
+// ---- Marks a function as part of those that are so compiled
+
+#if defined(__GNUC__)
+#define VOROGEO_INLINE inline __attribute__((always_inline))
+#else
+#define VOROGEO_INLINE inline
+#endif
+
 namespace vorogeo {
 
 // ---- A hint that memory will be read soon

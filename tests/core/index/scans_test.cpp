@@ -114,34 +114,6 @@ TEST(MinPlus, LeastTileSums) {
   }
 }
 
-TEST(MinPlus, TileSumsOfSomeRows) {
-  for (Index rows = 0; rows < 70; ++rows) {
-    const Entries entries(rows, 32, 90 + rows);
-    std::vector<Index> some;
-    std::vector<std::int16_t> base;
-    for (Index row = rows - 1; row >= 0; row -= 1 + row % 3) {
-      some.push_back(row);
-      base.push_back(entries.base[row]);
-    }
-    std::int16_t least[32];
-    std::int16_t best[32];
-    least_tile_sums_of(base.data(), some.data(), static_cast<Index>(some.size()), entries.data(), least,
-                       best);
-    for (Index column = 0; column < 32; ++column) {
-      int expected = 32767;
-      int expected_place = 0;
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        const int sum = base[i] + entries.data()[32 * some[i] + column];
-        if (sum >= expected) continue;
-        expected = sum;
-        expected_place = static_cast<int>(i);
-      }
-      EXPECT_EQ(least[column], expected);
-      EXPECT_EQ(best[column], expected_place);
-    }
-  }
-}
-
 TEST(MinPlus, CellsOfTheNodeTable) {
   std::mt19937 random(7);
   for (Index rows : {1, 3, 8}) {

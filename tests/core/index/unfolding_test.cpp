@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "index/border_pieces.h"
 #include "index/scans.h"
@@ -16,6 +18,19 @@
 
 namespace vorogeo {
 namespace {
+
+/// The parabola's distance; unreachable where it does not hold.
+double parabola_distance(double source, double target, const BorderSample<double>& before,
+                         const BorderSample<double>& after) {
+  const double gain = parabola_gain(source, target, before, after, 0.0);
+  return gain > 0.0 ? source + target - gain : unreachable;
+}
+
+double crossing_distance(double source, double target, std::span<const BorderSample<double>> neighbours) {
+  Crossing<double> crossing{source, target};
+  for (const BorderSample<double>& neighbour : neighbours) crossing.add(neighbour);
+  return crossing_distance(crossing);
+}
 
 // Edge unfolding: against straight lines in the plane.
 
@@ -103,10 +118,10 @@ TEST(Unfolding, AParabolaAlongTheBorderIsNotMadeOfRounding) {
     const double target = 0.03;
     const double off = 1e-3 * edge * (i % 50);
     auto sample = [&](double along) {
-      return BorderSample{std::hypot(source + along, off) + rounded(random),
-                          std::hypot(target - along, off) + rounded(random), edge};
+      return BorderSample<double>{std::hypot(source + along, off) + rounded(random),
+                                  std::hypot(target - along, off) + rounded(random), edge};
     };
-    const BorderSample middle = sample(0.0);
+    const BorderSample<double> middle = sample(0.0);
     const double found = parabola_distance(middle.source, middle.target, sample(-edge), sample(edge));
     EXPECT_GT(found, source + target - 1e-4 * target);
   }
@@ -120,10 +135,10 @@ TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
     const double source = 3.0 + 30.0 * number(random);
     const double target = 3.0 + 30.0 * number(random);
     auto sample = [&] {
-      return BorderSample{source + number(random), target + number(random), number(random)};
+      return BorderSample<double>{source + number(random), target + number(random), number(random)};
     };
-    const BorderSample before = sample();
-    const BorderSample after = sample();
+    const BorderSample<double> before = sample();
+    const BorderSample<double> after = sample();
     const double found = parabola_distance(source, target, before, after);
     if (found == unreachable) continue;
     const double longest = std::max(before.length, after.length);
@@ -149,12 +164,12 @@ TEST(Unfolding, AParabolaThroughAKinkGainsLittle) {
       auto opposite = [&](double side, double angle) {
         return std::sqrt(side * side + length * length - 2.0 * side * length * std::cos(angle));
       };
-      return BorderSample{opposite(source, to_source), opposite(target, to_target), length};
+      return BorderSample<double>{opposite(source, to_source), opposite(target, to_target), length};
     };
-    const BorderSample wide =
+    const BorderSample<double> wide =
         sample(1.0, pi * (0.7 + 0.3 * number(random)), pi * (0.7 + 0.3 * number(random)));
     const double to_source = pi * (0.4 + 0.2 * number(random));
-    const BorderSample beside = sample(1.0, to_source, pi - to_source);
+    const BorderSample<double> beside = sample(1.0, to_source, pi - to_source);
     const double found = parabola_distance(source, target, wide, beside);
     if (found == unreachable) continue;
     ++tried;
@@ -175,7 +190,7 @@ TEST(Unfolding, ACrossingInThePlaneIsAStraightLine) {
     const std::array<double, 2> target{1.5 * number(random), 1.0 + std::abs(number(random))};
     auto length = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
     auto sample = [&](const auto& at) {
-      return BorderSample{length(at, source), length(at, target), length(at, std::array{0.0, 0.0})};
+      return BorderSample<double>{length(at, source), length(at, target), length(at, std::array{0.0, 0.0})};
     };
     const auto middle = sample(std::array{0.0, 0.0});
     const std::array beside{sample(before), sample(after)};
@@ -188,11 +203,31 @@ TEST(Unfolding, ACrossingInThePlaneIsAStraightLine) {
   EXPECT_GT(crossed, 1000);
 }
 
+TEST(Unfolding, OfMoreThanTwoNeighboursTheOneWithTheShortestPath) {
+  // A vertex at the origin of the plane, the source below it, the target above and beside it, and borders
+  // along rays from the vertex: the straight line from one to the other crosses one of them.
+  const double source = 2.0;
+  const double target = 1.0;
+  auto beside = [&](double x, double y) {
+    return BorderSample<double>{std::hypot(x, y + source), std::hypot(x + 1.0, y - 1.0), std::hypot(x, y)};
+  };
+  const double straight = std::hypot(1.0, 1.0 + source);
+  const double sum = source + std::hypot(1.0, target);
+  const BorderSample<double> crossed = beside(-1.0, 0.0);
+  const BorderSample<double> left = beside(1.0, 0.1);
+  const BorderSample<double> also_left = beside(1.0, -0.1);
+  for (const auto& three : {std::array{crossed, left, also_left}, std::array{left, crossed, also_left},
+                            std::array{left, also_left, crossed}}) {
+    EXPECT_NEAR(crossing_distance(source, std::hypot(1.0, target), three), straight, 1e-12);
+  }
+  EXPECT_EQ(crossing_distance(source, std::hypot(1.0, target), std::array{left, also_left, left}), sum);
+}
+
 TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
   // A wave along the border reaches the vertex; behind it another wave came earlier. The path goes on along
   // the border, so the sum is right.
-  const BorderSample before{7.0, 0.45, 0.2};
-  const BorderSample after{6.7, 0.77, 1.0};
+  const BorderSample<double> before{7.0, 0.45, 0.2};
+  const BorderSample<double> after{6.7, 0.77, 1.0};
   EXPECT_LT(unfolded_distance(after.length, 7.2, after.source, 0.25, after.target), 7.2);
   EXPECT_EQ(crossing_distance(7.2, 0.25, std::array{before, after}), 7.45);
   EXPECT_EQ(crossing_distance(7.2, 0.25, std::array{after, before}), 7.45);
@@ -245,8 +280,8 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
         const Scene& scene = scenes[k];
         crossings.source[k] = static_cast<float>(scene.from[1] - lowest);
         crossings.target[k] = static_cast<float>(scene.to[1]);
-        std::array<BorderSample, 2> samples{};
-        std::vector<BorderSample> known;
+        std::array<BorderSample<double>, 2> samples{};
+        std::vector<BorderSample<double>> known;
         for (int s : {0, 1}) {
           // Every fifth crossing lacks a neighbour.
           const bool used = k % 5 != 0 || s == k % 2;

@@ -76,8 +76,8 @@ void expect_least_sums(const IndexData& data, Index sources, Index targets, Betw
       ASSERT_NEAR(route.length, expected, 1e-6 * expected) << source << " to " << target;
       ASSERT_EQ(route.legs.size() + 1, route.nodes.size());
       for (std::size_t i = 0; i < route.legs.size(); ++i) {
-        if (!route.legs[i].in_first_layer()) continue;
-        const Index parent = route.legs[i].patch();
+        if (route.legs[i].table != Leg::Table::first) continue;
+        const Index parent = route.legs[i].patch;
         EXPECT_NE(data.column_in_parent(parent, route.nodes[i]), no_index);
         EXPECT_NE(data.column_in_parent(parent, route.nodes[i + 1]), no_index);
       }
@@ -170,11 +170,11 @@ void expect_shortest_inside(const IndexData& data, PatchRouter& router, Index so
   };
   double length = at_end(from, route.nodes.front()) + at_end(to, route.nodes.back());
   for (std::size_t i = 0; i < route.legs.size(); ++i) {
-    const auto nodes = data.second.nodes(route.legs[i].patch());
+    const auto nodes = data.second.nodes(route.legs[i].patch);
     const auto a = std::ranges::find(nodes, route.nodes[i]);
     const auto b = std::ranges::find(nodes, route.nodes[i + 1]);
     ASSERT_TRUE(a != nodes.end() && b != nodes.end());
-    length += data.second.distance(route.legs[i].patch(), static_cast<Index>(a - nodes.begin()),
+    length += data.second.distance(route.legs[i].patch, static_cast<Index>(a - nodes.begin()),
                                    static_cast<Index>(b - nodes.begin()));
   }
   EXPECT_NEAR(length, route.length, 1e-6 * route.length + 1e-12);
