@@ -1,4 +1,4 @@
-// How finely border edges are split, also near saddle vertices.
+// The patches of an index by what their tables take, and how finely their borders are split.
 #include "index/border_pieces.h"
 
 #include <algorithm>
@@ -181,7 +181,13 @@ struct PatchCounts {
   double added = 0.0;
 };
 
-/// About how many entries all tables have with such pieces.
+/// How many entries tables should have at most.
+double most_entries(const Mesh& mesh) {
+  const auto vertices = static_cast<double>(mesh.vertex_count());
+  return (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+}
+
+/// About how many entries all tables have with such pieces, as a multiple of the most they should have.
 double expected_entries(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders,
                         const PieceLength& lengths) {
   std::vector<PatchCounts> patches(partition.second_layer_count);
@@ -221,13 +227,7 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   for (const PatchCounts& patch : patches) {
     entries += (patch.border + patch.added) * (0.5 * (patch.faces + patch.border) + patch.added);
   }
-  return entries;
-}
-
-/// How many entries tables should have at most.
-double most_entries(const Mesh& mesh) {
-  const auto vertices = static_cast<double>(mesh.vertex_count());
-  return (entries_per_vertex + first_entries_per_vertex * first_layer_growth(vertices)) * vertices;
+  return entries / most_entries(mesh);
 }
 
 /// The longest pieces that may be.
@@ -238,11 +238,10 @@ PieceLength longest_pieces(const Mesh& mesh) {
 /// The finest pieces for which tables keep to their share, else the longest that may be. Where tables have no
 /// room for shorter pieces near saddle vertices, all are as long.
 PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders) {
-  const double most = most_entries(mesh);
   for (const bool near_saddles : {true, false}) {
     PieceLength lengths{wanted_length(mesh), near_saddles};
     for (int step = 0; step <= max_steps; ++step, lengths.longest *= longer_per_step) {
-      if (expected_entries(mesh, partition, borders, lengths) <= most) return lengths;
+      if (expected_entries(mesh, partition, borders, lengths) <= 1.0) return lengths;
     }
   }
   return longest_pieces(mesh);
@@ -276,13 +275,41 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
 }
 
 double wanted_entries(const Mesh& mesh, const Partition& partition) {
-  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  return expected_entries(mesh, partition, borders, {wanted_length(mesh), true}) / most_entries(mesh);
+  return expected_entries(mesh, partition, border_edges(mesh, partition), {wanted_length(mesh), true});
 }
 
-double least_entries(const Mesh& mesh, const Partition& partition) {
-  const std::vector<BorderEdge> borders = border_edges(mesh, partition);
-  return expected_entries(mesh, partition, borders, longest_pieces(mesh)) / most_entries(mesh);
+// ---- The patches
+
+namespace {
+
+/// With more patches than this, some ten thousand vertices, an exact run takes over a tenth of a second.
+constexpr Index few_patches = 24;
+/// So many times the entries that tables should have at most, at the least: on a mesh of needles, which
+/// borders cross everywhere, filling them takes longer than thousands of exact fields.
+constexpr double hopeless_entries = 8.0;
+/// Of the entries that tables should have at most: with fewer, another partition would save little.
+constexpr double many_entries = 0.55;
+/// Another partition has to have fewer than this part of the entries of the usual one.
+constexpr double worth_changing = 0.9;
+
+}  // namespace
+
+Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options, const Progress& progress) {
+  const bool is_automatic = options.first_layer_patches == 0 && options.second_layer_patches == 0;
+  if (!is_automatic) return make_partition(mesh, options, progress);
+  Partition usual = make_partition(mesh, options, progress.part(0.0, 0.5));
+  const std::vector<BorderEdge> borders = border_edges(mesh, usual);
+  const double most = usual.second_layer_count <= few_patches ? 1.0 : hopeless_entries;
+  // Where the metric jumps, runs over whole components take too long for pairs.
+  if (!mesh.metric_jumps() && expected_entries(mesh, usual, borders, longest_pieces(mesh)) > most) {
+    return make_partition(mesh, {1, 1, options.seed, options.threads}, progress.part(0.5, 1.0));
+  }
+  const double entries = expected_entries(mesh, usual, borders, {wanted_length(mesh), true});
+  if (entries <= many_entries) return usual;
+  PartitionOptions by_edges = options;
+  by_edges.cells = FrontMeasure::edge_count;
+  Partition other = make_partition(mesh, by_edges, progress.part(0.5, 1.0));
+  return wanted_entries(mesh, other) < worth_changing * entries ? other : usual;
 }
 
 }  // namespace vorogeo

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "exact/local_solver.h"
-#include "index/index_partition.h"
+#include "index/border_pieces.h"
+#include "index/border_pieces.h"
 #include "index/local_tables.h"
 #include "mesh/outliers.h"
 #include "patches/partition.h"
@@ -44,12 +45,6 @@ constexpr std::int64_t bytes_per_mib = 1 << 20;
 std::int64_t table_bytes(const PatchLayer& layer) {
   return static_cast<std::int64_t>(layer.table_begin.back() * sizeof(layer.table[0]) +
                                    layer.patch_count * (sizeof(layer.scale[0]) + sizeof(layer.complete[0])));
-}
-
-std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file) {
-  const auto count = static_cast<std::int64_t>(first.node_count());
-  const auto entries = static_cast<std::int64_t>(sizeof(TransitTable::infinite_entry)) * count * count;
-  return transit_table_bytes(first) - (entries_in_file ? entries : 0);
 }
 
 std::int64_t MemoryBudget::mib() const {
@@ -208,7 +203,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   double first_nodes = data.first.node_count();
   double first_layer = data.first.patch_count;
   double border_of_first = 2.0 * first_nodes / std::max(1.0, first_layer);
-  double transit = static_cast<double>(transit_table_bytes(data.first));
+  double transit = static_cast<double>(transit_bytes(data.first, false));
   double first = static_cast<double>(table_bytes(data.first));
   if (scale > 1.0) {
     // The borders of k round patches on n vertices grow in length with the square roots of both. A part has

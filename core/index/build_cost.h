@@ -18,9 +18,6 @@ void require_buildable(const Mesh& mesh, const IndexOptions& options);
 
 /// Memory that the tables of a laid out layer take, in bytes.
 std::int64_t table_bytes(const PatchLayer& layer);
-/// The same of its transit table; with the entries in a file, of the rest: its groups and their least
-/// distances.
-std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file);
 
 /// The memory an index may take, and the form that suits it. Entries in a file take none; then there is no
 /// limit unless one is given.

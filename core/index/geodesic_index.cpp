@@ -7,10 +7,10 @@
 #include <new>
 #include <string>
 
+#include "index/border_pieces.h"
 #include "index/build_cost.h"
 #include "index/index_data.h"
 #include "index/index_file.h"
-#include "index/index_partition.h"
 #include "index/local_tables.h"
 #include "mesh/mesh.h"
 #include "support/error.h"

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <iomanip>
 #include <numeric>
 #include <sstream>
@@ -157,26 +156,19 @@ TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
   units.scale = has_small_part(greatest) ? TableScale::graded(greatest, PatchLayer::greatest_entry)
                                          : TableScale::even(greatest, PatchLayer::greatest_entry);
   const auto rows = static_cast<std::size_t>(rows_);
-  constexpr Index width = PatchLayer::tile_width;
-  for (Index column = 0; column < columns_; ++column) {
+  const Index width = width_of(order);
+  // The last columns of the order's width have no members.
+  for (Index column = 0; column < (columns_ + width - 1) / width * width; ++column) {
     if (column % columns_per_checkpoint == 0) checkpoint();
-    const float* from = line(column);
-    std::uint16_t* to = order == TableOrder::lines ? table + column * rows
-                                                   : table + column / width * rows * width + column % width;
-    const std::size_t step = order == TableOrder::lines ? 1 : width;
-    for (std::size_t row = 0; row < rows; ++row) {
-      if (from[row] == no_distance) {
-        units.complete = false;
-        to[row * step] = PatchLayer::infinite_entry;
+    std::uint16_t* to = table + column / width * rows * width + column % width;
+    const float* from = column < columns_ ? line(column) : nullptr;
+    for (std::size_t row = 0; row < rows; ++row, to += width) {
+      if (from != nullptr && from[row] < no_distance) {
+        *to = units.scale.entry(from[row], PatchLayer::greatest_entry);
       } else {
-        to[row * step] = units.scale.entry(from[row], PatchLayer::greatest_entry);
+        *to = PatchLayer::infinite_entry;
+        units.complete = units.complete && from == nullptr;
       }
-    }
-  }
-  if (order == TableOrder::tiles) {
-    for (Index column = columns_; column % width != 0; ++column) {
-      std::uint16_t* to = table + column / width * rows * width + column % width;
-      for (std::size_t row = 0; row < rows; ++row) to[row * width] = PatchLayer::infinite_entry;
     }
   }
   return units;
@@ -400,34 +392,7 @@ class GroupSolver {
   PlaceTargets targets_;
 };
 
-double seconds_of(const std::function<void()>& work) {
-  const double begin = thread_seconds();
-  work();
-  return thread_seconds() - begin;
-}
-
 constexpr const char* table_phase = "Computing exact distances inside patches";
-
-/// Seconds of one core that all runs will take, by a few of them. `groups`: as of group_by_patches().
-double expected_seconds(const PatchLayer& layer, std::span<const Index> groups, GroupSolver& solver,
-                        const Progress& progress) {
-  const std::size_t count = groups.size() - 1;
-  const std::size_t step = std::max<std::size_t>(1, count / groups_to_estimate);
-  double seconds = 0.0;
-  Index nodes = 0;
-  for (std::size_t group = step / 2; group < count; group += step) {
-    progress.report(0.0, table_phase);
-    const Index first = groups[group], last = groups[group + 1] - 1;
-    seconds += seconds_of([&] {
-      solver.reset(layer.patches_of(first));
-      solver.solve(first);
-    });
-    // The first run of a group brings its faces into the caches.
-    if (last > first) seconds += (last - first) * seconds_of([&] { solver.solve(last); });
-    nodes += last - first + 1;
-  }
-  return nodes == 0 ? 0.0 : seconds * layer.node_count() / nodes;
-}
 
 /// Warns if all runs will take as long as many exact fields of the mesh; returns how many then, otherwise 0.
 /// Takes some half a percent of their time.
@@ -456,7 +421,26 @@ double expected_table_seconds(const InnerSurface& surface,
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
   GroupSolver solver(surface, geometry, layer, face_begin);
-  return expected_seconds(layer, groups, solver, progress);
+  const std::size_t count = groups.size() - 1;
+  const std::size_t step = std::max<std::size_t>(1, count / groups_to_estimate);
+  double seconds = 0.0;
+  Index nodes = 0;
+  for (std::size_t group = step / 2; group < count; group += step) {
+    progress.report(0.0, table_phase);
+    const Index first = groups[group], last = groups[group + 1] - 1;
+    const double begin = thread_seconds();
+    solver.reset(layer.patches_of(first));
+    solver.solve(first);
+    const double middle = thread_seconds();
+    seconds += middle - begin;
+    if (last > first) {
+      // The first run of a group brings its faces into the caches.
+      solver.solve(last);
+      seconds += (last - first) * (thread_seconds() - middle);
+    }
+    nodes += last - first + 1;
+  }
+  return nodes == 0 ? 0.0 : seconds * layer.node_count() / nodes;
 }
 
 std::int64_t local_draft_bytes(const PatchLayer& layer) {
@@ -473,9 +457,7 @@ double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<cons
   PerWorker<GroupSolver> solvers(threads);
   double fields = 0.0;
   if (!tables.left().empty()) {
-    const double seconds =
-        expected_seconds(layer, groups, solvers.of(0, surface, geometry, layer, face_begin), before);
-    fields = warn_of_dear_tables(geometry, seconds, before);
+    fields = warn_of_dear_tables(geometry, expected_table_seconds(surface, geometry, layer, before), before);
   }
   const double done =
       1.0 - static_cast<double>(tables.left().size()) / std::max<std::size_t>(1, groups.size() - 1);
@@ -498,27 +480,6 @@ double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<cons
 
 // ---- Composition of first-layer tables
 
-ParentSurroundings::ParentSurroundings(const PatchLayer& second, std::span<const Index> parent,
-                                       Index parent_count)
-    : near_(parent_count) {
-  for (Index p = 0; p < second.patch_count; ++p) near_[parent[p]].push_back(p);
-  for (Index node = 0; node < second.node_count(); ++node) {
-    for (const PatchRow& a : second.patches_of(node)) {
-      for (const PatchRow& b : second.patches_of(node)) {
-        if (parent[a.patch] != parent[b.patch]) near_[parent[a.patch]].push_back(b.patch);
-      }
-    }
-  }
-  for (auto& list : near_) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-}
-
-void ParentSurroundings::mark(Index first_layer_patch, std::vector<std::uint8_t>& mask) const {
-  for (Index p : near_[first_layer_patch]) mask[p] = 1;
-}
-
 std::int64_t composed_draft_bytes(const PatchLayer& first) {
   return greatest_draft_bytes(first, group_by_patches(first, nodes_per_leader));
 }
@@ -526,7 +487,6 @@ std::int64_t composed_draft_bytes(const PatchLayer& first) {
 void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first,
                     const TableRoom& room, int threads, const Progress& progress) {
   constexpr const char* phase = "Composing first-layer tables";
-  const ParentSurroundings surroundings(second, parent, first.patch_count);
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : batch(layer) {}
     BatchDijkstra batch;
@@ -545,7 +505,11 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
                  const Index leader = tables.left()[item];
                  const auto patches = first.patches_of(led[leader]);
                  own.allowed.assign(second.patch_count, 0);
-                 for (const PatchRow& at : patches) surroundings.mark(at.patch, own.allowed);
+                 for (Index p = 0; p < second.patch_count; ++p) {
+                   if (std::ranges::find(patches, parent[p], &PatchRow::patch) == patches.end()) continue;
+                   own.allowed[p] = 1;
+                   for (Index other : second.touching.of(p)) own.allowed[other] = 1;
+                 }
                  own.sources.clear();
                  for (Index node = led[leader]; node < led[leader + 1]; ++node) {
                    own.sources.push_back(second.place_node[first.node_place[node]]);

@@ -188,15 +188,4 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
 /// The most memory that tables which are not yet written take while they are composed, in bytes.
 std::int64_t composed_draft_bytes(const PatchLayer& first);
 
-/// Second-layer patches in each first-layer patch, and those that touch it: as masks over the second layer.
-class ParentSurroundings {
- public:
-  ParentSurroundings(const PatchLayer& second, std::span<const Index> parent, Index parent_count);
-  /// Sets mask[p] = 1 for the second-layer patches in or next to the first-layer patch.
-  void mark(Index first_layer_patch, std::vector<std::uint8_t>& mask) const;
-
- private:
-  std::vector<std::vector<Index>> near_;
-};
-
 }  // namespace vorogeo

@@ -132,13 +132,14 @@ AccessBounds make_access_bounds(const IndexData& data) {
 
 // ---- Filling of the transit table
 
-std::int64_t transit_table_bytes(const PatchLayer& first) {
+std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file) {
   if (first.node_count() == 0) return 0;
   TransitTable table;
   group_nodes(first, table);
-  const auto count = static_cast<std::int64_t>(table.count);
+  const auto entries =
+      entries_in_file ? std::int64_t{0} : static_cast<std::int64_t>(table.count) * table.count;
   const auto groups = static_cast<std::int64_t>(table.group_count());
-  return static_cast<std::int64_t>(table.memory_bytes() + sizeof(std::uint16_t) * count * count +
+  return static_cast<std::int64_t>(table.memory_bytes() + sizeof(std::uint16_t) * entries +
                                    sizeof(float) * groups * groups);
 }
 

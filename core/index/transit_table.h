@@ -58,8 +58,9 @@ struct TransitTable {
   }
 };
 
-/// Memory that the table of a laid out layer takes, in bytes.
-std::int64_t transit_table_bytes(const PatchLayer& first);
+/// Memory that the table of a laid out layer takes, in bytes; with the entries in a file, that of its groups
+/// and their least distances.
+std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file);
 
 /// Fills in the groups of the nodes, which follow from the layer alone.
 void group_nodes(const PatchLayer& first, TransitTable& table);

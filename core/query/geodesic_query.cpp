@@ -58,14 +58,6 @@ void GeodesicQuery::take_sources(std::span<const ExactSource> given, double max_
   }
 }
 
-/// Takes the border nodes that the near field reached as seeds.
-void GeodesicQuery::find_seeds() {
-  seeds_.clear();
-  near_->for_each_reached_node([&](Index node, double distance, Index source) {
-    seeds_.push_back({node, distance, number_[source]});
-  });
-}
-
 void GeodesicQuery::sweep(Index first_layer_patch, FieldSweep& sweep, bool labels) {
   borders_->fill(first_layer_patch, sweep);
   const BorderDistances border = borders_->border();
@@ -106,14 +98,6 @@ Index GeodesicQuery::label_of_node(Index node) {
   return found;
 }
 
-/// Replaces the border node on each vertex's path by the source to which it leads.
-void GeodesicQuery::find_labels() {
-  node_label_.assign(data_.second.node_count(), no_index);
-  for (Index& label : label_) {
-    if (label != no_index) label = label_of_node(label);
-  }
-}
-
 /// The steps of a field. Fills in distance_ and, if they are wanted, label_.
 void GeodesicQuery::run(std::span<const ExactSource> given, double max_distance, bool wants_labels) {
   take_sources(given, max_distance);
@@ -125,13 +109,20 @@ void GeodesicQuery::run(std::span<const ExactSource> given, double max_distance,
     borders_.emplace(data_);
   }
   near_->run(sources_, max_distance);
-  find_seeds();
-  borders_->reset(seeds_, max_distance, threads_);
+  std::vector<BorderField::Seed> seeds;
+  near_->for_each_reached_node([&](Index node, double distance, Index source) {
+    seeds.push_back({node, distance, number_[source]});
+  });
+  borders_->reset(seeds, max_distance, threads_);
   parallel_for(static_cast<std::size_t>(data_.first.patch_count), threads_, {}, "",
                [&](std::size_t parent, int worker) {
                  sweep(static_cast<Index>(parent), sweeps_.of(worker), wants_labels);
                });
-  if (wants_labels) find_labels();
+  // The border node on each vertex's path leads to the source.
+  node_label_.assign(wants_labels ? data_.second.node_count() : 0, no_index);
+  for (Index place = 0; wants_labels && place < data_.surface.place_count(); ++place) {
+    if (label_[place] != no_index) label_[place] = label_of_node(label_[place]);
+  }
   near_->for_each_held([&](Index v) { return distance_[v]; },
                        [&](Index v, double exact) {
                          distance_[v] = exact;

@@ -61,9 +61,7 @@ class GeodesicQuery {
   void check(Index vertex, const char* role) const;
   void run(std::span<const ExactSource> given, double max_distance, bool wants_labels);
   void take_sources(std::span<const ExactSource> given, double max_distance);
-  void find_seeds();
   void sweep(Index first_layer_patch, FieldSweep& sweep, bool labels);
-  void find_labels();
   Index label_of_node(Index node);
   double distance_at(const SurfacePoint& user) const;
 
@@ -81,7 +79,6 @@ class GeodesicQuery {
   /// Sources at vertices without a face, which the inner surface does not have, with their positions in the
   /// list.
   std::vector<std::pair<Index, ExactSource>> isolated_;
-  std::vector<BorderField::Seed> seeds_;
   std::vector<double> distance_;   ///< by place
   std::vector<Index> label_;       ///< by place; during the sweeps, the border node on its path
   std::vector<Index> node_label_;  ///< by second-layer node, as far as known

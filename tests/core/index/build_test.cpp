@@ -16,7 +16,6 @@
 #include "index/build_cost.h"
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
-#include "index/index_partition.h"
 #include "patches/partition.h"
 #include "query/geodesic_query.h"
 #include "support/error.h"
