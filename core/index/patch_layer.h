@@ -195,12 +195,16 @@ struct PatchLayer {
     const Index slot = border_begin[patch] + row;
     return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
   }
+  /// What is to be added to the entries of a member; 0 for nodes.
+  float offset_of(Index patch, Index column) const {
+    return offset.empty() ? 0.0f : offset[member_begin[patch] + column];
+  }
   /// The distances of a member from the border nodes, by row.
   struct Column {
     const std::uint16_t* first;
     std::size_t step;
     TableScale scale;
-    float offset;  ///< 0 for nodes
+    float offset;  ///< see offset_of()
 
     const std::uint16_t& entry(Index row) const { return first[row * step]; }
     float distance(Index row) const {
@@ -211,8 +215,7 @@ struct PatchLayer {
     const auto shift = static_cast<int>(order);
     const auto group = static_cast<std::size_t>(column >> shift) * border_size(patch) << shift;
     return {table.data() + table_begin[patch] + group + (column & (width_of(order) - 1)),
-            static_cast<std::size_t>(width_of(order)), scale[patch],
-            offset.empty() ? 0.0f : offset[member_begin[patch] + column]};
+            static_cast<std::size_t>(width_of(order)), scale[patch], offset_of(patch, column)};
   }
   float distance(Index patch, Index row, Index column) const {
     return column_of(patch, column).distance(row);

@@ -65,13 +65,16 @@ void FieldSweep::find_rows(const PatchLayer& layer, Index patch, Index column, i
 void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column,
                        int count) {
   const auto nodes = layer.nodes(patch);
+  const std::size_t step = layer.order == TableOrder::tiles ? 1 : layer.border_size(patch);
+  PatchLayer::Column targets = layer.column_of(patch, column);
+  const std::uint16_t* const first = targets.first;
   Crossings crossings{};
   for (int k = 0; k < count; ++k) {
     const Index row = row_[k];
     if (row == no_index) continue;
     BesideNode& beside = beside_[row];
-    if (!beside.known) {
-      beside.known = true;
+    if (beside.count < 0) {
+      beside.reset(row);
       for (const BorderNeighbour& next : layer.neighbours(patch, row)) {
         const Index other = nodes[next.row];
         if (border.distance[other] < unreachable) {
@@ -79,7 +82,8 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
         }
       }
     }
-    const PatchLayer::Column targets = layer.column_of(patch, column + k);
+    targets.first = first + k * step;
+    targets.offset = layer.offset_of(patch, column + k);
     crossings.set(k, beside.crossing(
                          row, [&](Index from) { return above_[from]; },
                          [&](Index from) { return targets.distance(from); }));
@@ -95,14 +99,14 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
 }
 
 void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count) {
-  for (const LongBorderEdge& edge : long_edges_) {
-    for (int k = 0; k < count; ++k) {
-      const PatchLayer::Column targets = layer.column_of(patch, column + k);
+  for (Index at = column; !long_edges_.empty() && at < column + count; ++at) {
+    const PatchLayer::Column targets = layer.column_of(patch, at);
+    for (const LongBorderEdge& edge : long_edges_) {
       const auto through =
-          edge.across(result_[column + k], [&](Index from) -> double { return targets.distance(from); });
+          edge.across(result_[at], [&](Index from) -> double { return targets.distance(from); });
       if (through.row == no_index) continue;
-      result_[column + k] = through.distance;
-      crossing_row_[column + k] = through.row;
+      result_[at] = through.distance;
+      crossing_row_[at] = through.row;
     }
   }
 }
@@ -299,7 +303,7 @@ void BorderField::cross_transit_table(int threads) {
 
 /// The neighbours of a first-layer node along the borders of all its patches.
 void BorderField::look_beside(Index node) {
-  beside_[node] = {};
+  beside_[node].reset(node);
   for (const PatchRow& at : data_.first.patches_of(node)) {
     for (const BorderNeighbour& next : data_.first.neighbours(at.patch, at.row)) {
       const Index other = data_.first.nodes(at.patch)[next.row];

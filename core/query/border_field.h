@@ -110,26 +110,27 @@ struct BorderDistances {
 };
 
 /// The neighbours of a border node along the border that are used where paths cross there: the first two that
-/// the same wave has reached.
+/// the same wave has reached. Those that are missing are the node itself, at no length.
 struct BesideNode {
-  Index other[2] = {no_index, no_index};
-  float length[2] = {0.0f, 0.0f};
-  bool known = false;
+  Index other[2];
+  float length[2];
+  int count = -1;  ///< of those found; -1: not yet looked for
 
+  void reset(Index node) { *this = {{node, node}, {0.0f, 0.0f}, 0}; }
   /// A neighbour that was reached, and what precedes both.
   void add(Index predecessor, Index other_predecessor, Index neighbour, float edge) {
-    if (other[1] != no_index || other[0] == neighbour) return;
+    if (count == 2 || (count == 1 && other[0] == neighbour)) return;
     if (!BoundaryDijkstra::may_share_wave(predecessor, other_predecessor)) return;
-    const int at = other[0] == no_index ? 0 : 1;
-    other[at] = neighbour;
-    length[at] = edge;
+    other[count] = neighbour;
+    length[count++] = edge;
   }
   /// The crossing at the node, where source(node) and target(node) are the distances from it.
   template <class Source, class Target>
   Crossing<float> crossing(Index node, const Source& source, const Target& target) const {
     Crossing<float> result{source(node), target(node)};
-    for (int s = 0; s < 2 && other[s] != no_index; ++s) {
-      result.add({source(other[s]), target(other[s]), length[s]});
+    for (int s : {0, 1}) {
+      const float beyond = target(other[s]);
+      result.side[s] = {source(other[s]), beyond, beyond < unreachable_float ? length[s] : 0.0f};
     }
     return result;
   }
