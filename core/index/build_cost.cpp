@@ -11,7 +11,6 @@
 
 #include "exact/local_solver.h"
 #include "index/border_pieces.h"
-#include "index/border_pieces.h"
 #include "index/local_tables.h"
 #include "mesh/outliers.h"
 #include "patches/partition.h"
