@@ -38,7 +38,7 @@ class NearSaddles {
 /// Number of pieces of each edge of the mesh: 1 unless it is a border edge that is long for the patches
 /// beside it. How long an edge may be follows from the mean angle defect of the mesh: the stronger paths bend
 /// at its vertices, the less the distances at both ends of an edge tell of those between; near a saddle
-/// vertex, pieces are shorter (border_pieces.h). Where tables would become too large, edges may be longer.
+/// vertex, pieces are shorter (NearSaddles). Where tables would become too large, edges may be longer.
 /// Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 
@@ -50,12 +50,12 @@ double wanted_entries(const Mesh& mesh, const Partition& partition);
 
 /// The partition that make_partition() chooses, or where its tables would take much, that with cells counted
 /// in edges if its tables are smaller: patches of a plate with deep holes then have the walls of needles
-/// inside, instead of a border around each hole. Components that are fans of more than a thousand needles
-/// are one patch; so is the whole mesh where there are few patches and tables would have no room for their
-/// borders, or any number and tables would take many times their share: the borders of such a mesh have so
-/// many vertices for its patches that tables err more and take longer to fill than some hundred exact fields
-/// and longer to read than to solve one. An index without borders has no tables; its near fields and near
-/// pairs are the whole answer, and exact. If the options ask for patches, they get the usual ones.
+/// inside, instead of a border around each hole. The whole mesh is one patch where there are few and tables
+/// would have no room for their borders, or any number and tables would take many times their share: the
+/// borders of such a mesh have so many vertices for its patches that tables err more and take longer to fill
+/// than some hundred exact fields and longer to read than to solve one. An index without borders has no
+/// tables; its near fields and near pairs are the whole answer, and exact. If the options ask for patches,
+/// they get the usual ones.
 Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);
 
 }  // namespace vorogeo
