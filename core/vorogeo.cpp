@@ -134,16 +134,12 @@ struct Asked {
 
 /// What body(asked) returns for the surface as it is now.
 template <class Options, class Body>
-auto ask(Surface::State& state, const Options& options, Body&& body) {
+auto ask(const Surface& surface, const Options& options, Body&& body) {
   return translated([&] {
-    const auto surface = state.current();
-    Asked asked{*surface, *state.mesh, core_options(options)};
+    const auto current = surface.state().current();
+    Asked asked{*current, *surface.state().mesh, core_options(options)};
     return body(asked);
   });
-}
-template <class Options, class Body>
-auto ask(const Surface& surface, const Options& options, Body&& body) {
-  return ask(surface.state(), options, std::forward<Body>(body));
 }
 
 // ---- The mesh that is measured on

@@ -7,6 +7,7 @@
 #include "index/inner_surface.h"
 #include "index/scans.h"
 #include "support/progress.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -44,9 +45,8 @@ PatchNeighbours::PatchNeighbours(const PatchLayer& layer) {
         if (at.patch != patch) own.push_back(at.patch);
       }
     }
-    std::ranges::sort(own);
-    const auto repeated = std::ranges::unique(own);
-    neighbour_.insert(neighbour_.end(), own.begin(), repeated.begin());
+    sort_once(own);
+    neighbour_.insert(neighbour_.end(), own.begin(), own.end());
     begin_.push_back(static_cast<Index>(neighbour_.size()));
   }
   neighbour_.shrink_to_fit();
@@ -67,13 +67,6 @@ struct PlacePatches {
     return {patch.data() + begin[place], patch.data() + begin[place + 1]};
   }
 };
-
-/// Ascending, each number once.
-void sort_once(std::vector<Index>& numbers) {
-  std::ranges::sort(numbers);
-  const auto repeated = std::ranges::unique(numbers);
-  numbers.erase(repeated.begin(), repeated.end());
-}
 
 /// Replaces a list by the patches of the faces at an edge, ascending.
 void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,

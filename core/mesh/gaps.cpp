@@ -18,6 +18,7 @@
 #include "support/disjoint_sets.h"
 #include "support/error.h"
 #include "support/progress.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -522,8 +523,7 @@ std::vector<Link> join_components(const BorderSides& sides, DisjointSets& sets, 
     joined = false;
     for (Index s = 0; s < sides.count(); ++s) root[s] = sets.root(sides[s].tail);
     roots = root;
-    std::ranges::sort(roots);
-    roots.erase(std::ranges::unique(roots).begin(), roots.end());
+    sort_once(roots);
     if (roots.size() < 2) break;
     best.assign(roots.size(), {});
     sides.tree().common_labels(root, common);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "support/progress.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -208,8 +209,7 @@ void BorderCut::shorten(std::span<const Index> faces, Index labels, double faces
       });
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_once(pairs);
   for (int round = 0; round < cut_rounds; ++round) {
     for (const auto& [p, q] : pairs) {
       checkpoint();

@@ -12,6 +12,7 @@
 #include "support/error.h"
 #include "support/parallel.h"
 #include "support/progress.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -66,18 +67,14 @@ std::vector<std::vector<Index>> neighbors_of_patches(const Mesh& mesh, std::span
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     here.clear();
     for (Index corner : mesh.corners(v)) here.push_back(face_patches[Mesh::face_of(corner)]);
-    std::sort(here.begin(), here.end());
-    here.erase(std::unique(here.begin(), here.end()), here.end());
+    sort_once(here);
     for (Index a : here) {
       for (Index b : here) {
         if (a != b) neighbors[a].push_back(b);
       }
     }
   }
-  for (auto& list : neighbors) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  for (auto& list : neighbors) sort_once(list);
   return neighbors;
 }
 
@@ -169,8 +166,7 @@ std::vector<Index> vertices_of(const Mesh& mesh, const std::vector<Index>& faces
     const auto& corners = mesh.face_vertices(f);
     vertices.insert(vertices.end(), corners.begin(), corners.end());
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_once(vertices);
   return vertices;
 }
 

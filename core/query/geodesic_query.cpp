@@ -118,10 +118,12 @@ void GeodesicQuery::run(std::span<const ExactSource> given, double max_distance,
                [&](std::size_t parent, int worker) {
                  sweep(static_cast<Index>(parent), sweeps_.of(worker), wants_labels);
                });
-  // The border node on each vertex's path leads to the source.
-  node_label_.assign(wants_labels ? data_.second.node_count() : 0, no_index);
-  for (Index place = 0; wants_labels && place < data_.surface.place_count(); ++place) {
-    if (label_[place] != no_index) label_[place] = label_of_node(label_[place]);
+  if (wants_labels) {
+    // The border node on each vertex's path leads to the source.
+    node_label_.assign(data_.second.node_count(), no_index);
+    for (Index& label : label_) {
+      if (label != no_index) label = label_of_node(label);
+    }
   }
   near_->for_each_held([&](Index v) { return distance_[v]; },
                        [&](Index v, double exact) {

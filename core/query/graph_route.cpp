@@ -99,7 +99,7 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
 /// Arcs in a row through one patch are one leg, as its table holds every pair of its nodes.
 void GraphRouter::write(GraphRoute& result) const {
   auto go_on = [&](Index patch, Index node) {
-    const Leg leg = Leg{Leg::Table::first, patch};
+    const Leg leg{Leg::Table::first, patch};
     if (!result.legs.empty() && result.legs.back() == leg) {
       result.nodes.back() = node;
     } else {

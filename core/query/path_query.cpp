@@ -8,6 +8,7 @@
 
 #include "index/index_data.h"
 #include "query/path_chain.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -111,9 +112,7 @@ std::optional<ExactPath> PathQuery::solved(const SurfacePoint& from, const Surfa
   if (are_ends_near) {
     std::vector<Index> patches = ends.from.patches;
     patches.insert(patches.end(), ends.to.patches.begin(), ends.to.patches.end());
-    std::ranges::sort(patches);
-    const auto repeated = std::ranges::unique(patches);
-    patches.erase(repeated.begin(), repeated.end());
+    sort_once(patches);
     bounds.mask = exact_.mask_around(patches);
   } else {
     bounds.rest = routes_->bounds.fill(ends.from, ends.to, bounds.upper);

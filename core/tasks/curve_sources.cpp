@@ -7,6 +7,7 @@
 
 #include "mesh/mesh_input.h"
 #include "support/error.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -70,8 +71,7 @@ std::vector<ExactSource> sources_along_edges(const Mesh& mesh, std::span<const I
       sources.push_back({SurfacePoint::in_face(Mesh::face_of(h), weights), 0.0});
     }
   }
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_once(vertices);
   for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v), 0.0});
   return sources;
 }

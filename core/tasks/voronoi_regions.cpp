@@ -11,6 +11,7 @@
 #include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/parallel.h"
+#include "support/sort_once.h"
 
 namespace vorogeo {
 
@@ -228,8 +229,7 @@ DividedFaces::DividedFaces(Workers& workers, const PointList& sites, std::vector
   const PointList all = points_on(mesh, corners.points, "Point");
   parallel_for(asked.size(), workers.threads(), progress, "Voronoi regions", [&](std::size_t i, int worker) {
     auto& numbers = asked[i].second;
-    std::ranges::sort(numbers);
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_once(numbers);
     std::vector<SurfacePoint> points;
     for (Index number : numbers) points.push_back(all[number]);
     found[i] = workers.distances(sites[asked[i].first], points, radius, worker);

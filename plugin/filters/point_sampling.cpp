@@ -114,8 +114,7 @@ std::vector<FilterRow> sampling_rows() {
        "<i>vertices</i> in the sampled layer. The same <b>Seed</b> gives the same samples.</p>" +
            help_on_exact_parameter() +
            "<p>See:<br/><i>Robert L. Cook</i><br/><b>\"Stochastic sampling in computer "
-           "graphics\"</b><br/>ACM "
-           "Transactions on Graphics 5(1), 1986.</p>",
+           "graphics\"</b><br/>ACM Transactions on Graphics 5(1), 1986.</p>",
        FilterPlugin::Sampling, MeshModel::MM_NONE, poisson_parameters, poisson_disk_sampling},
       {"Geodesic Lloyd relaxation of the selection (VoroGeo)", "generate_sampling_vorogeo_lloyd_relaxation",
        "<p>Moves points repeatedly to the middle of their geodesic Voronoi regions, until they are spread "
@@ -127,8 +126,7 @@ std::vector<FilterRow> sampling_rows() {
        "<i>vertices</i> in the sampled layer, in the order of the points.</p>" +
            help_on_task_points() + help_on_exact_parameter() +
            "<p>See:<br/><i>Gabriel Peyr&eacute;, Laurent D. Cohen</i><br/><b>\"Geodesic remeshing using "
-           "front "
-           "propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>",
+           "front propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>",
        FilterPlugin::Sampling, MeshModel::MM_NONE, lloyd_parameters, lloyd_relaxation}};
 }
 

@@ -120,8 +120,7 @@ MethodField heat_field(const Mesh& mesh, Index source) {
     if (!factorised || !Heat::ComputeFromCache(taken.mesh, taken.source, factorisation)) {
       throw InvalidInput(
           "The heat method fails on this mesh: its matrices cannot be factorised, mostly because of "
-          "zero-area "
-          "faces. Repair the mesh or choose another method.");
+          "zero-area faces. Repair the mesh or choose another method.");
     }
   });
 }

@@ -30,8 +30,8 @@ class MethodOption(NamedTuple):
     """A number that a method takes."""
 
     standard: Annotated[float, "The default."]
-    least: Annotated[float, "The range."]
-    greatest: Annotated[float, "Likewise."]
+    least: Annotated[float, "The least that it may be."]
+    greatest: Annotated[float, "And the greatest."]
     whole: Annotated[bool, "Only whole numbers."]
     meaning: Annotated[str, "One line."]
 

@@ -124,7 +124,7 @@ class IndexStatistics:
     vertices: int = doc("Size of the mesh.")
     faces: int = doc("Likewise; degenerate and repeated ones are not counted.")
     bridges: int = doc("Triangles that bridge gaps.")
-    components: int = doc("Likewise.")
+    components: int = doc("Connected parts of the mesh.")
     first_layer_patches: int = doc("Patches of the mesh in this layer.")
     second_layer_patches: int = doc("Likewise.")
     first_layer_border_vertices: int = doc("Vertices shared by patches of this layer.")

@@ -58,10 +58,9 @@ class Surface(Tasks):
     Raises
     ------
     InvalidInput
-        (a ValueError) If an argument has a wrong shape, type or range, naming the element; so do all functions of the
-        package.
+        (a ValueError) If an argument has a wrong shape, type or range, naming the element.
     Cancelled
-        If a progress function returned False; nothing was changed then. Likewise.
+        If a progress function returned False; nothing was changed then. Both by all functions of the package.
 
     Notes
     -----
