@@ -94,27 +94,22 @@ void ExactSolver::State::take_vertex(Index vertex) {
     emit_fan(vertex, false);
     return;
   }
+  for_each_edge_at(vertex, [&](Index side) {
+    const bool leaves = mesh.tail(side) == vertex;
+    const Index other = leaves ? mesh.head(side) : mesh.tail(side);
+    const double distance = state.distance + mesh.edge_length(mesh.edge_of(side));
+    if (distance >= vertices[other].distance) return;
+    double arrival = -1.0;
+    if (geometry->can_bend[other] == ExactGeometry::by_angle) {
+      const Index there = leaves ? Mesh::next_in_face(side) : side;
+      arrival = geometry->corner_begin[there];
+      if (leaves == (geometry->begins_at_own_edge[there] != 0)) arrival += mesh.corner_angle(there);
+    }
+    reach_vertex(other, distance, state.source, arrival, vertex);
+  });
   // A face that may not be entered acts like a border of the mesh: paths may bend around it.
-  bool beside_barrier = false;
-  for (Index corner : mesh.corners(vertex)) {
-    if (!may_enter(Mesh::face_of(corner))) {
-      beside_barrier = true;
-      continue;
-    }
-    for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-      const Index other = side == corner ? mesh.head(side) : mesh.tail(side);
-      const double distance = state.distance + mesh.edge_length(mesh.edge_of(side));
-      if (distance >= vertices[other].distance) continue;
-      double arrival = -1.0;
-      if (geometry->can_bend[other] == ExactGeometry::by_angle) {
-        const Index there = side == corner ? Mesh::next_in_face(side) : side;
-        const bool at_own_edge = there == side;
-        arrival = geometry->corner_begin[there];
-        if (at_own_edge != (geometry->begins_at_own_edge[there] != 0)) arrival += mesh.corner_angle(there);
-      }
-      reach_vertex(other, distance, state.source, arrival, vertex);
-    }
-  }
+  const bool beside_barrier = std::ranges::any_of(
+      mesh.corners(vertex), [&](Index corner) { return !may_enter(Mesh::face_of(corner)); });
   if (beside_barrier) {
     barrier_distance = std::min(barrier_distance, length_at_vertex(state.distance, vertex));
   }
@@ -701,22 +696,20 @@ double ExactSolver::State::length_through(const Window& window) const {
 // ---- Edges that the front has passed drop their windows, where only distances of vertices are wanted
 
 void ExactSolver::State::close_edges_at(Index vertex) {
-  // By paths along the edge alone, each of its points is no farther than half the sum of the ends' distances
-  // and the edge's length.
-  auto close_later = [&](Index edge) {
+  const double own = vertices[vertex].distance;
+  // The farther end of an edge comes last, unless another solver sends it.
+  const bool is_in_order = territories == nullptr || territories->of_vertex[vertex] == number;
+  for_each_edge_at(vertex, [&](Index side) {
+    const Index edge = mesh.edge_of(side);
     if (territories != nullptr && territories->of_edge[edge] != number) return;
+    // By paths along the edge alone, each of its points is no farther than half the sum of the ends'
+    // distances and the edge's length.
     const auto [a, b] = mesh.edge_vertices(edge);
-    const double bound = 0.5 * (vertices[a].distance + vertices[b].distance + mesh.edge_length(edge));
-    if (bound < unreachable)
-      closing.add({std::max(closing.current(), queue.bucket_at(bound * (1.0 + 1e-12))), edge});
-  };
-  for (Index corner : mesh.corners(vertex)) {
-    close_later(mesh.edge_of(corner));
-    // The other edge of the corner is that of the next one, unless that is turned over or missing.
-    const Index other = Mesh::previous_in_face(corner);
-    const Index beside = mesh.next_around_edge(other);
-    if (beside == other || mesh.tail(beside) != vertex) close_later(mesh.edge_of(other));
-  }
+    const double other = vertices[a == vertex ? b : a].distance;
+    if (other == unreachable || (is_in_order && other > own)) return;
+    const double bound = 0.5 * (own + other + mesh.edge_length(edge));
+    closing.add({std::max(closing.current(), queue.bucket_at(bound * (1.0 + 1e-12))), edge});
+  });
 }
 
 void ExactSolver::State::close_edges_behind(double front) {

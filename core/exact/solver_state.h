@@ -265,6 +265,18 @@ struct ExactSolver::State {
     return !has_corridor || length_to_target <= max_distance * (1.0 + 1e-9);
   }
   bool may_enter(Index face) const { return face_allowed.empty() || face_allowed[face] != 0; }
+  /// Visits the edges at a vertex, each once, by a half-edge in a face that may be entered.
+  template <class Visit>
+  void for_each_edge_at(Index vertex, Visit&& visit) const {
+    for (const Index corner : mesh.corners(vertex)) {
+      if (!may_enter(Mesh::face_of(corner))) continue;
+      visit(corner);
+      // The other edge of the corner is that of the next one, unless that is turned over or missing.
+      const Index other = Mesh::previous_in_face(corner);
+      const Index beside = mesh.next_around_edge(other);
+      if (beside == other || mesh.tail(beside) != vertex || !may_enter(Mesh::face_of(beside))) visit(other);
+    }
+  }
   /// Distance of a point inside an edge, by what has been found so far, and the source that it belongs to
   /// (path_tracing.cpp).
   struct Reached {
