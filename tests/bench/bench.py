@@ -18,6 +18,7 @@ import meshes
 FIGURES = meshes.ROOT / "docs" / "figures.md"
 PAGES = {
     "peers": "times, memory and errors, beside public packages",
+    "exact_fields": "exact fields of fresh and of kept surfaces, beside VTP from its authors' sources",
     "any_mesh": "costs and errors of an index on meshes of every kind",
     "matrices": "matrices of all distances as float32 in a file, beside other packages",
     "paths": "refined and exact paths of many random pairs against exact fields",

@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "exact/exact_solver.h"
@@ -73,6 +74,28 @@ void time_exact(Arguments arguments) {
     times.add([&] { solver.run_from_vertices({&source, 1}, limits); });
   }
   times.print("exact", mesh->vertex_count());
+}
+
+/// As a script pays that asks once, from arrays to a field, and as one that asks again; one thread.
+void time_fresh(Arguments arguments) {
+  const RawMesh raw = read_mesh(arguments[0]);
+  vorogeo::ExactLimits limits;
+  limits.distances_only = true;
+  for (const Index source : vertices_of(arguments.subspan(1))) {
+    std::optional<vorogeo::ExactSolver> solver;
+    auto run = [&] { solver->run_from_vertices({&source, 1}, limits); };
+    const double fresh = cpu_seconds([&] {
+      solver.emplace(std::make_shared<const vorogeo::Mesh>(raw.positions, raw.faces));
+      run();
+    });
+    const double warm = cpu_seconds(run);
+    const auto windows = static_cast<double>(solver->window_count());
+    print_figures("source", std::to_string(source),
+                  {{"fresh", fresh},
+                   {"warm", warm},
+                   {"windows", windows / solver->mesh().edge_count()},
+                   {"bytes", static_cast<double>(solver->memory_bytes())}});
+  }
 }
 
 /// Notes from the reports of a build when each of its phases begins, and the most memory in it.
@@ -185,6 +208,7 @@ struct Task {
 };
 constexpr Task tasks[] = {
     {"exact", "MESH SOURCE...", 2, time_exact},
+    {"fresh", "MESH SOURCE...", 2, time_fresh},
     {"build", "MESH THREADS INDEX", 3, [](Arguments arguments) { build(arguments, false); }},
     {"build_in_file", "MESH THREADS INDEX", 3, [](Arguments arguments) { build(arguments, true); }},
     {"fields", "MESH INDEX THREADS ROUNDS SOURCE...", 5, time_fields},
