@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> dict[str, str]:
         result = measure_mesh(file, options.sources, chosen, limits, options.threads, not options.one_build)
         (RESULTS / f"{file.stem}.json").write_text(json.dumps(result, indent=1))
         texts[file.stem] = tables.mesh_section(result)
-        if options.write:
+        if options.write and not options.no_peers:
             plots.error_against_time(result, meshes.PICTURES / f"error_time_{file.stem}.png")
     kept = sorted((json.loads(file.read_text()) for file in RESULTS.glob("*.json")), key=lambda r: r["vertices"])
     costs = tables.table(tables.COSTS, map(tables.costs_row, kept))
