@@ -113,9 +113,11 @@ void ExactGeometry::lay_out_corners(Index vertex) {
   }
   double angle = 0.0;
   for (Index corner : corners) {
-    corner_begin[corner] = angle;
     begins_at_own_edge[corner] = entered == corner;
-    angle += mesh->corner_angle(corner);
+    if (can_bend[vertex] == by_angle) {
+      corner_begin[corner] = angle;
+      angle += mesh->corner_angle(corner);
+    }
     entered = mesh->next_around_edge(entered == corner ? Mesh::previous_in_face(corner) : corner);
   }
 }

@@ -72,10 +72,11 @@ struct ExactGeometry {
   /// By vertex: where paths bend by angle but the surface is flat up to rounding, or its border straight, the
   /// least distance of the edges opposite the vertex; otherwise 0.
   std::vector<float> flat_height;
-  /// For the corner (half-edge) of a vertex whose fan is a chain or a cycle: angle at which the corner
+  /// For the corner (half-edge) of a vertex at which paths bend by angle: the angle at which the corner
   /// begins.
   std::vector<double> corner_begin;
-  /// Whether the corner begins at its own edge (rather than at that of the previous half-edge of the face).
+  /// Whether the corner begins at its own edge (rather than at that of the previous half-edge of the face),
+  /// where the fan of its vertex is a chain or a cycle.
   std::vector<std::uint8_t> begins_at_own_edge;
 
   /// From the second vertex of the half-edge's edge back to the foot of the apex, along the edge. Where the

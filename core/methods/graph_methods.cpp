@@ -259,10 +259,12 @@ class ShortTermVectors final : public GeodesicMethod {
       const bool disk = mesh->fan(v) == Mesh::Fan::closed && mesh->total_angle(v) > 0.0;
       is_disk_.push_back(disk ? 1 : 0);
       const double scale = disk ? 2.0 * std::numbers::pi / mesh->total_angle(v) : 0.0;
+      double angle = 0.0;
       for (Index corner : mesh->corners(v)) {
         const bool own = geometry.begins_at_own_edge[corner] != 0;
         const Index side = own ? corner : Mesh::previous_in_face(corner);
-        add_spoke(v, side, disk ? geometry.corner_begin[corner] * scale : 0.0, own);
+        add_spoke(v, side, angle * scale, own);
+        angle += mesh->corner_angle(corner);
         if (!disk) add_spoke(v, own ? Mesh::previous_in_face(corner) : corner, 0.0, own);
       }
       begin_.push_back(spokes_.size());
