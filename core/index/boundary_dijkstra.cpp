@@ -160,7 +160,7 @@ void BoundaryDijkstra::run(std::span<const std::uint8_t> patch_allowed, double m
       if (at.patch == state.patch || (!patch_allowed.empty() && !patch_allowed[at.patch])) continue;
       line_.resize(layer_.border_size(at.patch));
       layer_.read_border(at.patch, at.row, line_.data());
-      for (const BorderStretch& range : layer_.stretches.of(at.patch)) {
+      for (const BorderStretch& range : layer_.stretches[at.patch]) {
         const float* line = line_.data() + range.row;
         const Index count = range.end - range.begin;
         const double* reached = distance_.data() + range.begin;
@@ -247,7 +247,7 @@ void FollowerSweep::find_stretches(const BoundaryDijkstra& leader, double slack)
     const auto own = static_cast<float>(leader.distance(node));
     for (const PatchRow& to : layer_.patches_of(node)) {
       if (patch_slot_[to.patch] == no_index) continue;
-      for (const BorderStretch& piece : layer_.stretches.of(to.patch)) {
+      for (const BorderStretch& piece : layer_.stretches[to.patch]) {
         layer_.for_each_run(piece, to.row, [&](const BorderStretch& run, const std::uint16_t* entries) {
           const float* above = leader_above_.data() + patch_slot_[to.patch] + run.row;
           const IndexRange range =

@@ -44,8 +44,7 @@ class BoundaryDijkstra {
   /// The predecessor of a node that was reached; source_name(wave) for a seed.
   Index predecessor(Index node) const {
     const NodeState& state = state_[node];
-    return state.patch == no_index ? source_name(state.row)
-                                   : layer_.border_node[layer_.border_begin[state.patch] + state.row];
+    return state.patch == no_index ? source_name(state.row) : layer_.node_at({state.patch, state.row});
   }
   /// The patch through which a node was reached; no_index for a seed.
   Index predecessor_patch(Index node) const { return state_[node].patch; }

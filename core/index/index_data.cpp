@@ -7,7 +7,7 @@
 namespace vorogeo {
 
 void IndexData::link_layers() {
-  parent_column.assign(second.border_node.size(), no_index);
+  parent_column.assign(second.border.element.size(), no_index);
   std::vector<Index> column(surface.place_count(), no_index);
   Index last_parent = no_index;
   // Patches of one parent are consecutive.
@@ -21,7 +21,7 @@ void IndexData::link_layers() {
     }
     const auto nodes = second.nodes(p);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      parent_column[second.border_begin[p] + i] = column[second.node_place[nodes[i]]];
+      parent_column[second.border.begin[p] + i] = column[second.node_place[nodes[i]]];
     }
   }
 

@@ -55,7 +55,7 @@ struct IndexData {
   std::vector<Index> home_column;  ///< and its column among the members of that patch
 
   /// Place of a second-layer border node among the members of its patch's first-layer patch, by
-  /// second.border_begin[patch] + row.
+  /// second.slot(patch, row).
   std::vector<Index> parent_column;
 
   // Derived from the layout, so that queries need not compute it each time.
@@ -86,7 +86,7 @@ struct IndexData {
   /// Column of a second-layer node among the members of a first-layer patch; no_index if it is not a member.
   Index column_in_parent(Index parent, Index node) const {
     for (const PatchRow& at : second.patches_of(node)) {
-      if (partition.parent[at.patch] == parent) return parent_column[second.border_begin[at.patch] + at.row];
+      if (partition.parent[at.patch] == parent) return parent_column[second.slot(at.patch, at.row)];
     }
     return no_index;
   }

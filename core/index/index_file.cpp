@@ -216,7 +216,7 @@ void check_layer(IndexFileReader& in, PatchLayer& layer) {
     in.fail("is damaged (a distance is greater than its table can hold)");
   }
   for (const TableScale scale : layer.scale) require_scale(in, scale);
-  if (!layer.offset.empty() && layer.offset.size() != layer.member.size()) {
+  if (!layer.offset.empty() && layer.offset.size() != layer.member.element.size()) {
     in.fail("is damaged (the offsets of a layer have the wrong size)");
   }
   require_distances(in, layer.offset);

@@ -62,7 +62,7 @@ void for_each_table_block(Data& data, Visit&& visit) {
   visit(data.transit_table.entry, BlockCount::exactly(is_graph ? 0 : nodes * nodes));
   for (auto* layer : {&data.second, &data.first}) {
     visit(layer->scale, BlockCount::exactly(layer->patch_count));
-    visit(layer->offset, BlockCount::up_to(layer->member.size()));
+    visit(layer->offset, BlockCount::up_to(layer->member.element.size()));
   }
   visit(data.transit_table.least, BlockCount::exactly(groups * groups));
   visit(std::span(&data.transit_table.scale, 1), BlockCount::exactly(1));

@@ -182,8 +182,8 @@ void set_units(PatchLayer& layer, Index patch, const TableDraft::Units& units) {
   layer.scale[patch] = units.scale;
   layer.complete[patch] = units.complete ? 1 : 0;
   if (units.offset.empty()) return;
-  layer.offset.resize(layer.member.size(), 0.0f);
-  std::ranges::copy(units.offset, layer.offset.begin() + layer.member_begin[patch]);
+  layer.offset.resize(layer.member.element.size(), 0.0f);
+  std::ranges::copy(units.offset, layer.offset.begin() + layer.member.begin[patch]);
 }
 
 void note_complete(PatchLayer& layer) {
@@ -216,7 +216,7 @@ std::vector<Index> places_in_wave(const PatchLayer& layer) {
   for (Index first = 0; first < layer.patch_count; ++first) {
     reach(first);
     for (std::size_t at = wave.size() - 1; at < wave.size(); ++at) {
-      for (Index next : layer.touching.of(wave[at])) reach(next);
+      for (Index next : layer.touching[wave[at]]) reach(next);
     }
   }
   return place;
@@ -369,18 +369,9 @@ class GroupSolver {
     solver_.run(std::span(&source, 1), limits);
   }
 
-  /// Writes the distances from the node that was solved last.
-  void put_rows(Index node, const TableFiller& tables) {
-    for (const PatchRow& at : layer_.patches_of(node)) {
-      TableDraft* draft = tables.draft(at.patch);
-      if (draft == nullptr) continue;
-      const auto members = layer_.members(at.patch);
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        const double distance =
-            surface_.at_place(members[i], [&](const auto& target) { return solver_.distance(target); });
-        draft->line(static_cast<Index>(i))[at.row] = static_cast<float>(distance);
-      }
-    }
+  /// From the node that was solved last.
+  double distance(Index place) const {
+    return surface_.at_place(place, [&](const auto& target) { return solver_.distance(target); });
   }
 
  private:
@@ -459,22 +450,15 @@ double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<cons
   if (!tables.left().empty()) {
     fields = warn_of_dear_tables(geometry, expected_table_seconds(surface, geometry, layer, before), before);
   }
-  const double done =
-      1.0 - static_cast<double>(tables.left().size()) / std::max<std::size_t>(1, groups.size() - 1);
-  parallel_for(tables.left().size(), threads, progress.part(std::max(done, 0.01), 1.0), table_phase,
-               [&](std::size_t item, int worker) {
-                 const Index group = tables.left()[item];
-                 GroupSolver& solver = solvers.of(worker, surface, geometry, layer, face_begin);
-                 solver.reset(layer.patches_of(groups[group]));
-                 tables.begin(group);
-                 for (Index node = groups[group]; node < groups[group + 1]; ++node) {
-                   checkpoint();
-                   solver.solve(node);
-                   solver.put_rows(node, tables);
-                 }
-                 tables.finish(group);
-               });
-  tables.hand_over();
+  tables.fill(threads, progress, 0.01, table_phase, [&](Index group, int worker) {
+    GroupSolver& solver = solvers.of(worker, surface, geometry, layer, face_begin);
+    solver.reset(layer.patches_of(groups[group]));
+    for (Index node = groups[group]; node < groups[group + 1]; ++node) {
+      checkpoint();
+      solver.solve(node);
+      tables.put_rows(node, [&](Index place) { return solver.distance(place); });
+    }
+  });
   return fields;
 }
 
@@ -495,40 +479,25 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
   };
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
   TableFiller tables(first, room, led, TableFiller::Closure::symmetric, threads, progress.part(0.0, 0.05));
-  const std::size_t left = tables.left().size();
-  const double done = 1.0 - static_cast<double>(left) / std::max<std::size_t>(1, led.size() - 1);
-  const int workers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads), left));
-  PerWorker<Scratch> scratch(workers);
-  parallel_for(left, workers, progress.part(std::max(done, 0.05), 1.0), phase,
-               [&](std::size_t item, int worker) {
-                 Scratch& own = scratch.of(worker, second);
-                 const Index leader = tables.left()[item];
-                 const auto patches = first.patches_of(led[leader]);
-                 own.allowed.assign(second.patch_count, 0);
-                 for (Index p = 0; p < second.patch_count; ++p) {
-                   if (std::ranges::find(patches, parent[p], &PatchRow::patch) == patches.end()) continue;
-                   own.allowed[p] = 1;
-                   for (Index other : second.touching.of(p)) own.allowed[other] = 1;
-                 }
-                 own.sources.clear();
-                 for (Index node = led[leader]; node < led[leader + 1]; ++node) {
-                   own.sources.push_back(second.place_node[first.node_place[node]]);
-                 }
-                 tables.begin(leader);
-                 own.batch.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
-                   for (const PatchRow& at : first.patches_of(led[leader] + static_cast<Index>(i))) {
-                     TableDraft* draft = tables.draft(at.patch);
-                     if (draft == nullptr) continue;
-                     const auto members = first.members(at.patch);
-                     for (std::size_t m = 0; m < members.size(); ++m) {
-                       draft->line(static_cast<Index>(m))[at.row] =
-                           static_cast<float>(own.batch.distance(second.place_node[members[m]]));
-                     }
-                   }
-                 });
-                 tables.finish(leader);
-               });
-  tables.hand_over();
+  PerWorker<Scratch> scratch(threads);
+  tables.fill(threads, progress, 0.05, phase, [&](Index leader, int worker) {
+    Scratch& own = scratch.of(worker, second);
+    const auto patches = first.patches_of(led[leader]);
+    own.allowed.assign(second.patch_count, 0);
+    for (Index p = 0; p < second.patch_count; ++p) {
+      if (std::ranges::find(patches, parent[p], &PatchRow::patch) == patches.end()) continue;
+      own.allowed[p] = 1;
+      for (Index other : second.touching[p]) own.allowed[other] = 1;
+    }
+    own.sources.clear();
+    for (Index node = led[leader]; node < led[leader + 1]; ++node) {
+      own.sources.push_back(second.place_node[first.node_place[node]]);
+    }
+    own.batch.search_from_each(own.sources, own.allowed, [&](std::size_t i) {
+      tables.put_rows(led[leader] + static_cast<Index>(i),
+                      [&](Index place) { return own.batch.distance(second.place_node[place]); });
+    });
+  });
 }
 
 }  // namespace vorogeo

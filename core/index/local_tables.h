@@ -1,6 +1,7 @@
 // The tables of a layer: exact runs from its nodes, or composed of those of the layer below.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "index/patch_layer.h"
 #include "patches/halo.h"
 #include "support/file.h"
+#include "support/parallel.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -127,17 +129,38 @@ class TableFiller {
 
   /// The groups that are left to be run, in the order in which they should be.
   std::span<const Index> left() const { return left_; }
-  /// Where the rows of a patch go; null if its table is filled already.
-  TableDraft* draft(Index patch) const { return drafts_[patch].get(); }
-  /// Makes the drafts of the patches of a group, before its first run.
-  void begin(Index group);
-  /// All rows of a group are there.
-  void finish(Index group);
-  /// Hands the tables to the layer, after all groups.
-  void hand_over() { layer_.table = room_.shared(); }
+  /// Calls work(group, worker) for each of them, which puts the rows of its nodes into drafts, and hands the
+  /// tables to the layer. `least`: part of the progress that came before.
+  template <class Work>
+  void fill(int threads, const Progress& progress, double least, const char* phase, Work&& work) {
+    const auto all = static_cast<double>(std::max<std::size_t>(1, groups_.size() - 1));
+    const double done = std::max(least, 1.0 - static_cast<double>(left_.size()) / all);
+    parallel_for(left_.size(), threads, progress.part(done, 1.0), phase, [&](std::size_t item, int worker) {
+      begin(left_[item]);
+      work(left_[item], worker);
+      finish(left_[item]);
+    });
+    layer_.table = room_.shared();
+  }
+  /// Writes a row into the drafts of all patches of a node whose tables are not filled already:
+  /// distance(member) for each of their members.
+  template <class Distance>
+  void put_rows(Index node, const Distance& distance) const {
+    for (const PatchRow& at : layer_.patches_of(node)) {
+      if (drafts_[at.patch] == nullptr) continue;
+      Index column = 0;
+      for (const Index member : layer_.members(at.patch)) {
+        drafts_[at.patch]->line(column++)[at.row] = static_cast<float>(distance(member));
+      }
+    }
+  }
 
  private:
   std::span<std::uint16_t> entries_of(Index patch) const;
+  /// Makes the drafts of the patches of a group.
+  void begin(Index group);
+  /// All rows of a group are there.
+  void finish(Index group);
   void write(Index patch);
 
   PatchLayer& layer_;

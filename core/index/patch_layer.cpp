@@ -7,66 +7,12 @@
 #include "index/inner_surface.h"
 #include "index/scans.h"
 #include "support/progress.h"
-#include "support/sort_once.h"
 
 namespace vorogeo {
-
-// ---- One pass over the border nodes of all patches
-
-BorderStretches::BorderStretches(const PatchLayer& layer) {
-  begin_.reserve(layer.patch_count + 1);
-  begin_.push_back(0);
-  for (Index patch = 0; patch < layer.patch_count; ++patch) {
-    const auto first = static_cast<std::size_t>(begin_.back());
-    Index row = 0;
-    for (Index node : layer.nodes(patch)) {
-      if (stretch_.size() > first && stretch_.back().end == node) {
-        ++stretch_.back().end;
-      } else {
-        stretch_.push_back({patch, row, node, node + 1});
-      }
-      ++row;
-    }
-    begin_.push_back(static_cast<Index>(stretch_.size()));
-  }
-  stretch_.shrink_to_fit();
-}
-
-// ---- Collecting touching patches node by node
-
-PatchNeighbours::PatchNeighbours(const PatchLayer& layer) {
-  begin_.reserve(layer.patch_count + 1);
-  begin_.push_back(0);
-  std::vector<Index> own;
-  for (Index patch = 0; patch < layer.patch_count; ++patch) {
-    own.clear();
-    for (Index node : layer.nodes(patch)) {
-      for (const PatchRow& at : layer.patches_of(node)) {
-        if (at.patch != patch) own.push_back(at.patch);
-      }
-    }
-    sort_once(own);
-    neighbour_.insert(neighbour_.end(), own.begin(), own.end());
-    begin_.push_back(static_cast<Index>(neighbour_.size()));
-  }
-  neighbour_.shrink_to_fit();
-}
-
-bool PatchNeighbours::touch(Index a, Index b) const { return std::ranges::binary_search(of(a), b); }
 
 // ---- Layout of a patch layer from face labels
 
 namespace {
-
-/// Patches of the faces at each place, as a list per place in ascending order.
-struct PlacePatches {
-  std::vector<Index> begin;
-  std::vector<Index> patch;
-
-  std::span<const Index> at(Index place) const {
-    return {patch.data() + begin[place], patch.data() + begin[place + 1]};
-  }
-};
 
 /// Replaces a list by the patches of the faces at an edge, ascending.
 void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
@@ -81,11 +27,11 @@ void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
   sort_once(patches);
 }
 
-PlacePatches patches_of_places(const InnerSurface& surface, std::span<const Index> label) {
+/// Patches of the faces at each place, ascending.
+Lists<Index> patches_of_places(const InnerSurface& surface, std::span<const Index> label) {
   const Mesh& mesh = *surface.mesh;
-  PlacePatches result;
+  Lists<Index> result;
   result.begin.reserve(surface.place_count() + 1);
-  result.begin.push_back(0);
   std::vector<Index> own;
   for (Index place = 0; place < surface.place_count(); ++place) {
     if (place % elements_per_checkpoint == 0) checkpoint();
@@ -96,8 +42,8 @@ PlacePatches patches_of_places(const InnerSurface& surface, std::span<const Inde
     } else {
       patches_at_edge(mesh, label, surface.point_at(place).edge, own);
     }
-    result.patch.insert(result.patch.end(), own.begin(), own.end());
-    result.begin.push_back(static_cast<Index>(result.patch.size()));
+    result.add(own);
+    result.close();
   }
   return result;
 }
@@ -161,6 +107,37 @@ void order_along_borders(Index place_count, const std::vector<BorderPiece>& piec
   node_place.swap(ordered);
 }
 
+void find_touching(PatchLayer& layer) {
+  std::vector<Index> own;
+  for (Index patch = 0; patch < layer.patch_count; ++patch) {
+    own.clear();
+    for (Index node : layer.nodes(patch)) {
+      for (const PatchRow& at : layer.patches_of(node)) {
+        if (at.patch != patch) own.push_back(at.patch);
+      }
+    }
+    sort_once(own);
+    layer.touching.add(own);
+    layer.touching.close();
+  }
+}
+
+void find_stretches(PatchLayer& layer) {
+  std::vector<BorderStretch>& stretches = layer.stretches.element;
+  for (Index patch = 0; patch < layer.patch_count; ++patch) {
+    Index row = 0;
+    for (Index node : layer.nodes(patch)) {
+      if (row > 0 && stretches.back().end == node) {
+        ++stretches.back().end;
+      } else {
+        stretches.push_back({patch, row, node, node + 1});
+      }
+      ++row;
+    }
+    layer.stretches.close();
+  }
+}
+
 /// Edges of whatever length hardly change it, if they are few.
 double median_length(const std::vector<BorderNeighbour>& edges) {
   if (edges.empty()) return 0.0;
@@ -176,7 +153,7 @@ double median_length(const std::vector<BorderNeighbour>& edges) {
 
 PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> label, Index patch_count,
                            std::span<const std::uint8_t> candidate, TableOrder order) {
-  const PlacePatches around = patches_of_places(surface, label);
+  const Lists<Index> around = patches_of_places(surface, label);
   const std::vector<BorderPiece> pieces = border_pieces(surface, label);
   PatchLayer layer;
   layer.patch_count = patch_count;
@@ -186,7 +163,7 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   std::vector<std::vector<Index>> inner(patch_count);
   for (Index v = 0; v < surface.place_count(); ++v) {
     if (v % elements_per_checkpoint == 0) checkpoint();
-    const auto patches = around.at(v);
+    const auto patches = around[v];
     if (patches.size() >= 2) {
       layer.node_place.push_back(v);
     } else if (!patches.empty() && (candidate.empty() || candidate[v])) {
@@ -195,40 +172,32 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   }
   // Nodes between the same patches are consecutive, so that scans over a border are sequential in memory.
   std::stable_sort(layer.node_place.begin(), layer.node_place.end(), [&](Index a, Index b) {
-    const auto of_a = around.at(a);
-    const auto of_b = around.at(b);
-    return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
+    return std::ranges::lexicographical_compare(around[a], around[b]);
   });
-  order_along_borders(surface.place_count(), pieces, layer.node_place, [&](Index a, Index b) {
-    const auto of_a = around.at(a);
-    const auto of_b = around.at(b);
-    return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
-  });
-  layer.incidence_begin.push_back(0);
+  order_along_borders(surface.place_count(), pieces, layer.node_place,
+                      [&](Index a, Index b) { return std::ranges::equal(around[a], around[b]); });
   for (Index node = 0; node < layer.node_count(); ++node) {
     const Index v = layer.node_place[node];
     layer.place_node[v] = node;
-    for (Index p : around.at(v)) {
-      layer.incidence.push_back({p, static_cast<Index>(border[p].size())});
-      border[p].push_back(v);
+    for (Index p : around[v]) {
+      layer.incidence.element.push_back({p, static_cast<Index>(border[p].size())});
+      border[p].push_back(node);
     }
-    layer.incidence_begin.push_back(static_cast<Index>(layer.incidence.size()));
+    layer.incidence.close();
   }
 
-  layer.border_begin.push_back(0);
-  layer.member_begin.push_back(0);
   layer.table_begin.push_back(0);
   for (Index p = 0; p < patch_count; ++p) {
     checkpoint();
-    for (Index v : border[p]) layer.border_node.push_back(layer.place_node[v]);
-    layer.member.insert(layer.member.end(), border[p].begin(), border[p].end());
-    layer.member.insert(layer.member.end(), inner[p].begin(), inner[p].end());
-    layer.border_begin.push_back(static_cast<Index>(layer.border_node.size()));
-    layer.member_begin.push_back(static_cast<Index>(layer.member.size()));
+    layer.border.add(border[p]);
+    layer.border.close();
+    for (Index node : border[p]) layer.member.element.push_back(layer.node_place[node]);
+    layer.member.add(inner[p]);
+    layer.member.close();
     layer.table_begin.push_back(layer.table_begin.back() + table_size(layer, p));
   }
 
-  std::vector<std::vector<BorderNeighbour>> neighbours(layer.border_node.size());
+  std::vector<std::vector<BorderNeighbour>> neighbours(layer.border.element.size());
   std::vector<Index> beside;
   for (const BorderPiece& piece : pieces) {
     const auto [a, b] = piece.place;
@@ -237,24 +206,22 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
     for (Index p : beside) {
       const Index row_a = layer.row_of(layer.place_node[a], p);
       const Index row_b = layer.row_of(layer.place_node[b], p);
-      neighbours[layer.border_begin[p] + row_a].push_back({row_b, length});
-      neighbours[layer.border_begin[p] + row_b].push_back({row_a, length});
+      neighbours[layer.slot(p, row_a)].push_back({row_b, length});
+      neighbours[layer.slot(p, row_b)].push_back({row_a, length});
     }
   }
-  layer.neighbour_begin.push_back(0);
   for (const auto& list : neighbours) {
-    layer.neighbour.insert(layer.neighbour.end(), list.begin(), list.end());
-    layer.neighbour_begin.push_back(static_cast<Index>(layer.neighbour.size()));
+    layer.neighbour.add(list);
+    layer.neighbour.close();
   }
-  for (auto* list : {&layer.node_place, &layer.border_begin, &layer.border_node, &layer.member_begin,
-                     &layer.member, &layer.incidence_begin, &layer.neighbour_begin}) {
-    list->shrink_to_fit();
-  }
+  layer.typical_border_edge = median_length(layer.neighbour.element);
+  find_touching(layer);
+  find_stretches(layer);
+  layer.node_place.shrink_to_fit();
+  for (auto* lists : {&layer.border, &layer.member, &layer.touching}) lists->shrink_to_fit();
   layer.incidence.shrink_to_fit();
   layer.neighbour.shrink_to_fit();
-  layer.typical_border_edge = median_length(layer.neighbour);
-  layer.touching = PatchNeighbours(layer);
-  layer.stretches = BorderStretches(layer);
+  layer.stretches.shrink_to_fit();
   return layer;
 }
 
@@ -294,10 +261,10 @@ void PatchLayer::read_border(Index patch, Index row, float* distances) const {
 
 std::size_t PatchLayer::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.size() * sizeof(v[0]); };
-  return bytes(node_place) + bytes(place_node) + bytes(border_begin) + bytes(border_node) +
-         bytes(member_begin) + bytes(member) + bytes(incidence_begin) + bytes(incidence) +
-         bytes(neighbour_begin) + bytes(neighbour) + bytes(table_begin) + bytes(table) + bytes(scale) +
-         bytes(offset) + bytes(complete) + touching.memory_bytes() + stretches.memory_bytes();
+  return bytes(node_place) + bytes(place_node) + border.memory_bytes() + member.memory_bytes() +
+         incidence.memory_bytes() + neighbour.memory_bytes() + touching.memory_bytes() +
+         stretches.memory_bytes() + bytes(table_begin) + bytes(table) + bytes(scale) + bytes(offset) +
+         bytes(complete);
 }
 
 }  // namespace vorogeo

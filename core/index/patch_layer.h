@@ -11,6 +11,7 @@
 
 #include "mesh/mesh.h"
 #include "support/file.h"
+#include "support/lists.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -61,55 +62,6 @@ inline constexpr float small_part = 1.0f / 512.0f;
 inline constexpr float least_steps = 8.0f;
 
 struct InnerSurface;
-struct PatchLayer;
-
-// ---- The border of a patch as stretches of consecutive nodes
-
-/// Consecutive nodes of a patch, whose rows are consecutive, too.
-struct BorderStretch {
-  Index patch;
-  Index row;    ///< of the first node
-  Index begin;  ///< first node
-  Index end;
-};
-
-/// The border nodes of each patch, in the order of their rows, in as few stretches as possible: nodes between
-/// the same patches have consecutive numbers.
-class BorderStretches {
- public:
-  BorderStretches() = default;
-  explicit BorderStretches(const PatchLayer& layer);
-  std::span<const BorderStretch> of(Index patch) const {
-    return {stretch_.data() + begin_[patch], stretch_.data() + begin_[patch + 1]};
-  }
-  std::size_t memory_bytes() const {
-    return begin_.size() * sizeof(Index) + stretch_.size() * sizeof(BorderStretch);
-  }
-
- private:
-  std::vector<Index> begin_;  ///< by patch, into stretch_
-  std::vector<BorderStretch> stretch_;
-};
-
-// ---- Which patches of a layer have a border node in common
-
-/// Lists of touching patches.
-class PatchNeighbours {
- public:
-  PatchNeighbours() = default;
-  explicit PatchNeighbours(const PatchLayer& layer);
-  /// The patches that have a node in common with a patch, without itself, ascending.
-  std::span<const Index> of(Index patch) const {
-    return {neighbour_.data() + begin_[patch], neighbour_.data() + begin_[patch + 1]};
-  }
-  /// Whether two different patches have a node in common. Complexity: O(log(neighbours of a patch)).
-  bool touch(Index a, Index b) const;
-  std::size_t memory_bytes() const { return (begin_.size() + neighbour_.size()) * sizeof(Index); }
-
- private:
-  std::vector<Index> begin_;  ///< by patch, into neighbour_
-  std::vector<Index> neighbour_;
-};
 
 // ---- One layer of patches: their members, border nodes and tables
 
@@ -123,6 +75,14 @@ struct PatchRow {
 struct BorderNeighbour {
   Index row;
   float length;
+};
+
+/// Consecutive nodes of a patch, whose rows are consecutive, too.
+struct BorderStretch {
+  Index patch;
+  Index row;    ///< of the first node
+  Index begin;  ///< first node
+  Index end;
 };
 
 /// How the table of a patch lies in memory. *Lines*: column by column, so that all distances of one member
@@ -151,39 +111,36 @@ struct PatchLayer {
   static constexpr float far_per_border = 8.0f;
 
   Index patch_count = 0;
-  std::vector<Index> node_place;       ///< place, by node
-  std::vector<Index> place_node;       ///< node, by place; no_index: not on a border of this layer
-  std::vector<Index> border_begin;     ///< by patch, into border_node
-  std::vector<Index> border_node;      ///< node, by patch and row
-  std::vector<Index> member_begin;     ///< by patch, into member
-  std::vector<Index> member;           ///< place, by patch and column
-  std::vector<Index> incidence_begin;  ///< by node, into incidence
-  std::vector<PatchRow> incidence;     ///< patches of each node, ascending
-  std::vector<Index> neighbour_begin;  ///< by border_begin[patch] + row, into neighbour
-  std::vector<BorderNeighbour> neighbour;
-  PatchNeighbours touching;   ///< by patch
-  BorderStretches stretches;  ///< by patch
+  std::vector<Index> node_place;     ///< place, by node
+  std::vector<Index> place_node;     ///< node, by place; no_index: not on a border of this layer
+  Lists<Index> border;               ///< nodes, by patch and row
+  Lists<Index> member;               ///< places, by patch and column
+  Lists<PatchRow> incidence;         ///< patches of each node, ascending
+  Lists<BorderNeighbour> neighbour;  ///< by slot()
+  Lists<Index> touching;             ///< by patch: those with a node in common, without itself, ascending
+  /// By patch: its border in the order of rows, in as few stretches as possible. Nodes between the same
+  /// patches have consecutive numbers.
+  Lists<BorderStretch> stretches;
   /// Median length of the border edges, each counted once for every patch beside it; 0 if there are none.
   double typical_border_edge = 0.0;
   TableOrder order = TableOrder::lines;
   std::vector<std::size_t> table_begin;  ///< by patch, into table
   SharedArray<std::uint16_t> table;
   std::vector<TableScale> scale;       ///< by patch
-  std::vector<float> offset;           ///< by member_begin[patch] + column, 0 if not far; empty: none is far
+  std::vector<float> offset;           ///< by member.begin[patch] + column, 0 if not far; empty: none is far
   std::vector<std::uint8_t> complete;  ///< by patch: 1 if no entry is infinite_entry
 
   Index node_count() const { return static_cast<Index>(node_place.size()); }
-  Index border_size(Index patch) const { return border_begin[patch + 1] - border_begin[patch]; }
-  Index member_count(Index patch) const { return member_begin[patch + 1] - member_begin[patch]; }
-  std::span<const Index> nodes(Index patch) const {
-    return {border_node.data() + border_begin[patch], static_cast<std::size_t>(border_size(patch))};
-  }
-  std::span<const Index> members(Index patch) const {
-    return {member.data() + member_begin[patch], static_cast<std::size_t>(member_count(patch))};
-  }
-  std::span<const PatchRow> patches_of(Index node) const {
-    return {incidence.data() + incidence_begin[node], incidence.data() + incidence_begin[node + 1]};
-  }
+  Index border_size(Index patch) const { return border.size_of(patch); }
+  Index member_count(Index patch) const { return member.size_of(patch); }
+  std::span<const Index> nodes(Index patch) const { return border[patch]; }
+  std::span<const Index> members(Index patch) const { return member[patch]; }
+  std::span<const PatchRow> patches_of(Index node) const { return incidence[node]; }
+  /// Position of a border node among those of all patches, by patch and row.
+  Index slot(Index patch, Index row) const { return border.begin[patch] + row; }
+  Index node_at(PatchRow at) const { return border.element[slot(at.patch, at.row)]; }
+  /// Whether two different patches have a node in common. Complexity: O(log(touching patches)).
+  bool touch(Index a, Index b) const { return std::ranges::binary_search(touching[a], b); }
   /// Row of a node among the border nodes of a patch; no_index if it is not on its border.
   Index row_of(Index node, Index patch) const {
     for (const PatchRow& at : patches_of(node)) {
@@ -192,12 +149,11 @@ struct PatchLayer {
     return no_index;
   }
   std::span<const BorderNeighbour> neighbours(Index patch, Index row) const {
-    const Index slot = border_begin[patch] + row;
-    return {neighbour.data() + neighbour_begin[slot], neighbour.data() + neighbour_begin[slot + 1]};
+    return neighbour[slot(patch, row)];
   }
   /// What is to be added to the entries of a member; 0 for nodes.
   float offset_of(Index patch, Index column) const {
-    return offset.empty() ? 0.0f : offset[member_begin[patch] + column];
+    return offset.empty() ? 0.0f : offset[member.begin[patch] + column];
   }
   /// The distances of a member from the border nodes, by row.
   struct Column {

@@ -114,7 +114,7 @@ AccessBounds make_access_bounds(const IndexData& data) {
     const TableScale scale = data.first.scale[parent];
     const float per_unit = scale.unit() > 0.0f ? 1.0f / AccessBounds::unit(scale) : 0.0f;
     for (std::size_t row = 0; row < rows; ++row) {
-      const std::uint16_t* line = data.first.line(parent, data.parent_column[second.border_begin[p] + row]);
+      const std::uint16_t* line = data.first.line(parent, data.parent_column[second.slot(p, row)]);
       std::uint8_t* bound = bounds.least.data() + bounds.begin[p] + row;
       for (const GroupRows& at : bounds.groups[parent]) {
         const std::uint16_t* entry = line + at.row;

@@ -17,8 +17,8 @@
 #include "mesh/vectors.h"
 #include "support/disjoint_sets.h"
 #include "support/error.h"
+#include "support/lists.h"
 #include "support/progress.h"
-#include "support/sort_once.h"
 
 namespace vorogeo {
 

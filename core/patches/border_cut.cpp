@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "support/lists.h"
 #include "support/progress.h"
-#include "support/sort_once.h"
 
 namespace vorogeo {
 

@@ -10,9 +10,9 @@
 #include "patches/border_cut.h"
 #include "patches/sampling.h"
 #include "support/error.h"
+#include "support/lists.h"
 #include "support/parallel.h"
 #include "support/progress.h"
-#include "support/sort_once.h"
 
 namespace vorogeo {
 

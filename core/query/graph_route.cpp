@@ -71,12 +71,12 @@ void GraphRouter::settle(int side) {
   }
 }
 
-bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
+void GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
   if (++stamp_ == 0) {
     for (auto& state : state_) state.stamp = 0;
     stamp_ = 1;
   }
-  best_ = below;
+  best_ = result.length;
   meeting_ = no_index;
   find_accesses(0, source);
   find_accesses(1, target);
@@ -91,9 +91,7 @@ bool GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     if (heap_[0].front().key + heap_[1].front().key >= best_) break;
     settle(heap_[0].size() <= heap_[1].size() ? 0 : 1);
   }
-  if (meeting_ == no_index) return false;
-  write(result);
-  return true;
+  if (meeting_ != no_index) write(result);
 }
 
 /// Arcs in a row through one patch are one leg, as its table holds every pair of its nodes.

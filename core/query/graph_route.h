@@ -18,10 +18,9 @@ class GraphRouter {
  public:
   explicit GraphRouter(const IndexData& data) : data_(data), state_(data.first.node_count()) {}
 
-  /// Writes the shortest route that leaves a first-layer patch of the source and enters one of the target to
-  /// `result` if it is shorter than `below`, otherwise leaves `result` unchanged. \return whether it is
-  /// shorter. For ends in different first-layer patches it is the shortest of all.
-  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// Replaces a route by the shortest one that leaves a first-layer patch of the source and enters one of the
+  /// target, if that is shorter. For ends in different first-layer patches it is the shortest of all.
+  void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:
   /// A way from an end to a node on the border of its first-layer patch.

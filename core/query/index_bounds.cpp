@@ -6,69 +6,49 @@
 
 namespace vorogeo {
 
-IndexBounds::IndexBounds(const IndexData& data)
-    : data_(data),
-      borders_(data),
-      bound_(data.surface.place_count(), unreachable),
-      allowed_(data.second.patch_count, 0),
-      is_near_(data.second.patch_count, 0) {}
-
-void IndexBounds::allow_patches(const RouteEnd& source, const RouteEnd& target, double length) {
-  const Landmarks::Row at_source = data_.landmarks.through(source.seeds);
-  const Landmarks::Row at_target = data_.landmarks.through(target.seeds);
-  const double max_length = length * (1.0 + 2.0 * index_margin);
-  for (Index p = 0; p < data_.second.patch_count; ++p) {
-    allowed_[p] = std::ranges::any_of(data_.second.nodes(p), [&](Index node) {
-      return data_.landmarks.bound(node, at_source) + data_.landmarks.bound(node, at_target) <= max_length;
-    });
-  }
-}
+IndexBounds::IndexBounds(const IndexData& data) : data_(data), borders_(data) {}
 
 std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedEnd& to, double length) {
   const RouteEnd source = route_end_of(data_, from);
   const RouteEnd target = route_end_of(data_, to);
   const PatchLayer& second = data_.second;
-  for (Index p : swept_) {
-    for (Index v : second.members(p)) bound_[v] = unreachable;
-  }
-  swept_.clear();
-  allow_patches(source, target, length);
+  const Landmarks& landmarks = data_.landmarks;
+  const Landmarks::Row at_source = landmarks.through(source.seeds);
+  const Landmarks::Row at_target = landmarks.through(target.seeds);
+  const double max_length = length * (1.0 + 2.0 * index_margin);
+  const auto may_be_passed = [&](Index node) {
+    return landmarks.bound(node, at_source) + landmarks.bound(node, at_target) <= max_length;
+  };
   seeds_.clear();
   for (const auto& seed : target.seeds) seeds_.push_back({seed.node, seed.distance, 0});
   borders_.reset(seeds_, length * (1.0 + index_margin));
+  const auto is_reached = [&](Index node) { return borders_.border().distance[node] <= length; };
 
-  // The patches around the target, and those that touch them.
-  std::vector<Index> near = to.patches;
-  for (Index p : to.patches) {
-    const auto touching = second.touching.of(p);
-    near.insert(near.end(), touching.begin(), touching.end());
-  }
-  for (Index p : near) is_near_[p] = 1;
+  bound_.assign(data_.surface.place_count(), unreachable);
   const double margin = index_margin_in_edges * data_.surface.mesh->typical_edge_length();
   for (Index parent = 0; parent < data_.first.patch_count; ++parent) {
     bool is_filled = false;
     for (Index p : data_.children(parent)) {
-      if (!allowed_[p] && !is_near_[p]) continue;
-      const auto members = second.members(p);
-      if (is_near_[p]) {
-        swept_.push_back(p);
-        for (Index v : members) bound_[v] = 0.0;
-        continue;
-      }
+      if (std::ranges::none_of(second.nodes(p), may_be_passed)) continue;
       if (!is_filled) borders_.fill(parent, sweep_);
       is_filled = true;
-      const auto distance = borders_.border().distance;
-      if (std::ranges::none_of(second.nodes(p), [&](Index node) { return distance[node] <= length; }))
-        continue;
-      swept_.push_back(p);
+      if (std::ranges::none_of(second.nodes(p), is_reached)) continue;
       const auto found = sweep_.sweep(second, borders_.border(), p);
+      const auto members = second.members(p);
       for (std::size_t i = 0; i < members.size(); ++i) {
         const double least = std::max(0.0, found[i] * (1.0 - index_margin) - margin);
         bound_[members[i]] = std::min(bound_[members[i]], least);
       }
     }
   }
-  for (Index p : near) is_near_[p] = 0;
+  // In the patches around the target, and those that touch them.
+  const auto trust_none = [&](Index patch) {
+    for (Index v : second.members(patch)) bound_[v] = 0.0;
+  };
+  for (Index p : to.patches) {
+    trust_none(p);
+    std::ranges::for_each(second.touching[p], trust_none);
+  }
   return std::span(bound_).first(data_.surface.vertex_count());
 }
 

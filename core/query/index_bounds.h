@@ -31,16 +31,11 @@ class IndexBounds {
   std::span<const double> fill(const IndexedEnd& from, const IndexedEnd& to, double length);
 
  private:
-  void allow_patches(const RouteEnd& source, const RouteEnd& target, double length);
-
   const IndexData& data_;
   BorderField borders_;
   std::vector<BorderField::Seed> seeds_;
   FieldSweep sweep_;
   std::vector<double> bound_;
-  std::vector<std::uint8_t> allowed_;
-  std::vector<std::uint8_t> is_near_;
-  std::vector<Index> swept_;
 };
 
 }  // namespace vorogeo

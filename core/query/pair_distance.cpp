@@ -39,7 +39,7 @@ double PairDistance::bound_by_tables(Index source, Index target) {
   };
   for_each_patch(data_, source, [&](Index p, Index source_at) {
     for_each_patch(data_, target, [&](Index q, Index target_at) {
-      if (p != q && !second.touching.touch(p, q)) return;
+      if (p != q && !second.touch(p, q)) return;
       share_patch_ |= p == q;
       add(p);
       add(q);

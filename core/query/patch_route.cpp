@@ -20,11 +20,11 @@ PatchRouter::PatchRouter(const IndexData& data)
       node_(data.second.node_count()),
       patch_(data.second.patch_count),
       parent_open_(data.first.patch_count, 0),
-      row_waits_(data.second.border_node.size(), 0) {}
+      row_waits_(data.second.border.element.size(), 0) {}
 
 void PatchRouter::reset(const RouteEnd& source, const RouteEnd& target) {
   for (Index p : waiting_) {
-    for (Index row : patch_[p].rows) row_waits_[data_.second.border_begin[p] + row] = 0;
+    for (Index row : patch_[p].rows) row_waits_[data_.second.slot(p, row)] = 0;
     patch_[p].rows.clear();
     patch_[p].waits = false;
   }
@@ -69,7 +69,7 @@ void PatchRouter::wait(Index patch, Index row, float key) {
     waiting_.push_back(patch);
   }
   state.key = std::min(state.key, key);
-  std::uint8_t& waits = row_waits_[data_.second.border_begin[patch] + row];
+  std::uint8_t& waits = row_waits_[data_.second.slot(patch, row)];
   if (waits == 0) state.rows.push_back(row);
   waits = 1;
 }
@@ -98,7 +98,7 @@ void PatchRouter::scan_patch(Index patch) {
   PatchState& state = patch_[patch];
   rows_.clear();
   for (Index row : state.rows) {
-    row_waits_[second.border_begin[patch] + row] = 0;
+    row_waits_[second.slot(patch, row)] = 0;
     const NodeState& at = node_[nodes[row]];
     if (at.distance + at.lower_bound < best_) rows_.push_back(row);
   }
@@ -121,9 +121,9 @@ void PatchRouter::scan_patch(Index patch) {
   }
 }
 
-bool PatchRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
+void PatchRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
   reset(source, target);
-  best_ = static_cast<float>(below);
+  best_ = static_cast<float>(result.length);
   for (const auto& seed : target.seeds) {
     NodeState& state = touch(seed.node);
     state.to_target = std::min(state.to_target, static_cast<float>(seed.distance));
@@ -143,9 +143,7 @@ bool PatchRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
     patch_[patch].waits = false;
     scan_patch(patch);
   }
-  if (meeting_ == no_index) return false;
-  write(result);
-  return true;
+  if (meeting_ != no_index) write(result);
 }
 
 /// Writes the nodes up to the meeting, and the length by the table entries between them.

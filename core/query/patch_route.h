@@ -16,10 +16,9 @@ class PatchRouter {
  public:
   explicit PatchRouter(const IndexData& data);
 
-  /// Writes the shortest route inside the first-layer patches of the ends to `result` if it is shorter than
-  /// `below`, otherwise leaves `result` unchanged. \return whether it is shorter. Of routes whose lengths
-  /// differ only by rounding of table entries, any may be found.
-  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// Replaces a route by the shortest one inside the first-layer patches of the ends, if that is shorter. Of
+  /// routes whose lengths differ only by rounding of table entries, any may be found.
+  void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:
   struct NodeState {
@@ -46,7 +45,7 @@ class PatchRouter {
   std::vector<NodeState> node_;
   std::vector<PatchState> patch_;
   std::vector<std::uint32_t> parent_open_;
-  std::vector<std::uint8_t> row_waits_;  ///< by second.border_begin[patch] + row
+  std::vector<std::uint8_t> row_waits_;  ///< by second.slot(patch, row)
   std::vector<Index> waiting_;           ///< patches
   std::uint32_t stamp_ = 0;
   Index target_vertex_ = no_index;

@@ -138,10 +138,10 @@ void Router::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& r
   }
   if (data_.form() == IndexForm::graph) {
     if (!graph_) graph_.emplace(data_);
-    graph_->route(source, target, result, result.length);
+    graph_->route(source, target, result);
   } else {
     if (!tables_) tables_.emplace(data_);
-    tables_->route(source, target, result, result.length);
+    tables_->route(source, target, result);
   }
 }
 

@@ -34,7 +34,7 @@ std::vector<AccessDistances::Part>::iterator AccessDistances::add_part(Index pat
   seed_distance_.resize(begin + lanes, unreachable_float);
   seed_bound_.resize(begin + lanes, greatest_bound);
   place_.resize(begin + lanes, no_index);
-  const Index* columns = data_.parent_column.data() + data_.second.border_begin[patch];
+  const Index* columns = data_.parent_column.data() + data_.second.border.begin[patch];
   column_.insert(column_.end(), columns, columns + rows);
   column_.resize(begin + lanes, 0);
   return parts_.end() - 1;
@@ -302,11 +302,10 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   return best;
 }
 
-bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below) {
+void TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result) {
   const PatchLayer& first = data_.first;
-  if (data_.transit_table.count == 0) return false;
-  auto length = static_cast<float>(below);
-  bool found = false;
+  if (data_.transit_table.count == 0) return;
+  auto length = static_cast<float>(result.length);
   for (Index source_parent : source.parents) {
     from_.reset(source, source_parent);
     for (Index target_parent : target.parents) {
@@ -316,7 +315,6 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
       const Joint best = at_source == 0 ? join(from_, to_, length) : join(to_, from_, length);
       if (best.row[0] == no_index) continue;
       const std::size_t at_target = 1 - at_source;
-      found = true;
       length = best.length;
       result.length = static_cast<double>(best.length);
       // The four nodes of the route; those that coincide appear once.
@@ -330,7 +328,6 @@ bool TableRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
                    target.seeds[to_.seed_of(best.group[at_target], best.row[at_target])].node);
     }
   }
-  return found;
 }
 
 }  // namespace vorogeo

@@ -89,13 +89,13 @@ class TableRouter {
  public:
   explicit TableRouter(const IndexData& data) : data_(data), from_(data), to_(data) {}
 
-  /// Writes the shortest route that leaves a first-layer patch of the source and enters one of the target to
-  /// `result` if it is shorter than `below`, otherwise leaves `result` unchanged. \return whether it is
-  /// shorter. For ends in different first-layer patches it is the shortest of all. Lower bounds for all pairs
-  /// of groups of border nodes come first; of the tables at the ends and the cells of the transit table, only
-  /// those are examined that could give a shorter route than the best so far. Complexity: O(k + (b / 8)^2)
-  /// for k seeds and b border nodes of such a patch, and 64 for each cell examined.
-  bool route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result, double below = unreachable);
+  /// Replaces a route by the shortest one that leaves a first-layer patch of the source and enters one of the
+  /// target, if that is shorter. For ends in different first-layer patches it is the shortest of all. Lower
+  /// bounds for all pairs of groups of border nodes come first; of the tables at the ends and the cells of
+  /// the transit table, only those are examined that could give a shorter route than the best so far.
+  /// Complexity: O(k + (b / 8)^2) for k seeds and b border nodes of such a patch, and 64 for each cell
+  /// examined.
+  void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:
   /// The best connection of two ends: group and row on the side of the first-layer patch with the smaller

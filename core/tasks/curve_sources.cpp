@@ -7,7 +7,7 @@
 
 #include "mesh/mesh_input.h"
 #include "support/error.h"
-#include "support/sort_once.h"
+#include "support/lists.h"
 
 namespace vorogeo {
 

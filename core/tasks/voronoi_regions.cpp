@@ -10,8 +10,8 @@
 
 #include "mesh/mesh_input.h"
 #include "support/error.h"
+#include "support/lists.h"
 #include "support/parallel.h"
-#include "support/sort_once.h"
 
 namespace vorogeo {
 

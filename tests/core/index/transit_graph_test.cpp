@@ -109,11 +109,11 @@ TransitGraph graph_of_table(const std::vector<std::vector<float>>& table, double
   PatchLayer layer;
   layer.patch_count = 1;
   for (Index v = 0; v < k; ++v) {
-    for (auto* list : {&layer.node_place, &layer.place_node, &layer.border_node, &layer.member})
+    for (auto* list : {&layer.node_place, &layer.place_node, &layer.border.element, &layer.member.element})
       list->push_back(v);
   }
-  layer.border_begin = {0, k};
-  layer.member_begin = {0, k};
+  layer.border.close();
+  layer.member.close();
   layer.table_begin = {0, static_cast<std::size_t>(k) * k};
   TableDraft draft(layer, 0);
   for (Index v = 0; v < k; ++v) std::copy(table[v].begin(), table[v].end(), draft.line(v));
