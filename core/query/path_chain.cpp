@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <coroutine>
 #include <queue>
+#include <ranges>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "index/index_data.h"
@@ -19,7 +21,7 @@ namespace vorogeo {
 
 // ---- A* search with the straight line, shortened by what a metric may save, as lower bound
 
-bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<EdgeStep>& path) {
+double path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<PassedFace>& passed) {
   struct Entry {
     double key;
     Index vertex;
@@ -27,7 +29,8 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
   };
   struct Reached {
     double distance;
-    EdgeStep by;
+    Index side;  ///< half-edge on the last edge
+    Index from;  ///< vertex that this edge leaves
   };
   const Point& end = mesh.position(goal);
   auto straight = [&](Index v) {
@@ -35,7 +38,7 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
     const double x = p[0] - end[0], y = p[1] - end[1], z = p[2] - end[2];
     return mesh.straight_scale() > 0.0 ? mesh.straight_scale() * std::sqrt(x * x + y * y + z * z) : 0.0;
   };
-  std::unordered_map<Index, Reached> reached{{start, {0.0, {no_index, no_index}}}};
+  std::unordered_map<Index, Reached> reached{{start, {0.0, no_index, no_index}}};
   std::priority_queue<Entry> queue;
   queue.push({straight(start), start});
   std::size_t looked_at = 0;
@@ -51,7 +54,7 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
     for (Index corner : mesh.corners(vertex)) {
       for (Index side : {corner, Mesh::previous_in_face(corner)}) {
         const Index other = side == corner ? mesh.head(side) : mesh.tail(side);
-        const Reached found{at + mesh.edge_length(mesh.edge_of(side)), {side, vertex}};
+        const Reached found{at + mesh.edge_length(mesh.edge_of(side)), side, vertex};
         const auto [known, is_new] = reached.try_emplace(other, found);
         if (!is_new) {
           if (known->second.distance <= found.distance) continue;
@@ -61,11 +64,14 @@ bool path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<Edg
       }
     }
   }
-  if (!reached.contains(goal)) return false;
-  const auto first = static_cast<std::ptrdiff_t>(path.size());
-  for (Index v = goal; v != start; v = path.back().from) path.push_back(reached.at(v).by);
-  std::reverse(path.begin() + first, path.end());
-  return true;
+  if (!reached.contains(goal)) return unreachable;
+  const auto first = static_cast<std::ptrdiff_t>(passed.size());
+  for (Index v = goal; v != start; v = passed.back().pivot) {
+    const Reached& at = reached.at(v);
+    passed.push_back({Mesh::face_of(at.side), no_index, no_index, at.from});
+  }
+  std::reverse(passed.begin() + first, passed.end());
+  return reached.at(goal).distance;
 }
 
 // ---- Patches and border distances of end points
@@ -95,8 +101,7 @@ IndexedEnd::IndexedEnd(const IndexData& data, const SurfacePoint& user)
 
 bool are_near(const IndexData& data, const IndexedEnd& a, const IndexedEnd& b) {
   return std::ranges::any_of(a.patches, [&](Index p) {
-    return std::ranges::any_of(b.patches,
-                               [&](Index q) { return p == q || data.second.touching.touch(p, q); });
+    return std::ranges::any_of(b.patches, [&](Index q) { return p == q || data.second.touch(p, q); });
   });
 }
 
@@ -122,85 +127,7 @@ RouteEnd route_end_of(const IndexData& data, const IndexedEnd& end) {
   return result;
 }
 
-// ---- A walk for each step of the chain
-
-namespace {
-
-/// Adds faces until the strip ends in `face`, past a place of this face and of the last one.
-bool pass(const InnerSurface& surface, FaceStrip& strip, Index place, Index face) {
-  const Mesh& mesh = *surface.mesh;
-  if (surface.is_vertex(place)) return turn_around(mesh, strip, place, face);
-  if (strip.last() == face) return true;
-  const Index edge = surface.point_at(place).edge;
-  auto side_of = [&](Index f) {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      if (mesh.edge_of(h) == edge) return h;
-    }
-    return no_index;
-  };
-  const HalfedgePair crossing{side_of(strip.last()), side_of(face)};
-  if (crossing.exit == no_index || crossing.entry == no_index) return false;
-  strip.crossings.push_back(crossing);
-  return true;
-}
-
-}  // namespace
-
-bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
-  const Mesh& mesh = *data.surface.mesh;
-  strip.first = strip.source.face;
-  strip.crossings.clear();
-  std::vector<StepWalk> walks;
-  std::vector<std::uint8_t> forwards;
-  walks.reserve(chain.steps.size());
-  Index place = chain.source;
-  for (const ChainStep& step : chain.steps) {
-    forwards.push_back(step.patch == no_index || data.row_in_patch(step.patch, step.place) != no_index);
-    walks.emplace_back(data, step.patch, forwards.back() ? place : step.place,
-                       forwards.back() ? step.place : place);
-    place = step.place;
-  }
-  std::vector<StepWalk*> going;
-  for (StepWalk& walk : walks) going.push_back(&walk);
-  // Each walk terminates (path_chain.h).
-  while (!going.empty()) std::erase_if(going, [](StepWalk* walk) { return !walk->go_on(); });
-  place = chain.source;
-  for (std::size_t k = 0; k < walks.size(); ++k) {
-    if (!walks[k].arrived()) return false;
-    const auto& passed = walks[k].passed();
-    for (std::size_t i = 0; i < passed.size(); ++i) {
-      const std::size_t at = forwards[k] ? i : passed.size() - 1 - i;
-      Index exit = passed[at].exit;
-      Index entry = passed[at].entry;
-      Index pivot = passed[at].pivot;
-      if (!forwards[k]) {
-        // The crossing to the face walked after this one, in the opposite direction.
-        const bool first = at + 1 == passed.size();
-        exit = first ? no_index : passed[at + 1].entry;
-        entry = first ? no_index : passed[at + 1].exit;
-        pivot = first ? place : passed[at + 1].pivot;
-      }
-      if (strip.first == no_index) {
-        strip.first = passed[at].face;
-      } else if (exit != no_index) {
-        strip.crossings.push_back({exit, entry});
-      } else if (!pass(data.surface, strip, pivot, passed[at].face)) {
-        return false;
-      }
-    }
-    place = chain.steps[k].place;
-  }
-  if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
-  if (strip.target.is_vertex()) {
-    const auto& last = mesh.face_vertices(strip.last());
-    if (std::find(last.begin(), last.end(), strip.target.vertex) == last.end()) return false;
-  } else if (!pass(data.surface, strip, place, strip.target.face)) {
-    return false;
-  }
-  return true;
-}
-
-// ---- In each face the distances of two vertices are unfolded into the plane
+// ---- A walk over the faces of a patch, down the distances of a border vertex
 
 namespace {
 
@@ -223,86 +150,132 @@ void for_each_side(const Mesh& mesh, Index edge, Visit&& visit) {
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-}  // namespace
+/// What is done in parts, so that other things can be done between them.
+class InParts {
+ public:
+  struct promise_type {
+    InParts get_return_object() { return InParts(std::coroutine_handle<promise_type>::from_promise(*this)); }
+    std::suspend_always initial_suspend() noexcept { return {}; }
+    std::suspend_always final_suspend() noexcept { return {}; }
+    void return_void() {}
+    void unhandled_exception() { throw; }
+  };
+  explicit InParts(std::coroutine_handle<promise_type> parts) : parts_(parts) {}
+  InParts(InParts&& other) noexcept : parts_(std::exchange(other.parts_, nullptr)) {}
+  InParts& operator=(InParts&& other) noexcept {
+    std::swap(parts_, other.parts_);
+    return *this;
+  }
+  ~InParts() {
+    if (parts_) parts_.destroy();
+  }
+  /// The next part. \return false at the end.
+  bool go_on() {
+    parts_.resume();
+    return !parts_.done();
+  }
 
-StepWalk::StepWalk(const IndexData& data, Index patch, Index start, Index goal)
-    : data_(data),
-      mesh_(*data.surface.mesh),
-      geometry_(*data.geometry->windows),
-      patch_(patch),
-      row_(patch == no_index ? no_index : data.row_in_patch(patch, goal)),
-      goal_(goal),
-      goal_edge_(data.surface.is_vertex(goal) ? no_index : data.surface.point_at(goal).edge),
-      place_(start) {
-  passed_.reserve(64);
-}
+ private:
+  std::coroutine_handle<promise_type> parts_;
+};
 
-bool StepWalk::go_on() {
-  switch (next_) {
-    case Next::meet_place:
-      meet_place();
-      break;
-    case Next::look_around:
+/// Follows a step of a chain: from one of its ends to the other, which is a border node of the patch; along
+/// edges if there is no patch, and from where the distances lead out of it. In each face the distances of two
+/// vertices place the goal in the plane of the face.
+///
+/// A walk terminates: each vertex that it meets is nearer to the goal than the previous one, and after a
+/// bounded number of faces between two vertices it continues along edges.
+class StepWalk {
+ public:
+  StepWalk(const IndexData& data, Index from, const ChainStep& step)
+      : data_(data),
+        mesh_(*data.surface.mesh),
+        geometry_(*data.geometry->windows),
+        patch_(step.patch),
+        from_(from),
+        is_forwards_(patch_ == no_index || data.row_in_patch(patch_, step.place) != no_index),
+        goal_(is_forwards_ ? step.place : from),
+        row_(patch_ == no_index ? no_index : data.row_in_patch(patch_, goal_)),
+        goal_edge_(data.surface.is_vertex(goal_) ? no_index : data.surface.point_at(goal_).edge),
+        place_(is_forwards_ ? from : step.place) {
+    passed_.reserve(64);
+  }
+
+  /// The walk. Each step is a cache miss, at an address that depends on the previous one: so it pauses after
+  /// each prefetch, and other walks continue until the data has arrived.
+  InParts walk() {
+    constexpr std::suspend_always pause{};
+    while (place_ != goal_ && row_ != no_index) {
+      if (data_.surface.is_vertex(place_)) fetch_fan();
+      co_await pause;
       for_each_neighbour([&](Index vertex) { fetch_column(vertex); });
-      next_ = Next::look_up_ring;
-      break;
-    case Next::look_up_ring:
+      co_await pause;
       for_each_neighbour([&](Index vertex) { fetch_distance(vertex); });
-      next_ = Next::leave_place;
-      break;
-    case Next::leave_place:
-      leave();
-      break;
-    case Next::find_apex:
-      fetch_column(geometry_.frame[entry_].apex);
-      next_ = Next::look_up_apex;
-      break;
-    case Next::look_up_apex:
-      column_ = fetch_distance(geometry_.frame[entry_].apex);
-      next_ = Next::cross_face;
-      break;
-    case Next::cross_face:
-      enter_face();
-      break;
-    case Next::nothing:
-      break;
+      co_await pause;
+      const std::size_t straight_from = passed_.size();
+      std::size_t faces_left = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
+      at_last_ = distance(place_);
+      double expected = at_last_ * longer;  // length that no continuation should exceed
+      PassedFace face{no_index, no_index, no_index, place_};
+      Move move = data_.surface.is_vertex(place_) ? leave_vertex(place_)
+                                                  : leave_point(data_.surface.point_at(place_));
+      for (face.face = move.face;; face.face = Mesh::face_of(face.entry)) {
+        if (move.face == no_index || move.length > expected || --faces_left == 0) {
+          passed_.resize(straight_from);
+          walk_along_edges();
+          co_return;
+        }
+        passed_.push_back(face);
+        if (move.place != no_index) break;
+        face = {no_index, move.halfedge, mesh_.next_around_edge(move.halfedge), no_index};
+        prefetch_line(&geometry_.frame[face.entry]);
+        mesh_.prefetch_around_edge(face.entry);
+        co_await pause;
+        fetch_column(geometry_.frame[face.entry].apex);
+        co_await pause;
+        const Index column = fetch_distance(geometry_.frame[face.entry].apex);
+        co_await pause;
+        expected = std::min(expected, move.length * longer);
+        move = cross(face.entry, move, distance_at(column));
+      }
+      place_ = move.place;
+    }
+    if (place_ != goal_) walk_along_edges();
   }
-  return next_ != Next::nothing;
-}
 
-template <class Visit>
-void StepWalk::for_each_neighbour(Visit&& visit) const {
-  if (data_.surface.is_vertex(place_)) {
-    for (Index corner : mesh_.corners(place_)) visit(mesh_.head(corner));
-    return;
+  /// Whether the walk has reached its goal.
+  bool arrived() const { return place_ == goal_; }
+  /// The faces passed, in the direction of the step.
+  std::vector<PassedFace> passed() const {
+    if (is_forwards_) return passed_;
+    std::vector<PassedFace> result;
+    result.reserve(passed_.size());
+    PassedFace by{no_index, no_index, no_index, from_};
+    for (const PassedFace& at : std::views::reverse(passed_)) {
+      by.face = at.face;
+      result.push_back(by);
+      by = {no_index, at.entry, at.exit, at.pivot};
+    }
+    return result;
   }
-  const Index edge = data_.surface.point_at(place_).edge;
-  for (Index vertex : mesh_.edge_vertices(edge)) visit(vertex);
-  for_each_side(mesh_, edge, [&](Index h) { visit(geometry_.frame[h].apex); });
-}
 
-void StepWalk::fetch_column(Index vertex) const {
-  prefetch_line(&data_.second.place_node[vertex]);
-  prefetch_line(&data_.home_patch[vertex]);
-  prefetch_line(&data_.home_column[vertex]);
-}
+ private:
+  /// Where to go from a point of a face: across an edge at a position, or to a place.
+  struct Move {
+    double length = unreachable;
+    Index face = no_index;
+    Index place = no_index;
+    Index halfedge = no_index;
+    double x = 0.0;  ///< position, from the first vertex of the edge
+    double edge_length = 0.0;
+    double at_first = unreachable;  ///< distance of the edge's first vertex
+    double at_second = unreachable;
+    Index first = no_index;  ///< that vertex
+    Index second = no_index;
+  };
 
-Index StepWalk::fetch_distance(Index vertex) const {
-  const Index column = data_.column_in_patch(patch_, vertex);
-  if (column != no_index) prefetch_line(&data_.second.column_of(patch_, column).entry(row_));
-  return column;
-}
-
-void StepWalk::meet_place() {
-  if (place_ == goal_) {
-    next_ = Next::nothing;
-    return;
-  }
-  if (row_ == no_index) {
-    walk_along_edges();
-    return;
-  }
-  if (data_.surface.is_vertex(place_)) {
+  /// Prefetches the faces around the vertex where the walk is.
+  void fetch_fan() const {
     for (Index corner : mesh_.corners(place_)) {
       const Index opposite = Mesh::next_in_face(corner);
       prefetch_line(&geometry_.frame[opposite]);
@@ -310,202 +283,272 @@ void StepWalk::meet_place() {
       mesh_.prefetch_around_edge(opposite);
     }
   }
-  next_ = Next::look_around;
-}
 
-void StepWalk::leave() {
-  straight_from_ = passed_.size();
-  at_last_ = distance(place_);
-  expected_ = at_last_ * longer;
-  faces_left_ = 4 * static_cast<std::size_t>(data_.second.member_count(patch_)) + 64;
-  move_ =
-      data_.surface.is_vertex(place_) ? leave_vertex(place_) : leave_point(data_.surface.point_at(place_));
-  take_move({move_.face, no_index, no_index, place_});
-}
-
-void StepWalk::enter_face() {
-  const Index exit = move_.halfedge;
-  expected_ = std::min(expected_, move_.length * longer);
-  move_ = cross(entry_, move_, distance_at(column_));
-  take_move({Mesh::face_of(entry_), exit, entry_, no_index});
-}
-
-void StepWalk::take_move(const PassedFace& face) {
-  if (move_.face == no_index || move_.length > expected_ || --faces_left_ == 0) {
-    passed_.resize(straight_from_);
-    walk_along_edges();
-    return;
-  }
-  passed_.push_back(face);
-  if (move_.place != no_index) {
-    place_ = move_.place;
-    next_ = Next::meet_place;
-    return;
-  }
-  entry_ = mesh_.next_around_edge(move_.halfedge);
-  prefetch_line(&geometry_.frame[entry_]);
-  mesh_.prefetch_around_edge(entry_);
-  next_ = Next::find_apex;
-}
-
-void StepWalk::walk_along_edges() {
-  // From and to an end of the edge that a place is inside, through a face at this edge.
-  auto vertex_at = [&](Index place) {
-    return data_.surface.is_vertex(place) ? place
-                                          : mesh_.edge_vertices(data_.surface.point_at(place).edge)[0];
-  };
-  auto pass_face_at = [&](Index place, Index pivot) {
-    if (data_.surface.is_vertex(place)) return;
-    const Index h = mesh_.edge_halfedge(data_.surface.point_at(place).edge);
-    passed_.push_back({Mesh::face_of(h), no_index, no_index, pivot});
-  };
-  next_ = Next::nothing;
-  std::vector<EdgeStep> path;
-  if (!path_along_edges(mesh_, vertex_at(place_), vertex_at(goal_), path)) return;
-  pass_face_at(place_, place_);
-  for (const EdgeStep& step : path) {
-    passed_.push_back({Mesh::face_of(step.halfedge), no_index, no_index, step.from});
-  }
-  pass_face_at(goal_, vertex_at(goal_));
-  place_ = goal_;
-}
-
-double StepWalk::distance_at(Index column) const {
-  return column == no_index ? unreachable : data_.second.distance(patch_, row_, column);
-}
-
-double StepWalk::distance(Index place) const { return distance_at(data_.column_in_patch(patch_, place)); }
-
-void StepWalk::through_edge(double px, double py, double length, double at_0, double at_length,
-                            Index halfedge, Move& best) {
-  if (!(at_0 < unreachable && at_length < unreachable && length > 0.0)) return;
-  const double difference = at_0 - at_length;
-  if (std::abs(difference) > length) return;
-  const double x = 0.5 * (length + difference * (at_0 + at_length) / length);
-  const double y = std::sqrt(std::max(0.0, (at_0 - x) * (at_0 + x)));
-  if (!(y + py > 0.0)) return;
-  const double crossing = px + (x - px) * (py / (y + py));
-  if (!(crossing > 0.0 && crossing < length)) return;
-  const double step_length = length_of(x - px, y + py);
-  if (step_length < best.length) {
-    best = {step_length, Mesh::face_of(halfedge), no_index, halfedge, crossing, length, at_0, at_length};
-  }
-}
-
-void StepWalk::to_vertex(double step, double from_there, Index face, Index vertex, Move& best) const {
-  if (from_there < at_last_ && step + from_there < best.length) {
-    best = {step + from_there, face, vertex};
-  }
-}
-
-StepWalk::Move StepWalk::to_goal_in_face(Index halfedge, double x) const {
-  Move move;
-  if (goal_edge_ == no_index) return move;
-  const FaceFrame& frame = geometry_.frame[halfedge];
-  const double length = mesh_.edge_length(mesh_.edge_of(halfedge));
-  const double goal = data_.surface.point_at(goal_).position;
-  const bool from_apex = x == off_the_edge;
-  const PlanePoint from = from_apex ? PlanePoint{frame.apex_x, frame.apex_depth} : PlanePoint{x, 0.0};
-  auto take = [&](const PlanePoint& at) {
-    move = {length_of(at[0] - from[0], at[1] - from[1]), Mesh::face_of(halfedge), goal_};
-  };
-  if (mesh_.edge_of(halfedge) == goal_edge_) take({goal, 0.0});
-  for (const bool first : {true, false}) {
-    const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
-    if (mesh_.edge_of(side) != goal_edge_) continue;
-    // From the corner that the side shares with the edge.
-    const bool reversed = first ? frame.first_side_reversed : frame.second_side_reversed;
-    const double part = goal / mesh_.edge_length(goal_edge_);
-    const double along = reversed ? 1.0 - part : part;
-    const double corner = first ? 0.0 : length;
-    take({std::lerp(corner, frame.apex_x, along), along * frame.apex_depth});
-  }
-  return move;
-}
-
-StepWalk::Move StepWalk::leave_point(const EdgePoint& point) const {
-  Move start;
-  start.x = point.position;
-  start.edge_length = mesh_.edge_length(point.edge);
-  start.first = mesh_.edge_vertices(point.edge)[0];
-  start.second = mesh_.edge_vertices(point.edge)[1];
-  start.at_first = distance(start.first);
-  start.at_second = distance(start.second);
-  Move best;
-  for_each_side(mesh_, point.edge, [&](Index h) {
-    const Move move = cross(h, start, distance(geometry_.frame[h].apex));
-    if (move.length < best.length) best = move;
-  });
-  return best;
-}
-
-StepWalk::Move StepWalk::leave_vertex(Index vertex) const {
-  Move best;
-  // Neighbours are consecutive in the fan: each is an end of two of the opposite edges.
-  std::array<Index, 2> known{no_index, no_index};
-  std::array<double, 2> at{unreachable, unreachable};
-  for (Index corner : mesh_.corners(vertex)) {
-    const Index opposite = Mesh::next_in_face(corner);
-    const Index face = Mesh::face_of(corner);
-    if (const Move move = to_goal_in_face(opposite, off_the_edge); move.place != no_index) return move;
-    const FaceFrame& frame = geometry_.frame[opposite];
-    std::array<Index, 2> ends{mesh_.tail(opposite), mesh_.head(opposite)};
-    if (!frame.along) std::swap(ends[0], ends[1]);
-    std::array<double, 2> there{};
-    for (int i = 0; i < 2; ++i) {
-      const bool is_known = ends[i] == known[0] || ends[i] == known[1];
-      there[i] = is_known ? at[ends[i] == known[0] ? 0 : 1] : distance(ends[i]);
-      if (is_known) continue;
-      const Index side = mesh_.head(corner) == ends[i] ? corner : Mesh::previous_in_face(corner);
-      to_vertex(mesh_.edge_length(mesh_.edge_of(side)), there[i], face, ends[i], best);
+  /// Calls visit(vertex) for the vertices next to the place where the walk is.
+  template <class Visit>
+  void for_each_neighbour(Visit&& visit) const {
+    if (data_.surface.is_vertex(place_)) {
+      for (Index corner : mesh_.corners(place_)) visit(mesh_.head(corner));
+      return;
     }
-    known = ends;
-    at = there;
-    if (mesh_.next_around_edge(opposite) == opposite) continue;
-    through_edge(frame.apex_x, frame.apex_depth, mesh_.edge_length(mesh_.edge_of(opposite)), there[0],
-                 there[1], opposite, best);
-    if (best.halfedge == opposite) {
-      best.first = ends[0];
-      best.second = ends[1];
+    const Index edge = data_.surface.point_at(place_).edge;
+    for (Index vertex : mesh_.edge_vertices(edge)) visit(vertex);
+    for_each_side(mesh_, edge, [&](Index h) { visit(geometry_.frame[h].apex); });
+  }
+
+  /// Prefetches what is needed to find the column of a vertex.
+  void fetch_column(Index vertex) const {
+    prefetch_line(&data_.second.place_node[vertex]);
+    prefetch_line(&data_.home_patch[vertex]);
+    prefetch_line(&data_.home_column[vertex]);
+  }
+
+  /// Prefetches the distance of a vertex. \return its column.
+  Index fetch_distance(Index vertex) const {
+    const Index column = data_.column_in_patch(patch_, vertex);
+    if (column != no_index) prefetch_line(&data_.second.column_of(patch_, column).entry(row_));
+    return column;
+  }
+
+  void walk_along_edges() {
+    // From and to an end of the edge that a place is inside, through a face at this edge.
+    auto vertex_at = [&](Index place) {
+      return data_.surface.is_vertex(place) ? place
+                                            : mesh_.edge_vertices(data_.surface.point_at(place).edge)[0];
+    };
+    auto pass_face_at = [&](Index place, Index pivot) {
+      if (data_.surface.is_vertex(place)) return;
+      const Index h = mesh_.edge_halfedge(data_.surface.point_at(place).edge);
+      passed_.push_back({Mesh::face_of(h), no_index, no_index, pivot});
+    };
+    const std::size_t straight_from = passed_.size();
+    pass_face_at(place_, place_);
+    if (path_along_edges(mesh_, vertex_at(place_), vertex_at(goal_), passed_) == unreachable) {
+      passed_.resize(straight_from);
+      return;
+    }
+    pass_face_at(goal_, vertex_at(goal_));
+    place_ = goal_;
+  }
+
+  double distance_at(Index column) const {
+    return column == no_index ? unreachable : data_.second.distance(patch_, row_, column);
+  }
+
+  double distance(Index place) const { return distance_at(data_.column_in_patch(patch_, place)); }
+
+  /// The straight line from a point (px, py >= 0) across an edge on the x axis to the point beyond that has
+  /// the distances at_0 and at_length from the ends of the edge.
+  static void through_edge(double px, double py, double length, double at_0, double at_length, Index halfedge,
+                           Move& best) {
+    if (!(at_0 < unreachable && at_length < unreachable && length > 0.0)) return;
+    const double difference = at_0 - at_length;
+    if (std::abs(difference) > length) return;
+    const double x = 0.5 * (length + difference * (at_0 + at_length) / length);
+    const double y = std::sqrt(std::max(0.0, (at_0 - x) * (at_0 + x)));
+    if (!(y + py > 0.0)) return;
+    const double crossing = px + (x - px) * (py / (y + py));
+    if (!(crossing > 0.0 && crossing < length)) return;
+    const double step_length = length_of(x - px, y + py);
+    if (step_length < best.length) {
+      best = {step_length, Mesh::face_of(halfedge), no_index, halfedge, crossing, length, at_0, at_length};
     }
   }
-  return best;
-}
 
-StepWalk::Move StepWalk::cross(Index halfedge, const Move& last, double at_apex) const {
-  const double x = last.x;
-  const FaceFrame& frame = geometry_.frame[halfedge];
-  const double length = last.edge_length;
-  const Index face = Mesh::face_of(halfedge);
-  Move best = to_goal_in_face(halfedge, x);
-  if (best.place != no_index) return best;
-  to_vertex(length_of(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
-  to_vertex(x, last.at_first, face, last.first, best);
-  to_vertex(length - x, last.at_second, face, last.second, best);
-  for (const bool first : {true, false}) {
-    const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
-    // The point in the frame of the side, whose x axis begins at the vertex that it shares with the crossed
-    // edge.
-    const double from_shared = first ? x : length - x;
-    const double along = first ? frame.apex_x : length - frame.apex_x;
-    const double side_length = length_of(along, frame.apex_depth);
-    if (!(side_length > 0.0) || mesh_.next_around_edge(side) == side) continue;
-    const double cosine = along / side_length;
-    const double sine = frame.apex_depth / side_length;
+  /// Only to vertices nearer to the goal than the last one, so that rounding of the tables causes no cycles.
+  void to_vertex(double step, double from_there, Index face, Index vertex, Move& best) const {
+    if (from_there < at_last_ && step + from_there < best.length) {
+      best = {step + from_there, face, vertex};
+    }
+  }
+
+  /// Straight to the goal, if it is a place inside a side of the face and the walk has come to `x` on the
+  /// edge of `halfedge`, or to the corner opposite that edge (off_the_edge).
+  Move to_goal_in_face(Index halfedge, double x) const {
     Move move;
-    through_edge(from_shared * cosine, from_shared * sine, side_length,
-                 first ? last.at_first : last.at_second, at_apex, side, move);
-    if (!(move.length < best.length)) continue;
-    move.first = first ? last.first : last.second;
-    move.second = frame.apex;
-    if (first ? frame.first_side_reversed : frame.second_side_reversed) {
-      move.x = side_length - move.x;
-      std::swap(move.first, move.second);
-      std::swap(move.at_first, move.at_second);
+    if (goal_edge_ == no_index) return move;
+    const FaceFrame& frame = geometry_.frame[halfedge];
+    const double length = mesh_.edge_length(mesh_.edge_of(halfedge));
+    const double goal = data_.surface.point_at(goal_).position;
+    const bool from_apex = x == off_the_edge;
+    const PlanePoint from = from_apex ? PlanePoint{frame.apex_x, frame.apex_depth} : PlanePoint{x, 0.0};
+    auto take = [&](const PlanePoint& at) {
+      move = {length_of(at[0] - from[0], at[1] - from[1]), Mesh::face_of(halfedge), goal_};
+    };
+    if (mesh_.edge_of(halfedge) == goal_edge_) take({goal, 0.0});
+    for (const bool first : {true, false}) {
+      const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
+      if (mesh_.edge_of(side) != goal_edge_) continue;
+      // From the corner that the side shares with the edge.
+      const bool reversed = first ? frame.first_side_reversed : frame.second_side_reversed;
+      const double part = goal / mesh_.edge_length(goal_edge_);
+      const double along = reversed ? 1.0 - part : part;
+      const double corner = first ? 0.0 : length;
+      take({std::lerp(corner, frame.apex_x, along), along * frame.apex_depth});
     }
-    best = move;
+    return move;
   }
-  return best;
+
+  Move leave_point(const EdgePoint& point) const {
+    Move start;
+    start.x = point.position;
+    start.edge_length = mesh_.edge_length(point.edge);
+    start.first = mesh_.edge_vertices(point.edge)[0];
+    start.second = mesh_.edge_vertices(point.edge)[1];
+    start.at_first = distance(start.first);
+    start.at_second = distance(start.second);
+    Move best;
+    for_each_side(mesh_, point.edge, [&](Index h) {
+      const Move move = cross(h, start, distance(geometry_.frame[h].apex));
+      if (move.length < best.length) best = move;
+    });
+    return best;
+  }
+
+  Move leave_vertex(Index vertex) const {
+    Move best;
+    // Neighbours are consecutive in the fan: each is an end of two of the opposite edges.
+    std::array<Index, 2> known{no_index, no_index};
+    std::array<double, 2> at{unreachable, unreachable};
+    for (Index corner : mesh_.corners(vertex)) {
+      const Index opposite = Mesh::next_in_face(corner);
+      const Index face = Mesh::face_of(corner);
+      if (const Move move = to_goal_in_face(opposite, off_the_edge); move.place != no_index) return move;
+      const FaceFrame& frame = geometry_.frame[opposite];
+      std::array<Index, 2> ends{mesh_.tail(opposite), mesh_.head(opposite)};
+      if (!frame.along) std::swap(ends[0], ends[1]);
+      std::array<double, 2> there{};
+      for (int i = 0; i < 2; ++i) {
+        const bool is_known = ends[i] == known[0] || ends[i] == known[1];
+        there[i] = is_known ? at[ends[i] == known[0] ? 0 : 1] : distance(ends[i]);
+        if (is_known) continue;
+        const Index side = mesh_.head(corner) == ends[i] ? corner : Mesh::previous_in_face(corner);
+        to_vertex(mesh_.edge_length(mesh_.edge_of(side)), there[i], face, ends[i], best);
+      }
+      known = ends;
+      at = there;
+      if (mesh_.next_around_edge(opposite) == opposite) continue;
+      through_edge(frame.apex_x, frame.apex_depth, mesh_.edge_length(mesh_.edge_of(opposite)), there[0],
+                   there[1], opposite, best);
+      if (best.halfedge == opposite) {
+        best.first = ends[0];
+        best.second = ends[1];
+      }
+    }
+    return best;
+  }
+
+  /// Across the face of a half-edge, from the point at which the last move reached its edge. The ends of the
+  /// edge and their distances come with the move, and lengths from the frame: reading them elsewhere would be
+  /// a cache miss.
+  Move cross(Index halfedge, const Move& last, double at_apex) const {
+    const double x = last.x;
+    const FaceFrame& frame = geometry_.frame[halfedge];
+    const double length = last.edge_length;
+    const Index face = Mesh::face_of(halfedge);
+    Move best = to_goal_in_face(halfedge, x);
+    if (best.place != no_index) return best;
+    to_vertex(length_of(frame.apex_x - x, frame.apex_depth), at_apex, face, frame.apex, best);
+    to_vertex(x, last.at_first, face, last.first, best);
+    to_vertex(length - x, last.at_second, face, last.second, best);
+    for (const bool first : {true, false}) {
+      const Index side = first ? frame.first_side(halfedge) : frame.second_side(halfedge);
+      // The point in the frame of the side, whose x axis begins at the vertex that it shares with the crossed
+      // edge.
+      const double from_shared = first ? x : length - x;
+      const double along = first ? frame.apex_x : length - frame.apex_x;
+      const double side_length = length_of(along, frame.apex_depth);
+      if (!(side_length > 0.0) || mesh_.next_around_edge(side) == side) continue;
+      const double cosine = along / side_length;
+      const double sine = frame.apex_depth / side_length;
+      Move move;
+      through_edge(from_shared * cosine, from_shared * sine, side_length,
+                   first ? last.at_first : last.at_second, at_apex, side, move);
+      if (!(move.length < best.length)) continue;
+      move.first = first ? last.first : last.second;
+      move.second = frame.apex;
+      if (first ? frame.first_side_reversed : frame.second_side_reversed) {
+        move.x = side_length - move.x;
+        std::swap(move.first, move.second);
+        std::swap(move.at_first, move.at_second);
+      }
+      best = move;
+    }
+    return best;
+  }
+
+  const IndexData& data_;
+  const Mesh& mesh_;
+  const ExactGeometry& geometry_;
+  Index patch_;
+  Index from_;  ///< where the step begins
+  bool is_forwards_;
+  Index goal_;
+  Index row_;
+  Index goal_edge_;               ///< that it is inside; no_index if it is a vertex
+  Index place_;                   ///< the last one met
+  double at_last_ = unreachable;  ///< distance of that place
+  std::vector<PassedFace> passed_;
+};
+
+}  // namespace
+
+// ---- A walk for each step of the chain
+
+namespace {
+
+/// Adds faces to a strip until it ends in the face passed next. \return false if it does not touch that.
+bool pass(const InnerSurface& surface, const PassedFace& next, FaceStrip& strip) {
+  const Mesh& mesh = *surface.mesh;
+  if (strip.first == no_index) {
+    strip.first = next.face;
+    return true;
+  }
+  if (next.exit == no_index && surface.is_vertex(next.pivot)) {
+    return turn_around(mesh, strip, next.pivot, next.face);
+  }
+  if (next.exit == no_index && strip.last() == next.face) return true;
+  HalfedgePair crossing{next.exit, next.entry};
+  if (next.exit == no_index) {
+    const Index edge = surface.point_at(next.pivot).edge;
+    for_each_side(mesh, edge, [&](Index h) {
+      if (Mesh::face_of(h) == strip.last()) crossing.exit = h;
+      if (Mesh::face_of(h) == next.face) crossing.entry = h;
+    });
+    if (crossing.exit == no_index || crossing.entry == no_index) return false;
+  }
+  strip.crossings.push_back(crossing);
+  return true;
+}
+
+}  // namespace
+
+bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
+  const Mesh& mesh = *data.surface.mesh;
+  strip.first = strip.source.face;
+  strip.crossings.clear();
+  std::vector<StepWalk> walks;
+  walks.reserve(chain.steps.size());
+  Index place = chain.source;
+  for (const ChainStep& step : chain.steps) {
+    walks.emplace_back(data, place, step);
+    place = step.place;
+  }
+  std::vector<InParts> going;
+  for (StepWalk& walk : walks) going.push_back(walk.walk());
+  while (!going.empty()) std::erase_if(going, [](InParts& walk) { return !walk.go_on(); });
+  for (const StepWalk& walk : walks) {
+    if (!walk.arrived()) return false;
+    for (const PassedFace& next : walk.passed()) {
+      if (!pass(data.surface, next, strip)) return false;
+    }
+  }
+  if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
+  if (!strip.target.is_vertex()) {
+    return pass(data.surface, {strip.target.face, no_index, no_index, place}, strip);
+  }
+  return std::ranges::find(mesh.face_vertices(strip.last()), strip.target.vertex) !=
+         mesh.face_vertices(strip.last()).end();
 }
 
 // ---- Walks back through the tables of each layer, from the end of a leg to its beginning
@@ -536,7 +579,7 @@ class ChainBuilder {
       length.resize(nodes.size());
       rest.resize(nodes.size());
       const bool inside = data_.partition.parent[at.patch] == parent;
-      const Index* columns = data_.parent_column.data() + data_.second.border_begin[at.patch];
+      const Index* columns = data_.parent_column.data() + data_.second.border.begin[at.patch];
       for (std::size_t i = 0; inside && i < nodes.size(); ++i) {
         // Each entry is in a cache line of its own.
         prefetch_line(&data_.first.column_of(parent, columns[i]).entry(fixed));

@@ -8,7 +8,7 @@
 
 #include "index/index_data.h"
 #include "query/path_chain.h"
-#include "support/sort_once.h"
+#include "support/lists.h"
 
 namespace vorogeo {
 
@@ -55,36 +55,26 @@ std::optional<ExactPath> PathQuery::known_path(const SurfacePoint& from, const S
 
 // ---- Without an index: bounds from the shortest path along edges
 
-/// Lays a strip of faces along the shortest edge path. `length` receives that path's length. \return whether
-/// the strip joins the points.
-bool PathQuery::lay_strip_along_edges(const PathEnd& from, const PathEnd& to, double& length) {
+/// Between points that are near, or of a mesh without an index: the length of that path, pulled tight where
+/// a strip of faces along it joins the points. Unreachable where nothing can be pulled tight.
+double PathQuery::length_by_edges(const PathEnd& from, const PathEnd& to) {
+  if (!refiner_) return unreachable;
   const Mesh& mesh = *strip_geometry_->mesh;
-  std::vector<EdgeStep> steps;
-  if (!path_along_edges(mesh, from.vertex, to.vertex, steps)) return false;
-  length = from.to_vertex + to.to_vertex;
-  for (const EdgeStep& step : steps) length += mesh.edge_length(mesh.edge_of(step.halfedge));
+  std::vector<PassedFace> passed;
+  const double length =
+      from.to_vertex + to.to_vertex + path_along_edges(mesh, from.vertex, to.vertex, passed);
+  if (length == unreachable) return length;
   strip_.source = from.point;
   strip_.target = to.point;
   strip_.first = from.point.face;
   strip_.crossings.clear();
-  for (const EdgeStep& step : steps) {
-    const Index face = Mesh::face_of(step.halfedge);
-    if (strip_.first == no_index) {
-      strip_.first = face;
-    } else if (!turn_around(mesh, strip_, step.from, face)) {
-      return false;
-    }
+  for (const PassedFace& next : passed) {
+    if (strip_.first == no_index) strip_.first = next.face;
+    if (!turn_around(mesh, strip_, next.pivot, next.face)) return length;
   }
   if (strip_.first == no_index) strip_.first = Mesh::face_of(mesh.corners(from.vertex).front());
-  return to.point.is_vertex() || turn_around(mesh, strip_, to.vertex, to.point.face);
-}
-
-/// Between points that are near, or of a mesh without an index: the length of that path pulled tight.
-/// Unreachable where nothing can be pulled tight.
-double PathQuery::length_by_edges(const PathEnd& from, const PathEnd& to) {
-  double length = unreachable;
-  if (!refiner_ || !lay_strip_along_edges(from, to, length)) return length;
-  return std::min(length, refiner_->refine(strip_));
+  const bool is_whole = to.point.is_vertex() || turn_around(mesh, strip_, to.vertex, to.point.face);
+  return is_whole ? std::min(length, refiner_->refine(strip_)) : length;
 }
 
 // ---- With an index: the route, refined

@@ -63,7 +63,6 @@ class PathQuery {
   };
   std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;
   ExactPath path_on_mesh(const SurfacePoint& from, const SurfacePoint& to);
-  bool lay_strip_along_edges(const PathEnd& from, const PathEnd& to, double& length);
   double length_by_edges(const PathEnd& from, const PathEnd& to);
   std::optional<ExactPath> solved(const SurfacePoint& from, const SurfacePoint& to, RoutedEnds& ends);
   void find_route(RoutedEnds& ends);
