@@ -467,7 +467,8 @@ double Query::distance(const SurfacePoint& from, const SurfacePoint& to) {
 std::vector<double> Query::distances(const SurfacePoint& from, const PointList& to, double limit) {
   return translated([&] {
     require_limit(limit);
-    return state_->query.distances(state_->in(from), state_->in(to, "Target"), limit, state_->by);
+    const ExactSource source{state_->in(from)};
+    return state_->query.distances(std::span(&source, 1), state_->in(to, "Target"), limit, state_->by);
   });
 }
 

@@ -196,7 +196,7 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
   data.partition = partition_for_index(*data.mesh, share_of(asked, first_patches, *data.mesh, scale), still);
   data.lay_out(1, still);
   const double layout_seconds = (thread_seconds() - start) * scale;
-  const double run_seconds = expected_table_seconds(data.surface, data.geometry, data.second, still) * scale;
+  const double run_seconds = expected_table_seconds(data, still) * scale;
 
   double second_nodes = data.second.node_count() * scale;
   double first_nodes = data.first.node_count();

@@ -2,6 +2,7 @@
 #include "index/geodesic_index.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -20,88 +21,8 @@
 
 namespace vorogeo {
 
-void IndexData::lay_out(int threads, const Progress& progress) {
-  {
-    const Watch watch(progress.part(0.0, 0.5), "Laying out the patches");
-    surface = InnerSurface(*mesh, partition);
-  }
-  // What the solver needs and what the tables need, in parallel.
-  parallel_for(2, threads, progress.part(0.5, 0.8), "Laying out the patches", [&](std::size_t half, int) {
-    if (half == 0) {
-      geometry = std::make_shared<const LocalGeometry>(surface.mesh);
-    } else {
-      second =
-          lay_out_patches(surface, surface.second_layer, partition.second_layer_count, {}, TableOrder::tiles);
-    }
-  });
-  const Watch watch(progress.part(0.8, 1.0), "Laying out the patches");
-  std::vector<std::uint8_t> is_node(surface.place_count());
-  for (Index place = 0; place < surface.place_count(); ++place) {
-    is_node[place] = second.place_node[place] != no_index;
-  }
-  std::vector<Index> first_label(surface.second_layer);
-  for (Index& label : first_label) label = partition.parent[label];
-  first = lay_out_patches(surface, first_label, partition.first_layer_count, is_node);
-
-  home_patch.assign(surface.place_count(), no_index);
-  home_column.assign(surface.place_count(), no_index);
-  for (Index p = 0; p < second.patch_count; ++p) {
-    const auto members = second.members(p);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      if (home_patch[members[i]] != no_index) continue;
-      home_patch[members[i]] = p;
-      home_column[members[i]] = static_cast<Index>(i);
-    }
-  }
-  link_layers();
-}
-
-std::int64_t IndexData::bytes() const {
-  auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
-  return static_cast<std::int64_t>(
-      first.memory_bytes() + second.memory_bytes() + graph.memory_bytes() + transit_table.memory_bytes() +
-      access_bounds.memory_bytes() + landmarks.memory_bytes() + surface.memory_bytes() +
-      geometry->memory_bytes() + of(partition.first_layer) + of(partition.second_layer) +
-      of(partition.parent) + of(parent_column) + of(home_patch) + of(home_column) + of(first_face) +
-      of(first_child) + of(second_node) + of(node_position));
-}
-
-void IndexData::count() {
-  statistics.vertices = mesh->given_vertex_count();
-  statistics.faces = mesh->face_count();
-  statistics.components = mesh->component_count();
-  statistics.first_layer_patches = first.patch_count;
-  statistics.second_layer_patches = second.patch_count;
-  statistics.first_layer_border_vertices = first.node_count();
-  statistics.second_layer_border_vertices = second.node_count();
-  statistics.form = form();
-  statistics.delta = head.delta;
-  statistics.seed = head.numbers[IndexHead::seed];
-  statistics.arcs_before_pruning = pairs_of_nodes(first) + pairs_of_nodes(second);
-  statistics.arcs = statistics.arcs_before_pruning;
-  if (form() == IndexForm::graph) {
-    statistics.arcs -= pairs_of_nodes(first) - static_cast<std::int64_t>(graph.arc.size() / 2);
-  }
-  statistics.bytes = bytes();
-}
-
-void IndexData::note_mapped_bytes() {
-  statistics.mapped_bytes = 0;
-  for (const auto* table : {&second.table, &first.table, &transit_table.entry}) {
-    statistics.mapped_bytes += static_cast<std::int64_t>(table->size() * sizeof((*table)[0]));
-  }
-}
-
 const char* to_string(IndexForm form) {
-  switch (form) {
-    case IndexForm::automatic:
-      return "automatic";
-    case IndexForm::tables:
-      return "tables";
-    case IndexForm::graph:
-      return "graph";
-  }
-  return "unknown";
+  return std::array{"automatic", "tables", "graph"}.at(static_cast<std::size_t>(form));
 }
 
 namespace {
@@ -164,10 +85,9 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
     const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
     rooms = file != nullptr ? file->rooms(data) : rooms_in_memory(data);
   }
-  data.statistics.expected_fields = fill_local_tables(data.surface, data.geometry, data.second, rooms.second,
-                                                      options.threads, progress.part(0.1, 0.8));
-  compose_tables(data.second, data.partition.parent, data.first, rooms.first, options.threads,
-                 progress.part(0.8, 0.85));
+  data.statistics.expected_fields =
+      fill_local_tables(data, rooms.second, options.threads, progress.part(0.1, 0.8));
+  compose_tables(data, rooms.first, options.threads, progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
     data.transit_table =
         make_transit_table(data.first, rooms.transit, options.threads, progress.part(0.85, 0.98));

@@ -8,8 +8,7 @@
 #include <ranges>
 #include <vector>
 
-#include "exact/exact_geometry.h"
-#include "exact/exact_solver.h"
+#include "exact/local_solver.h"
 #include "index/index_options.h"
 #include "index/inner_surface.h"
 #include "index/patch_layer.h"
@@ -91,11 +90,9 @@ struct IndexData {
     return no_index;
   }
 
-  /// Makes the inner surface, the layers without tables, and the home patches, all of which follow from mesh
-  /// and partition alone.
+  /// Makes the inner surface, the layers without tables, and all that follows from them: from mesh and
+  /// partition alone.
   void lay_out(int threads, const Progress& progress);
-  /// The last step of lay_out(): fills in parent_column and what follows from the layout.
-  void link_layers();
   IndexForm form() const { return head.numbers[IndexHead::form] == 1 ? IndexForm::graph : IndexForm::tables; }
   /// Memory held in addition to the user's mesh.
   std::int64_t bytes() const;

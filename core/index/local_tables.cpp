@@ -12,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "exact/local_solver.h"
 #include "index/boundary_dijkstra.h"
+#include "index/index_data.h"
 #include "index/index_file.h"
 #include "index/index_options.h"
 #include "index/scans.h"
-#include "support/error.h"
+#include "patches/halo.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
@@ -346,9 +348,11 @@ constexpr double merge_tolerance = 2e-4;
 /// Solves from the nodes between the same patches, which share one halo.
 class GroupSolver {
  public:
-  GroupSolver(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
-              const PatchLayer& layer, std::span<const Index> face_begin)
-      : surface_(surface), layer_(layer), solver_(geometry), halo_(*surface.mesh, face_begin) {}
+  explicit GroupSolver(const IndexData& data)
+      : surface_(data.surface),
+        layer_(data.second),
+        solver_(data.geometry),
+        halo_(*data.surface.mesh, data.first_face) {}
 
   void reset(std::span<const PatchRow> patches) {
     patches_.clear();
@@ -406,12 +410,10 @@ double warn_of_dear_tables(const std::shared_ptr<const LocalGeometry>& geometry,
 
 }  // namespace
 
-double expected_table_seconds(const InnerSurface& surface,
-                              const std::shared_ptr<const LocalGeometry>& geometry, const PatchLayer& layer,
-                              const Progress& progress) {
+double expected_table_seconds(const IndexData& data, const Progress& progress) {
+  const PatchLayer& layer = data.second;
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
-  const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
-  GroupSolver solver(surface, geometry, layer, face_begin);
+  GroupSolver solver(data);
   const std::size_t count = groups.size() - 1;
   const std::size_t step = std::max<std::size_t>(1, count / groups_to_estimate);
   double seconds = 0.0;
@@ -438,20 +440,19 @@ std::int64_t local_draft_bytes(const PatchLayer& layer) {
   return greatest_draft_bytes(layer, group_by_patches(layer, nodes_per_group));
 }
 
-double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
-                         PatchLayer& layer, const TableRoom& room, int threads, const Progress& progress) {
+double fill_local_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
+  PatchLayer& layer = data.second;
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
-  const std::vector<Index> face_begin = first_faces(surface.second_layer, layer.patch_count);
   const Progress before = progress.part(0.005, 0.01);
   TableFiller tables(layer, room, groups, TableFiller::Closure::closed, threads, progress.part(0.0, 0.005));
   PerWorker<GroupSolver> solvers(threads);
   double fields = 0.0;
   if (!tables.left().empty()) {
-    fields = warn_of_dear_tables(geometry, expected_table_seconds(surface, geometry, layer, before), before);
+    fields = warn_of_dear_tables(data.geometry, expected_table_seconds(data, before), before);
   }
   tables.fill(threads, progress, 0.01, table_phase, [&](Index group, int worker) {
-    GroupSolver& solver = solvers.of(worker, surface, geometry, layer, face_begin);
+    GroupSolver& solver = solvers.of(worker, data);
     solver.reset(layer.patches_of(groups[group]));
     for (Index node = groups[group]; node < groups[group + 1]; ++node) {
       checkpoint();
@@ -468,8 +469,9 @@ std::int64_t composed_draft_bytes(const PatchLayer& first) {
   return greatest_draft_bytes(first, group_by_patches(first, nodes_per_leader));
 }
 
-void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first,
-                    const TableRoom& room, int threads, const Progress& progress) {
+void compose_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
+  PatchLayer& first = data.first;
+  const PatchLayer& second = data.second;
   constexpr const char* phase = "Composing first-layer tables";
   struct Scratch {
     explicit Scratch(const PatchLayer& layer) : batch(layer) {}
@@ -484,10 +486,11 @@ void compose_tables(const PatchLayer& second, std::span<const Index> parent, Pat
     Scratch& own = scratch.of(worker, second);
     const auto patches = first.patches_of(led[leader]);
     own.allowed.assign(second.patch_count, 0);
-    for (Index p = 0; p < second.patch_count; ++p) {
-      if (std::ranges::find(patches, parent[p], &PatchRow::patch) == patches.end()) continue;
-      own.allowed[p] = 1;
-      for (Index other : second.touching[p]) own.allowed[other] = 1;
+    for (const PatchRow& at : patches) {
+      for (Index p : data.children(at.patch)) {
+        own.allowed[p] = 1;
+        for (Index other : second.touching[p]) own.allowed[other] = 1;
+      }
     }
     own.sources.clear();
     for (Index node = led[leader]; node < led[leader + 1]; ++node) {

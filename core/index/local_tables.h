@@ -10,15 +10,14 @@
 #include <span>
 #include <vector>
 
-#include "exact/local_solver.h"
-#include "index/inner_surface.h"
 #include "index/patch_layer.h"
-#include "patches/halo.h"
 #include "support/file.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
 namespace vorogeo {
+
+struct IndexData;
 
 // ---- Room for a large table while an index is built, in memory or in a file
 
@@ -185,16 +184,13 @@ std::int64_t greatest_draft_bytes(const PatchLayer& layer, std::span<const Index
 inline constexpr double table_growth = 1.2;
 
 /// Seconds of one core that fill_local_tables() will take, by a few of its runs.
-double expected_table_seconds(const InnerSurface& surface,
-                              const std::shared_ptr<const LocalGeometry>& geometry, const PatchLayer& layer,
-                              const Progress& progress);
+double expected_table_seconds(const IndexData& data, const Progress& progress);
 
-/// Fills the tables of a second layer by exact propagation from each border node inside its patches and their
-/// halo. If a few runs show that all take as long as many exact fields of the mesh (fields_to_warn), warns
-/// before it begins and returns how many; otherwise returns 0. Patches whose tables the
-/// room holds already are left as they are.
-double fill_local_tables(const InnerSurface& surface, const std::shared_ptr<const LocalGeometry>& geometry,
-                         PatchLayer& layer, const TableRoom& room, int threads, const Progress& progress);
+/// Fills the tables of the second layer of a laid out index by exact propagation from each border node inside
+/// its patches and their halo. If a few runs show that all take as long as many exact fields of the mesh
+/// (fields_to_warn), warns before it begins and returns how many; otherwise returns 0. Patches whose tables
+/// the room holds already are left as they are.
+double fill_local_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress);
 
 /// The most memory that tables which are not yet written take while they are filled, in bytes.
 std::int64_t local_draft_bytes(const PatchLayer& layer);
@@ -203,10 +199,8 @@ std::int64_t local_draft_bytes(const PatchLayer& layer);
 
 /// Fills the tables of the first layer: from each of its border nodes to the second-layer nodes in its
 /// patches, by a search over the second layer inside these patches and the second-layer patches that touch
-/// them. `parent`: first-layer patch, by second-layer patch. Patches whose tables the room holds already are
-/// left as they are.
-void compose_tables(const PatchLayer& second, std::span<const Index> parent, PatchLayer& first,
-                    const TableRoom& room, int threads, const Progress& progress);
+/// them. Patches whose tables the room holds already are left as they are.
+void compose_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress);
 
 /// The most memory that tables which are not yet written take while they are composed, in bytes.
 std::int64_t composed_draft_bytes(const PatchLayer& first);

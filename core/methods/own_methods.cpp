@@ -6,7 +6,7 @@
 #include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
 #include "methods/method.h"
-#include "query/geodesic_query.h"
+#include "query/surface.h"
 
 namespace vorogeo {
 
@@ -17,16 +17,22 @@ namespace {
 class IndexFields final : public GeodesicMethod {
  public:
   IndexFields(const std::shared_ptr<const Mesh>& mesh, const MethodOptions&, const Progress& progress)
-      : GeodesicMethod(mesh), query_(GeodesicIndex::build(mesh, {}, progress)) {}
-  std::size_t bytes() const override { return static_cast<std::size_t>(query_.index().statistics().bytes); }
+      : GeodesicMethod(mesh), surface_(GeodesicIndex::build(mesh, {}, progress)), query_(surface_) {}
+  std::size_t bytes() const override {
+    return static_cast<std::size_t>(surface_.index()->statistics().bytes);
+  }
 
  private:
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
-    return query_.distance_field(sources);
+    return query_.field(sources_at(sources), unreachable, AnswerMethod::index, surface_.threads());
   }
-  double solve_pair(Index source, Index target) override { return query_.distance(source, target); }
+  double solve_pair(Index source, Index target) override {
+    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
+                           AnswerMethod::index);
+  }
 
-  GeodesicQuery query_;
+  Surface surface_;
+  Query query_;
 };
 
 }  // namespace

@@ -146,7 +146,14 @@ double PairDistance::route_length(Index source, Index target) {
   return std::min(route_.length, unfolder_.length(route_, source, target));
 }
 
-double PairDistance::distance(Index a, Index b) {
+double PairDistance::distance(Index from, Index to) {
+  if (from == to) return 0.0;
+  const Index a = data_.surface.vertex[from];
+  const Index b = data_.surface.vertex[to];
+  if (a == no_index || b == no_index || data_.mesh->component(from) != data_.mesh->component(to)) {
+    return unreachable;
+  }
+  if (a == b) return 0.0;
   prefetch_end(data_, a);
   prefetch_end(data_, b);
   const auto [source, target] = std::minmax(a, b);

@@ -9,14 +9,14 @@
 
 namespace vorogeo {
 
-/// Pairs of vertices of the inner surface of an index. One object belongs to one thread.
+/// Pairs of vertices of the mesh of an index. One object belongs to one thread.
 class PairDistance {
  public:
   explicit PairDistance(const IndexData& data) : data_(data), exact_(data), router_(data), unfolder_(data) {}
 
-  /// Distance of two different vertices of one component. The vertex with the smaller number is taken as
-  /// the source, which makes the answer symmetric to the last bit.
-  double distance(Index a, Index b);
+  /// Geodesic distance of two vertices (SSSD); `unreachable` between components. Of the inner surface, the
+  /// vertex with the smaller number is taken as the source, which makes the answer symmetric to the last bit.
+  double distance(Index from, Index to);
 
  private:
   double bound_by_tables(Index source, Index target);

@@ -9,33 +9,19 @@
 namespace vorogeo {
 
 const char* to_string(AnswerMethod method) {
-  switch (method) {
-    case AnswerMethod::automatic:
-      return "automatic";
-    case AnswerMethod::index:
-      return "index";
-    case AnswerMethod::exact:
-      return "exact";
-    case AnswerMethod::quick:
-      return "quick";
-  }
-  return "unknown";
-}
-
-GeodesicQuery& Query::of_index(int threads) {
-  if (!index_query_) index_query_.emplace(surface_.index(), surface_.threads());
-  index_query_->use_threads(threads);
-  return *index_query_;
-}
-
-LocalSolver& Query::solver() {
-  if (!solver_) solver_.emplace(surface_.geometry());
-  return *solver_;
+  return std::array{"automatic", "index", "exact", "quick"}.at(static_cast<std::size_t>(method));
 }
 
 PathQuery& Query::mesh_paths() {
   if (!mesh_paths_) mesh_paths_.emplace(surface_.geometry());
   return *mesh_paths_;
+}
+
+const IndexField& Query::index_field(std::span<const ExactSource> sources, double max_distance, int threads,
+                                     bool wants_labels) {
+  if (!index_field_) index_field_.emplace(surface_.index()->data(), surface_.threads());
+  index_field_->run(sources, max_distance, threads, wants_labels);
+  return *index_field_;
 }
 
 const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, int threads,
@@ -45,8 +31,9 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, double ma
   if (progress) limits.progress = &progress;
   limits.distances_only = distances_only;
   limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;
-  solver().run(sources, limits);
-  return solver();
+  if (!solver_) solver_.emplace(surface_.geometry());
+  solver_->run(sources, limits);
+  return *solver_;
 }
 
 namespace {
@@ -72,7 +59,7 @@ std::vector<double> Query::field(std::span<const ExactSource> sources, double ma
                                  int threads, std::vector<Index>* labels, const Progress& progress) {
   if (by == AnswerMethod::index) {
     const Watch watch(progress, "Geodesic distances");
-    return of_index(threads).field(sources, max_distance, labels);
+    return field_of(index_field(sources, max_distance, threads, labels != nullptr), max_distance, labels);
   }
   if (by == AnswerMethod::exact) {
     return field_of(solved(sources, max_distance, threads, true, progress), max_distance, labels);
@@ -83,13 +70,12 @@ std::vector<double> Query::field(std::span<const ExactSource> sources, double ma
   return field_of(*quick_, max_distance, labels);
 }
 
-std::vector<double> Query::distances(const SurfacePoint& source, const PointList& targets,
+std::vector<double> Query::distances(std::span<const ExactSource> sources, const PointList& targets,
                                      double max_distance, AnswerMethod by) {
-  const ExactSource one{source};
   std::vector<double> result;
   result.reserve(targets.size());
   if (by == AnswerMethod::quick || targets.only_vertices()) {
-    const auto all = field(std::span(&one, 1), max_distance, by, 1);
+    const auto all = field(sources, max_distance, by, 1);
     const Mesh& mesh = *surface_.mesh();
     for (const SurfacePoint& target : targets) {
       if (target.is_vertex()) {
@@ -102,20 +88,24 @@ std::vector<double> Query::distances(const SurfacePoint& source, const PointList
     }
     return result;
   }
+  const auto read = [&](const auto& solver) {
+    for (const SurfacePoint& target : targets) {
+      const double distance = solver.distance(target);
+      result.push_back(distance <= max_distance ? distance : unreachable);
+    }
+  };
   if (by == AnswerMethod::index) {
-    return of_index(1).distances(std::span(&one, 1), targets, max_distance);
-  }
-  const LocalSolver& solver = solved(std::span(&one, 1), max_distance, 1, false);
-  for (const SurfacePoint& target : targets) {
-    const double distance = solver.distance(target);
-    result.push_back(distance <= max_distance ? distance : unreachable);
+    read(index_field(sources, max_distance, 1, false));
+  } else {
+    read(solved(sources, max_distance, 1, false));
   }
   return result;
 }
 
 double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {
   if (by == AnswerMethod::index && source.is_vertex() && target.is_vertex()) {
-    return of_index(1).distance(source.vertex, target.vertex);
+    if (!index_pairs_) index_pairs_.emplace(surface_.index()->data());
+    return index_pairs_->distance(source.vertex, target.vertex);
   }
   return path(source, target, by, false, true).path.length;
 }

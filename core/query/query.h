@@ -11,7 +11,8 @@
 #include "exact/local_solver.h"
 #include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
-#include "query/geodesic_query.h"
+#include "query/index_field.h"
+#include "query/pair_distance.h"
 #include "query/path_query.h"
 
 namespace vorogeo {
@@ -37,16 +38,17 @@ class Query {
   /// `surface` must outlive the object.
   explicit Query(Surface& surface) : surface_(surface) {}
 
-  /// See Surface::field. `threads`: as resolved by the caller; no answer depends on it beyond rounding.
-  /// `labels`: as for GeodesicQuery::field.
+  /// See Surface::field. Shape (n); `unreachable` above max_distance. `threads`: as resolved by the caller;
+  /// no answer depends on it beyond rounding. `labels`: if not null, receives the position of the nearest
+  /// source in the list, by vertex; no_index where there is none.
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
                             int threads, std::vector<Index>* labels = nullptr, const Progress& progress = {});
-  /// Distances from one point to others: the values of its field there. In a face they are interpolated from
-  /// the corners, but exact where the source is near (GeodesicQuery::distances) or the method is exact.
-  std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
-                                AnswerMethod by);
-  /// Distance of two points, symmetric: from the index that of GeodesicQuery::distance for two vertices,
-  /// otherwise the length of path().
+  /// The values of a field at some points. In a face they are interpolated from the corners, but exact where
+  /// a source is near (IndexField::distance) or the method is exact.
+  std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
+                                double max_distance, AnswerMethod by);
+  /// Distance of two points, symmetric: from the index that of PairDistance for two vertices, otherwise the
+  /// length of path().
   double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by);
   /// See Surface::path.
   ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
@@ -56,14 +58,15 @@ class Query {
                    const std::function<void(std::size_t, ExactPath)>& found);
 
  private:
-  GeodesicQuery& of_index(int threads);
-  LocalSolver& solver();
   PathQuery& mesh_paths();
+  const IndexField& index_field(std::span<const ExactSource> sources, double max_distance, int threads,
+                                bool wants_labels);
   const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
                             bool distances_only, const Progress& progress = {});
 
   Surface& surface_;
-  std::optional<GeodesicQuery> index_query_;
+  std::optional<IndexField> index_field_;
+  std::optional<PairDistance> index_pairs_;
   std::optional<PathQuery> index_paths_;
   std::optional<LocalSolver> solver_;
   std::optional<PathQuery> mesh_paths_;

@@ -43,15 +43,21 @@ class RentOrBuy {
 
   /// An exact answer took so many seconds, of the same clock as the price. With several threads, those of the
   /// calling one, which does its share, and what it waited for the others.
-  void pay(double seconds);
+  void pay(double seconds) {
+    rent_ += std::max(0.0, seconds);
+    ++answers_;
+  }
   /// Whether the price may have been reached, so that it is time to estimate it.
   bool wants_price() const {
     const double enough = answers_ >= least_answers ? least_price_ : likely_price * least_price_;
     return !has_price_ && answers_ >= 2 && rent_with_next() >= enough;
   }
-  void set_price(double seconds);
+  void set_price(double seconds) {
+    price_ = seconds;
+    has_price_ = true;
+  }
   /// The index cannot be had: rent for ever.
-  void give_up();
+  void give_up() { set_price(unreachable); }
   bool has_given_up() const { return has_price_ && price_ == unreachable; }
   /// Whether an index should be built instead of the next exact answers, which take so many seconds; 0: of
   /// one more.

@@ -81,7 +81,8 @@ class Surface {
   AnswerMethod at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;
-  /// see GeodesicQuery::field. \throw InvalidInput also for no source; Cancelled.
+  /// sums above max_distance are
+  /// `unreachable`. \throw InvalidInput as IndexField::run; Cancelled.
   LabelledField field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                       Answered& answered, const Progress& progress = {});
   /// The shortest path between two points. From the index the refined one, or the exact one if that is
@@ -93,8 +94,8 @@ class Surface {
   /// source share a propagation, where that pays. \throw as path(), also for lists of different lengths.
   std::vector<ExactPath> paths(const PointPairs& pairs, AnswerMethod method, const PathOptions& options,
                                Answered& answered, const Progress& progress = {});
-  /// Distance of two points: from the index that of GeodesicQuery::distance for two vertices, otherwise the
-  /// length of that path.
+  /// Distance of two points: from the index that of PairDistance for two vertices, otherwise the length
+  /// of that path.
   double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
                   Answered& answered, const Progress& progress = {});
   /// The distances of many pairs, on all threads; pairs that read the same tables follow one another. \throw

@@ -75,7 +75,8 @@ std::vector<double> Workers::field(const SurfacePoint& source, double max_distan
 
 std::vector<double> Workers::distances(const SurfacePoint& source, const PointList& targets,
                                        double max_distance, int worker) {
-  return query(worker).distances(source, targets, max_distance, answered_.by);
+  const ExactSource one{source};
+  return query(worker).distances(std::span(&one, 1), targets, max_distance, answered_.by);
 }
 
 std::vector<double> Workers::field_on_all_threads(const PointList& sources, double max_distance) {

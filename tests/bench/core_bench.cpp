@@ -21,7 +21,7 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "query/geodesic_query.h"
+#include "support/indexes.h"
 
 namespace {
 
@@ -177,7 +177,7 @@ void time_fields(Arguments arguments) {
   const int rounds = std::atoi(arguments[3]);
   const auto sources = vertices_of(arguments.subspan(4));
   for (int workers = 1; workers <= threads; ++workers) {
-    vorogeo::GeodesicQuery query(index, workers);
+    vorogeo::test::IndexQuery query(index, workers);
     query.distance_field({sources.data(), 1});
     Times times;
     for (int round = 0; round < rounds; ++round) {
@@ -193,7 +193,7 @@ void time_pairs(Arguments arguments) {
   const std::size_t count = std::filesystem::file_size(arguments[2]) / sizeof(std::array<Index, 2>);
   const auto pairs = read_array<std::array<Index, 2>>(stream, count);
   const int rounds = std::atoi(arguments[3]);
-  vorogeo::GeodesicQuery query(index, 1);
+  vorogeo::test::IndexQuery query(index, 1);
   Times times;
   for (int round = 0; round < rounds; ++round) {
     for (const auto& pair : pairs) times.add([&] { query.distance(pair[0], pair[1]); });

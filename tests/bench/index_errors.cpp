@@ -9,7 +9,7 @@
 #include "core_bench.h"
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "query/geodesic_query.h"
+#include "support/indexes.h"
 #include "support/ply.h"
 #include "support/shapes.h"
 
@@ -98,7 +98,7 @@ Measured measured(const MeshPointer& mesh, const std::vector<ExactField>& exact,
   Measured result{};
   result.build = cpu_seconds([&] { result.index = vorogeo::GeodesicIndex::build(mesh, options); });
   result.bytes_per_vertex = static_cast<double>(result.index->statistics().bytes) / mesh->vertex_count();
-  vorogeo::GeodesicQuery query(result.index, 1);
+  vorogeo::test::IndexQuery query(result.index, 1);
   for (const ExactField& one : exact) {
     std::vector<double> found;
     result.field += cpu_seconds([&] { found = query.distance_field(std::span(&one.source, 1)); });

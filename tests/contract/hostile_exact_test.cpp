@@ -11,9 +11,9 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/hostile_meshes.h"
+#include "support/indexes.h"
 #include "support/ply.h"
 #include "support/shapes.h"
 #include "support/subdivided_graph.h"
@@ -205,7 +205,7 @@ TEST(IndexContract, FieldsEndWhereAnotherVertexLiesAtTheSource) {
   IndexOptions options;
   options.first_layer_patches = 2;
   options.second_layer_patches = 2;
-  GeodesicQuery query(GeodesicIndex::build(mesh, options), 1);
+  test::IndexQuery query(GeodesicIndex::build(mesh, options), 1);
   ExactSolver solver(mesh);
   const std::array<Index, 2> sources{36, 19};
   solver.run_from_vertices(sources);

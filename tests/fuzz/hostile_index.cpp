@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "fuzz/hostile_case.h"
-#include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/error.h"
+#include "support/indexes.h"
 #include "support/temporary.h"
 #include "tasks/voronoi_regions.h"
 
@@ -70,7 +70,7 @@ bool IndexCheck::build() {
 }
 
 void IndexCheck::check_fields() {
-  GeodesicQuery query(index_, 1);
+  test::IndexQuery query(index_, 1);
   for (int i = 0; i < 2; ++i) {
     const Index source = hostile_.sources[i];
     const auto& exact = hostile_.exact[i];
@@ -91,7 +91,7 @@ void IndexCheck::check_fields() {
 }
 
 void IndexCheck::check_pairs() {
-  GeodesicQuery query(index_, 1);
+  test::IndexQuery query(index_, 1);
   hostile_.costs[static_cast<int>(Step::pairs)] = cost_of([&] {
     for (int i = 0; i < 2; ++i) {
       for (Index target : targets_) {
@@ -170,7 +170,7 @@ void IndexCheck::check_voronoi() {
 
 Answers IndexCheck::answers_of(const std::shared_ptr<const GeodesicIndex>& index) {
   Answers answers;
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   answers.numbers = query.distance_field(std::array{hostile_.sources[0]});
   for (Index target : targets_) answers.numbers.push_back(query.distance(hostile_.sources[1], target));
   PathQuery paths(index);

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "fuzz/fuzz.h"
-#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/index_blocks.h"
 #include "support/indexes.h"
@@ -98,8 +97,8 @@ void attempt(const Sample& sample, Random& random) {
   } catch (const IndexFileError&) {
     return;
   }
-  GeodesicQuery query(loaded, 1);
-  GeodesicQuery original(sample.index, 1);
+  test::IndexQuery query(loaded, 1);
+  test::IndexQuery original(sample.index, 1);
   const auto vertices = static_cast<unsigned>(sample.mesh->vertex_count());
   for (int i = 0; i < 4; ++i) {
     const auto a = static_cast<Index>(random() % vertices);

@@ -10,7 +10,6 @@
 #include "exact/exact_solver.h"
 #include "fuzz/fuzz.h"
 #include "mesh/mesh_check.h"
-#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -166,7 +165,7 @@ void attempt(Random& random) {
             "an index was refused without reason");
     return;
   }
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   const auto field = query.distance_field(std::array{source});
   require_sound(*mesh, source, field, 2.0);
   for (int i = 0; i < 5; ++i) {

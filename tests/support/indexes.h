@@ -12,6 +12,7 @@
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "query/route.h"
+#include "query/surface.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {
@@ -24,6 +25,32 @@ std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_la
 /// The same in the form of a graph.
 std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
                                                       Index second_layer_patches, double delta = 0.0);
+
+/// Questions to an index, whatever might answer sooner.
+class IndexQuery {
+ public:
+  explicit IndexQuery(std::shared_ptr<const GeodesicIndex> index, int threads = 0)
+      : surface_(std::move(index), threads), query_(surface_) {}
+  double distance(Index source, Index target) {
+    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
+                           AnswerMethod::index);
+  }
+  std::vector<double> field(std::span<const ExactSource> sources, double max_distance = unreachable,
+                            std::vector<Index>* labels = nullptr) {
+    return query_.field(sources, max_distance, AnswerMethod::index, surface_.threads(), labels);
+  }
+  std::vector<double> distance_field(std::span<const Index> sources, double max_distance = unreachable) {
+    return field(sources_at(sources), max_distance);
+  }
+  std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
+                                double max_distance = unreachable) {
+    return query_.distances(sources, targets, max_distance, AnswerMethod::index);
+  }
+
+ private:
+  Surface surface_;
+  Query query_;
+};
 
 /// The sentence with which loading an index file is refused, or "loaded".
 std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh);

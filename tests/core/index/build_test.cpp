@@ -17,7 +17,6 @@
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
 #include "patches/partition.h"
-#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/heavy.h"
 #include "support/indexes.h"
@@ -377,7 +376,7 @@ TEST(IndexPartition, AWheelOfNeedlesIsNotDivided) {
 TEST(IndexPartition, AFanOfThousandsOfNeedlesHasShortBorders) {
   const auto index = test::make_index(test::needle_disc(12000));
   EXPECT_LT(index->statistics().bytes, 1000 * index->mesh()->vertex_count());
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   const auto field = query.distance_field(std::array{Index{5}});
   for (Index v = 1; v < index->mesh()->vertex_count(); v += 7) {
     const double chord = 2.0 * std::abs(std::sin(std::numbers::pi * (v - 5) / 12000));
@@ -391,7 +390,7 @@ TEST(IndexPartition, WithoutBordersAllAnswersAreExactAndTheIndexIsSmall) {
   const Mesh& mesh = *index->mesh();
   EXPECT_EQ(index->statistics().second_layer_border_vertices, 0);
   EXPECT_LT(index->statistics().bytes, 700 * mesh.vertex_count());
-  GeodesicQuery query(index);
+  test::IndexQuery query(index);
   ExactSolver solver(index->mesh());
   for (Index source : {7, 1000, mesh.vertex_count() - 1}) {
     solver.run_from_vertices(std::array{source});

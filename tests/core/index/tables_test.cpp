@@ -13,7 +13,6 @@
 #include "index/local_tables.h"
 #include "index/patch_layer.h"
 #include "index/transit_table.h"
-#include "query/geodesic_query.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/near.h"
@@ -138,7 +137,7 @@ TEST(TableScale, DistancesInASmallPartAreAsAccurateAsElsewhere) {
     const IndexData& data = index->data();
     // Parts of the small copy lie in patches with parts of the large plane.
     EXPECT_TRUE(std::ranges::any_of(data.second.scale, &TableScale::is_graded));
-    GeodesicQuery query(index, 1);
+    test::IndexQuery query(index, 1);
     test::ErrorCollector fields;
     test::ErrorCollector pairs;
     const Index count = index->mesh()->vertex_count();
@@ -208,7 +207,7 @@ struct Errors {
 /// Errors against exact fields, from a few ordinary vertices and one outlier.
 Errors errors_of(const test::Soup& soup, const std::vector<Index>& outliers, Index n1 = 0, Index n2 = 0) {
   const auto index = test::make_index(soup, n1, n2);
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   auto is_outlier = [&](Index v) { return std::ranges::find(outliers, v) != outliers.end(); };
   const auto count = static_cast<Index>(soup.positions.size());
   auto sources = test::random_vertices(count, 6, 4);
@@ -271,7 +270,7 @@ TEST(OutlierTables, ComponentsWithoutAreaAreBuiltAtOnce) {
   test::Soup soup = quad;
   for (int i = 0; i < 20; ++i) soup = test::two_components(soup, quad);
   const auto index = test::make_index(soup);
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   EXPECT_NEAR(query.distance(0, 2), std::sqrt(2.0), 1e-12);
   EXPECT_EQ(query.distance(0, 4), unreachable);
 }
@@ -282,7 +281,7 @@ TEST(OutlierTables, AFanOfNeedlesCostsItsFaces) {
   constexpr int needles = 4000;
   auto angle = [](Index v) { return 2.0 * std::acos(-1.0) * (v - 1) / needles; };
   const auto index = test::make_index(test::needle_disc(needles));
-  GeodesicQuery query(index, 1);
+  test::IndexQuery query(index, 1);
   for (Index v : {2, 50, 700, 1999, 2500}) {
     const double chord = 2.0 * std::sin(0.5 * (angle(v) - angle(1)));
     EXPECT_NEAR(query.distance(1, v), chord, 0.01 * chord) << v;

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "exact/exact_solver.h"
-#include "query/geodesic_query.h"
 #include "query/path_query.h"
 #include "support/error.h"
 #include "support/heavy.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <thread>
 
-#include "query/geodesic_query.h"
 #include "query/rent_or_buy.h"
 #include "support/error.h"
 #include "support/indexes.h"
@@ -42,7 +41,7 @@ TEST(Surface, AnswersByTheMethodAskedFor) {
   EXPECT_EQ(answered.by, AnswerMethod::index);
   EXPECT_GT(answered.index_seconds, 0.0);
   ASSERT_TRUE(surface.index());
-  EXPECT_EQ(by_index.distance, GeodesicQuery(surface.index()).field(sources));
+  EXPECT_EQ(by_index.distance, test::IndexQuery(surface.index()).field(sources));
   test::ErrorCollector errors;
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     errors.add(quick.distance[v], exact[v]);
@@ -54,7 +53,7 @@ TEST(Surface, AnswersByTheMethodAskedFor) {
   const LabelledField automatic = surface.field(sources, 0.3, AnswerMethod::automatic, answered);
   EXPECT_EQ(answered.by, AnswerMethod::index);
   EXPECT_EQ(answered.index_seconds, 0.0);
-  EXPECT_EQ(automatic.distance, GeodesicQuery(surface.index()).field(sources, 0.3));
+  EXPECT_EQ(automatic.distance, test::IndexQuery(surface.index()).field(sources, 0.3));
 }
 
 TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {

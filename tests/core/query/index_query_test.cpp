@@ -1,5 +1,4 @@
 // Queries of an index: the same answer however it is asked for, and the documented errors.
-#include "query/geodesic_query.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +18,12 @@ namespace {
 
 using test::Soup;
 
-std::vector<double> field(GeodesicQuery& query, std::vector<Index> sources) {
+std::vector<double> field(test::IndexQuery& query, std::vector<Index> sources) {
   return query.distance_field(sources);
 }
 
-TEST(GeodesicQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
-  GeodesicQuery query(test::make_index(test::icosphere(3), 3, 4));
+TEST(IndexQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
+  test::IndexQuery query(test::make_index(test::icosphere(3), 3, 4));
   const auto once = field(query, {5, 300, 77});
   EXPECT_EQ(field(query, {5, 5, 300, 77, 300, 5}), once);
   EXPECT_EQ(field(query, {77, 300, 5}), once);
@@ -44,11 +43,11 @@ std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& 
   return sources;
 }
 
-TEST(GeodesicQuery, OnePipelineWhateverIsAsked) {
+TEST(IndexQuery, OnePipelineWhateverIsAsked) {
   for (const test::Soup& soup : {test::icosphere(4), test::hills(34, 0.3), test::bow_tie(9).soup}) {
     for (const auto& index : {test::make_index(soup, 5, 4), test::make_graph_index(soup, 5, 4)}) {
       const Mesh& mesh = *index->mesh();
-      GeodesicQuery query(index, 2);
+      test::IndexQuery query(index, 2);
       std::vector<SurfacePoint> targets;
       for (Index v = 0; v < mesh.vertex_count(); ++v) targets.push_back(SurfacePoint::at_vertex(v));
       for (const auto& vertices : {std::vector<Index>{7}, test::random_vertices(mesh.vertex_count(), 4, 3)}) {
@@ -87,7 +86,7 @@ struct Documented {
 void expect_accurate(const Soup& soup, const Documented& documented, int sources) {
   VOROGEO_HEAVY_TEST();
   const auto index = test::make_index(soup);
-  GeodesicQuery query(index);
+  test::IndexQuery query(index);
   ExactSolver solver(index->mesh());
   test::ErrorCollector fields;
   test::ErrorCollector pairs;
@@ -125,37 +124,37 @@ void expect_accurate(HostileBase base, const Documented& documented) {
 
 // A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
 // rough, with long thin faces, of high genus (docs/figures.md).
-TEST(GeodesicQueryAccuracy, DrilledPlate) {
+TEST(IndexQueryAccuracy, DrilledPlate) {
   expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0060, 0.069, 0.32}, 6);
 }
-TEST(GeodesicQueryAccuracy, PlateWithDeepHoles) {
+TEST(IndexQueryAccuracy, PlateWithDeepHoles) {
   expect_accurate(test::drilled_plate(8, 8, 3.0, 2), {0.0207, 0.125, 1.02}, 4);
 }
-TEST(GeodesicQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {1e-7, 1e-7, 1e-7}, 6); }
-TEST(GeodesicQueryAccuracy, CoarseSphere) {
+TEST(IndexQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {1e-7, 1e-7, 1e-7}, 6); }
+TEST(IndexQueryAccuracy, CoarseSphere) {
   expect_accurate(test::random_sphere(1500, 2), {0.0205, 0.144, 0.49}, 6);
 }
-TEST(GeodesicQueryAccuracy, BlockCity) {
+TEST(IndexQueryAccuracy, BlockCity) {
   expect_accurate(test::block_city(20, 20, 1), {0.0065, 0.071, 0.22}, 6);
 }
-TEST(GeodesicQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0083, 0.059, 0.46}); }
-TEST(GeodesicQueryAccuracy, CoarseExtrusion) {
+TEST(IndexQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0083, 0.059, 0.46}); }
+TEST(IndexQueryAccuracy, CoarseExtrusion) {
   expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16});
 }
-TEST(GeodesicQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
-TEST(GeodesicQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0021, 0.054, 0.14}); }
+TEST(IndexQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
+TEST(IndexQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0021, 0.054, 0.14}); }
 
 // Real meshes, if they are next to the repository: docs/figures.md.
-TEST(GeodesicQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
-TEST(GeodesicQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0123, 0.096, 1.25}); }
-TEST(GeodesicQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 0.093, 0.55}); }
-TEST(GeodesicQueryAccuracy, Casting) { expect_accurate("casting", {0.011, 0.105, 0.93}); }
-TEST(GeodesicQueryAccuracy, Gears) { expect_accurate("gears", {0.0544, 0.609, 0.82}); }
+TEST(IndexQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
+TEST(IndexQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0123, 0.096, 1.25}); }
+TEST(IndexQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 0.093, 0.55}); }
+TEST(IndexQueryAccuracy, Casting) { expect_accurate("casting", {0.011, 0.105, 0.93}); }
+TEST(IndexQueryAccuracy, Gears) { expect_accurate("gears", {0.0544, 0.609, 0.82}); }
 
-TEST(GeodesicQueryAccuracy, PairsInTouchingPatchesAreExact) {
+TEST(IndexQueryAccuracy, PairsInTouchingPatchesAreExact) {
   for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(60, 30, 2.0, 0.8)}) {
     const auto index = test::make_index(soup, 3, 6);
-    GeodesicQuery query(index);
+    test::IndexQuery query(index);
     const Mesh& mesh = *index->mesh();
     ExactSolver solver(index->mesh());
     const auto label = index->face_patches(2);

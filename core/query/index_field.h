@@ -1,0 +1,68 @@
+// Distance fields from an index, from one or many sources of every kind.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "index/index_data.h"
+#include "mesh/surface_point.h"
+#include "query/border_field.h"
+#include "query/near_field.h"
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+/// One field at a time. The same steps compute every field (from vertices or points, with or without offsets,
+/// with or without labels, at vertices or at points), so that answers agree to the last bit:
+/// 1. the near field: exact distances around the sources;
+/// 2. the border field, seeded with all border nodes that the near field reached;
+/// 3. sweeps from the borders over all vertices, first-layer patch by first-layer patch, on all threads;
+/// 4. the near field again, where its distances hold.
+///
+/// Holds scratch memory for the whole mesh: one object belongs to one thread.
+class IndexField {
+ public:
+  /// `data` must outlive the object. `threads`: the most that run() is asked to use.
+  IndexField(const IndexData& data, int threads)
+      : data_(data), near_(data), borders_(data), sweeps_(threads) {}
+
+  /// For every vertex the least sum of a source's offset and the distance from it (SSAD, MSAD). Sources are
+  /// points anywhere on the surface. Sums above max_distance may be missing. No answer depends on `threads`.
+  /// \throw InvalidInput for no source, a point that is not on the mesh, an offset that is negative or not
+  /// finite, a max_distance that is negative or no number.
+  void run(std::span<const ExactSource> sources, double max_distance, int threads, bool wants_labels);
+
+  // After run():
+  const Mesh& mesh() const { return *data_.mesh; }
+  double distance(Index vertex) const;
+  /// At a vertex the same; in a face exact in the patches of the sources and around them, elsewhere computed
+  /// from the distances at its corners (distance_in_face).
+  double distance(const SurfacePoint& point) const;
+  /// Position of the nearest source in the list, if labels are wanted; no_index where there is none.
+  Index nearest_source(Index vertex) const;
+
+ private:
+  /// A source and its position in the caller's list.
+  using Numbered = std::pair<Index, ExactSource>;
+
+  void take_sources(std::span<const ExactSource> given, double max_distance);
+  void take_sweep(Index patch, std::span<const double> found, std::span<const Index> rows, bool labels);
+  Index label_of_node(Index node);
+  const Numbered* isolated_at(Index vertex) const;
+
+  const IndexData& data_;
+  NearField near_;
+  BorderField borders_;
+  PerWorker<FieldSweep> sweeps_;
+  std::vector<ExactSource> sources_;  ///< on the inner surface
+  std::vector<Index> number_;         ///< of each in the caller's list
+  std::vector<Numbered> isolated_;    ///< at vertices without a face, which the inner surface does not have
+  std::vector<double> distance_;      ///< by place
+  std::vector<Index> label_;          ///< by place; during the sweeps, the border node on its path
+  std::vector<Index> node_label_;     ///< by second-layer node, as far as known
+  std::vector<Index> passed_;
+};
+
+}  // namespace vorogeo
