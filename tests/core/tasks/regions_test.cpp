@@ -109,8 +109,10 @@ TEST(DividedFaces, ASiteInsideADearFaceOwnsWhatIsNearIt) {
   Query query(surface);
   for (const Point& place : found.borders.points) {
     const std::vector<SurfacePoint> at{locator.nearest(place).point};
-    const double first = query.distances(sites[0], at, unreachable, AnswerMethod::exact)[0];
-    const double second = query.distances(sites[1], at, unreachable, AnswerMethod::exact)[0];
+    const double first =
+        query.distances(std::array{ExactSource{sites[0]}}, at, unreachable, AnswerMethod::exact)[0];
+    const double second =
+        query.distances(std::array{ExactSource{sites[1]}}, at, unreachable, AnswerMethod::exact)[0];
     // A part of a dear face has sides of 1.25 and 1.8, over which differences are interpolated.
     EXPECT_NEAR(first, second, 0.5) << place[0] << ' ' << place[1];
   }
