@@ -47,7 +47,8 @@ void IndexField::run(std::span<const ExactSource> sources, double max_distance, 
     borders_.fill(parent, sweep);
     for (Index p : data_.children(parent)) {
       if (std::ranges::none_of(data_.second.nodes(p), is_reached)) continue;
-      take_sweep(p, sweep.sweep(data_.second, border, p), sweep.crossing_rows(), wants_labels);
+      const auto found = sweep.sweep(data_.second, border, p);
+      take_sweep(p, found, sweep.crossing_rows(), wants_labels);
     }
   });
   if (wants_labels) {
