@@ -138,9 +138,7 @@ TEST(IndexQueryAccuracy, BlockCity) {
   expect_accurate(test::block_city(20, 20, 1), {0.0065, 0.071, 0.22}, 6);
 }
 TEST(IndexQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0083, 0.059, 0.46}); }
-TEST(IndexQueryAccuracy, CoarseExtrusion) {
-  expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16});
-}
+TEST(IndexQueryAccuracy, CoarseExtrusion) { expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16}); }
 TEST(IndexQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
 TEST(IndexQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0021, 0.054, 0.14}); }
 
