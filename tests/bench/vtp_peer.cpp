@@ -1,6 +1,6 @@
 // VTP (Qin, Han, Yu, Yu, Zhang 2016) on one mesh, from its authors' sources: prints {"field": source, "cpu":
-// seconds, "bytes": ...} for each source. A run spoils their mesh, so each source has a mesh of its own,
-// whose set-up counts.
+// seconds} for each source. A run spoils their mesh, so each source has a mesh of its own, whose set-up
+// counts.
 //
 //   vtp_peer MESH FIELDS SOURCE...
 // FIELDS: float64, one field after the other.
