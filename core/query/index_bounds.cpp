@@ -6,7 +6,8 @@
 
 namespace vorogeo {
 
-IndexBounds::IndexBounds(const IndexData& data) : data_(data), borders_(data) {}
+IndexBounds::IndexBounds(const IndexData& data)
+    : data_(data), borders_(data), bound_(data.surface.place_count(), unreachable) {}
 
 std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedEnd& to, double length) {
   const RouteEnd source = route_end_of(data_, from);
@@ -24,7 +25,10 @@ std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedE
   borders_.reset(seeds_, length * (1.0 + index_margin));
   const auto is_reached = [&](Index node) { return borders_.border().distance[node] <= length; };
 
-  bound_.assign(data_.surface.place_count(), unreachable);
+  for (const Index p : bounded_) {
+    for (const Index v : second.members(p)) bound_[v] = unreachable;
+  }
+  bounded_.clear();
   const double margin = index_margin_in_edges * data_.surface.mesh->typical_edge_length();
   for (Index parent = 0; parent < data_.first.patch_count; ++parent) {
     bool is_filled = false;
@@ -33,6 +37,7 @@ std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedE
       if (!is_filled) borders_.fill(parent, sweep_);
       is_filled = true;
       if (std::ranges::none_of(second.nodes(p), is_reached)) continue;
+      bounded_.push_back(p);
       const auto found = sweep_.sweep(second, borders_.border(), p);
       const auto members = second.members(p);
       for (std::size_t i = 0; i < members.size(); ++i) {
@@ -43,6 +48,7 @@ std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedE
   }
   // In the patches around the target, and those that touch them.
   const auto trust_none = [&](Index patch) {
+    bounded_.push_back(patch);
     for (Index v : second.members(patch)) bound_[v] = 0.0;
   };
   for (Index p : to.patches) {

@@ -35,7 +35,8 @@ class IndexBounds {
   BorderField borders_;
   std::vector<BorderField::Seed> seeds_;
   FieldSweep sweep_;
-  std::vector<double> bound_;
+  std::vector<double> bound_;   ///< by place
+  std::vector<Index> bounded_;  ///< patches with bounds; some are there twice
 };
 
 }  // namespace vorogeo
