@@ -18,15 +18,12 @@ namespace vorogeo {
 // ---- One pass over the first-layer tables, and one over the least distances of the transit table
 
 Index AccessBounds::width(Index patch) const {
-  const auto count = static_cast<Index>(groups[patch].size());
-  return (count + short_lanes - 1) / short_lanes * short_lanes;
+  return (groups.size_of(patch) + short_lanes - 1) / short_lanes * short_lanes;
 }
 
 std::size_t AccessBounds::memory_bytes() const {
   auto of = [](const auto& list) { return list.size() * sizeof(list[0]); };
-  std::size_t bytes = of(begin) + of(least) + of(between_begin) + of(least_between);
-  for (const auto& of_patch : groups) bytes += sizeof(of_patch) + of(of_patch);
-  return bytes;
+  return groups.memory_bytes() + of(begin) + of(least) + of(between_begin) + of(least_between);
 }
 
 namespace {
@@ -36,17 +33,19 @@ AccessBounds lay_out_bounds(const IndexData& data, const TransitTable& transit_t
   const PatchLayer& first = data.first;
   const PatchLayer& second = data.second;
   AccessBounds bounds;
-  bounds.groups.resize(first.patch_count);
   for (Index p = 0; p < first.patch_count; ++p) {
-    const auto nodes = first.nodes(p);
-    auto& groups = bounds.groups[p];
-    for (std::size_t row = 0; row < nodes.size(); ++row) {
-      const Index group = transit_table.group_of[nodes[row]];
+    Index row = 0;
+    for (const Index node : first.nodes(p)) {
+      const Index group = transit_table.group_of[node];
       // The nodes of a group belong to the same patches, so their rows are consecutive.
-      if (groups.empty() || groups.back().group != group) groups.push_back({group, static_cast<Index>(row)});
+      if (row == 0 || bounds.groups.element.back().group != group) {
+        bounds.groups.element.push_back({group, row});
+      }
+      ++row;
     }
-    groups.shrink_to_fit();
+    bounds.groups.close();
   }
+  bounds.groups.shrink_to_fit();
   bounds.begin.push_back(0);
   for (Index p = 0; p < second.patch_count; ++p) {
     bounds.begin.push_back(bounds.begin.back() +
@@ -73,7 +72,7 @@ void fill_between(const TransitTable& transit_table, AccessBounds& bounds) {
     std::fill(bounds.least_between.begin(), bounds.least_between.end(), std::int16_t{0});
     return;
   }
-  for (Index q = 0; q < static_cast<Index>(bounds.groups.size()); ++q) {
+  for (Index q = 0; q + 1 < static_cast<Index>(bounds.groups.begin.size()); ++q) {
     for (Index p = 0; p <= q; ++p) {
       std::int16_t* row = bounds.least_between.data() + bounds.between_begin[AccessBounds::pair_of(p, q)];
       for (const GroupRows& from : bounds.groups[p]) {

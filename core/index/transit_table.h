@@ -116,12 +116,12 @@ struct AccessBounds {
   /// Greatest bound between borders; also used for infinite distances and behind the last group.
   static constexpr std::int16_t greatest_between = 16383;
 
-  std::vector<std::vector<GroupRows>> groups;  ///< by first-layer patch
-  std::vector<std::size_t> begin;              ///< by second-layer patch, into least
-  std::vector<std::uint8_t> least;             ///< by second-layer patch, group and row of that patch
-  float unit_between = 0.0f;                   ///< distance of a bound of 1 between borders
-  std::vector<std::size_t> between_begin;      ///< by pair, into least_between
-  std::vector<std::int16_t> least_between;     ///< by pair, groups of the first, groups of the second
+  Lists<GroupRows> groups;                  ///< by first-layer patch
+  std::vector<std::size_t> begin;           ///< by second-layer patch, into least
+  std::vector<std::uint8_t> least;          ///< by second-layer patch, group and row of that patch
+  float unit_between = 0.0f;                ///< distance of a bound of 1 between borders
+  std::vector<std::size_t> between_begin;   ///< by pair, into least_between
+  std::vector<std::int16_t> least_between;  ///< by pair, groups of the first, groups of the second
 
   /// Bounds of the border nodes of a second-layer patch, for the first group; group by group.
   const std::uint8_t* of_patch(Index patch) const { return least.data() + begin[patch]; }

@@ -201,34 +201,27 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
   }
   // With sources nearly everywhere, the transit table saves nothing.
   searched_all_ = data_.transit_table.count == 0 || 2 * parents > data_.first.patch_count;
-  if (searched_all_) {
-    search_.run({}, max_distance);
-    allowed_.assign(data_.second.patch_count, 1);
-    cross_long_edges();
-    for (Index node = 0; node < data_.second.node_count(); ++node) {
-      distance_[node] = search_.distance(node);
-      predecessor_[node] = search_.predecessor(node);
-    }
-    return;
-  }
-  allowed_.assign(data_.second.patch_count, 0);
+  allowed_.assign(data_.second.patch_count, searched_all_ ? 1 : 0);
   for (Index p = 0; p < data_.first.patch_count; ++p) {
     if (!is_seed_parent_[p]) continue;
     for (Index child : data_.children(p)) allowed_[child] = 1;
   }
   search_.run(allowed_, max_distance);
-  cross_long_edges();
-  cross_transit_table(threads);
+  for (Index p = 0; p < data_.second.patch_count; ++p) {
+    if (allowed_[p] != 0) cross_long_edges(p);
+  }
+  if (!searched_all_) {
+    cross_transit_table(threads);
+    return;
+  }
+  for (Index node = 0; node < data_.second.node_count(); ++node) {
+    distance_[node] = search_.distance(node);
+    predecessor_[node] = search_.predecessor(node);
+  }
 }
 
 /// As in a sweep, nodes right behind the middle of a long border edge may have been reached over another
 /// border.
-void BorderField::cross_long_edges() {
-  for (Index p = 0; p < data_.second.patch_count; ++p) {
-    if (allowed_[p] != 0) cross_long_edges(p);
-  }
-}
-
 void BorderField::cross_long_edges(Index patch) {
   const PatchLayer& layer = data_.second;
   const auto nodes = layer.nodes(patch);

@@ -191,7 +191,6 @@ class BorderField {
   BorderDistances border() const { return {distance_, predecessor_}; }
 
  private:
-  void cross_long_edges();
   void cross_long_edges(Index patch);
   void cross_transit_table(int threads);
   void find_bases();

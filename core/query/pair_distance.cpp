@@ -143,7 +143,7 @@ double PairDistance::route_length(Index source, Index target) {
   if (to_.vertex != target) route_end(data_, target, to_);
   router_.route(from_, to_, route_);
   if (route_.length == unreachable) return unreachable;
-  return std::min(route_.length, unfolder_.length(route_, source, target));
+  return std::min(route_.length, unfolder_.length(route_, {source}, {target}));
 }
 
 double PairDistance::distance(Index from, Index to) {

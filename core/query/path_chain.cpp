@@ -1,4 +1,4 @@
-// The chain of border vertices of a route, and the strip of faces along it.
+// The ends of paths, and the strips of faces along edges and along routes.
 #include "query/path_chain.h"
 
 #include <algorithm>
@@ -179,7 +179,14 @@ class InParts {
   std::coroutine_handle<promise_type> parts_;
 };
 
-/// Follows a step of a chain: from one of its ends to the other, which is a border node of the patch; along
+/// A step of a route, to a place through a second-layer patch. It begins or ends at a border node of the
+/// patch, whose distances can be followed.
+struct ChainStep {
+  Index place;
+  Index patch;
+};
+
+/// Follows a step: from one of its ends to the other, which is a border node of the patch; along
 /// edges if there is no patch, and from where the distances lead out of it. In each face the distances of two
 /// vertices place the goal in the plane of the face.
 ///
@@ -493,64 +500,6 @@ class StepWalk {
 
 }  // namespace
 
-// ---- A walk for each step of the chain
-
-namespace {
-
-/// Adds faces to a strip until it ends in the face passed next. \return false if it does not touch that.
-bool pass(const InnerSurface& surface, const PassedFace& next, FaceStrip& strip) {
-  const Mesh& mesh = *surface.mesh;
-  if (strip.first == no_index) {
-    strip.first = next.face;
-    return true;
-  }
-  if (next.exit == no_index && surface.is_vertex(next.pivot)) {
-    return turn_around(mesh, strip, next.pivot, next.face);
-  }
-  if (next.exit == no_index && strip.last() == next.face) return true;
-  HalfedgePair crossing{next.exit, next.entry};
-  if (next.exit == no_index) {
-    const Index edge = surface.point_at(next.pivot).edge;
-    for_each_side(mesh, edge, [&](Index h) {
-      if (Mesh::face_of(h) == strip.last()) crossing.exit = h;
-      if (Mesh::face_of(h) == next.face) crossing.entry = h;
-    });
-    if (crossing.exit == no_index || crossing.entry == no_index) return false;
-  }
-  strip.crossings.push_back(crossing);
-  return true;
-}
-
-}  // namespace
-
-bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip) {
-  const Mesh& mesh = *data.surface.mesh;
-  strip.first = strip.source.face;
-  strip.crossings.clear();
-  std::vector<StepWalk> walks;
-  walks.reserve(chain.steps.size());
-  Index place = chain.source;
-  for (const ChainStep& step : chain.steps) {
-    walks.emplace_back(data, place, step);
-    place = step.place;
-  }
-  std::vector<InParts> going;
-  for (StepWalk& walk : walks) going.push_back(walk.walk());
-  while (!going.empty()) std::erase_if(going, [](InParts& walk) { return !walk.go_on(); });
-  for (const StepWalk& walk : walks) {
-    if (!walk.arrived()) return false;
-    for (const PassedFace& next : walk.passed()) {
-      if (!pass(data.surface, next, strip)) return false;
-    }
-  }
-  if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
-  if (!strip.target.is_vertex()) {
-    return pass(data.surface, {strip.target.face, no_index, no_index, place}, strip);
-  }
-  return std::ranges::find(mesh.face_vertices(strip.last()), strip.target.vertex) !=
-         mesh.face_vertices(strip.last()).end();
-}
-
 // ---- Walks back through the tables of each layer, from the end of a leg to its beginning
 
 namespace {
@@ -561,9 +510,12 @@ constexpr double equal_sums = 1e-6;
 
 class ChainBuilder {
  public:
-  ChainBuilder(const IndexData& data, PathChain& chain) : data_(data), chain_(chain) {}
+  explicit ChainBuilder(const IndexData& data) : data_(data) {}
 
-  void second_layer_step(Index patch, Index place) { chain_.steps.push_back({place, patch}); }
+  /// The steps so far.
+  const std::vector<ChainStep>& steps() const { return steps_; }
+
+  void second_layer_step(Index patch, Index place) { steps_.push_back({place, patch}); }
 
   /// From second-layer node a to b by the table of first-layer patch `parent`; one of them is on its border.
   void first_layer_step(Index parent, Index a, Index b) {
@@ -672,7 +624,7 @@ class ChainBuilder {
   }
 
   const IndexData& data_;
-  PathChain& chain_;
+  std::vector<ChainStep> steps_;
   std::vector<Step> back_;
   std::vector<float> step_;
   std::vector<double> rest_;
@@ -680,37 +632,76 @@ class ChainBuilder {
 
 }  // namespace
 
-PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target,
-                         Index source_patch, Index target_patch) {
-  PathChain chain;
-  chain.source = source;
-  if (route.nodes.empty()) return chain;
-  ChainBuilder builder(data, chain);
-  auto place_of = [&](Index node) { return data.second.node_place[node]; };
-  if (place_of(route.nodes.front()) != source) {
-    builder.second_layer_step(source_patch != no_index ? source_patch : data.home_patch[source],
-                              place_of(route.nodes.front()));
+// ---- A walk for each step
+
+namespace {
+
+/// Adds faces to a strip until it ends in the face passed next. \return false if it does not touch that.
+bool pass(const InnerSurface& surface, const PassedFace& next, FaceStrip& strip) {
+  const Mesh& mesh = *surface.mesh;
+  if (strip.first == no_index) {
+    strip.first = next.face;
+    return true;
   }
-  for (std::size_t i = 0; i < route.legs.size(); ++i) {
-    const Index a = route.nodes[i];
-    const Index b = route.nodes[i + 1];
-    const Leg leg = route.legs[i];
-    switch (leg.table) {
-      case Leg::Table::transit:
-        builder.transit_table_step(a, b);
-        break;
-      case Leg::Table::first:
-        builder.first_layer_step(leg.patch, a, b);
-        break;
-      case Leg::Table::second:
-        builder.second_layer_step(leg.patch, place_of(b));
-        break;
+  if (next.exit == no_index && surface.is_vertex(next.pivot)) {
+    return turn_around(mesh, strip, next.pivot, next.face);
+  }
+  if (next.exit == no_index && strip.last() == next.face) return true;
+  HalfedgePair crossing{next.exit, next.entry};
+  if (next.exit == no_index) {
+    const Index edge = surface.point_at(next.pivot).edge;
+    for_each_side(mesh, edge, [&](Index h) {
+      if (Mesh::face_of(h) == strip.last()) crossing.exit = h;
+      if (Mesh::face_of(h) == next.face) crossing.entry = h;
+    });
+    if (crossing.exit == no_index || crossing.entry == no_index) return false;
+  }
+  strip.crossings.push_back(crossing);
+  return true;
+}
+
+}  // namespace
+
+bool strip_along_route(const IndexData& data, const GraphRoute& route, const IndexedEnd& from,
+                       const IndexedEnd& to, FaceStrip& strip) {
+  const Mesh& mesh = *data.surface.mesh;
+  std::vector<Stage> stages;
+  find_stages(data, route, {from.place, from.patch}, {to.place, to.patch}, stages);
+  ChainBuilder chain(data);
+  auto node_at = [&](Index place) { return data.second.place_node[place]; };
+  Index place = from.place;
+  for (const auto& [leg, exit] : stages) {
+    if (leg.table == Leg::Table::transit) chain.transit_table_step(node_at(place), node_at(exit));
+    if (leg.table == Leg::Table::first) chain.first_layer_step(leg.patch, node_at(place), node_at(exit));
+    if (leg.table == Leg::Table::second) chain.second_layer_step(leg.patch, exit);
+    place = exit;
+  }
+  std::vector<StepWalk> walks;
+  walks.reserve(chain.steps().size());
+  place = from.place;
+  for (const ChainStep& step : chain.steps()) {
+    walks.emplace_back(data, place, step);
+    place = step.place;
+  }
+  std::vector<InParts> going;
+  for (StepWalk& walk : walks) going.push_back(walk.walk());
+  while (!going.empty()) std::erase_if(going, [](InParts& walk) { return !walk.go_on(); });
+  strip.source = from.point;
+  strip.target = to.point;
+  strip.first = strip.source.face;
+  strip.crossings.clear();
+  for (const StepWalk& walk : walks) {
+    if (!walk.arrived()) return false;
+    for (const PassedFace& next : walk.passed()) {
+      if (!pass(data.surface, next, strip)) return false;
     }
   }
-  if (place_of(route.nodes.back()) != target) {
-    builder.second_layer_step(target_patch != no_index ? target_patch : data.home_patch[target], target);
+  if (strip.first == no_index) strip.first = Mesh::face_of(mesh.corners(strip.source.vertex).front());
+  if (!strip.target.is_vertex()) {
+    return pass(data.surface, {strip.target.face, no_index, no_index, place}, strip);
   }
-  return chain;
+  return std::ranges::find(mesh.face_vertices(strip.last()), strip.target.vertex) !=
+         mesh.face_vertices(strip.last()).end();
 }
 
 }  // namespace vorogeo

@@ -1,4 +1,4 @@
-// The chain of border vertices of a route, and the strip of faces along it.
+// The ends of paths, and the strips of faces along edges and along routes.
 #pragma once
 
 #include <optional>
@@ -65,36 +65,16 @@ bool are_near(const IndexData& data, const IndexedEnd& a, const IndexedEnd& b);
 /// The border nodes of the end's patch with their distances from it.
 RouteEnd route_end_of(const IndexData& data, const IndexedEnd& end);
 
-// ---- From a route to a chain of second-layer border vertices, each in a patch of the previous one
+// ---- The strip of faces along a route
 
-/// A step of a chain: to a place through a second-layer patch. A step that begins or ends at a border node of
-/// the patch can be followed by that node's distances in the patch.
-struct ChainStep {
-  Index place;
-  Index patch;
-};
-
-/// A shortest path through the tables: the source, then a step for each second-layer patch passed.
-struct PathChain {
-  Index source = no_index;
-  std::vector<ChainStep> steps;
-};
-
-/// Resolves a route between two places into second-layer steps: a leg by the transit table into steps
-/// between first-layer nodes of one first-layer patch, each of these into steps between second-layer nodes of
-/// one second-layer patch. In each layer the predecessor is a node with the least sum. Complexity: O(b) for
-/// each step, with b border nodes of the patches at its end. `source_patch`, `target_patch`: second-layer
-/// patches that the route's first and last node share with the ends, for ends that may lie on a border;
-/// no_index for the patches of vertices inside one.
-PathChain chain_of_route(const IndexData& data, const GraphRoute& route, Index source, Index target,
-                         Index source_patch = no_index, Index target_patch = no_index);
-
-// ---- A strip of faces along a chain of border vertices
-
-/// Follows every step of the chain through its patch: from one end towards the other, which is a border
-/// node, down the distances of that node. In each face the distances of two vertices place the goal in the
-/// plane of the face; the straight line towards it leads on. `strip` has its end points set; its faces are
-/// filled in. \return false if a table does not lead to the end of its step. Complexity: O(faces).
-bool strip_along_chain(const IndexData& data, const PathChain& chain, FaceStrip& strip);
+/// Lays a strip of faces from end to end, in two steps. First the route is resolved into steps through
+/// second-layer patches: a leg by the transit table into legs by tables of the first layer, each of these
+/// into steps between second-layer nodes; in each layer the predecessor is a node with the least sum. Then
+/// each step is followed through its patch, from one end towards the other, which is a border node, down the
+/// distances of that node: in each face the distances of two vertices place the goal in the plane of the
+/// face, and the straight line towards it leads on. \return false if a table does not lead to the end of its
+/// step. Complexity: O(b) for each step, with b border nodes of the patches at its end, and O(faces).
+bool strip_along_route(const IndexData& data, const GraphRoute& route, const IndexedEnd& from,
+                       const IndexedEnd& to, FaceStrip& strip);
 
 }  // namespace vorogeo

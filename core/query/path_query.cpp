@@ -115,11 +115,7 @@ SurfacePath PathQuery::refined(const SurfacePoint& from, const SurfacePoint& to,
   const IndexData& data = routes_->data;
   const SurfacePath none{{}, unreachable};
   if (ends.route.length == unreachable) return none;
-  strip_.source = ends.from.point;
-  strip_.target = ends.to.point;
-  const PathChain chain =
-      chain_of_route(data, ends.route, ends.from.place, ends.to.place, ends.from.patch, ends.to.patch);
-  if (!strip_along_chain(data, chain, strip_)) return none;
+  if (!strip_along_route(data, ends.route, ends.from, ends.to, strip_)) return none;
   refiner_->refine(strip_);
   SurfacePath path = refiner_->path();
   if (!(path.length < unreachable)) return none;
@@ -131,7 +127,7 @@ SurfacePath PathQuery::refined(const SurfacePoint& from, const SurfacePoint& to,
 double PathQuery::expected_length(const RoutedEnds& ends) {
   return ends.from.distance([&](Index source) {
     return ends.to.distance([&](Index target) {
-      return routes_->unfolder.length(ends.route, source, target, ends.from.patch, ends.to.patch);
+      return routes_->unfolder.length(ends.route, {source, ends.from.patch}, {target, ends.to.patch});
     });
   });
 }

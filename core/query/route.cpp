@@ -39,6 +39,26 @@ void route_end(const IndexData& data, Index place, RouteEnd& end) {
   end.vertex = place;
 }
 
+void find_stages(const IndexData& data, const GraphRoute& route, const RoutedPlace& source,
+                 const RoutedPlace& target, std::vector<Stage>& stages) {
+  stages.clear();
+  if (route.nodes.empty()) return;
+  Index at = source.place;
+  auto add = [&](Leg leg, Index exit) {
+    if (exit == at) return;
+    if (!stages.empty() && stages.back().leg == leg) stages.pop_back();
+    stages.push_back({leg, exit});
+    at = exit;
+  };
+  auto leg_at = [&](const RoutedPlace& end) {
+    return Leg{Leg::Table::second, end.patch != no_index ? end.patch : data.home_patch[end.place]};
+  };
+  auto place_of = [&](Index node) { return data.second.node_place[node]; };
+  add(leg_at(source), place_of(route.nodes.front()));
+  for (std::size_t i = 0; i < route.legs.size(); ++i) add(route.legs[i], place_of(route.nodes[i + 1]));
+  add(leg_at(target), target.place);
+}
+
 void prefetch_end(const IndexData& data, Index place) {
   if (data.second.place_node[place] != no_index) return;
   const Index patch = data.home_patch[place];

@@ -49,4 +49,23 @@ struct GraphRoute {
   }
 };
 
+/// Where a route between places begins or ends.
+struct RoutedPlace {
+  Index place;
+  /// Second-layer patch that it shares with the first or last node, if it may lie on a border; no_index for
+  /// the patch of a place inside one.
+  Index patch = no_index;
+};
+
+/// A part of a route between places: the table of a leg, and where it ends. Two legs in a row through one
+/// patch are one.
+struct Stage {
+  Leg leg;
+  Index exit;  ///< place
+};
+
+/// Finds the parts of a whole route, with those through the patches of its ends. None without a node.
+void find_stages(const IndexData& data, const GraphRoute& route, const RoutedPlace& source,
+                 const RoutedPlace& target, std::vector<Stage>& stages);
+
 }  // namespace vorogeo

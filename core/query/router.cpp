@@ -14,7 +14,6 @@ namespace vorogeo {
 namespace {
 
 using Near = RouteUnfolder::Near;
-using Stage = RouteUnfolder::Stage;
 
 /// Row of a vertex on the border of a patch of either layer; no_index if it is not there.
 Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
@@ -67,25 +66,6 @@ double cross(const IndexData& data, const Leg& leg, const std::vector<Near>& nea
   return crossing_distance(crossing);
 }
 
-void find_stages(const IndexData& data, const GraphRoute& route, Index source, Index target,
-                 Index source_patch, Index target_patch, std::vector<Stage>& stages) {
-  stages.clear();
-  auto add = [&](Leg leg, Index exit_vertex) {
-    if (!stages.empty() && stages.back().leg == leg) stages.pop_back();
-    stages.push_back({leg, exit_vertex});
-  };
-  auto vertex_of = [&](Index node) { return data.second.node_place[node]; };
-  if (data.second.place_node[source] == no_index) source_patch = data.home_patch[source];
-  if (data.second.place_node[target] == no_index) target_patch = data.home_patch[target];
-  if (source_patch != no_index && source != vertex_of(route.nodes.front())) {
-    add(Leg{Leg::Table::second, source_patch}, vertex_of(route.nodes.front()));
-  }
-  for (std::size_t i = 0; i < route.legs.size(); ++i) add(route.legs[i], vertex_of(route.nodes[i + 1]));
-  if (target_patch != no_index && target != vertex_of(route.nodes.back())) {
-    add(Leg{Leg::Table::second, target_patch}, target);
-  }
-}
-
 /// Calls visit(vertex, length) for the border neighbours of the vertex where the route passes from one stage
 /// to the next: along the border of a patch on either side that has the vertex on its border.
 template <class Visit>
@@ -93,7 +73,7 @@ void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& 
   for (const Leg& side : {stage.leg, next.leg}) {
     if (side.table == Leg::Table::transit) continue;
     const PatchLayer& layer = side.table == Leg::Table::first ? data.first : data.second;
-    const Index row = row_in(layer, stage.exit_vertex, side.patch);
+    const Index row = row_in(layer, stage.exit, side.patch);
     if (row == no_index) continue;
     for (const BorderNeighbour& beside : layer.neighbours(side.patch, row)) {
       visit(layer.node_place[layer.nodes(side.patch)[beside.row]], beside.length);
@@ -104,15 +84,14 @@ void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& 
 
 }  // namespace
 
-double RouteUnfolder::length(const GraphRoute& route, Index source, Index target, Index source_patch,
-                             Index target_patch) {
-  find_stages(data_, route, source, target, source_patch, target_patch, stages_);
-  if (stages_.empty()) return source == target ? 0.0 : unreachable;
-  near_.assign(1, {source, 0.0, 0.0});
+double RouteUnfolder::length(const GraphRoute& route, const RoutedPlace& source, const RoutedPlace& target) {
+  find_stages(data_, route, source, target, stages_);
+  if (stages_.empty()) return source.place == target.place ? 0.0 : unreachable;
+  near_.assign(1, {source.place, 0.0, 0.0});
   for (std::size_t i = 0; i < stages_.size(); ++i) {
     const Stage& stage = stages_[i];
     next_.clear();
-    next_.push_back({stage.exit_vertex, cross(data_, stage.leg, near_, stage.exit_vertex), 0.0});
+    next_.push_back({stage.exit, cross(data_, stage.leg, near_, stage.exit), 0.0});
     if (i + 1 < stages_.size()) {
       for_each_neighbour(data_, stage, stages_[i + 1], [&](Index vertex, double length) {
         next_.push_back({vertex, cross(data_, stage.leg, near_, vertex), length});

@@ -17,25 +17,17 @@ class RouteUnfolder {
  public:
   explicit RouteUnfolder(const IndexData& data) : data_(data) {}
 
-  /// Length of the path along a route from source to target (places) that crosses each border anywhere
-  /// on the border edges at the route's node instead of at the node itself. At each crossing, distances are
-  /// kept for the node and its border neighbours; they belong to the same wave, so no guard is needed.
-  /// Complexity: O(nodes of the route). `source_patch`, `target_patch`: second-layer patches that the route's
-  /// first and last node share with these vertices, for ends that may lie on a border; no_index for the
-  /// patches of vertices inside one.
-  double length(const GraphRoute& route, Index source, Index target, Index source_patch = no_index,
-                Index target_patch = no_index);
+  /// Length of the path along a route from source to target that crosses each border anywhere on the border
+  /// edges at the route's node instead of at the node itself. At each crossing, distances are kept for the
+  /// node and its border neighbours; they belong to the same wave, so no guard is needed. Complexity: O(nodes
+  /// of the route).
+  double length(const GraphRoute& route, const RoutedPlace& source, const RoutedPlace& target);
 
   /// A border node near the route: the route's own node first, then its border neighbours.
   struct Near {
     Index vertex;
     double distance;  ///< from the source
     double length;    ///< of the border edge to the route's own node
-  };
-  /// A leg of the route and where it ends; two legs in a row through one patch are one.
-  struct Stage {
-    Leg leg;
-    Index exit_vertex;  ///< where the route leaves it; the target at last
   };
 
  private:
