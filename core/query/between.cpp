@@ -15,30 +15,20 @@ bool is_provable(const Mesh& mesh) {
   return !mesh.metric_jumps() && mesh.longest_edge_length() <= provable_edges * mesh.typical_edge_length();
 }
 
-/// The bounds of the runs that answer one question, one after the other.
-class Widening {
- public:
-  explicit Widening(const PathBounds& bounds) : bounds_(bounds) {}
-  const PathBounds& bounds() const { return bounds_; }
-  /// After a run that did not answer, but found a path of length `found` or none. \return false after one
-  /// without bounds.
-  bool next(double found) {
-    if (!bounds_.mask.empty()) {
-      bounds_.mask = {};
-      bounds_.upper = std::min(bounds_.upper, found);
-      return true;
-    }
-    if (bounds_.upper == unreachable && bounds_.rest.empty()) return false;
-    const bool is_too_narrow = found == unreachable && !is_wide_;
-    is_wide_ = true;
-    bounds_ = {.upper = is_too_narrow ? slack::widest * bounds_.upper : unreachable};
+/// Widens bounds within which a run did not answer, but found a path of length `found` or none. `is_wide`:
+/// whether that was done before, to more than the faces outside a mask. \return false if there were none.
+bool widen(PathBounds& bounds, double found, bool& is_wide) {
+  if (!bounds.mask.empty()) {
+    bounds.mask = {};
+    bounds.upper = std::min(bounds.upper, found);
     return true;
   }
-
- private:
-  PathBounds bounds_;
-  bool is_wide_ = false;
-};
+  if (bounds.upper == unreachable && bounds.rest.empty()) return false;
+  const bool is_too_narrow = found == unreachable && !is_wide;
+  is_wide = true;
+  bounds = {.upper = is_too_narrow ? slack::widest * bounds.upper : unreachable};
+  return true;
+}
 
 }  // namespace
 
@@ -82,11 +72,10 @@ ExactPath ExactBetween::path(const SurfacePoint& from, const SurfacePoint& to, P
   const SurfacePoint begin = point_of_run(from);
   const SurfacePoint end = point_of_run(to);
   ExactPath best;
-  Widening widening(bounds);
+  bool is_wide = false;
   do {
-    const PathBounds& now = widening.bounds();
-    const bool is_answer = run(begin, end, now, true);
-    const bool is_proof = is_answer && can_prove_ && now.is_proof;
+    const bool is_answer = run(begin, end, bounds, true);
+    const bool is_proof = is_answer && can_prove_ && bounds.is_proof;
     ExactPath found = checked(path_of_run(end), is_proof ? solver_->distance(end) : unreachable, from, to);
     if (found.certified) return found;
     const bool was_whole = is_whole(best.path, from, to);
@@ -94,7 +83,7 @@ ExactPath ExactBetween::path(const SurfacePoint& from, const SurfacePoint& to, P
     if (!was_whole || is_shorter) best = std::move(found);
     // Where nothing can be proven, a path is enough.
     if (is_answer && !is_proof && is_whole(best.path, from, to)) return best;
-  } while (widening.next(best.path.length));
+  } while (widen(bounds, best.path.length, is_wide));
   return best;
 }
 
@@ -108,13 +97,13 @@ SurfacePath ExactBetween::path_within(const SurfacePoint& from, const SurfacePoi
 double ExactBetween::distance(Index from, Index to, PathBounds bounds) {
   const SurfacePoint begin = SurfacePoint::at_vertex(from);
   const SurfacePoint end = SurfacePoint::at_vertex(to);
-  Widening widening(bounds);
   double found = unreachable;
+  bool is_wide = false;
   do {
-    const bool is_answer = run(begin, end, widening.bounds(), false);
+    const bool is_answer = run(begin, end, bounds, false);
     found = solver_->distance(end);
     if (is_answer && found < unreachable) break;
-  } while (widening.next(found));
+  } while (widen(bounds, found, is_wide));
   return found;
 }
 

@@ -78,10 +78,7 @@ void order_pairs(std::span<std::size_t> order, const PointList& sources, const P
 }  // namespace
 
 Surface::Surface(std::shared_ptr<const Mesh> mesh, const IndexOptions& options)
-    : mesh_(std::move(mesh)),
-      options_(options),
-      threads_(resolve_thread_count(options.threads)),
-      spent_(mesh_->vertex_count()) {}
+    : Surface(mesh, nullptr, RentOrBuy(mesh->vertex_count()), options) {}
 
 Surface::Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,
                  const RentOrBuy& spent, const IndexOptions& options)
