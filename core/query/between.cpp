@@ -16,8 +16,10 @@ bool is_provable(const Mesh& mesh) {
 }
 
 /// Widens bounds within which a run did not answer, but found a path of length `found` or none. `is_wide`:
-/// whether that was done before, to more than the faces outside a mask. \return false if there were none.
+/// whether that was done before, to more than the faces outside a mask. \return false if there were none, or
+/// they are fixed.
 bool widen(PathBounds& bounds, double found, bool& is_wide) {
+  if (bounds.is_fixed) return false;
   if (!bounds.mask.empty()) {
     bounds.mask = {};
     bounds.upper = std::min(bounds.upper, found);
@@ -85,13 +87,6 @@ ExactPath ExactBetween::path(const SurfacePoint& from, const SurfacePoint& to, P
     if (is_answer && !is_proof && is_whole(best.path, from, to)) return best;
   } while (widen(bounds, best.path.length, is_wide));
   return best;
-}
-
-SurfacePath ExactBetween::path_within(const SurfacePoint& from, const SurfacePoint& to,
-                                      const PathBounds& bounds) {
-  const SurfacePoint end = point_of_run(to);
-  run(point_of_run(from), end, bounds, true);
-  return checked(path_of_run(end), unreachable, from, to).path;
 }
 
 double ExactBetween::distance(Index from, Index to, PathBounds bounds) {

@@ -45,6 +45,7 @@ struct PathBounds {
   const ExactLandmarks* landmarks = nullptr;  ///< the same
   std::span<const std::uint8_t> mask{};       ///< faces of the run's surface in which the path probably lies
   bool is_proof = true;                       ///< `rest` is certain, and not an estimate less a margin
+  bool is_fixed = false;                      ///< one run within these bounds is all, however it ends
 };
 
 /// Exact distances and paths of two points. A run follows only what can lie on a path within the bounds. If
@@ -61,8 +62,6 @@ class ExactBetween {
   /// The shortest path between two points of the user's mesh. \pre The points are validated, different and in
   /// one component.
   ExactPath path(const SurfacePoint& from, const SurfacePoint& to, PathBounds bounds);
-  /// One run of these, however it ends; nothing of it is proven.
-  SurfacePath path_within(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds);
   /// The distance of two vertices of the run's surface. \pre As path().
   double distance(Index from, Index to, PathBounds bounds);
   /// A path of the user's mesh for which `distance` was propagated: made to join exactly these points where

@@ -143,7 +143,7 @@ SurfacePath PathQuery::doubted(SurfacePath path, double expected, const SurfaceP
       std::max(least_doubtful, doubtful_if_even - doubtful_by_roughness * roughness(mesh, refiner_->line()));
   if (path.length > expected * (1.0 + doubtful)) {
     const auto mask = exact_.mask_beside(refiner_->line().faces(), rings_beside);
-    take_shorter(exact_.path_within(from, to, {.upper = path.length, .mask = mask}));
+    take_shorter(exact_.path(from, to, {.upper = path.length, .mask = mask, .is_fixed = true}).path);
   }
   if (path.length > expected * (1.0 + suspicious)) {
     take_shorter(exact_.path(from, to, {.upper = path.length}).path);
