@@ -1,9 +1,12 @@
 // One solver for any metric, and how long its fields take.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
-#include <variant>
+#include <type_traits>
+#include <vector>
 
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
@@ -25,52 +28,75 @@ struct LocalGeometry {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const ExactGeometry> windows;  ///< null in a metric that jumps at edges
   std::shared_ptr<const FaceNorms> norms;        ///< null in any other
+  /// Of the components of a metric that jumps in which it does not; null if there are none.
+  std::shared_ptr<const ExactGeometry> agreeing;
 };
 
-/// The solver for the metric of a surface: windows, which are exact, or points on edges where the metric
-/// jumps. What tables, near fields, near pairs and exact paths use, so that these need not know which. One
-/// object belongs to one thread.
+/// The solver for the metric of a surface: windows, which are exact, or points on edges in components where
+/// the metric jumps. What tables, near fields, near pairs and exact paths use, so that these need not know
+/// which. One object belongs to one thread.
 class LocalSolver {
  public:
   explicit LocalSolver(const std::shared_ptr<const LocalGeometry>& geometry);
 
   // See ExactSolver.
-  const Mesh& mesh() const {
-    return std::visit([](const auto& s) -> const Mesh& { return s.mesh(); }, solver_);
-  }
-  void run(std::span<const ExactSource> sources, const ExactLimits& limits = {}) {
-    std::visit([&](auto& s) { s.run(sources, limits); }, solver_);
-  }
+  const Mesh& mesh() const { return windows_ ? windows_->mesh() : points_->mesh(); }
+  void run(std::span<const ExactSource> sources, const ExactLimits& limits = {});
   void run_from_vertices(std::span<const Index> source_vertices, const ExactLimits& limits = {}) {
     run(sources_at(source_vertices), limits);
   }
   double distance(Index vertex) const {
-    return std::visit([&](const auto& s) { return s.distance(vertex); }, solver_);
+    return at(vertex, [&](const auto& s) { return s.distance(vertex); });
   }
   double distance(const SurfacePoint& point) const {
-    return std::visit([&](const auto& s) { return s.distance(point); }, solver_);
+    return at(vertex_near(point), [&](const auto& s) { return s.distance(point); });
   }
   double distance(const EdgePoint& point) const {
-    return std::visit([&](const auto& s) { return s.distance(point); }, solver_);
+    return at(vertex_near(point), [&](const auto& s) { return s.distance(point); });
   }
   Index nearest_source(Index vertex) const {
-    return std::visit([&](const auto& s) { return s.nearest_source(vertex); }, solver_);
+    return at(vertex, [&](const auto& s) { return given_number(s, s.nearest_source(vertex)); });
   }
   Index nearest_source(const EdgePoint& point) const {
-    return std::visit([&](const auto& s) { return s.nearest_source(point); }, solver_);
+    return at(vertex_near(point), [&](const auto& s) { return given_number(s, s.nearest_source(point)); });
   }
   SurfacePath path_to_source(const SurfacePoint& target) const {
-    return std::visit([&](const auto& s) { return s.path_to_source(target); }, solver_);
+    return at(vertex_near(target), [&](const auto& s) { return s.path_to_source(target); });
   }
   double settled_distance() const {
-    return std::visit([](const auto& s) { return s.settled_distance(); }, solver_);
+    return least([](const auto& s) { return s.settled_distance(); });
   }
   double barrier_distance() const {
-    return std::visit([](const auto& s) { return s.barrier_distance(); }, solver_);
+    return least([](const auto& s) { return s.barrier_distance(); });
   }
 
  private:
-  std::variant<ExactSolver, WeightedSolver> solver_;
+  bool has_both() const { return windows_ && points_; }
+  Index vertex_near(const SurfacePoint& point) const;
+  Index vertex_near(const EdgePoint& point) const { return mesh().edge_vertices(point.edge)[0]; }
+  /// Calls with the solver of the component of a vertex.
+  template <class Call>
+  std::invoke_result_t<const Call&, const ExactSolver&> at(Index vertex, const Call& call) const {
+    if (!points_) return call(*windows_);
+    const bool by_points = !windows_ || mesh().metric_jumps_in(mesh().component(vertex));
+    return by_points ? call(*points_) : call(*windows_);
+  }
+  template <class Call>
+  double least(const Call& call) const {
+    return std::min(windows_ ? call(*windows_) : unreachable, points_ ? call(*points_) : unreachable);
+  }
+  Index given_number(const ExactSolver&, Index source) const { return given_number(by_windows_, source); }
+  Index given_number(const WeightedSolver&, Index source) const { return given_number(by_points_, source); }
+  Index given_number(const std::vector<Index>& numbers, Index source) const {
+    return has_both() && source != no_index ? numbers[source] : source;
+  }
+
+  // At least one of them; both on a surface where the metric jumps in some components only.
+  std::optional<ExactSolver> windows_;
+  std::optional<WeightedSolver> points_;
+  // With both: which of the sources given to the last run each solver has.
+  std::vector<Index> by_windows_;
+  std::vector<Index> by_points_;
 };
 
 // ---- How long an exact field of a mesh takes, without waiting for all of it

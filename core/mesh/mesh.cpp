@@ -102,6 +102,7 @@ void Mesh::connect(const SideLengths& sides) {
   sort_fans();
   if (has_metric_) bound_straight_lines();
   find_components();
+  if (!face_sides_.empty()) find_jumps();
 }
 
 void Mesh::count_given_faces(const std::vector<std::array<Index, 3>>& given,
@@ -185,9 +186,9 @@ std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
          bytes(middle_of_) + bytes(split_faces_) + bytes(halfedge_edge_) + bytes(next_around_edge_) +
-         bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(edge_halfedge_) +
-         bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
-         bytes(component_);
+         bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(component_jumps_) +
+         bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) +
+         bytes(total_angle_) + bytes(component_);
 }
 
 // ---- The scale that is advised for meshes that are too large or too small to compute with
@@ -485,6 +486,9 @@ namespace {
 /// Lengths of one edge in two faces, and the sums in the triangle inequality, may differ by rounding.
 constexpr double length_rounding = 1e-9;
 
+/// Sides of an edge that are this close, relative to the shortest, are those of one length.
+constexpr double agreement_rounding = 1e-12;
+
 /// The bound of straight lines must hold after rounding.
 constexpr double straight_slack = 1.0 - 1e-6;
 
@@ -550,7 +554,8 @@ void Mesh::take_sides(const SideLengths& sides) {
                          "together.");
     }
   }
-  face_sides_.resize(metric_jumps() ? face_count() : 0);
+  const bool may_jump = points_per_edge_ > 0;
+  face_sides_.resize(may_jump ? face_count() : 0);
   for (std::size_t f = 0; f < face_sides_.size(); ++f)
     face_sides_[f] = sides[input_face(static_cast<Index>(f))];
   for (const Index e : checked(edge_count())) {
@@ -558,11 +563,28 @@ void Mesh::take_sides(const SideLengths& sides) {
     auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
     const Index first = edge_halfedge_[e];
     edge_length_[e] = length_at(first);
-    if (!metric_jumps()) require_agreement(e, sides);
-    for (Index h = next_around_edge_[first]; metric_jumps() && h != first; h = next_around_edge_[h]) {
+    if (!may_jump) require_agreement(e, sides);
+    for (Index h = next_around_edge_[first]; may_jump && h != first; h = next_around_edge_[h]) {
       edge_length_[e] = std::min(edge_length_[e], length_at(h));
     }
   }
+}
+
+/// Where the faces of all edges agree, a metric that may jump is one that does not: such components are
+/// solved exactly.
+void Mesh::find_jumps() {
+  component_jumps_.assign(component_count_, 0);
+  for (const Index h : checked(3 * face_count())) {
+    const double least = edge_length_[halfedge_edge_[h]];
+    if (side_length(h) > least * (1.0 + agreement_rounding)) component_jumps_[component_[tail(h)]] = 1;
+  }
+  agrees_somewhere_ = false;
+  for (Index f = 0; f < face_count() && !agrees_somewhere_; ++f) {
+    agrees_somewhere_ = component_jumps_[component_[face_vertices_[f][0]]] == 0;
+  }
+  if (std::ranges::find(component_jumps_, 1) != component_jumps_.end()) return;
+  component_jumps_.clear();
+  face_sides_.clear();
 }
 
 void Mesh::require_agreement(Index edge, const SideLengths& sides) const {

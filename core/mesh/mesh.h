@@ -69,8 +69,8 @@ struct Metric {
   /// Of the faces as given; none: lengths in space. In a face that is split, the longest has the length of
   /// the others together.
   SideLengths sides;
-  /// Above 0, the faces of an edge may disagree, so that paths refract: the metric jumps at edges. An edge is
-  /// as long as in the face where it is shortest.
+  /// Above 0, the faces of an edge may disagree, so that paths refract: where some do, the metric jumps at
+  /// edges. An edge is as long as in the face where it is shortest.
   Index points_per_edge = 0;
   FaceSplits splits;          ///< what to measure on instead of `sides`; empty if no face is split
   Index split_faces = 0;      ///< with a side longer than the two others together, and split for that
@@ -142,9 +142,13 @@ class Mesh {
   /// Whether edges have lengths other than those in space.
   bool has_metric() const { return has_metric_; }
   bool has_positions() const { return has_positions_; }
-  /// Whether the faces of an edge may disagree on its length.
-  bool metric_jumps() const { return points_per_edge_ > 0; }
-  /// Of a metric that jumps; 0 in any other.
+  /// Whether the faces of some edge disagree on its length.
+  bool metric_jumps() const { return !component_jumps_.empty(); }
+  /// Whether those of some edge of a component do: elsewhere, the surface is made of flat faces.
+  bool metric_jumps_in(Index component) const { return metric_jumps() && component_jumps_[component] != 0; }
+  /// Whether there is a component in which they agree, but for single vertices.
+  bool metric_agrees_somewhere() const { return agrees_somewhere_; }
+  /// Of a metric that may jump; 0 in any other.
   Index points_per_edge() const { return points_per_edge_; }
   /// The corners of a face: in space, or with a metric laid into the plane z = 0 by the lengths of its sides.
   std::array<Point, 3> face_corners(Index face) const {
@@ -155,8 +159,8 @@ class Mesh {
   std::array<double, 3> side_lengths(Index face) const;
   /// Length of an edge in the face of one of its half-edges.
   double side_length(Index halfedge) const {
-    return metric_jumps() ? face_sides_[halfedge / 3][(halfedge + 2) % 3]
-                          : edge_length_[halfedge_edge_[halfedge]];
+    return face_sides_.empty() ? edge_length_[halfedge_edge_[halfedge]]
+                               : face_sides_[halfedge / 3][(halfedge + 2) % 3];
   }
   /// A lower bound of the length of every path between two points in space: their distance, with a metric
   /// multiplied by `straight_scale()`.
@@ -241,6 +245,7 @@ class Mesh {
   double angle_around(Index vertex) const;
   std::array<Point, 3> corners_by_lengths(Index face) const;
   void find_components();
+  void find_jumps();
 
   std::vector<Point> positions_;
   std::vector<std::array<Index, 3>> face_vertices_;
@@ -258,7 +263,8 @@ class Mesh {
   std::vector<Index> next_around_edge_;
   std::vector<std::array<Index, 2>> edge_vertices_;
   std::vector<double> edge_length_;
-  SideLengths face_sides_;  ///< of a metric that jumps
+  SideLengths face_sides_;                     ///< of a metric that jumps
+  std::vector<std::uint8_t> component_jumps_;  ///< of a metric that jumps
   std::vector<Index> edge_halfedge_;
   std::vector<Index> corner_begin_;
   std::vector<Index> corners_;
@@ -274,6 +280,7 @@ class Mesh {
   Index points_per_edge_ = 0;
   bool has_zero_edges_ = false;
   bool has_metric_ = false;
+  bool agrees_somewhere_ = true;
   bool has_positions_ = true;
 };
 

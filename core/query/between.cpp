@@ -51,8 +51,10 @@ bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const P
   limits.face_allowed = bounds.mask;
   limits.least_remaining = bounds.rest;
   limits.landmarks = bounds.landmarks;
-  if (bounds.upper < unreachable || mesh.metric_jumps()) limits.corridor_point = &to;
-  if (!for_path || mesh.metric_jumps()) {
+  const bool jumps =
+      mesh.metric_jumps_in(mesh.component(to.is_vertex() ? to.vertex : mesh.face_vertices(to.face)[0]));
+  if (bounds.upper < unreachable || jumps) limits.corridor_point = &to;
+  if (!for_path || jumps) {
     // A path needs the windows that come after its end, except where bounds are too weak to end a run.
     limits.targets =
         to.is_vertex() ? std::span(&to.vertex, 1) : std::span<const Index>(mesh.face_vertices(to.face));

@@ -59,7 +59,28 @@ def test_the_points_on_edges_are_checked():
         vorogeo.FaceCost(np.ones(18), points=0)
     vertices, faces = plane_grid(4, 4)
     with pytest.raises(vorogeo.InvalidInput, match="this metric jumps at edges"):
-        vorogeo.distance_field(vertices, faces, 0, method="heat", metric=vorogeo.FaceCost(np.ones(18)))
+        vorogeo.distance_field(vertices, faces, 0, method="heat", metric=vorogeo.FaceCost(np.arange(1, 19)))
+
+
+def test_costs_that_agree_everywhere_do_not_jump():
+    vertices, faces = bent_grid(12, 9)
+    metric = vorogeo.FaceCost(np.full(len(faces), 3.0))
+    length = vorogeo.exact_distance_field(vertices, faces, 5)
+    np.testing.assert_allclose(vorogeo.exact_distance_field(vertices, faces, 5, metric=metric), 3 * length, rtol=1e-10)
+    graph = [vorogeo.distance_field(vertices, faces, 5, method="dijkstra", metric=each) for each in (None, metric)]
+    np.testing.assert_allclose(graph[1], 3 * graph[0], rtol=1e-10)
+    assert vorogeo.exact_path(vertices, faces, 5, 60, metric=metric).certified
+
+
+def test_one_tensor_is_the_stretched_mesh():
+    vertices, faces = bent_grid(12, 9)
+    stretch = np.diag([1.0, 2.0, 3.0])
+    metric = vorogeo.FaceTensor(np.broadcast_to(stretch @ stretch, (len(faces), 3, 3)))
+    np.testing.assert_allclose(
+        vorogeo.exact_distance_field(vertices, faces, 5, metric=metric),
+        vorogeo.exact_distance_field(vertices @ stretch, faces, 5),
+        rtol=1e-10,
+    )
 
 
 def test_points_in_faces_are_as_far_in_both_directions():

@@ -9,6 +9,7 @@
 #include <functional>
 #include <random>
 
+#include "exact/local_solver.h"
 #include "mesh/metric.h"
 #include "support/error.h"
 #include "support/layers.h"
@@ -121,6 +122,112 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
     EXPECT_GE(solver.distance(v), 0.999 * distance_between(soup.positions[5], soup.positions[v])) << v;
     EXPECT_LT(solver.distance(v), unreachable);
   }
+}
+
+// Where the faces of all edges agree, the surface is one of flat faces, whose distances are exact.
+
+/// A new one for each run, which its failures name.
+unsigned new_seed() { return std::random_device()(); }
+
+/// Symmetric and positive: the square of the map by which lengths are stretched.
+struct Stretch {
+  explicit Stretch(std::mt19937& random) {
+    std::uniform_real_distribution<double> entry(-1.0, 1.0);
+    for (double& each : map) each = entry(random);
+    for (int i = 0; i < 3; ++i) map[4 * i] += 2.0 + 4.0 * i;
+  }
+  Point operator()(const Point& p) const {
+    Point image{};
+    for (int i = 0; i < 9; ++i) image[i / 3] += map[i] * p[i % 3];
+    return image;
+  }
+  Tensor tensor() const {
+    Tensor square{};
+    for (int i = 0; i < 27; ++i) square[i % 9] += map[3 * (i / 9) + i % 9 / 3] * map[3 * (i / 9) + i % 3];
+    return square;
+  }
+  std::array<double, 9> map{};
+};
+
+std::vector<double> field_of(const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& from) {
+  LocalSolver solver(std::make_shared<const LocalGeometry>(mesh));
+  solver.run(from);
+  std::vector<double> field;
+  for (Index v = 0; v < mesh->vertex_count(); ++v) field.push_back(solver.distance(v));
+  return field;
+}
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& exact, double factor) {
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    EXPECT_NEAR(found[v], factor * exact[v], 1e-10 * factor * exact[v]) << v;
+  }
+}
+
+TEST(AgreeingFaces, OneTensorIsTheStretchedMesh) {
+  const unsigned seed = new_seed();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const Stretch stretch(random);
+  const test::Soup soup = test::random_sphere(400, seed);
+  test::Soup stretched = soup;
+  for (Point& p : stretched.positions) p = stretch(p);
+  const std::vector<Tensor> tensors(soup.faces.size(), stretch.tensor());
+  const auto mesh = std::make_shared<const Mesh>(
+      soup.positions, soup.faces,
+      Metric{sides_by_face_tensor(soup.positions, soup.faces, tensors), usual_edge_points});
+  EXPECT_FALSE(mesh->metric_jumps());
+  const SurfacePoint inside{.face = 5, .barycentric = {0.2, 0.3, 0.5}};
+  for (const SurfacePoint& from : {SurfacePoint::at_vertex(7), inside}) {
+    expect_near(field_of(mesh, {{from}}), field_of(test::make_mesh(stretched), {{from}}), 1.0);
+  }
+}
+
+TEST(AgreeingFaces, CostsThatDifferInAComponentDoNotChangeTheOthers) {
+  const unsigned seed = new_seed();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> cost_of(1.0, 5.0);
+  const test::Soup even = test::random_sphere(200, seed);
+  const test::Soup mosaic = test::random_sphere(100, seed + 1);
+  const auto first = static_cast<Index>(even.positions.size());
+  test::Soup both = even;
+  both.positions.insert(both.positions.end(), mosaic.positions.begin(), mosaic.positions.end());
+  for (const auto& [a, b, c] : mosaic.faces) both.faces.push_back({a + first, b + first, c + first});
+  std::vector<double> costs(even.faces.size(), 3.0);
+  while (costs.size() < both.faces.size()) costs.push_back(cost_of(random));
+  const auto mesh = test::with_costs(both, costs);
+  ASSERT_EQ(mesh->component_count(), 2);
+  EXPECT_TRUE(mesh->metric_jumps());
+  EXPECT_FALSE(mesh->metric_jumps_in(0));
+  EXPECT_TRUE(mesh->metric_jumps_in(1));
+
+  const auto at = [](Index v, double offset = 0.0) {
+    return ExactSource{SurfacePoint::at_vertex(v), offset};
+  };
+  auto exact = field_of(test::make_mesh(even), {at(3)});
+  for (double& length : exact) length = 3.0 * length + 0.5;
+  const std::vector<double> jumping(costs.begin() + static_cast<std::ptrdiff_t>(even.faces.size()),
+                                    costs.end());
+  WeightedSolver alone = test::solver_of(test::with_costs(mosaic, jumping));
+  alone.run_from_vertices(std::array<Index, 1>{4});
+
+  LocalSolver solver(std::make_shared<const LocalGeometry>(mesh));
+  const std::array<Index, 2> targets{first - 1, static_cast<Index>(mesh->vertex_count() - 1)};
+  for (const std::span<const Index> wanted : {std::span<const Index>(), std::span<const Index>(targets)}) {
+    solver.run(std::array{at(first + 4), at(3, 0.5)}, {.targets = wanted});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (!wanted.empty() && std::ranges::find(wanted, v) == wanted.end()) continue;
+      const double length = v < first ? exact[v] : alone.distance(v - first);
+      EXPECT_NEAR(solver.distance(v), length, 1e-10 * length);
+      EXPECT_EQ(solver.nearest_source(v), v < first ? 1 : 0);
+      EXPECT_NEAR(solver.path_to_source(SurfacePoint::at_vertex(v)).length + (v < first ? 0.5 : 0.0), length,
+                  1e-2 * length);
+    }
+  }
+  solver.run(std::array{at(3)}, {.targets = std::span(targets).first(1)});
+  EXPECT_NEAR(solver.distance(first - 1), exact[first - 1] - 0.5, 1e-10 * exact[first - 1]);
+  EXPECT_EQ(solver.distance(targets[1]), unreachable);
+  EXPECT_EQ(solver.nearest_source(targets[1]), no_index);
 }
 
 // What limits leave out changes nothing of what is asked for.
