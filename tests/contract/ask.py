@@ -53,8 +53,10 @@ def is_exact(by: str) -> bool:
 
 
 def jumps(shape: Shape) -> bool:
-    """Whether the metric of a surface jumps at edges."""
-    return isinstance(shape.metric, (vorogeo.FaceCost, vorogeo.FaceTensor))
+    """Whether the metric of a surface jumps at edges: the values of its faces differ."""
+    metric = shape.metric
+    values = {vorogeo.FaceCost: "cost", vorogeo.FaceTensor: "tensors"}.get(type(metric))
+    return values is not None and np.ptp(getattr(metric, values), axis=0).max() > 0
 
 
 def can_answer(by: str, shape: Shape) -> bool:

@@ -35,7 +35,6 @@ TEST(PathContract, PathsJoinThePointsOverSharedFacesAndTheirStepsSumToTheLength)
 
 TEST(PathContract, ExactPathsAreShortestAndCertifiedWithAndWithoutAnIndex) {
   for (const Case& one : cases()) {
-    if (one.jumps) continue;
     const auto points = one.points();
     for (const By by : {By::exact, By::index}) {
       SCOPED_TRACE(one.name + ", " + to_string(by));

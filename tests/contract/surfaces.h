@@ -207,7 +207,6 @@ struct Case {
   std::string name;
   const KnownSurface* surface;
   double scale;
-  bool jumps;  ///< whether the metric may jump at edges: then, no answer is quite exact
   Ask ask;
 
   double distance(const SurfacePoint& a, const SurfacePoint& b) const {
@@ -215,23 +214,16 @@ struct Case {
   }
   std::vector<SurfacePoint> points() const { return test::spread_points(surface->soup); }
   /// Whether this answers in the metric, and its error is bounded.
-  bool answers(By by) const {
-    if (by == By::quick) return !jumps && !surface->has_needles;
-    return by == By::exact || !jumps || !surface->has_needles;
-  }
+  bool answers(By by) const { return by != By::quick || !surface->has_needles; }
   /// Of the distance of two points, relative to it. Where these are not vertices, an index goes by the
   /// corners of their faces, which are large here.
   double tolerance(By by, const SurfacePoint& a, const SurfacePoint& b) const {
     return by == By::index && !(a.is_vertex() && b.is_vertex()) ? 0.06 : tolerance(by);
   }
   /// The same of a vertex in a field.
-  double tolerance(By by) const {
-    return by == By::quick ? 0.15 : by == By::index ? 0.03 : jumps ? 4e-3 : 1e-11;
-  }
+  double tolerance(By by) const { return by == By::quick ? 0.15 : by == By::index ? 0.03 : 1e-11; }
   /// Of the mean error of many.
-  double mean_tolerance(By by) const {
-    return by == By::quick ? 0.02 : by == By::index ? 2e-3 : jumps ? 5e-4 : 1e-11;
-  }
+  double mean_tolerance(By by) const { return by == By::quick ? 0.02 : by == By::index ? 2e-3 : 1e-11; }
 };
 
 /// Every known surface in every metric that multiplies all lengths; the index has several patches.
@@ -244,20 +236,19 @@ inline const std::vector<Case>& cases() {
     for (const KnownSurface& surface : known_surfaces()) {
       const test::Soup& soup = surface.soup;
       const Tensor tensor{square, 0, 0, 0, square, 0, 0, 0, square};
-      auto add = [&](const std::string& metric, double factor, bool jumps, Metric values) {
-        result.push_back({surface.name + " by " + metric, &surface, factor, jumps,
+      auto add = [&](const std::string& metric, double factor, Metric values) {
+        result.push_back({surface.name + " by " + metric, &surface, factor,
                           Ask({soup, std::move(values)}, several_patches)});
       };
-      add("length", 1.0, false, {});
-      add("edge lengths", scale, false, EdgeLengths{sides_of(soup, scale)});
-      add("cost of vertices", scale, false, VertexCost{std::vector<double>(soup.positions.size(), scale)});
-      add("tensors of vertices", scale, false,
-          VertexTensor{std::vector<Tensor>(soup.positions.size(), tensor)});
-      // In these two the same happens, at some cost in time: one for each surface.
+      add("length", 1.0, {});
+      add("edge lengths", scale, EdgeLengths{sides_of(soup, scale)});
+      add("cost of vertices", scale, VertexCost{std::vector<double>(soup.positions.size(), scale)});
+      add("tensors of vertices", scale, VertexTensor{std::vector<Tensor>(soup.positions.size(), tensor)});
+      // In these two the same happens: one for each surface.
       if (result.size() % 2 == 0) {
-        add("cost of faces", scale, true, FaceCost{std::vector<double>(soup.faces.size(), scale)});
+        add("cost of faces", scale, FaceCost{std::vector<double>(soup.faces.size(), scale)});
       } else {
-        add("tensors of faces", scale, true, FaceTensor{std::vector<Tensor>(soup.faces.size(), tensor)});
+        add("tensors of faces", scale, FaceTensor{std::vector<Tensor>(soup.faces.size(), tensor)});
       }
     }
     return result;
