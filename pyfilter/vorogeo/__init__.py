@@ -49,6 +49,7 @@ from .results import GeodesicPath as GeodesicPath
 from .results import IndexEstimate as IndexEstimate
 from .results import IndexStatistics as IndexStatistics
 from .results import Isolines as Isolines
+from .results import MeshArrays as MeshArrays
 from .results import Polylines as Polylines
 from .results import RelaxedPoints as RelaxedPoints
 from .results import SparseDistances as SparseDistances

@@ -38,10 +38,18 @@ def _triples(name: str, array: NDArray[Any], wanted: str) -> None:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
 
 
-def integers(name: str, array: NDArray[Any], wanted: str) -> None:
-    """Refuse an array of another type."""
+def integers(name: str, array: NDArray[Any], wanted: str) -> NDArray[Any]:
+    """An array of integers, also from whole numbers that are stored as reals, as matrices in files have them."""
+    if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
+        return np.clip(array.astype(np.float64), -(2.0**62), 2.0**62).astype(np.int64)
     if array.dtype.kind not in "iu":
         raise InvalidInput(f"{name}: has type {array.dtype}, not integer; give {wanted}.")
+    return array
+
+
+def column(array: NDArray[Any]) -> NDArray[Any]:
+    """An array of shape (k,) also where it is a column, as matrices in files have it."""
+    return array[:, 0] if array.ndim == 2 and array.shape[1] == 1 else array
 
 
 def vertices(value: ArrayLike, finite: bool = True) -> NDArray[np.float64]:
@@ -98,10 +106,9 @@ def _face_array(value: ArrayLike) -> NDArray[Any]:
     wanted = "the vertex ids of the triangles as integers of shape (m, 3)"
     array = numbers("faces", value, wanted)
     _triples("faces", array, wanted)
-    integers("faces", array, wanted)
     if len(array) > _INT32.max // 3:
         raise InvalidInput(f"faces: has {len(array)} rows; at most {_INT32.max // 3} are possible.")
-    return array
+    return integers("faces", array, wanted)
 
 
 def _vertex_range(vertex_count: int) -> str:
@@ -113,16 +120,12 @@ def _vertex_range(vertex_count: int) -> str:
 def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
     """Any number of vertex ids, possibly none, as contiguous int32 of shape (k,), each in [0, vertex_count)."""
     wanted = "a vertex id or a one-dimensional array of vertex ids (integers)"
-    array = numbers(name, value, wanted)
-    if array.ndim == 2 and array.shape[1] == 1:
-        array = array[:, 0]  # a column, as matrices in files have it
+    array = column(numbers(name, value, wanted))
     if array.ndim > 1:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
-    if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
-        array = np.clip(array, -(2.0**62), 2.0**62).astype(np.int64)
-    integers(name, array, wanted)
+    array = integers(name, array, wanted)
     bad = (array < 0) | (array >= vertex_count)
     if bad.any():
         place = "" if array.ndim == 0 else f"[{int(np.flatnonzero(bad)[0])}]"

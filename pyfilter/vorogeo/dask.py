@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from .errors import InvalidInput
-from .mesh_files import Mesh, read_mesh
+from .mesh_files import read_mesh
 from .mesh_input import MeshInput
 from .metrics import Metric
 from .surface import GeodesicIndex
@@ -48,7 +48,7 @@ def _opened(files: IndexFiles) -> GeodesicIndex:
 def write_files(
     index: GeodesicIndex | str | os.PathLike[str],
     folder: str,
-    mesh: Mesh | str | os.PathLike[str] | None = None,
+    mesh: tuple[ArrayLike, ArrayLike] | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
     metric: Metric | None = None,
     gap: float = 0.0,
@@ -89,7 +89,7 @@ def matrix(
     index: GeodesicIndex | str | os.PathLike[str],
     dtype: DTypeLike = np.float64,
     points: ArrayLike | None = None,
-    mesh: Mesh | str | os.PathLike[str] | None = None,
+    mesh: tuple[ArrayLike, ArrayLike] | str | os.PathLike[str] | None = None,
     mask: ArrayLike | None = None,
     metric: Metric | None = None,
     method: str | None = None,

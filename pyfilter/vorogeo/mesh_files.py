@@ -16,14 +16,13 @@ from numpy.typing import NDArray
 
 from . import _arguments as check
 from .errors import FileError, InvalidInput
-
-Mesh = tuple[NDArray[np.float64], NDArray[np.int32]]
+from .results import MeshArrays
 
 _FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
 _POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
 
 
-def read_mesh(file: str | os.PathLike[str]) -> Mesh:
+def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
     """Read a mesh; vertices keep the order of the file, and polygons become fans of triangles.
 
     Parameters
@@ -34,8 +33,8 @@ def read_mesh(file: str | os.PathLike[str]) -> Mesh:
 
     Returns
     -------
-    vertices : ndarray of float64, shape (n, 3)
-    faces : ndarray of int32, shape (m, 3)
+    MeshArrays
+        `vertices` and `faces`, as a tuple of these two.
 
     Raises
     ------
@@ -62,7 +61,7 @@ def read_mesh(file: str | os.PathLike[str]) -> Mesh:
         if not len(faces):
             raise InvalidInput(f"{path}: holds no triangle; give a surface.")
         points = check.vertices(vertices)
-        return points, check.faces(faces, len(points))
+        return MeshArrays(points, check.faces(faces, len(points)))
     raise FileError(f"{path}: cannot be read as a mesh ({'; '.join(reasons)}).")
 
 

@@ -48,7 +48,7 @@ class SurfacePoints:
 
     def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
         """The positions of the points in space, float64 of shape (k, 3), from the arrays of the mesh of the surface."""
-        corners = np.asarray(vertices, dtype=np.float64)[np.asarray(faces)[np.atleast_1d(self.faces)]]
+        corners = np.asarray(vertices, dtype=np.float64)[np.asarray(faces)[_face_ids("faces", self.faces)]]
         found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
         return found
 
@@ -57,7 +57,7 @@ class SurfacePoints:
 
         For example "203 0.2 0.3 0.5; 17 1.0 0.0 0.0": faces and weights, without loss of precision.
         """
-        rows = zip(np.atleast_1d(self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
+        rows = zip(_face_ids("faces", self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
         return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)
 
 
@@ -81,7 +81,7 @@ class EdgeCurve:
     def edges(self, vertex_count: int, name: str) -> NDArray[np.int32]:
         """The ends of the edges, as int32 of shape (q, 2)."""
         wanted = "vertex ids of shape (k,) along edges, or the ends of edges of shape (k, 2)"
-        given = np.asarray(self.vertices)
+        given = check.column(np.asarray(self.vertices))
         ids = check.vertex_ids(f"{name}.vertices", given.ravel() if given.ndim == 2 else given, vertex_count)
         if given.ndim == 1 and ids.size >= 2:
             return np.ascontiguousarray(np.column_stack([ids[:-1], ids[1:]]))
@@ -105,10 +105,10 @@ def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
 def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
     """Rows of faces as contiguous int32 of shape (k,), none negative; the core checks the upper limit."""
     wanted = "rows of the faces (integers)"
-    array = np.atleast_1d(check.numbers(name, value, wanted))
+    array = check.column(np.atleast_1d(check.numbers(name, value, wanted)))
     if array.size == 0:
         return np.empty(0, dtype=np.int32)
-    check.integers(name, array, wanted)
+    array = check.integers(name, array, wanted)
     bad = (array < 0) | (array > np.iinfo(np.int32).max)
     if array.ndim != 1 or bad.any():
         found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"

@@ -177,6 +177,14 @@ class Answered(NamedTuple):
 
 
 @documented
+class MeshArrays(NamedTuple):
+    """A mesh read from a file: ``Surface(*mesh)``, or ``vertices, faces = mesh``."""
+
+    vertices: Annotated[NDArray[np.float64], "Shape (n, 3). Positions, in the order of the file."]
+    faces: Annotated[NDArray[np.int32], "Shape (m, 3). Vertex ids of the triangles."]
+
+
+@documented
 class SparseDistances(NamedTuple):
     """A sparse matrix in compressed rows: row i holds the entries indptr[i] to indptr[i + 1]."""
 

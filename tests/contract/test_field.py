@@ -118,6 +118,7 @@ def test_arrays_of_any_type_and_layout_are_neither_changed_nor_kept(by: str) -> 
         (np.hstack([vertices, vertices])[:, 3:], np.repeat(base.faces, 2, axis=0)[::2]),
         (vertices.astype(">f8"), base.faces.astype(">u8")),
         (vertices.astype(np.longdouble), base.faces.astype(np.int16)),
+        (vertices, base.faces.astype(float)),
     ):
         shape, before = replace(base, vertices=points, faces=corners), (np.array(points), np.array(corners))
         np.testing.assert_array_equal(ask.field(by, shape, 7), expected)

@@ -13,10 +13,12 @@ VERTICES, FACES = bent_grid(9, 7)
 
 def test_off_keeps_every_bit(tmp_path):
     write_off(tmp_path / "m.off", VERTICES, FACES)
-    vertices, faces = vorogeo.read_mesh(tmp_path / "m.off")
+    mesh = vertices, faces = vorogeo.read_mesh(tmp_path / "m.off")
     np.testing.assert_array_equal(vertices, VERTICES)
     np.testing.assert_array_equal(faces, FACES)
     assert (vertices.dtype, faces.dtype) == (np.float64, np.int32)
+    assert mesh.vertices is vertices
+    assert mesh.faces is faces
 
 
 @pytest.mark.parametrize("ending", ["ply", "obj", "vtk", "stl"])

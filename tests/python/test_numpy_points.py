@@ -18,7 +18,7 @@ def test_a_curve_is_its_edges_in_any_order_and_has_one_offset(plane):
     line = np.arange(31 * 10, 31 * 11)  # the row y = 1
     edges = np.column_stack([line[:-1], line[1:]])[::-1]
     above = np.abs(PLANE[0][:, 1] - 1)
-    for vertices in (line, edges):
+    for vertices in (line, edges, edges.astype(float), line[:, None]):
         field = plane.distance_field(vorogeo.EdgeCurve(vertices, spacing=0.02), offsets=[0.5], method="exact")
         np.testing.assert_allclose(field, above + 0.5, atol=1e-2)
 
@@ -45,6 +45,14 @@ def test_weights_that_are_wrong_are_named(plane):
         points = vorogeo.SurfacePoints(np.array([4, 7]), np.array([[1 / 3, 1 / 3, 1 / 3], weights]))
         with pytest.raises(vorogeo.InvalidInput, match=rf"1 is not on the mesh.*face 7.*{wrong}.*give weights"):
             plane.distance_field(points)
+
+
+def test_faces_may_be_a_column_of_whole_numbers_stored_as_reals(plane):
+    weights = np.full((2, 3), 1 / 3)
+    points, same = (vorogeo.SurfacePoints(faces, weights) for faces in (np.array([3, 4]), np.array([[3.0], [4.0]])))
+    np.testing.assert_array_equal(plane.fields(same), plane.fields(points))
+    np.testing.assert_array_equal(same.positions(*PLANE), points.positions(*PLANE))
+    assert same.to_text() == points.to_text()
 
 
 @pytest.mark.parametrize("bad", [[0, np.inf, 0], [0, 0, -1.7e308]])

@@ -24,7 +24,7 @@ results
   quality, or lines), .gii (a value for each vertex). Files appear whole or not at all.
 
 metrics
-  --metric, --slope-penalty or --curvature-weight: distances, radii and areas are then costs, as docs/metrics.md says.
+  With --metric, --slope-penalty or --curvature-weight, distances, radii and areas are in the unit of that cost.
 
 exit status
   0: all is done; 1: a mesh or a file could not be used; 2: the command line is wrong; 130: interrupted.
