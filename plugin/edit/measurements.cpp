@@ -19,6 +19,8 @@ std::string number_with(int digits, double value) {
   return text.str();
 }
 
+constexpr const char* no_path = "no path";
+constexpr int digits_of_label = 4;
 constexpr int digits_shown = 7;
 constexpr int digits_of_ratio = 5;
 constexpr int all_digits = std::numeric_limits<double>::max_digits10;
@@ -67,9 +69,16 @@ void Measurements::tell() const {
 
 std::vector<std::string> Measurements::columns() { return {"No.", "Length", "Straight", "Ratio", "Method"}; }
 
+std::string Measurements::label(double length) {
+  if (!std::isfinite(length)) return no_path;
+  int digits = digits_of_label;
+  for (double limit = 1e4; length >= limit - 0.5 && digits < digits_shown; limit *= 10.0) ++digits;
+  return number_with(digits, length);
+}
+
 std::vector<std::string> Measurements::row(const Measurement& m) {
   const bool has_path = std::isfinite(m.length);
-  return {std::to_string(m.number), has_path ? number_with(digits_shown, m.length) : "no path",
+  return {std::to_string(m.number), has_path ? number_with(digits_shown, m.length) : no_path,
           number_with(digits_shown, m.straight()), has_path ? number_with(digits_of_ratio, ratio_of(m)) : "",
           m.method + (m.is_of_another_mesh ? ", before an edit" : "")};
 }

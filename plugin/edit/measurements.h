@@ -26,8 +26,8 @@ struct Measurement {
   double straight() const { return distance_between(from, to); }
 };
 
-/// The measurements of a document, which all its views show, and their text. Lengths have seven digits, as in
-/// the log; files have all digits. Numbers are written with a point in every language. All functions are
+/// The measurements of a document, which all its views show, and their text. Rows have seven digits, as the
+/// log has; files have all digits. Numbers are written with a point in every language. All functions are
 /// called from one thread.
 class Measurements {
  public:
@@ -44,6 +44,8 @@ class Measurements {
 
   static std::vector<std::string> columns();
   static std::vector<std::string> row(const Measurement& measurement);
+  /// A length as it stands beside a path: four digits, and those of its whole part.
+  static std::string label(double length);
   /// With tabs, a line for each row, the first with the columns: what spreadsheets take from the clipboard.
   std::string table() const;
   /// With commas, all digits and the positions of both ends.

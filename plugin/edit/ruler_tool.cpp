@@ -294,12 +294,11 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
   };
   for (const Measurement& measurement : measurements_->all()) {
     if (measurement.layer != layer_) continue;
-    const auto cells = Measurements::row(measurement);
-    add(measurement.to, QString("%1: %2").arg(measurement.number).arg(QString::fromStdString(cells[1])));
+    const auto text = QString::fromStdString(Measurements::label(measurement.length));
+    add(measurement.to, QString("%1: %2").arg(measurement.number).arg(text));
   }
   if (live_ && !live_->is_field) {
-    const bool has_path = !live_->lines.lines.points.empty();
-    add(live_->to, has_path ? QString("%1").arg(live_->length, 0, 'g', 7) : "no path");
+    add(live_->to, QString::fromStdString(Measurements::label(live_->length)));
   }
   return found;
 }

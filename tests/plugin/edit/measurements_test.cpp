@@ -101,6 +101,13 @@ TEST(Measurements, RowsHaveLengthStraightDistanceAndTheirRatio) {
       "No.\tLength\tStraight\tRatio\tMethod\n1\t3\t2.236068\t1.3416\texact\n2\tno path\t2.236068\t\texact\n");
 }
 
+TEST(Measurements, LabelsHaveFourDigitsAndThoseOfTheWholePart) {
+  const std::vector<double> lengths = {0.0, 0.12345678, 1.0 / 3e6, 9999.4, 9999.7, 123456.78, unreachable};
+  Cells labels;
+  for (double length : lengths) labels.push_back(Measurements::label(length));
+  EXPECT_EQ(labels, (Cells{"0", "0.1235", "3.333e-07", "9999", "9999.7", "123457", "no path"}));
+}
+
 TEST(Measurements, CsvHasAllDigitsAndTheEnds) {
   Measurements list;
   list.add(over_a_corner(7), mesh);
