@@ -162,20 +162,36 @@ def test_the_pages_name_every_filter() -> None:
     none({name: "is not in docs/filters.md" for name in names.values() if f"`{name}`" not in page})
 
 
-def test_the_table_of_constants_names_what_the_sources_have() -> None:
+def test_the_table_of_constants_has_the_names_and_values_of_the_sources() -> None:
     table = (tree.PROJECT / "docs" / "constants.md").read_text()
-    rows = [[cell.strip() for cell in line.split("|")[1:3]] for line in table.splitlines() if line.startswith("| `")]
-    assert len(rows) > 50
-    found = {}
-    for names, places in rows:
+    rows = [[cell.strip() for cell in line.split("|")[1:4]] for line in table.splitlines() if line.startswith("| `")]
+    found, checked = {}, 0
+    for names, places, values in rows:
         files: list[Path] = []
         for place in places.split(", "):  # a second file may lie in the module of the first
             candidates = [Path(place), Path("core", place), *(file.parent / place for file in files[:1])]
             files += [file for file in candidates if (tree.PROJECT / file).is_file()][:1]
+        numbers = {value_of(text.replace(",", "")) for text in values.split(", ")}
         for name in re.findall(r"`([^`]+)`", names):
-            if not any(re.search(rf"\b{name}\b", tree.text(file)) for file in files):
+            uses = [use for file in files for use in re.findall(rf"\b{name}\b(?: = |\{{)?([^;,}}]*)", tree.text(file))]
+            defined = next((value for use in uses if (value := value_of(use)) is not None), None)
+            checked += defined is not None
+            if not uses:
                 found[name] = f"is not in {places}"
+            elif defined is not None and defined not in numbers:
+                found[name] = f"is {defined:g} in {places}, not {values}"
     none(found)
+    assert checked > 150  # the others are functions
+
+
+def value_of(text: str) -> float | None:
+    """The number that a text begins with: a literal, or one of two literals, as in 1/32."""
+    number = r"(-?\d[\d.]*(?:e-?\d+)?)f?"
+    found = re.match(rf"{number}(?: ?(/|-|<<) ?{number})?", text)
+    if found is None:
+        return None
+    first, operator, second = float(found[1]), found[2], float(found[3] or 1)
+    return {None: first, "/": first / second, "-": first - second, "<<": first * 2**second}[operator]
 
 
 def test_the_list_of_calls_names_functions_of_the_sources() -> None:
