@@ -139,7 +139,7 @@ class FollowerSweep {
     return {stretch_.data() + begin_[rank], stretch_.data() + begin_[rank + 1]};
   }
   void find_stretches(const BoundaryDijkstra& leader, double slack);
-  /// Whether a node that changed in this round or the last is among those of a stretch.
+  /// Whether a node of a stretch changed in this round or the last.
   bool is_moved(const Stretch& stretch) const;
   void reset(Sums& sums) const;
   /// Takes part of a stretch into account.
@@ -202,7 +202,7 @@ class BatchDijkstra {
 
   BoundaryDijkstra search_;
   FollowerSweep sweep_;
-  Index lane_ = no_index;  ///< of the distances to be read; no_index: those of search_
+  Index lane_ = no_index;  ///< of sweep_, whose distances are read; no_index: search_ has them
 };
 
 /// First-layer nodes whose searches make a batch; a multiple of TransitTable::group_size, as both kinds

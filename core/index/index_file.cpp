@@ -399,7 +399,7 @@ struct BuildFile::Head {
   std::uint64_t size = 0;    ///< of the file
 };
 
-/// Places in the file: those of the index, and behind it those of the records.
+/// Where the arrays of the index lie in the file, and behind the index the records.
 struct BuildFile::Layout {
   std::uint64_t second = 0, first = 0, transit = 0;  ///< tables
   std::uint64_t arcs = 0;

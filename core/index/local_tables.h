@@ -46,7 +46,7 @@ class TableRoom {
   const PartRecord& part(std::size_t i) const { return parts_[i]; }
   /// What the checksum of a part covers.
   using Contents = std::span<const std::span<const std::byte>>;
-  /// Whether an earlier build filled a part and its contents are still those of then; otherwise it is marked
+  /// Whether an earlier build filled a part and its contents have not changed since; otherwise it is marked
   /// as not filled.
   bool holds(std::size_t part, Contents contents) const;
   /// Marks a part as filled, after its contents are written. They are read only in a file.

@@ -166,7 +166,7 @@ TableScale scale_of(float widest, bool is_graded) {
                    : TableScale::even(widest, TransitTable::greatest_entry);
 }
 
-/// The scale of all rows, from those of the groups: graded, too, if a group reaches a small part of the
+/// One scale for the rows of all groups: graded, too, if a group reaches a small part of the
 /// widest distance only, as in a component much smaller than others.
 TableScale common_scale(std::span<const TableScale> of_groups) {
   float widest = 0.0f;

@@ -144,9 +144,9 @@ class Mesh {
   bool has_positions() const { return has_positions_; }
   /// Whether the faces of some edge disagree on its length.
   bool metric_jumps() const { return !component_jumps_.empty(); }
-  /// Whether those of some edge of a component do: elsewhere, the surface is made of flat faces.
+  /// Whether faces of a component disagree on an edge; if not, its surface is made of flat faces.
   bool metric_jumps_in(Index component) const { return metric_jumps() && component_jumps_[component] != 0; }
-  /// Whether there is a component in which they agree, but for single vertices.
+  /// Whether there is a component with faces, all of which agree on their edges.
   bool metric_agrees_somewhere() const { return agrees_somewhere_; }
   /// Of a metric that may jump; 0 in any other.
   Index points_per_edge() const { return points_per_edge_; }

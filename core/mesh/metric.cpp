@@ -79,7 +79,7 @@ class Splitter {
     }
   }
 
-  /// Splits some faces, and their parts and those of their neighbours as long as they need it.
+  /// Splits some faces, and then the parts of them and of their neighbours that need it.
   void split_all(const std::vector<Index>& broken) {
     const std::size_t given = parts_.size();
     for (const Index f : broken) split(f);
@@ -461,7 +461,7 @@ std::vector<Tensor> bend_tensors(std::span<const Point> positions,
   return sum;
 }
 
-/// Each matrix with those of its neighbours: a single ring of edges has too few directions.
+/// The sum of each matrix and the matrices of its neighbours: a single ring of edges has too few directions.
 std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
                                     std::span<const std::array<Index, 3>> faces) {
   std::vector<Tensor> sum(of);
@@ -532,14 +532,14 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
   return tensors;
 }
 
-// ---- The stretch of faces whose sides disagree with those of their neighbours
+// ---- The stretch of faces that disagree with a neighbour on an edge
 
 namespace {
 
 /// Sides of one edge that are this many times apart turn paths.
 constexpr double side_jump = 1.5;
 
-/// Of the edges between two faces. If fewer jump, errors are those of few crossings.
+/// Of the edges between two faces. If fewer jump, few crossings have errors.
 constexpr double jumping_share = 0.1;
 
 /// For a mean error of about half a percent.

@@ -187,7 +187,7 @@ class BorderField {
   /// Finds the distances of the second-layer nodes in a first-layer patch, after reset().
   void fill(Index first_layer_patch, FieldSweep& sweep);
 
-  /// After fill(): those of the second layer.
+  /// The distances of the second-layer nodes, after fill().
   BorderDistances border() const { return {distance_, predecessor_}; }
 
  private:

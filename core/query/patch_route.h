@@ -8,10 +8,10 @@
 
 namespace vorogeo {
 
-/// Searches the second-layer tables of an index. A step scans a whole patch: from
-/// those of its border nodes that were relaxed since its last scan, the least sums to all others, 32 at a
-/// time. The straight line to the target in space is the lower bound (A*): it excludes nodes and selects the
-/// patch to scan next. One object belongs to one thread; a search resets it in O(1).
+/// Searches the second-layer tables of an index. A step scans a whole patch: from its border nodes that were
+/// relaxed since its last scan, the least sums to all others, 32 at a time. The straight line to the target
+/// in space is the lower bound (A*): it excludes nodes and selects the patch to scan next. One object belongs
+/// to one thread; a search resets it in O(1).
 class PatchRouter {
  public:
   explicit PatchRouter(const IndexData& data);

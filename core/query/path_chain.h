@@ -50,8 +50,8 @@ struct IndexedEnd : PathEnd {
   Index place = no_index;          ///< the point itself or the nearest corner of the piece
   double to_place = 0.0;           ///< distance of the point from that
 
-  /// What `of_place` gives for the point itself, or the distance that follows from those of the piece's
-  /// corners.
+  /// What `of_place` gives for the point itself, or the distance that follows from what it gives for the
+  /// corners of the piece.
   template <class OfPlace>
   double distance(OfPlace&& of_place) const {
     if (!piece) return of_place(place);

@@ -41,8 +41,8 @@ class RentOrBuy {
   /// For a mesh of so many vertices.
   explicit RentOrBuy(Index vertices) : least_price_(least_seconds_per_vertex * vertices) {}
 
-  /// An exact answer took so many seconds, of the same clock as the price. With several threads, those of the
-  /// calling one, which does its share, and what it waited for the others.
+  /// An exact answer took so many seconds, of the same clock as the price. With several threads, the seconds
+  /// of the calling thread, which does its share, and what it waited for the others.
   void pay(double seconds) {
     rent_ += std::max(0.0, seconds);
     ++answers_;

@@ -60,8 +60,8 @@ struct ContestedFace {
 };
 
 /// Where the metric jumps, paths into a dear face come from many of its sides, and distances inside do not
-/// follow from those of its corners. So the contested faces are divided, and the distances of the corners of
-/// their parts are asked for.
+/// follow from the distances of its corners. So the contested faces are divided, and the distances of the
+/// corners of their parts are asked for.
 class DividedFaces {
  public:
   /// Parts of each side of a face.

@@ -69,7 +69,7 @@ class NpyFile {
   OutputFile out_;
 };
 
-// ---- Filters: distances between all points given, and those of pairs within a radius
+// ---- Filters: distances between all points given, and of pairs within a radius
 
 RichParameterList matrix_parameters(const MeshDocument& document) {
   return list_of(task_point_parameters(document, "points whose distances are wanted"),

@@ -29,7 +29,7 @@ std::span<Entry> entries_of(const OutArray<Entry>& out) {
   return {out.data(), out.shape(0) * out.shape(1)};
 }
 
-/// Without `columns`, those of the rows.
+/// Without `columns`, the points of the rows are the columns.
 template <class Entry>
 std::tuple<> fill_matrix(const TaskOptions& options, const HeldSurface& held, const PointArrays& rows,
                          const OptionalPoints& columns, int entries, const OutArray<Entry>& out) {
