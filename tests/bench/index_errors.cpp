@@ -37,33 +37,6 @@ vorogeo::test::Soup soup_of(const std::string& name) {
   return read_ply(name);
 }
 
-/// Relative errors in percent.
-class Errors {
- public:
-  void add(double found, double exact) {
-    if (exact > 0.0 && exact < vorogeo::unreachable) errors_.push_back(100.0 * (found / exact - 1.0));
-  }
-  double mean() const {
-    double total = 0.0;
-    for (double error : errors_) total += std::abs(error);
-    return errors_.empty() ? 0.0 : total / static_cast<double>(errors_.size());
-  }
-  double over() const { return errors_.empty() ? 0.0 : std::max(0.0, std::ranges::max(errors_)); }
-  double under() const { return errors_.empty() ? 0.0 : std::max(0.0, -std::ranges::min(errors_)); }
-  /// Exceeded by one in a hundred.
-  double p99() const {
-    std::vector<double> sizes;
-    for (double error : errors_) sizes.push_back(std::abs(error));
-    if (sizes.empty()) return 0.0;
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
-    std::ranges::nth_element(sizes, at);
-    return *at;
-  }
-
- private:
-  std::vector<double> errors_;
-};
-
 /// A question with its answer.
 struct ExactField {
   Index source;
@@ -89,7 +62,7 @@ struct Measured {
   std::shared_ptr<const vorogeo::GeodesicIndex> index;
   double build, field = 0.0, pair = 0.0;  ///< seconds
   double bytes_per_vertex;
-  Errors field_errors, pair_errors;
+  vorogeo::test::ErrorCollector field_errors, pair_errors;
 };
 
 Measured measured(const MeshPointer& mesh, const std::vector<ExactField>& exact,
@@ -134,6 +107,7 @@ void measure_any_mesh(Arguments arguments) {
     double exact_seconds = 0.0;
     for (const ExactField& one : exact) exact_seconds += one.seconds / static_cast<double>(exact.size());
     const Measured found = measured(mesh, exact, {});
+    const auto fields = found.field_errors.statistics(), pairs = found.pair_errors.statistics();
     print_figures("mesh", std::filesystem::path(name).stem().string(),
                   {{"vertices", mesh->vertex_count()},
                    {"needles", 100.0 * needle_share(*mesh)},
@@ -144,14 +118,14 @@ void measure_any_mesh(Arguments arguments) {
                    {"build/exact", found.build / exact_seconds},
                    {"border", static_cast<double>(found.index->statistics().second_layer_border_vertices)},
                    {"bytes", found.bytes_per_vertex},
-                   {"mean", found.field_errors.mean()},
-                   {"p99", found.field_errors.p99()},
-                   {"over", found.field_errors.over()},
-                   {"under", found.field_errors.under()},
-                   {"pair_mean", found.pair_errors.mean()},
-                   {"pair_p99", found.pair_errors.p99()},
-                   {"pair_over", found.pair_errors.over()},
-                   {"pair_under", found.pair_errors.under()}});
+                   {"mean", 100.0 * fields.mean},
+                   {"p99", 100.0 * fields.p99},
+                   {"over", 100.0 * fields.greatest},
+                   {"under", 100.0 * std::abs(fields.least)},
+                   {"pair_mean", 100.0 * pairs.mean},
+                   {"pair_p99", 100.0 * pairs.p99},
+                   {"pair_over", 100.0 * pairs.greatest},
+                   {"pair_under", 100.0 * std::abs(pairs.least)}});
   }
 }
 
@@ -173,8 +147,8 @@ void measure_trade_off(Arguments arguments) {
                    {"bytes", found.bytes_per_vertex},
                    {"field", found.field},
                    {"pair", found.pair},
-                   {"field_error", found.field_errors.mean()},
-                   {"pair_error", found.pair_errors.mean()}});
+                   {"field_error", 100.0 * found.field_errors.statistics().mean},
+                   {"pair_error", 100.0 * found.pair_errors.statistics().mean}});
   };
   for (int size : patch_sizes) {
     measure(size, 0.0, vorogeo::IndexForm::tables);

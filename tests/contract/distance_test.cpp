@@ -63,6 +63,20 @@ TEST(DistanceContract, NeighboursInAFanOfNeedlesAreExactFromAnIndex) {
   }
 }
 
+TEST(DistanceContract, FromTheTipOfALimbBothFormsOfAnIndexErrByLittle) {
+  // The tip is farther from the other end of its patch than any two points of the border of that patch are.
+  const test::Shape limb = test::plane_grid(120, 8, 12.0, 0.8, 0.2);
+  for (const bool small : {false, true}) {
+    const Ask ask(limb.soup, {.patches = 3, .patches_in_each = 3, .small = small});
+    for (const Index a : test::random_vertices(ask.vertex_count(), 40, 1)) {
+      for (const Index b : test::random_vertices(ask.vertex_count(), 20, 2)) {
+        expect_close(ask.distance(vertex(a), vertex(b), By::index), limb.vertex_distance(a, b), 0.02, ask,
+                     std::to_string(a) + " to " + std::to_string(b));
+      }
+    }
+  }
+}
+
 TEST(DistanceContract, BumpySurfacesAgreeWithEveryUnfoldingOfTheirFaces) {
   const unsigned seed = fresh_seed();
   SCOPED_TRACE("seed " + std::to_string(seed));

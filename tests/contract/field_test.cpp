@@ -208,7 +208,7 @@ TEST(FieldContract, ASourceIsTheSameHoweverItIsNamed) {
   }
 }
 
-TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWell) {
+TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWellAlsoDistancesAndPaths) {
   for (const Case& one : cases_by_length()) {
     for (const double delta : {0.0, 0.005}) {
       const Ask ask(one.ask.soup(), {.patches = 3, .patches_in_each = 3, .small = true, .delta = delta});
@@ -217,6 +217,11 @@ TEST(FieldContract, TheSmallFormOfTheIndexAnswersAsWell) {
       expect_all_close(
           ask.field({{source}}, By::index).distance, [&](Index v) { return one.distance(source, vertex(v)); },
           0.02 + 5.0 * delta, ask);
+      for (const SurfacePoint& target : one.points()) {
+        const double expected = one.distance(source, target);
+        expect_close(ask.distance(source, target, By::index), expected, 0.06 + 5.0 * delta, ask, "pair");
+        expect_close(ask.path(source, target, By::index).length(), expected, 0.05, ask, "path");
+      }
     }
   }
 }

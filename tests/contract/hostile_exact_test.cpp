@@ -129,11 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
   VOROGEO_READ_OR_SKIP(bunny, "bunny");
   VOROGEO_READ_OR_SKIP(dragon, "dragon_raw");
-  test::Soup small = dragon;
-  for (Point& p : small.positions) {
-    for (double& coordinate : p) coordinate *= 1e-4;
-  }
-  const auto mesh = test::make_mesh(test::two_components(bunny, small));
+  const auto mesh = test::make_mesh(test::two_components(bunny, test::scaled(dragon, 1e-4)));
   const auto of_bunny = static_cast<Index>(bunny.positions.size());
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));

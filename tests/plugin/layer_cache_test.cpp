@@ -6,32 +6,14 @@
 #include "layers/layer_surface.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
+#include "support/plain_mesh.h"
 #include "support/shapes.h"
 
 namespace vorogeo::plugin {
 namespace {
 
-struct Vertex {
-  Point position;
-  bool deleted = false;
-  const Point& cP() const { return position; }
-  bool IsD() const { return deleted; }
-};
-struct Face {
-  std::array<const Vertex*, 3> corners;
-  const Vertex* cV(int i) const { return corners[i]; }
-  static bool IsD() { return false; }
-};
-/// A layer of a host, with the members that are read.
-struct Layer {
-  std::vector<Vertex> vert;
-  std::vector<Face> face;
-
-  explicit Layer(const test::Soup& soup) {
-    for (const Point& p : soup.positions) vert.push_back({p});
-    for (const auto& [a, b, c] : soup.faces) face.push_back({{&vert[a], &vert[b], &vert[c]}});
-  }
-};
+/// A layer of a host.
+using Layer = test::PlainMesh<double>;
 
 /// A sphere that differs from others in position only, so that all take the same memory.
 test::Soup sphere(int number) {
@@ -122,7 +104,7 @@ TEST(LayerCache, AnEditedLayerHasNoneUntilTheEditIsUndone) {
   EXPECT_EQ(cache.find(layer, {}), nullptr);
   layer.vert[3].position[2] = surface->arrays().positions[3][2];
   EXPECT_EQ(cache.find(layer, {}), surface);
-  const Face last = layer.face.back();
+  const auto last = layer.face.back();
   layer.face.pop_back();
   EXPECT_EQ(cache.find(layer, {}), nullptr);
   layer.face.push_back(last);

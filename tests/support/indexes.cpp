@@ -132,12 +132,6 @@ std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, 
   return patches;
 }
 
-RouteEnd route_end(const IndexData& data, Index place) {
-  RouteEnd end;
-  vorogeo::route_end(data, place, end);
-  return end;
-}
-
 std::vector<std::vector<double>> graph_distances(const TransitGraph& graph) {
   const auto nodes = static_cast<Index>(graph.arc_begin.size()) - 1;
   std::vector<std::vector<double>> all;

@@ -11,7 +11,6 @@
 
 #include "index/geodesic_index.h"
 #include "index/index_data.h"
-#include "query/route.h"
 #include "query/surface.h"
 #include "support/shapes.h"
 
@@ -107,8 +106,6 @@ class PlaceSolver {
   LocalSolver solver_;
 };
 
-/// The end of a route at a place.
-RouteEnd route_end(const IndexData& data, Index place);
 /// Distances between all nodes of a graph, by plain searches over its arcs.
 std::vector<std::vector<double>> graph_distances(const TransitGraph& graph);
 

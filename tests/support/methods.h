@@ -1,13 +1,13 @@
 // Fields of geodesic methods, and how far they are from others.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "exact/exact_solver.h"
 #include "methods/method.h"
+#include "support/indexes.h"
 #include "support/shapes.h"
 
 namespace vorogeo::test {
@@ -19,30 +19,15 @@ inline std::vector<double> method_field(const std::string& name, const std::shar
   return prepare_method(name, mesh, options, {})->field(sources, {});
 }
 
-/// Mean and largest relative difference where the reference is above 0 and finite.
-struct Errors {
-  double mean = 0.0;
-  double greatest = 0.0;
-  double least = 0.0;  ///< signed: the greatest that is too short
-};
-
-inline Errors errors_of(const std::vector<double>& field, const std::vector<double>& reference) {
-  Errors errors;
-  double count = 0.0;
-  for (std::size_t v = 0; v < field.size(); ++v) {
-    if (!(reference[v] > 0.0 && std::isfinite(reference[v]))) continue;
-    const double error = field[v] / reference[v] - 1.0;
-    errors.mean += std::abs(error);
-    errors.greatest = std::max(errors.greatest, std::abs(error));
-    errors.least = std::min(errors.least, error);
-    count += 1.0;
-  }
-  errors.mean /= count;
-  return errors;
+/// Of a field against another, where that is above 0 and finite.
+inline ErrorStatistics errors_of(const std::vector<double>& field, const std::vector<double>& reference) {
+  ErrorCollector errors;
+  for (std::size_t v = 0; v < field.size(); ++v) errors.add(field[v], reference[v]);
+  return errors.statistics();
 }
 
-inline Errors errors_against_exact(const std::string& name, const std::shared_ptr<const Mesh>& mesh,
-                                   Index source, const MethodOptions& options = {}) {
+inline ErrorStatistics errors_against_exact(const std::string& name, const std::shared_ptr<const Mesh>& mesh,
+                                            Index source, const MethodOptions& options = {}) {
   return errors_of(method_field(name, mesh, {source}, options),
                    exact_distance_field(mesh, std::vector<Index>{source}));
 }

@@ -20,6 +20,13 @@ std::shared_ptr<const Mesh> make_mesh(const Soup& soup) {
   return std::make_shared<const Mesh>(soup.positions, soup.faces);
 }
 
+Soup scaled(Soup soup, double factor) {
+  for (Point& p : soup.positions) {
+    for (double& x : p) x *= factor;
+  }
+  return soup;
+}
+
 Shape plane_grid(int columns, int rows, double width, double height, double jitter, unsigned seed) {
   Soup soup = plane_soup(columns, rows, width, height, jitter, seed);
   Layout layout = layout_by_position(soup);

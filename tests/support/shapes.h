@@ -20,6 +20,8 @@ struct Soup {
 };
 
 std::shared_ptr<const Mesh> make_mesh(const Soup& soup);
+/// All coordinates times `factor`.
+Soup scaled(Soup soup, double factor);
 
 /// A mesh and the exact geodesic distance of any two of its points, from a formula.
 ///

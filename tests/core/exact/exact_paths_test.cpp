@@ -10,7 +10,6 @@
 #include "exact/paths_from_point.h"
 #include "exact/surface_path.h"
 #include "support/error.h"
-#include "support/gaps.h"
 #include "support/layers.h"
 #include "support/shapes.h"
 
@@ -148,17 +147,6 @@ TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {
     EXPECT_NEAR(measured.length, 1.0, 1e-12);
     EXPECT_LT(measured.rounding, 1e-13);
   }
-}
-
-TEST(SurfacePath, StepsOverGapsAreMarked) {
-  const test::Soup soup = test::two_plates(1, 1, 0.1).soup;
-  GapBridges bridges;
-  bridges.faces = {{1, 4, 3}, {4, 6, 3}};
-  const Mesh mesh(soup.positions, soup.faces, bridges);
-  const std::array points{SurfacePoint::at_vertex(0), SurfacePoint::at_vertex(1), SurfacePoint::at_vertex(4),
-                          SurfacePoint::at_vertex(6)};
-  EXPECT_EQ(steps_over_gaps(mesh, points), (std::vector<bool>{false, true, false, false}));
-  EXPECT_EQ(steps_over_gaps(Mesh(soup.positions, soup.faces), points), std::vector<bool>(4, false));
 }
 
 }  // namespace

@@ -90,20 +90,6 @@ TEST(ExactSolver, ASecondRunForgetsTheFirst) {
   for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_EQ(moved.distance(v), field[v]);
 }
 
-TEST(ExactSolver, ScaledMeshesHaveScaledDistances) {
-  // Powers of two change no digit.
-  const Soup soup = test::random_sphere(120, 9);
-  const auto field = exact_distance_field(test::make_mesh(soup), std::array<Index, 1>{0});
-  for (double scale : {0x1p-60, 0x1p60}) {
-    Soup scaled = soup;
-    for (Point& p : scaled.positions) {
-      for (double& x : p) x *= scale;
-    }
-    const auto scaled_field = exact_distance_field(test::make_mesh(scaled), std::array<Index, 1>{0});
-    for (std::size_t v = 0; v < field.size(); ++v) EXPECT_NEAR(scaled_field[v] / scale, field[v], 1e-12);
-  }
-}
-
 // Limits: bounded distance, targets, allowed faces, corridors.
 
 TEST(ExactLimits, TargetsAreExactOthersUpperBounds) {
@@ -233,11 +219,8 @@ TEST(ExactLimits, ARunWithoutAProgressIsCancelledAtACheckpoint) {
 
 TEST(ExactLimits, LengthsBeyondTheRangeOfProductsAreRefused) {
   for (double scale : {1e-100, 1e100}) {
-    Soup soup = test::icosphere(1);
-    for (Point& position : soup.positions) {
-      for (double& coordinate : position) coordinate *= scale;
-    }
-    const std::string refusal = test::refusal([&] { ExactSolver solver(test::make_mesh(soup)); });
+    const auto mesh = test::make_mesh(test::scaled(test::icosphere(1), scale));
+    const std::string refusal = test::refusal([&] { ExactSolver solver(mesh); });
     EXPECT_NE(refusal.find("scale the mesh"), std::string::npos) << scale << ": " << refusal;
   }
 }
@@ -296,7 +279,7 @@ TEST(EdgePoints, ARunStopsOnlyWhenTheyAreFinal) {
   }
 }
 
-// Non-manifold meshes against brute-force unfolding, faces without width and outliers against the plane.
+// Non-manifold meshes against brute-force unfolding, and outliers against the plane.
 
 void expect_exhaustive(const Soup& soup) {
   const auto mesh = test::make_mesh(soup);
@@ -331,37 +314,6 @@ TEST(ExactDefects, NonManifoldMeshesAgreeWithBruteForce) {
     }
     expect_exhaustive(soup);
     expect_exhaustive(test::with_flipped_faces(soup, seed));
-  }
-}
-
-TEST(ExactDefects, CoincidentVerticesJoinedByFacesWithoutWidth) {
-  // Two halves of a plane whose seam vertices are doubled and joined by faces with a side of length zero.
-  Soup soup = test::plane_grid(3, 6, 3.0, 6.0).soup;
-  const auto count = static_cast<Index>(soup.positions.size());
-  const auto faces = soup.faces.size();
-  for (Index v = 0; v < count; ++v) {
-    Point p = soup.positions[v];
-    p[0] += 3.0;
-    soup.positions.push_back(p);
-  }
-  for (std::size_t f = 0; f < faces; ++f) {
-    auto face = soup.faces[f];
-    for (Index& v : face) v += count;
-    soup.faces.push_back(face);
-  }
-  for (Index row = 0; row < 6; ++row) {
-    const Index a = 4 * row + 3;
-    const Index b = count + 4 * row;
-    soup.faces.push_back({a, b, b + 4});
-    soup.faces.push_back({a, b + 4, a + 4});
-  }
-  const auto mesh = test::make_mesh(soup);
-  for (Index source = 0; source < mesh->vertex_count(); ++source) {
-    const auto field = exact_distance_field(mesh, std::array{source});
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      expect_near(field[v], distance_between(mesh->position(source), mesh->position(v)), *mesh, 1e-12,
-                  std::to_string(source) + " to " + std::to_string(v));
-    }
   }
 }
 
@@ -437,14 +389,6 @@ TEST(ExactDefects, OverEdgesOfElevenOrdersBothDirectionsAgree) {
 
 // Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
 
-TEST(FieldTiming, IsWholeWhereThereIsTime) {
-  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(2)));
-  const FieldTiming timing = time_exact_field(geometry, 1000.0, {}, "Timing");
-  EXPECT_TRUE(timing.is_complete);
-  EXPECT_GT(timing.seconds, 0.0);
-  EXPECT_EQ(timing.expected_seconds(), timing.seconds);
-}
-
 TEST(FieldTiming, StopsAndExtrapolates) {
   const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
   const FieldTiming timing = time_exact_field(geometry, 0.0, {}, "Timing");
@@ -476,12 +420,6 @@ TEST(FieldTiming, IsExtrapolatedToTheComponentOnly) {
   ASSERT_FALSE(alone.is_complete || beside.is_complete);
   // Reports come by the number of steps, so that both stop at the same vertices.
   EXPECT_NEAR(beside.reached, alone.reached, 0.1 * alone.reached);
-}
-
-TEST(FieldTiming, IsCancelled) {
-  const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
-  const Progress stop([](double, const std::string&) { return false; });
-  EXPECT_THROW(time_exact_field(geometry, 1000.0, stop, "Timing"), Cancelled);
 }
 
 }  // namespace

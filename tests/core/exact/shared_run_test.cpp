@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <random>
-#include <set>
 #include <string>
 
 #include "exact/exact_solver.h"
@@ -112,23 +111,7 @@ TEST(SharedRun, IsCancelledAndReportsProgress) {
   EXPECT_EQ(solver.distance(1), farthest);
 }
 
-// Territories: small parts are not divided, and books of thousands of pages are no hurdle.
-
-TEST(Territories, PartsMuchSmallerThanAnEdgeHaveOneOwner) {
-  const test::Soup large = test::plane_grid(40, 40, 1.0, 1.0, 0.2).soup;
-  const auto first_small = static_cast<Index>(large.positions.size());
-  const auto mesh = test::make_mesh(test::with_small_copy(large, 1e-3));
-  const Territories territories(*mesh, 3);
-  std::set<int> owners;
-  for (Index e = 0; e < mesh->edge_count(); ++e) {
-    const auto [a, b] = mesh->edge_vertices(e);
-    if (std::min(a, b) >= first_small) owners.insert(territories.of_edge[e]);
-  }
-  EXPECT_EQ(owners.size(), 1U);
-  for (int owner = 0; owner < 3; ++owner) {
-    EXPECT_GT(std::count(territories.of_edge.begin(), territories.of_edge.end(), owner), 1000);
-  }
-}
+// Territories: books of thousands of pages are no hurdle.
 
 TEST(Territories, OfABookOfThousandsOfPagesAreFoundAtOnce) {
   const auto mesh = test::make_mesh(test::book_of_pages(20'000));

@@ -11,37 +11,26 @@
 
 #include "exact/local_solver.h"
 #include "mesh/metric.h"
-#include "support/error.h"
+#include "support/indexes.h"
 #include "support/layers.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
 
-// Costs and tensors that jump at edges: dear faces, convergence, layers.
+// Costs and tensors that jump at edges: dear faces, and convergence.
 
 using test::Layers;
-using test::least_of;
 using test::two_half_planes;
 
-struct Errors {
-  double mean = 0.0;
-  double greatest = 0.0;
-};
-
-Errors errors_of(const Layers& layers, WeightedSolver& solver, Index source,
-                 const std::function<double(const Point&, const Point&)>& exact) {
+test::ErrorStatistics errors_of(const Layers& layers, WeightedSolver& solver, Index source,
+                                const std::function<double(const Point&, const Point&)>& exact) {
   solver.run_from_vertices(std::array{source});
-  Errors errors;
-  const Point& p = layers.soup.positions[source];
-  for (Index v = 0; v < layers.mesh->vertex_count(); ++v) {
-    if (v == source) continue;
-    const double length = exact(p, layers.soup.positions[v]);
-    const double error = std::abs(solver.distance(v) - length) / length;
-    errors.mean += error / (layers.mesh->vertex_count() - 1);
-    errors.greatest = std::max(errors.greatest, error);
-  }
-  return errors;
+  test::ErrorCollector errors;
+  const auto& positions = layers.soup.positions;
+  for (Index v = 0; v < layers.mesh->vertex_count(); ++v)
+    errors.add(solver.distance(v), exact(positions[source], positions[v]));
+  return errors.statistics();
 }
 
 TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
@@ -55,6 +44,7 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
   const auto errors = errors_of(layers, solver, source, exact);
   EXPECT_LT(errors.mean, 5e-4);
   EXPECT_LT(errors.greatest, 5e-3);
+  EXPECT_GT(errors.least, -5e-3);
 }
 
 TEST(WeightedSolver, MorePointsAreMoreExact) {
@@ -68,35 +58,6 @@ TEST(WeightedSolver, MorePointsAreMoreExact) {
     before = errors.mean;
   }
   EXPECT_LT(before, 1e-4);
-}
-
-TEST(WeightedSolver, TensorsOfLayers) {
-  Layers layers(24, [](double, double) { return 1.0; });
-  const Tensor above{4, 0, 0, 0, 1, 0, 0, 0, 1};
-  const Tensor below{2, 1, 0, 1, 3, 0, 0, 0, 1};
-  std::vector<Tensor> tensors;
-  for (const auto& face : layers.soup.faces) {
-    const double y = layers.soup.positions[face[0]][1] + layers.soup.positions[face[1]][1] +
-                     layers.soup.positions[face[2]][1];
-    tensors.push_back(y > 0.0 ? above : below);
-  }
-  const auto sides = sides_by_face_tensor(layers.soup.positions, layers.soup.faces, tensors);
-  const auto mesh = std::make_shared<const Mesh>(layers.soup.positions, layers.soup.faces,
-                                                 Metric{sides, usual_edge_points});
-  WeightedSolver solver = test::solver_of(mesh);
-  const Index source = layers.nearest(1.0, -0.5);
-  solver.run_from_vertices(std::array{source});
-  const Point p = layers.soup.positions[source];
-  auto norm = [](const Tensor& g, double x, double y) {
-    return std::sqrt(g[0] * x * x + 2 * g[1] * x * y + g[4] * y * y);
-  };
-  for (const auto& [x, y] : {std::array{0.3, 0.5}, std::array{1.2, 0.8}, std::array{1.6, 0.3}}) {
-    const Index target = layers.nearest(x, y);
-    const Point q = layers.soup.positions[target];
-    const double exact = least_of(
-        [&](double at) { return norm(below, at - p[0], -p[1]) + norm(above, q[0] - at, q[1]); }, 0.0, 2.0);
-    EXPECT_NEAR(solver.distance(target), exact, 1e-3 * exact);
-  }
 }
 
 TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
@@ -126,29 +87,6 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
 
 // Where the faces of all edges agree, the surface is one of flat faces, whose distances are exact.
 
-/// A new one for each run, which its failures name.
-unsigned new_seed() { return std::random_device()(); }
-
-/// Symmetric and positive: the square of the map by which lengths are stretched.
-struct Stretch {
-  explicit Stretch(std::mt19937& random) {
-    std::uniform_real_distribution<double> entry(-1.0, 1.0);
-    for (double& each : map) each = entry(random);
-    for (int i = 0; i < 3; ++i) map[4 * i] += 2.0 + 4.0 * i;
-  }
-  Point operator()(const Point& p) const {
-    Point image{};
-    for (int i = 0; i < 9; ++i) image[i / 3] += map[i] * p[i % 3];
-    return image;
-  }
-  Tensor tensor() const {
-    Tensor square{};
-    for (int i = 0; i < 27; ++i) square[i % 9] += map[3 * (i / 9) + i % 9 / 3] * map[3 * (i / 9) + i % 3];
-    return square;
-  }
-  std::array<double, 9> map{};
-};
-
 std::vector<double> field_of(const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& from) {
   LocalSolver solver(std::make_shared<const LocalGeometry>(mesh));
   solver.run(from);
@@ -157,33 +95,8 @@ std::vector<double> field_of(const std::shared_ptr<const Mesh>& mesh, const std:
   return field;
 }
 
-void expect_near(const std::vector<double>& found, const std::vector<double>& exact, double factor) {
-  for (std::size_t v = 0; v < found.size(); ++v) {
-    EXPECT_NEAR(found[v], factor * exact[v], 1e-10 * factor * exact[v]) << v;
-  }
-}
-
-TEST(AgreeingFaces, OneTensorIsTheStretchedMesh) {
-  const unsigned seed = new_seed();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
-  const Stretch stretch(random);
-  const test::Soup soup = test::random_sphere(400, seed);
-  test::Soup stretched = soup;
-  for (Point& p : stretched.positions) p = stretch(p);
-  const std::vector<Tensor> tensors(soup.faces.size(), stretch.tensor());
-  const auto mesh = std::make_shared<const Mesh>(
-      soup.positions, soup.faces,
-      Metric{sides_by_face_tensor(soup.positions, soup.faces, tensors), usual_edge_points});
-  EXPECT_FALSE(mesh->metric_jumps());
-  const SurfacePoint inside{.face = 5, .barycentric = {0.2, 0.3, 0.5}};
-  for (const SurfacePoint& from : {SurfacePoint::at_vertex(7), inside}) {
-    expect_near(field_of(mesh, {{from}}), field_of(test::make_mesh(stretched), {{from}}), 1.0);
-  }
-}
-
 TEST(AgreeingFaces, CostsThatDifferInAComponentDoNotChangeTheOthers) {
-  const unsigned seed = new_seed();
+  const unsigned seed = std::random_device()();
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> cost_of(1.0, 5.0);
@@ -375,24 +288,27 @@ TEST(WeightedThin, FansOfNeedlesEnd) {
 
 TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
   const test::Soup soup = test::plane_with_closed_t_junctions();
-  std::mt19937 random(1);
-  std::vector<double> cost;
-  for (std::size_t f = 0; f < soup.faces.size(); ++f) cost.push_back(std::pow(1e4, random() / 4294967296.0));
-  auto solved = [&](Index points) {
-    WeightedSolver solver = test::solver_of(test::with_costs(soup, cost, points));
-    solver.run_from_vertices(std::array<Index, 1>{8});
-    return solver;
-  };
-  const WeightedSolver solver = solved(6);
-  const WeightedSolver finer = solved(40);
-  for (Index v = 0; v < solver.mesh().vertex_count(); ++v) {
-    if (solver.mesh().fan(v) == Mesh::Fan::isolated) continue;
-    const double length = solver.path_to_source(SurfacePoint::at_vertex(v)).length;
-    const double known = std::min(length, finer.path_to_source(SurfacePoint::at_vertex(v)).length);
-    EXPECT_LT(known, unreachable) << v;
-    EXPECT_LE(length, 1.02 * known) << v;
-    EXPECT_NEAR(solver.distance(v), known, 0.1 * known) << v;
-    EXPECT_GE(solver.distance(v), 0.99 * known) << v;
+  for (const auto& [ratio, seed] : {std::pair{1e4, 1U}, {1e4, 18U}, {1e6, 1U}}) {
+    std::mt19937 random(seed);
+    std::vector<double> cost;
+    for (std::size_t f = 0; f < soup.faces.size(); ++f)
+      cost.push_back(std::pow(ratio, random() / 4294967296.0));
+    auto solved = [&](Index points) {
+      WeightedSolver solver = test::solver_of(test::with_costs(soup, cost, points));
+      solver.run_from_vertices(std::array<Index, 1>{8});
+      return solver;
+    };
+    const WeightedSolver solver = solved(6);
+    const WeightedSolver finer = solved(40);
+    for (Index v = 0; v < solver.mesh().vertex_count(); ++v) {
+      if (solver.mesh().fan(v) == Mesh::Fan::isolated) continue;
+      const double length = solver.path_to_source(SurfacePoint::at_vertex(v)).length;
+      const double known = std::min(length, finer.path_to_source(SurfacePoint::at_vertex(v)).length);
+      EXPECT_LT(known, unreachable) << v;
+      EXPECT_LE(length, 1.02 * known) << v;
+      EXPECT_NEAR(solver.distance(v), known, 0.1 * known) << v;
+      EXPECT_GE(solver.distance(v), 0.95 * known) << v;
+    }
   }
 }
 

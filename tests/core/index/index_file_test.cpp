@@ -3,12 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cinttypes>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -26,8 +21,6 @@
 
 namespace vorogeo {
 namespace {
-
-// The container of index files: blocks come back as written; every kind of damage is noticed.
 
 using test::read_bytes;
 using test::TemporaryFolder;
@@ -209,65 +202,27 @@ TEST(IndexFile, TheChecksumDependsOnContentsAndLength) {
   }
 }
 
-// Saved indexes: the same answers after loading; files of other meshes are refused.
-
-using test::loading;
-using test::Soup;
-
-/// Whether an address is in a part of the memory of this process that is mapped to a file.
-bool in_file(const void* place, const std::filesystem::path& file) {
-  std::ifstream maps("/proc/self/maps");
-  for (std::string line; std::getline(maps, line);) {
-    std::uintptr_t begin = 0;
-    std::uintptr_t end = 0;
-    std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR, &begin, &end);
-    const auto at = reinterpret_cast<std::uintptr_t>(place);
-    if (begin <= at && at < end) return line.ends_with(file.string());
-  }
-  return false;
-}
-
-TEST(SavedIndex, LargeTablesLieInTheFileOrAreCopied) {
-  if (!std::filesystem::exists("/proc/self/maps")) GTEST_SKIP() << "this system does not list mappings";
-  const TemporaryFolder folder;
-  const auto file = folder / "a.index";
-  const Soup soup = test::icosphere(3);
-  test::make_index(soup, 3, 4)->save(file);
-  const auto mesh = test::make_mesh(soup);
-  for (TableStorage storage : {TableStorage::mapped, TableStorage::copied}) {
-    const auto index = GeodesicIndex::load(file, mesh, storage);
-    const IndexData& data = index->data();
-    std::int64_t mapped = 0;
-    for (const auto* table : {&data.second.table, &data.first.table, &data.transit_table.entry}) {
-      ASSERT_FALSE(table->empty());
-      EXPECT_EQ(in_file(table->data(), file), storage == TableStorage::mapped);
-      mapped += storage == TableStorage::mapped ? static_cast<std::int64_t>(2 * table->size()) : 0;
-    }
-    EXPECT_EQ(index->statistics().mapped_bytes, mapped);
-    EXPECT_LT(mapped, index->statistics().bytes);
-  }
-}
-
-// Damaged index files are refused: cut short, changed, or with contents that contradict themselves or the
-// mesh.
-
-using test::IndexBlock;
-
 class DamagedIndex : public testing::Test {
  protected:
-  DamagedIndex() {
-    const Soup soup = test::icosphere(3);
-    mesh_ = test::make_mesh(soup);
-    test::make_index(soup, 3, 4)->save(file_);
+  DamagedIndex() : DamagedIndex(*test::make_index(test::icosphere(3), 3, 4)) {}
+  explicit DamagedIndex(const GeodesicIndex& index) : mesh_(index.mesh()) {
+    index.save(file_);
     good_ = read_bytes(file_);
     blocks_ = test::index_blocks(good_);
   }
 
-  std::string loading_bytes(const std::string& bytes) {
-    write_bytes(file_, bytes);
-    return loading(file_, mesh_);
+  /// What loading says of these blocks, with checksums that fit.
+  std::string loading(const std::vector<test::IndexBlock>& blocks) {
+    write_bytes(file_, test::with_blocks(good_, blocks));
+    return test::loading(file_, mesh_);
   }
-  std::string loading_blocks() { return loading_bytes(test::with_blocks(good_, blocks_)); }
+  /// After one element of a block was set.
+  template <class T>
+  std::string loading_with(test::IndexBlockName block, std::size_t element, T value) {
+    auto blocks = blocks_;
+    blocks[block].set<T>(element, value);
+    return loading(blocks);
+  }
   std::string damaged(const std::string& how) {
     return "The index file " + file_.string() + " is damaged (" + how + "); build the index again.";
   }
@@ -276,116 +231,89 @@ class DamagedIndex : public testing::Test {
   std::filesystem::path file_ = folder_ / "a.index";
   std::shared_ptr<const Mesh> mesh_;
   std::string good_;
-  std::vector<IndexBlock> blocks_;
+  std::vector<test::IndexBlock> blocks_;
 };
-
-// From here on the checksums fit: contents that contradict themselves or the mesh.
 
 TEST_F(DamagedIndex, PatchesThatDoNotExist) {
   ASSERT_EQ(blocks_.size(), test::landmarks + 1U);
   EXPECT_EQ(test::with_blocks(good_, blocks_), good_);
-  EXPECT_EQ(loading_blocks(), "loaded");
-  const auto original = blocks_;
+  EXPECT_EQ(loading(blocks_), "loaded");
   for (Index value : {-1, 12, 1 << 30, std::numeric_limits<Index>::min()}) {
     for (auto block : {test::first_layer, test::second_layer}) {
-      blocks_ = original;
-      blocks_[block].set<Index>(5, value);
-      EXPECT_EQ(loading_blocks(), damaged("a face has no patch"));
+      EXPECT_EQ(loading_with(block, 5, value), damaged("a face has no patch"));
     }
   }
   for (Index value : {-1, 1 << 30}) {
-    blocks_ = original;
-    blocks_[test::parent].set<Index>(0, value);
-    EXPECT_EQ(loading_blocks(), damaged("a patch has no parent"));
+    EXPECT_EQ(loading_with(test::parent, 0, value), damaged("a patch has no parent"));
   }
 }
 
 TEST_F(DamagedIndex, EmptyPatchesAndLayersThatContradict) {
-  const auto original = blocks_;
-  const Index second = blocks_[test::second_layer].get<Index>(0);
-  for (std::size_t f = 0; f < blocks_[test::second_layer].count(); ++f) {
-    if (blocks_[test::second_layer].get<Index>(f) == second)
-      blocks_[test::second_layer].set<Index>(f, second == 0 ? 1 : 0);
+  auto blocks = blocks_;
+  auto& second_layer = blocks[test::second_layer];
+  const Index second = second_layer.get<Index>(0);
+  for (std::size_t f = 0; f < second_layer.count(); ++f) {
+    if (second_layer.get<Index>(f) == second) second_layer.set<Index>(f, second == 0 ? 1 : 0);
   }
-  EXPECT_EQ(loading_blocks(), damaged("a patch has no face"));
-  blocks_ = original;
+  EXPECT_EQ(loading(blocks), damaged("a patch has no face"));
   const Index first = blocks_[test::first_layer].get<Index>(0);
-  blocks_[test::first_layer].set<Index>(0, (first + 1) % 3);
-  EXPECT_EQ(loading_blocks(), damaged("the two layers contradict each other"));
-  blocks_ = original;
-  blocks_[test::parent].contents.clear();
-  EXPECT_NE(loading_blocks(), "loaded");
+  EXPECT_EQ(loading_with(test::first_layer, 0, (first + 1) % 3),
+            damaged("the two layers contradict each other"));
+  blocks = blocks_;
+  blocks[test::parent].contents.clear();
+  EXPECT_NE(loading(blocks), "loaded");
 }
 
 TEST_F(DamagedIndex, DistancesThatAreNone) {
-  const auto original = blocks_;
-  for (float value : {-1.0F, std::numeric_limits<float>::quiet_NaN()}) {
-    blocks_ = original;
-    blocks_[test::node_least].set<float>(2, value);
-    EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (float value : {-1.0F, nan}) {
+    EXPECT_EQ(loading_with(test::node_least, 2, value), damaged("a distance is negative or NaN"));
   }
   for (auto block : {test::second_table, test::first_table}) {
-    blocks_ = original;
-    blocks_[block].set<std::uint16_t>(7, 32768);
-    EXPECT_EQ(loading_blocks(), damaged("a distance is greater than its table can hold"));
+    EXPECT_EQ(loading_with(block, 7, std::uint16_t{32768}),
+              damaged("a distance is greater than its table can hold"));
   }
   for (auto block : {test::second_scale, test::first_scale, test::node_scale}) {
-    for (float value : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-                        std::numeric_limits<float>::quiet_NaN()}) {
-      blocks_ = original;
-      blocks_[block].set<float>(0, value);
-      EXPECT_EQ(loading_blocks(), damaged("the unit of a table is infinite or NaN"));
+    for (float value : {inf, -inf, nan}) {
+      EXPECT_EQ(loading_with(block, 0, value), damaged("the unit of a table is infinite or NaN"));
     }
   }
-  blocks_ = original;
-  blocks_[test::landmarks].set<double>(3, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(loading_blocks(), damaged("a distance is negative or NaN"));
-  blocks_ = original;
-  blocks_[test::landmarks].set<double>(3, unreachable);
-  EXPECT_EQ(loading_blocks(), damaged("a landmark is infinitely far"));
+  EXPECT_EQ(loading_with(test::landmarks, 3, double{nan}), damaged("a distance is negative or NaN"));
+  EXPECT_EQ(loading_with(test::landmarks, 3, unreachable), damaged("a landmark is infinitely far"));
 }
 
 TEST_F(DamagedIndex, ABorderTableOfTheWrongSize) {
-  auto& table = blocks_[test::transit_table];
+  auto blocks = blocks_;
+  auto& table = blocks[test::transit_table];
   ASSERT_GT(table.count(), 0U);
   table.contents.resize(table.contents.size() - sizeof(std::uint16_t));
-  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size"));
+  EXPECT_EQ(loading(blocks), damaged("a block has the wrong size"));
   table.contents.clear();
-  blocks_[test::node_least].contents.clear();
-  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size"));
+  blocks[test::node_least].contents.clear();
+  EXPECT_EQ(loading(blocks), damaged("a block has the wrong size"));
 }
 
 TEST_F(DamagedIndex, AFormThatDoesNotExist) {
-  blocks_[test::numbers].set<std::uint64_t>(2, 2);
-  EXPECT_EQ(loading_blocks(), damaged("its form is unknown"));
-  blocks_[test::numbers].set<std::uint64_t>(2, 1);
-  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size")) << "tables are not a graph";
+  EXPECT_EQ(loading_with(test::numbers, 2, std::uint64_t{2}), damaged("its form is unknown"));
+  EXPECT_EQ(loading_with(test::numbers, 2, std::uint64_t{1}), damaged("a block has the wrong size"))
+      << "tables are not a graph";
 }
 
 /// The same for an index in the form of a graph.
 class DamagedGraph : public DamagedIndex {
  protected:
-  DamagedGraph() {
-    test::make_graph_index(test::icosphere(3), 5, 4)->save(file_);
-    good_ = read_bytes(file_);
-    blocks_ = test::index_blocks(good_);
-  }
+  DamagedGraph() : DamagedIndex(*test::make_graph_index(test::icosphere(3), 5, 4)) {}
 };
 
 TEST_F(DamagedGraph, OfTheOtherForm) {
-  EXPECT_EQ(loading_blocks(), "loaded");
-  blocks_[test::numbers].set<std::uint64_t>(2, 0);
-  EXPECT_EQ(loading_blocks(), damaged("a block has the wrong size"));
+  EXPECT_EQ(loading(blocks_), "loaded");
+  EXPECT_EQ(loading_with(test::numbers, 2, std::uint64_t{0}), damaged("a block has the wrong size"));
 }
 
 TEST_F(DamagedGraph, ArcsThatLeadNowhere) {
-  const auto original = blocks_;
   const Arc arc = blocks_[test::arcs].get<Arc>(0);
-  auto loading_arc = [&](Arc changed) {
-    blocks_ = original;
-    blocks_[test::arcs].set(0, changed);
-    return loading_blocks();
-  };
+  auto loading_arc = [&](Arc changed) { return loading_with(test::arcs, 0, changed); };
   EXPECT_EQ(loading_arc(arc), "loaded");
   for (Index target : {-1, 1 << 30}) {
     EXPECT_EQ(loading_arc({target, arc.length, arc.patch}), damaged("an arc leads nowhere"));
@@ -405,27 +333,21 @@ TEST_F(DamagedGraph, ArcsThatLeadNowhere) {
 }
 
 TEST_F(DamagedGraph, ArcsOutOfOrder) {
-  const auto original = blocks_;
   for (std::int64_t value : {std::int64_t{-1}, std::int64_t{1} << 40}) {
     for (std::size_t at : {std::size_t{0}, std::size_t{3}, blocks_[test::arc_begin].count() - 1}) {
-      blocks_ = original;
-      blocks_[test::arc_begin].set(at, value);
-      EXPECT_EQ(loading_blocks(), damaged("the arcs are not in order")) << at;
+      EXPECT_EQ(loading_with(test::arc_begin, at, value), damaged("the arcs are not in order")) << at;
     }
   }
 }
 
 TEST_F(DamagedIndex, BlocksOfAnotherLength) {
-  const auto original = blocks_;
-  for (std::size_t i = 0; i < original.size(); ++i) {
-    blocks_ = original;
-    if (original[i].count() > 0) {
-      blocks_[i].contents.resize(blocks_[i].contents.size() - blocks_[i].element_size);
-      EXPECT_NE(loading_blocks(), "loaded") << "block " << i;
-      blocks_ = original;
-    }
-    blocks_[i].contents.append(blocks_[i].element_size, '\0');
-    EXPECT_NE(loading_blocks(), "loaded") << "block " << i;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    auto blocks = blocks_;
+    blocks[i].contents.append(blocks[i].element_size, '\0');
+    EXPECT_NE(loading(blocks), "loaded") << "block " << i;
+    if (blocks_[i].count() == 0) continue;
+    blocks[i].contents.resize(blocks_[i].contents.size() - blocks[i].element_size);
+    EXPECT_NE(loading(blocks), "loaded") << "block " << i;
   }
 }
 

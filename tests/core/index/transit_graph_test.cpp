@@ -69,24 +69,6 @@ TEST(TransitGraph, NoDistanceGrowsByMoreThanDeltaAndArcsGetFewer) {
   }
 }
 
-TEST(TransitGraph, ArcsAreTableEntriesStoredAtBothEndsOnce) {
-  for (const auto& index : small_indexes()) {
-    const PatchLayer& first = index->data().first;
-    const TransitGraph graph = make_transit_graph(first, 0.0, 0, {});
-    std::set<std::array<Index, 3>> found;
-    for (Index node = 0; node < first.node_count(); ++node) {
-      for (const Arc& arc : graph.arcs(node)) {
-        EXPECT_TRUE(found.insert({node, arc.target, arc.patch}).second) << "stored twice";
-        const Index row = first.row_of(node, arc.patch);
-        const Index column = first.row_of(arc.target, arc.patch);
-        ASSERT_TRUE(row != no_index && column != no_index);
-        EXPECT_EQ(arc.length, first.distance(arc.patch, row, column));
-      }
-    }
-    for (const auto& [a, b, patch] : found) EXPECT_TRUE(found.contains({b, a, patch}));
-  }
-}
-
 TEST(TransitGraph, LandmarksAreLowerBounds) {
   for (const auto& index : small_indexes()) {
     const TransitGraph graph = make_transit_graph(index->data().first, 0.0, 0, {});

@@ -15,9 +15,6 @@
 namespace vorogeo {
 namespace {
 
-// Bridged gaps: distances as on the whole surface, nothing joined that the rule forbids, nothing changed
-// without a gap.
-
 using test::Cut;
 using test::Soup;
 
@@ -123,14 +120,6 @@ TEST(GapBridges, TheLeastGapThatJoinsAllIsExact) {
   EXPECT_EQ(
       gap_to_join_all(*test::make_mesh(test::two_components(test::icosphere(0), test::icosphere(0))), false),
       unreachable);
-}
-
-TEST(GapBridges, BordersThatAreJoinedAreCounted) {
-  const Soup plates = test::two_plates(4, 5, 0.01).soup;
-  EXPECT_EQ(count_joined_borders(*test::make_mesh(plates), *bridged(plates, 0.02)), 2);
-  EXPECT_EQ(count_joined_borders(*test::make_mesh(plates), *bridged(plates, 0.005)), 0);
-  const Soup loose = test::exploded(test::icosphere(1)).soup;
-  EXPECT_EQ(count_joined_borders(*test::make_mesh(loose), *bridged(loose, 1e-9)), 80);
 }
 
 TEST(GapBridges, HeapsOfBordersCostNoMoreThanTheirNumber) {

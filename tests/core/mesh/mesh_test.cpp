@@ -21,8 +21,6 @@
 namespace vorogeo {
 namespace {
 
-// Mesh: connectivity, fans, lengths, angles, what is left out and what is refused.
-
 using test::make_mesh;
 using test::Soup;
 constexpr double pi = std::numbers::pi;
@@ -219,11 +217,7 @@ TEST(MeshFans, AnglesOfConesAreThoseOfTheirSectors) {
 
 TEST(MeshFans, TotalAnglesAreTheSumsOfCornerAngles) {
   for (const double scale : {1e-100, 1.0, 1e140}) {
-    Soup soup = test::random_sphere(300, 3);
-    for (Point& p : soup.positions) {
-      for (double& x : p) x *= scale;
-    }
-    const auto mesh = make_mesh(soup);
+    const auto mesh = make_mesh(test::scaled(test::random_sphere(300, 3), scale));
     for (Index v = 0; v < mesh->vertex_count(); ++v) {
       double sum = 0.0;
       for (const Index corner : mesh->corners(v)) sum += mesh->corner_angle(corner);

@@ -15,7 +15,6 @@
 #include "mesh/fingerprint.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_input.h"
-#include "mesh/surface_locator.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
 #include "support/refusal.h"
@@ -170,22 +169,6 @@ TEST(MeshMetric, RefusesLengthsThatAreNone) {
             "Face 0 has the side lengths 1, -1, 1; lengths must be finite and not negative.");
   EXPECT_EQ(with({{1, 1, 1}}),
             "Face 1 has no side lengths: there are 1 rows of lengths; give one row of three for each face.");
-}
-
-TEST(MeshMetric, IsPartOfTheFingerprint) {
-  const test::Soup soup = test::plane_grid(3, 3, 1.0, 1.0).soup;
-  const Mesh plain(soup.positions, soup.faces);
-  const Mesh same(soup.positions, soup.faces, sides_in_space(soup));
-  const Mesh wide(soup.positions, soup.faces, sides_in_space(soup, 1.0 + 1e-15));
-  EXPECT_FALSE(fingerprint_of(plain) == fingerprint_of(same));
-  EXPECT_FALSE(fingerprint_of(same) == fingerprint_of(wide));
-  EXPECT_EQ(fingerprint_of(wide),
-            fingerprint_of(Mesh(soup.positions, soup.faces, sides_in_space(soup, 1.0 + 1e-15))));
-}
-
-TEST(MeshMetric, PointsInSpaceNeedPositions) {
-  EXPECT_NE(test::refusal([] { SurfaceLocator(nowhere(test::icosphere(0))); }).find("no positions"),
-            std::string::npos);
 }
 
 // Slopes of tilted planes, and the directions of a cylinder.

@@ -16,28 +16,12 @@
 namespace vorogeo {
 namespace {
 
-// Surface points: validation, simplest form, position.
-
 /// One triangle, the last vertex alone.
 Mesh triangle() { return Mesh({{0, 0, 0}, {4, 0, 0}, {0, 2, 1}, {9, 9, 9}}, {{0, 1, 2}}); }
 
 std::string refusal(const SurfacePoint& point) {
   const Mesh mesh = triangle();
   return test::refusal([&] { validated(mesh, point); });
-}
-
-TEST(SurfacePoint, CornersBecomeVertices) {
-  const Mesh mesh = triangle();
-  for (Index i = 0; i < 3; ++i) {
-    std::array<double, 3> weights{};
-    weights[i] = 1.0;
-    const SurfacePoint point = validated(mesh, SurfacePoint::in_face(0, weights));
-    EXPECT_TRUE(point.is_vertex());
-    EXPECT_EQ(point.vertex, i);
-    EXPECT_EQ(point.face, no_index);
-  }
-  EXPECT_FALSE(validated(mesh, SurfacePoint::in_face(0, {0.5, 0.5, 0.0})).is_vertex());
-  EXPECT_EQ(validated(mesh, SurfacePoint::at_vertex(3)).vertex, 3);
 }
 
 TEST(SurfacePoint, WeightsAreNormalised) {
@@ -91,30 +75,6 @@ TEST(SurfacePoint, RefusalsNameTheElement) {
             "The point in face 0 has barycentric weights 0.2, 0.2, 0.2, which do not sum to 1" + advice);
   EXPECT_NE(refusal(SurfacePoint::in_face(0, {0.5, 0.5, 2e-6})), "");
   EXPECT_NE(refusal(SurfacePoint::in_face(0, {-2e-6, 0.5, 0.5})), "");
-}
-
-// Lists of points: one form of each, and errors that name the place in the list.
-
-TEST(PointList, OnePointHasOneForm) {
-  const auto mesh = test::make_mesh(test::icosphere(1));
-  for (Index e = 0; e < mesh->edge_count(); ++e) {
-    const Index first = mesh->edge_halfedge(e);
-    std::vector<SurfacePoint> same;
-    Index h = first;
-    do {
-      std::array<double, 3> weights{};
-      const bool along = mesh->tail(h) == mesh->tail(first);
-      weights[h % 3] = along ? 0.25 : 0.75;
-      weights[Mesh::next_in_face(h) % 3] = along ? 0.75 : 0.25;
-      same.push_back(SurfacePoint::in_face(Mesh::face_of(h), weights));
-      h = mesh->next_around_edge(h);
-    } while (h != first);
-    const PointList canonical = points_on(*mesh, same, "Point");
-    for (const SurfacePoint& point : canonical) EXPECT_EQ(point, canonical[0]);
-  }
-  const std::vector corner{SurfacePoint::in_face(7, {0.0, 1.0, 0.0})};
-  EXPECT_TRUE(points_on(*mesh, corner, "Point").only_vertices());
-  EXPECT_EQ(points_on(*mesh, corner, "Point").vertices(), std::vector{mesh->face_vertices(7)[1]});
 }
 
 // Nearest points against a search through all faces, and from as far away as numbers go.

@@ -5,44 +5,18 @@
 
 #include <limits>
 
+#include "support/plain_mesh.h"
 #include "support/refusal.h"
 
 namespace vorogeo {
 namespace {
 
+/// A strip of four triangles over six vertices; the tests delete some of them.
 template <class Scalar>
-struct PlainVertex {
-  std::array<Scalar, 3> position{};
-  bool deleted = false;
-  const std::array<Scalar, 3>& cP() const { return position; }
-  bool IsD() const { return deleted; }
-};
-
-template <class Scalar>
-struct PlainFace {
-  std::array<PlainVertex<Scalar>*, 3> corners{};
-  bool deleted = false;
-  PlainVertex<Scalar>* cV(int i) const { return corners[i]; }
-  bool IsD() const { return deleted; }
-};
-
-template <class Scalar>
-struct PlainMesh {
-  std::vector<PlainVertex<Scalar>> vert;
-  std::vector<PlainFace<Scalar>> face;
-};
-
-/// A strip of four triangles over six vertices; vertex 1 and face 1 are deleted later by the tests.
-template <class Scalar>
-PlainMesh<Scalar> strip() {
-  PlainMesh<Scalar> mesh;
-  for (int i = 0; i < 6; ++i) {
-    mesh.vert.push_back(
-        {{static_cast<Scalar>(0.1 * i), static_cast<Scalar>(i % 2), static_cast<Scalar>(0)}, false});
-  }
-  for (int i = 0; i < 4; ++i)
-    mesh.face.push_back({{&mesh.vert[i], &mesh.vert[i + 1], &mesh.vert[i + 2]}, false});
-  return mesh;
+test::PlainMesh<Scalar> strip() {
+  return test::PlainMesh<Scalar>(
+      {{{0.0, 0, 0}, {0.1, 1, 0}, {0.2, 0, 0}, {0.1 * 3, 1, 0}, {0.4, 0, 0}, {0.5, 1, 0}},
+       {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 5}}});
 }
 
 TEST(VcgAdapter, DeletedElementsAreSkippedAndMapped) {
@@ -75,7 +49,7 @@ TEST(VcgAdapter, ArraysAreThoseOfAMeshUntilItIsEdited) {
     edit(edited);
     return !are_arrays_of(edited, arrays);
   };
-  using Edited = PlainMesh<float>;
+  using Edited = test::PlainMesh<float>;
   EXPECT_TRUE(
       is_noticed([](Edited& m) { m.vert[5].position[2] = std::numeric_limits<float>::denorm_min(); }));
   EXPECT_TRUE(is_noticed([](Edited& m) { m.vert[5].position[2] = std::numeric_limits<float>::quiet_NaN(); }));
@@ -103,7 +77,7 @@ TEST(VcgAdapter, RefusalsNameTheElementOfTheVcgMesh) {
             "Face 2 names a vertex that is not in the mesh; remove the face.");
 
   auto foreign = strip<double>();
-  PlainVertex<double> other;
+  test::PlainVertex<double> other;
   foreign.face[3].corners[0] = &other;
   EXPECT_EQ(test::refusal([&] { arrays_from_vcg(foreign); }),
             "Face 3 names a vertex that is not in the mesh; remove the face.");

@@ -79,12 +79,8 @@ TEST(MethodTable, EveryMethodTakesComponentsAndDefects) {
 }
 
 TEST(MethodTable, EveryMethodScalesWithTheMesh) {
-  test::Soup soup = test::icosphere(2);
-  const auto mesh = test::make_mesh(soup);
-  for (Point& point : soup.positions) {
-    for (double& coordinate : point) coordinate *= 1024.0;
-  }
-  const auto large = test::make_mesh(soup);
+  const auto mesh = test::make_mesh(test::icosphere(2));
+  const auto large = test::make_mesh(test::scaled(test::icosphere(2), 1024.0));
   for (const MethodEntry& entry : all_methods()) {
     const auto small_field = test::method_field(entry.info.name, mesh, {9});
     const auto large_field = test::method_field(entry.info.name, large, {9});

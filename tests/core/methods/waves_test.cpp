@@ -12,8 +12,7 @@
 namespace vorogeo {
 namespace {
 
-// Fast marching: order 1 on the plane, also where all triangles are obtuse, and its first-order error near
-// the source.
+// Fast marching: order 1 on the plane, also where all triangles are obtuse.
 
 double largest_error(int half, double stretch) {
   const test::Soup soup = test::stretched_triangles(half, stretch);
@@ -46,14 +45,6 @@ TEST(FastMarchingMethod, IsExactForAPlaneWave) {
   for (std::size_t v = 0; v < field.size(); ++v) EXPECT_NEAR(field[v], shape.soup.positions[v][1], 1e-9);
 }
 
-TEST(FastMarchingMethod, ErrsInTheFirstOrderOnASphere) {
-  const auto coarse = test::errors_against_exact("fast_marching", test::make_mesh(test::icosphere(3)), 7);
-  const auto fine = test::errors_against_exact("fast_marching", test::make_mesh(test::icosphere(4)), 7);
-  EXPECT_LT(fine.mean, 0.7 * coarse.mean);
-  EXPECT_GT(fine.mean, 0.3 * coarse.mean);
-  EXPECT_GT(fine.mean, 0.005);
-}
-
 // Waves across gaps: a plane in two parts, loose triangles, and the short cut between fingers that the
 // literature names.
 
@@ -67,6 +58,7 @@ TEST(CampenKobbeltMethod, CrossesAGapOfAPlaneWithTheErrorsOfFastMarching) {
   const auto errors = test::errors_of(field, test::straight_distances(plates.soup, 0));
   EXPECT_LT(errors.mean, 0.02);
   EXPECT_LT(errors.greatest, 0.1);
+  EXPECT_GT(errors.least, -0.1);
   EXPECT_EQ(test::method_field("campen_kobbelt", mesh, {0}, {{"gap", 5e-4}}), without);
 }
 
@@ -111,19 +103,6 @@ TEST(HeatMethod, ConvergesOnASphere) {
   const auto fine = test::errors_against_exact("heat", test::make_mesh(test::icosphere(5)), 7);
   EXPECT_LT(fine.mean, 0.5 * coarse.mean);
   EXPECT_LT(fine.mean, 0.01);
-}
-
-TEST(HeatMethod, FollowsAPlaneWave) {
-  // Heat from one end of a tube falls along the tube, but for the diagonals' unequal masses.
-  const auto shape = test::prism(12, 1, 8, 0.5, 3.0);
-  const auto mesh = test::make_mesh(shape.soup);
-  std::vector<Index> end;
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    if (mesh->position(v)[2] < 1e-9) end.push_back(v);
-  }
-  ASSERT_EQ(end.size(), 12u);
-  const auto field = test::method_field("heat", mesh, end);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_NEAR(field[v], mesh->position(v)[2], 0.05);
 }
 
 TEST(HeatMethod, NeedlesSpoilItAndTheIntrinsicTriangulationHelps) {

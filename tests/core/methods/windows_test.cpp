@@ -96,9 +96,10 @@ TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {
   const auto errors = test::errors_against_exact("ammp", test::make_mesh(soup), 5);
   EXPECT_LT(errors.mean, 6e-5);
   EXPECT_LT(errors.greatest, 3e-4);
+  EXPECT_GT(errors.least, -3e-4);
 }
 
-// The tree of windows: what order and filter spare, and direct geodesics alone.
+// The tree of windows: what order and filter spare.
 
 WindowTree tree_on(const test::Soup& soup) {
   return WindowTree(std::make_shared<const ExactGeometry>(test::make_mesh(soup)));
@@ -117,41 +118,6 @@ TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {
     for (std::size_t v = 0; v < expected.size(); ++v) ASSERT_NEAR(tree.distance(v), expected[v], 1e-9);
     EXPECT_GT(tree.window_count(), fewest);
   }
-}
-
-TEST(WindowTree, WithoutBendsSeesOnlyWhatIsStraightAhead) {
-  // Behind the slit nothing is seen directly; round its ends there is.
-  const test::Shape shape = test::plane_with_slit(4);
-  WindowTree tree = tree_on(shape.soup);
-  Index source = no_index;
-  for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
-    const Point& p = shape.soup.positions[v];
-    if (std::hypot(p[0], p[1] - 0.5) < 1e-9) source = v;
-  }
-  ASSERT_NE(source, no_index);
-  tree.run({&source, 1}, {.bends = false});
-  for (Index v = 0; v < static_cast<Index>(shape.soup.positions.size()); ++v) {
-    const Point& p = shape.soup.positions[v];
-    const double straight = distance_between(p, shape.soup.positions[source]);
-    const double true_distance = shape.vertex_distance(source, v);
-    if (true_distance > straight + 1e-9) {
-      EXPECT_EQ(tree.distance(v), unreachable) << p[0] << " " << p[1];
-    } else {
-      EXPECT_NEAR(tree.distance(v), straight, 1e-9);
-    }
-  }
-}
-
-TEST(WindowTree, EndsAtTheNearestVertices) {
-  const test::Shape shape = test::plane_grid(20, 20, 1.0, 1.0, 0.2);
-  WindowTree tree = tree_on(shape.soup);
-  const Index source = 220;
-  tree.run({&source, 1}, {.bends = false, .max_vertices = 30});
-  ASSERT_EQ(tree.settled().size(), 31u);
-  std::vector<double> all;
-  for (Index v = 0; v < 441; ++v) all.push_back(shape.vertex_distance(source, v));
-  std::sort(all.begin(), all.end());
-  for (std::size_t i = 0; i < 31; ++i) EXPECT_NEAR(tree.distance(tree.settled()[i]), all[i], 1e-12);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Patches: samples, regions, two layers of them, their halos and their colours.
+// Patches: two layers of them, their halos and their colours.
 #include "patches/partition.h"
 
 #include <gtest/gtest.h>
@@ -6,65 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <numeric>
 #include <set>
 #include <vector>
 
 #include "patches/halo.h"
-#include "patches/sampling.h"
 #include "support/indexes.h"
-#include "support/refusal.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
 namespace {
-
-// Sample vertices: how far apart.
-
-std::vector<Index> all_vertices(const Mesh& mesh) {
-  std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (!mesh.corners(v).empty()) vertices.push_back(v);
-  }
-  return vertices;
-}
-
-/// Edges from the nearest of some vertices, by breadth-first search; -1 where none reaches.
-std::vector<int> edge_counts_from(const Mesh& mesh, const std::vector<Index>& starts) {
-  std::vector<int> edge_count(mesh.vertex_count(), -1);
-  std::deque<Index> queue;
-  for (Index v : starts) {
-    edge_count[v] = 0;
-    queue.push_back(v);
-  }
-  for (; !queue.empty(); queue.pop_front()) {
-    const Index v = queue.front();
-    for (Index corner : mesh.corners(v)) {
-      for (Index u : {mesh.head(corner), mesh.apex(corner)}) {
-        if (edge_count[u] >= 0) continue;
-        edge_count[u] = edge_count[v] + 1;
-        queue.push_back(u);
-      }
-    }
-  }
-  return edge_count;
-}
-
-TEST(Sampling, WellSpread) {
-  // On a grid of 41 x 41 vertices, 16 samples: a square of 10 x 10 cells for each. No vertex is farther from
-  // the nearest sample than twice the side, no two samples nearer than a third of it.
-  const auto mesh = test::make_mesh(test::plane_grid(40, 40, 1.0, 1.0).soup);
-  const auto samples = Sampler(*mesh).spread({all_vertices(*mesh), {}}, 16, 0);
-  const auto edge_count = edge_counts_from(*mesh, samples);
-  EXPECT_LE(*std::max_element(edge_count.begin(), edge_count.end()), 20);
-  for (Index a : samples) {
-    const auto from_a = edge_counts_from(*mesh, {a});
-    for (Index b : samples) EXPECT_TRUE(a == b || from_a[b] >= 3) << a << " and " << b;
-  }
-}
-
-// Voronoi labels of faces: short borders, and no face alone.
 
 std::vector<Index> all_faces(const Mesh& mesh) {
   std::vector<Index> faces(mesh.face_count());
@@ -72,22 +23,7 @@ std::vector<Index> all_faces(const Mesh& mesh) {
   return faces;
 }
 
-TEST(Voronoi, NoFaceStandsAloneBetweenTwoNeighboursThatAgree) {
-  const auto mesh = test::make_mesh(test::random_sphere(1200, 8));
-  Front front(*mesh);
-  std::vector<Index> label(mesh->face_count(), no_index);
-  label_voronoi_faces(front, *mesh, {}, all_faces(*mesh), std::array<Index, 5>{3, 300, 600, 900, 1100}, {},
-                      label);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    int agreeing = 0;
-    for (int i = 0; i < 3; ++i) {
-      agreeing += label[Mesh::face_of(mesh->next_around_edge(3 * f + i))] == label[f];
-    }
-    EXPECT_GE(agreeing, 1) << "face " << f;
-  }
-}
-
-// Two layers of patches: counts, nesting, refusals.
+// Two layers of patches: counts and nesting.
 
 using test::Soup;
 
@@ -134,17 +70,6 @@ TEST(Partition, EveryFaceInOnePatchOfEachLayer) {
   }
 }
 
-TEST(Partition, TheNumbersAskedForAreMade) {
-  const Soup soup = test::icosphere(4);
-  for (Index n1 : {1, 2, 5, 9}) {
-    for (Index n2 : {1, 3, 8}) {
-      const Partition partition = partition_of(soup, patches(n1, n2));
-      EXPECT_EQ(partition.first_layer_count, n1);
-      EXPECT_EQ(partition.second_layer_count, n1 * n2);
-    }
-  }
-}
-
 TEST(Partition, AutomaticNumbersGrowWithTheMesh) {
   const Partition small = partition_of(test::icosphere(2));
   EXPECT_EQ(small.first_layer_count, 1);
@@ -169,62 +94,7 @@ TEST(Partition, AutomaticPatchesHaveSimilarSizes) {
   }
 }
 
-TEST(Partition, EachComponentHasPatchesOfItsOwn) {
-  Soup soup = test::icosphere(2);
-  for (int i = 0; i < 4; ++i) soup = test::two_components(soup, test::icosphere(i % 3));
-  const auto mesh = test::make_mesh(soup);
-  const Partition partition = partition_of(soup);
-  std::vector<std::set<Index>> components(partition.second_layer_count);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    components[partition.second_layer[f]].insert(mesh->component(mesh->face_vertices(f)[0]));
-  }
-  for (const auto& own : components) EXPECT_EQ(own.size(), 1U);
-}
-
-TEST(Partition, Refusals) {
-  auto refusal = [](const Soup& soup, Index n1, Index n2) {
-    return test::refusal([&] { partition_of(soup, patches(n1, n2)); });
-  };
-  EXPECT_EQ(refusal({{{0, 0, 0}}, {}}, 0, 0), "The mesh has no face; geodesic distances need a surface.");
-  const std::string range = "; give one from 0 (automatic) to 20, the number of faces.";
-  EXPECT_EQ(refusal(test::icosphere(0), -1, 0), "The number of first-layer patches, n1, is -1" + range);
-  EXPECT_EQ(refusal(test::icosphere(0), 21, 0), "The number of first-layer patches, n1, is 21" + range);
-  EXPECT_EQ(refusal(test::icosphere(0), 0, 21), "The number of second-layer patches, n2, is 21" + range);
-  EXPECT_EQ(refusal(test::icosphere(0), 20, 20), "");
-}
-
 // The rim around patches, widened on both sides.
-
-TEST(Halo, WidensByRingsOfFacesAndTakesThemBack) {
-  const auto index = test::make_index(test::icosphere(3), 3, 4);
-  const IndexData& data = index->data();
-  const Mesh& mesh = *data.surface.mesh;
-  Halo halo(mesh, data.first_face);
-  const std::vector<Index> patch{0};
-  const auto all_faces = static_cast<std::size_t>(mesh.face_count());
-  // Next to the patch, inside it, and where the second of three rings is too many.
-  for (const auto& [seed, most] : {std::pair(mesh.face_count() - 1, all_faces),
-                                   std::pair(Index{0}, all_faces), std::pair(Index{0}, std::size_t{14})}) {
-    halo.surround(patch);
-    std::set<Index> expected(halo.faces().begin(), halo.faces().end());
-    std::set<Index> rings{seed};
-    for (int k = 0; k < 3 && rings.size() < most; ++k) {
-      std::set<Index> next = rings;
-      for (Index f : rings) {
-        for (Index v : mesh.face_vertices(f)) {
-          for (Index corner : mesh.corners(v)) next.insert(Mesh::face_of(corner));
-        }
-      }
-      rings.swap(next);
-    }
-    expected.insert(rings.begin(), rings.end());
-    halo.widen(std::array{seed}, 3, most);
-    EXPECT_EQ(std::set<Index>(halo.faces().begin(), halo.faces().end()), expected);
-    EXPECT_EQ(halo.faces().size(), expected.size()) << "each face once";
-  }
-  halo.surround(std::vector<Index>{});
-  EXPECT_EQ(std::count(halo.mask().begin(), halo.mask().end(), 0), mesh.face_count());
-}
 
 TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
   // Face i of the disc lies between the rim's vertices i and i + 1.
@@ -254,20 +124,6 @@ void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, 
     }
     EXPECT_EQ(patches.size(), seen.size()) << "at vertex " << v;
   }
-}
-
-TEST(PatchColoring, BlocksOfAGridNeedFourColorsAndGetThem) {
-  // Blocks of 4 x 4 cells: four meet at each inner corner, so fewer than four colours are not enough.
-  const auto mesh = test::make_mesh(test::plane_grid(16, 16, 1.0, 1.0).soup);
-  std::vector<Index> patch;
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    const Index cell = f / 2;
-    patch.push_back(cell / 16 / 4 * 4 + cell % 16 / 4);
-  }
-  const PatchColoring colors = color_neighbors_differently(*mesh, patch);
-  expect_neighbors_differ(*mesh, patch, colors);
-  EXPECT_EQ(colors.palette.size(), 8U);
-  EXPECT_GE(colors.colors_used, 4);
 }
 
 TEST(PatchColoring, AFanWithElevenPatchesGetsElevenColors) {

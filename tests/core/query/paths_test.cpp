@@ -173,27 +173,5 @@ TEST(CertifiedPaths, AreShortestPaths) {
   if (wanted != nullptr) std::printf("%d pairs, %d certified\n", all.pairs, all.certified);
 }
 
-TEST(CertifiedPaths, PointsInFacesThatHaveLostTheirArea) {
-  // Vertex 211 of a plane of unit cells is moved onto its neighbour: the plane stays one, and so do
-  // distances.
-  Soup soup = test::plane_grid(20, 20, 20.0, 20.0).soup;
-  soup.positions[211] = soup.positions[210];
-  const auto mesh = test::make_mesh(soup);
-  ExactSolver solver(mesh);
-  solver.run_from_vertices(std::array<Index, 1>{0});
-  int empty = 0;
-  for (Index face = 0; face < mesh->face_count(); ++face) {
-    if (mesh->face_area(face) > 0.0) continue;
-    ++empty;
-    for (const auto& weights :
-         {std::array{0.2, 0.3, 0.5}, std::array{0.7, 0.0, 0.3}, std::array{0.0, 0.6, 0.4}}) {
-      const auto point = SurfacePoint::in_face(face, weights);
-      const Point p = position_of(*mesh, point);
-      EXPECT_NEAR(solver.distance(point), std::hypot(p[0], p[1]), 1e-12);
-    }
-  }
-  EXPECT_EQ(empty, 2);
-}
-
 }  // namespace
 }  // namespace vorogeo

@@ -1,4 +1,4 @@
-// A surface answers by the method asked for, names it, and builds an index when exact answers took as long.
+// A surface answers as is best, says by what, and builds an index when exact answers took as long.
 #include "query/surface.h"
 
 #include <gtest/gtest.h>
@@ -21,39 +21,6 @@ std::vector<ExactSource> from_vertices(const std::vector<Index>& vertices) {
   std::vector<ExactSource> sources;
   for (Index v : vertices) sources.push_back({SurfacePoint::at_vertex(v)});
   return sources;
-}
-
-TEST(Surface, AnswersByTheMethodAskedFor) {
-  const test::Soup soup = test::hills(30, 0.4);
-  const auto mesh = test::make_mesh(soup);
-  Surface surface(mesh);
-  const auto sources = from_vertices({3, 500});
-  const auto exact = exact_distance_field(mesh, std::vector<Index>{3, 500});
-  Answered answered;
-  const LabelledField by_exact = surface.field(sources, unreachable, AnswerMethod::exact, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
-  EXPECT_EQ(by_exact.distance, exact);
-  EXPECT_FALSE(surface.index());
-
-  const LabelledField quick = surface.field(sources, unreachable, AnswerMethod::quick, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::quick);
-  const LabelledField by_index = surface.field(sources, unreachable, AnswerMethod::index, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::index);
-  EXPECT_GT(answered.index_seconds, 0.0);
-  ASSERT_TRUE(surface.index());
-  EXPECT_EQ(by_index.distance, test::IndexQuery(surface.index()).field(sources));
-  test::ErrorCollector errors;
-  for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    errors.add(quick.distance[v], exact[v]);
-    EXPECT_TRUE(quick.source[v] == 0 || quick.source[v] == 1);
-    EXPECT_TRUE(by_exact.source[v] == 0 || by_exact.source[v] == 1);
-  }
-  EXPECT_LT(errors.statistics().mean, 0.005);
-
-  const LabelledField automatic = surface.field(sources, 0.3, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::index);
-  EXPECT_EQ(answered.index_seconds, 0.0);
-  EXPECT_EQ(automatic.distance, test::IndexQuery(surface.index()).field(sources, 0.3));
 }
 
 TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
@@ -122,11 +89,7 @@ TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
 }
 
 TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
-  test::Soup soup = test::icosphere(3);
-  for (Point& p : soup.positions) {
-    for (double& x : p) x *= 1e-40;
-  }
-  const auto mesh = test::make_mesh(soup);
+  const auto mesh = test::make_mesh(test::scaled(test::icosphere(3), 1e-40));
   RentOrBuy spent(mesh->vertex_count());
   for (int i = 0; i < 10; ++i) spent.pay(360.0);
   Surface surface(mesh, nullptr, spent);
@@ -176,16 +139,6 @@ TEST(Surface, AQuestionThatWaitsForABuildOfAnotherThreadCanBeCancelled) {
   builder.join();
   EXPECT_EQ(reports, 3);
   EXPECT_TRUE(surface.index());
-}
-
-TEST(Surface, RefusesNoSourceAndNamesItsMethods) {
-  Surface surface(test::make_mesh(test::icosphere(1)));
-  Answered answered;
-  EXPECT_THROW(surface.field({}, unreachable, AnswerMethod::exact, answered), InvalidInput);
-  EXPECT_STREQ(to_string(AnswerMethod::quick), "quick");
-  EXPECT_STREQ(to_string(AnswerMethod::automatic), "automatic");
-  EXPECT_STREQ(to_string(AnswerMethod::index), "index");
-  EXPECT_STREQ(to_string(AnswerMethod::exact), "exact");
 }
 
 // The choice between exact answers and an index costs at most twice the better of both.

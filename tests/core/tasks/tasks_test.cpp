@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "index/index_data.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/memory.h"
@@ -64,34 +63,9 @@ TEST(Tasks, CanBeCancelled) {
   }
 }
 
-// ---- Statistics of the difference of two fields, counted by hand
+// ---- What counts in the difference of two fields
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-TEST(FieldDifference, StatisticsOfFourVertices) {
-  const FieldDifference found = difference_of({0.0, 1.1, 1.8, 4.0, 5.0}, {0.0, 1.0, 2.0, 4.0, 5.0});
-  ASSERT_EQ(found.relative.size(), 5U);
-  EXPECT_TRUE(std::isnan(found.relative[0])) << "a source has no relative error";
-  EXPECT_NEAR(found.relative[1], 0.1, 1e-15);
-  EXPECT_NEAR(found.relative[2], -0.1, 1e-15);
-  EXPECT_EQ(found.compared, 4);
-  EXPECT_EQ(found.one_only, 0);
-  EXPECT_NEAR(found.bias, 0.0, 1e-15);
-  EXPECT_NEAR(found.mean, 0.05, 1e-15);
-  EXPECT_NEAR(found.rms, std::sqrt(0.005), 1e-15);
-  EXPECT_NEAR(found.p99, 0.1, 1e-15);
-  EXPECT_NEAR(found.max, 0.1, 1e-15);
-}
-
-TEST(FieldDifference, ThePercentileLeavesOutOneInAHundred) {
-  std::vector<double> values(200, 1.0);
-  values[7] = 1.5;
-  values[50] = 1.25;
-  values[120] = 0.875;
-  const FieldDifference found = difference_of(values, std::vector<double>(200, 1.0));
-  EXPECT_EQ(found.p99, 0.125);  // the 198th of 200 sorted errors
-  EXPECT_EQ(found.max, 0.5);
-}
 
 TEST(FieldDifference, WhatOneFieldDoesNotReachIsCountedNotCompared) {
   const FieldDifference found =
@@ -102,27 +76,9 @@ TEST(FieldDifference, WhatOneFieldDoesNotReachIsCountedNotCompared) {
   for (const double value : found.relative) EXPECT_TRUE(std::isnan(value));
 }
 
-TEST(FieldDifference, EmptyFieldsDifferInNothing) {
-  const FieldDifference found = difference_of({}, {});
-  EXPECT_EQ(found.compared, 0);
-  EXPECT_TRUE(found.relative.empty());
-}
-
-// ---- The order of the points of a task, and what answers it
+// ---- What answers the points of a task
 
 const test::Shape plane = test::plane_grid(30, 30, 3.0, 3.0, 0.2);
-
-TEST(Workers, OrderPointsPatchByPatch) {
-  const auto index = test::make_index(plane.soup, 3, 3);
-  Surface surface(index, 2);
-  const auto vertices = test::random_vertices(index->mesh()->vertex_count(), 60, 4);
-  auto order = Workers(surface, {.by = AnswerMethod::index}, 1.0).order_of_points(vertices);
-  const IndexData& data = index->data();
-  EXPECT_TRUE(std::ranges::is_sorted(
-      order, {}, [&](std::size_t i) { return data.home_patch[data.surface.vertex[vertices[i]]]; }));
-  std::ranges::sort(order);
-  for (std::size_t i = 0; i < vertices.size(); ++i) ASSERT_EQ(order[i], i) << "each once";
-}
 
 TEST(Workers, RefuseTheQuickMethodAndSayWhatAnswered) {
   Surface surface(test::make_mesh(plane.soup), {.threads = 1});
@@ -152,15 +108,6 @@ TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
   EXPECT_NEAR(found.energy.front(), 2.0 / 3.0, 0.01);
   EXPECT_NEAR(found.energy.back(), 1.0 / 6.0, 0.01);
   EXPECT_LT(found.energy.size(), 10U) << "it ends when nothing moves";
-}
-
-TEST(RelaxPoints, WithoutRoundsOnlyTheEnergyIsMeasured) {
-  Surface surface(test::make_mesh(square.soup), {.threads = 1});
-  const std::array points{SurfacePoint::in_face(99, {0.2, 0.3, 0.5})};
-  const RelaxedPoints found = relax_points(surface, points, 0, {.by = AnswerMethod::exact});
-  EXPECT_EQ(found.energy.size(), 1U);
-  EXPECT_EQ(found.vertices, std::vector<Index>{no_index});
-  EXPECT_TRUE(found.points[0] == points[0]);
 }
 
 TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
