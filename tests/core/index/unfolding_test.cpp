@@ -1,4 +1,4 @@
-// Unfolding of border edges: against straight lines in the plane, one crossing and many at once.
+// Unfolding of border edges: against straight lines in the plane; and how short pieces of borders are.
 #include "index/unfolding.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "index/border_pieces.h"
-#include "index/scans.h"
 #include "support/shapes.h"
 
 namespace vorogeo {
@@ -31,8 +30,6 @@ double crossing_distance(double source, double target, std::span<const BorderSam
   for (const BorderSample<double>& neighbour : neighbours) crossing.add(neighbour);
   return crossing_distance(crossing);
 }
-
-// Edge unfolding: against straight lines in the plane.
 
 TEST(Unfolding, RandomPointsOfThePlane) {
   std::mt19937 random(11);
@@ -234,111 +231,6 @@ TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
   EXPECT_LT(crossing_distance(7.2, 0.25, std::array{after}), 7.2);
 }
 
-// Many crossings at once: against the formulas for one.
-
-struct Point2 {
-  double x, y;
-};
-double between(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-/// A border of three vertices, a source below it and a target above it; the middle one is the crossing.
-struct Scene {
-  Scene(std::mt19937& random, double far) {
-    auto uniform = [&](double low, double high) {
-      return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-    };
-    border = {{{uniform(-1.2, -0.5), uniform(-0.2, 0.2)}, {0, 0}, {uniform(0.5, 1.2), uniform(-0.2, 0.2)}}};
-    source = {uniform(-far, far), -uniform(0.1, far)};
-    target = {uniform(-6, 6), uniform(0.05, 9)};
-    for (int i : {0, 1, 2}) {
-      from[i] = between(source, border[i]);
-      to[i] = between(target, border[i]);
-    }
-    lengths = {between(border[0], border[1]), between(border[2], border[1])};
-  }
-  std::array<Point2, 3> border;
-  Point2 source, target;
-  std::array<double, 3> from, to;
-  std::array<double, 2> lengths;
-};
-
-TEST(CrossingGains, AsUnfoldingAndParabola) {
-  std::mt19937 random(4);
-  for (double far : {2.0, 20.0, 500.0, 1e7}) {
-    for (int round = 0; round < 50; ++round) {
-      Crossings crossings{};
-      std::array<double, Crossings::capacity> expected{};
-      double lowest = 1e300;
-      std::vector<Scene> scenes;
-      for (Index k = 0; k < Crossings::capacity; ++k) {
-        scenes.emplace_back(random, far);
-        // The sources of one batch are at about the same distance.
-        if (k > 0 && std::abs(scenes[k].from[1] - scenes[0].from[1]) > 30.0) scenes[k] = scenes[0];
-        for (double distance : scenes[k].from) lowest = std::min(lowest, distance);
-      }
-      for (Index k = 0; k < Crossings::capacity; ++k) {
-        const Scene& scene = scenes[k];
-        crossings.source[k] = static_cast<float>(scene.from[1] - lowest);
-        crossings.target[k] = static_cast<float>(scene.to[1]);
-        std::array<BorderSample<double>, 2> samples{};
-        std::vector<BorderSample<double>> known;
-        for (int s : {0, 1}) {
-          // Every fifth crossing lacks a neighbour.
-          const bool used = k % 5 != 0 || s == k % 2;
-          samples[s] = {scene.from[2 * s], scene.to[2 * s], scene.lengths[s]};
-          crossings.side[s].source[k] = static_cast<float>(scene.from[2 * s] - lowest);
-          crossings.side[s].target[k] = static_cast<float>(scene.to[2 * s]);
-          crossings.side[s].length[k] = used ? static_cast<float>(scene.lengths[s]) : 0.0F;
-          if (used) known.push_back(samples[s]);
-        }
-        const double best = crossing_distance(scene.from[1], scene.to[1], known);
-        expected[k] = scene.from[1] + scene.to[1] - best;
-      }
-      float gain[Crossings::capacity];
-      crossing_gains(crossings, static_cast<float>(lowest), gain);
-      for (Index k = 0; k < Crossings::capacity; ++k) {
-        EXPECT_NEAR(gain[k], expected[k], 2e-4 * (1.0 + scenes[k].to[1])) << far << ", " << k;
-        EXPECT_GE(gain[k], 0.0F);
-      }
-    }
-  }
-}
-
-TEST(CrossingGains, NothingWhereThePathWouldPassOnBothSides) {
-  // The wave runs along the border, from the neighbour before to the vertex; the one at the neighbour behind
-  // came by another path.
-  Crossings crossings{};
-  for (Index k = 0; k < Crossings::capacity; ++k) {
-    crossings.source[k] = 0.5F;
-    crossings.target[k] = 0.25F;
-    crossings.side[0].source[k] = 0.3F;
-    crossings.side[0].target[k] = 0.45F;
-    crossings.side[0].length[k] = 0.2F;
-    crossings.side[1].source[k] = 0.0F;
-    crossings.side[1].target[k] = 0.77F;
-    crossings.side[1].length[k] = 1.0F;
-  }
-  float gain[Crossings::capacity];
-  crossing_gains(crossings, 6.7F, gain);
-  for (float value : gain) EXPECT_EQ(value, 0.0F);
-  for (Index k = 0; k < Crossings::capacity; ++k) crossings.side[0].length[k] = 0.0F;
-  crossing_gains(crossings, 6.7F, gain);
-  for (float value : gain) EXPECT_GT(value, 0.1F);
-}
-
-TEST(CrossingGains, NothingWithoutNeighboursOrWithoutDistances) {
-  Crossings crossings{};
-  float gain[Crossings::capacity];
-  crossing_gains(crossings, 0.0F, gain);
-  for (float value : gain) EXPECT_EQ(value, 0.0F);
-  for (Index k = 0; k < Crossings::capacity; ++k) {
-    crossings.source[k] = 1.0F;
-    crossings.target[k] = 1.0F;
-  }
-  crossing_gains(crossings, 5.0F, gain);
-  for (float value : gain) EXPECT_EQ(value, 0.0F);
-}
-
 // Pieces near saddle vertices: as short as circles around these ask for.
 
 /// Unit cells in z = 0 over the square from 0 to 10, without those beyond (5, 5), where the border turns:
@@ -401,22 +293,6 @@ TEST(NearSaddles, FarOnesAndConvexCornersChangeNothing) {
   // The other corners of the border have less than a straight angle.
   const auto square = test::make_mesh(test::plane_grid(10, 10, 10.0, 10.0, 0.0).soup);
   EXPECT_EQ(NearSaddles(*square, short_pieces).piece_factor(edge_beside(*square, 0), size), 1.0);
-}
-
-TEST(NearSaddles, TheSameWhereLengthsAreOthersByAFactor) {
-  const auto mesh = test::make_mesh(corner());
-  SideLengths sides;
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    std::array<double, 3> lengths{};
-    for (int i = 0; i < 3; ++i) lengths[(i + 2) % 3] = 7.0 * mesh->side_length(3 * f + i);
-    sides.push_back(lengths);
-  }
-  const Mesh scaled(mesh->positions(), mesh->faces(), sides);
-  const Index edge = edge_beside(*mesh, 2);
-  EXPECT_NEAR(NearSaddles(scaled, short_pieces).piece_factor(edge, 7.0 * size),
-              NearSaddles(*mesh, short_pieces).piece_factor(edge, size), 1e-12);
-  const Mesh forgotten(std::vector<Point>(mesh->positions().size(), no_position), mesh->faces(), sides);
-  EXPECT_EQ(NearSaddles(forgotten, short_pieces).piece_factor(edge, 7.0 * size), 1.0);
 }
 
 }  // namespace
