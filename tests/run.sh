@@ -242,13 +242,13 @@ newer=$!
 if [ "$quick" = no ]; then
   if check "build of the core with sanitizers" \
       cmake --build build/release --parallel "$jobs" --target sanitized_tests; then
-    watched='*Contract.*:SharedRun.*:BucketQueue.*:*Envelope*:*File*:*DamagedIndex*:*SavedIndex*:*Defects*'
+    watched='*Contract.*:SharedRun.*:BucketQueue.*:*Envelope*:*File*:*DamagedIndex*:*Defects*'
     watched+=':Surface*:Workers*:ManyPairs*'  # threads
     cpp_suite core_tests_sanitized cpp-sanitized "--gtest_filter=$watched-Seeds/*"
     check "fuzz index files" timeout $((fuzz_seconds + 120)) build/release/tests/index_file_fuzz "$fuzz_seconds" &
     fuzzer=$!
-    check "fuzz meshes" timeout $((fuzz_seconds + 120)) build/release/tests/mesh_fuzz "$((fuzz_seconds / 4))"
     check "hostile meshes with sanitizers" tests/fuzz/run.sh --sanitized --count 50 --vertices 25
+    check "spoilt meshes with sanitizers" tests/fuzz/run.sh --sanitized --count 50 --vertices 25 --spoilt
     wait "$fuzzer"
   fi
 fi

@@ -114,6 +114,8 @@ void check_bends(HostileCase& hostile, Index source, const std::vector<double>& 
 void check_exact(HostileCase& hostile) {
   const Mesh& mesh = *hostile.mesh;
   const bool extreme = mesh.longest_edge_length() > 1e50 || mesh.mean_edge_length() < 1e-50;
+  hostile.ask("exact solver");
+  if (!hostile.attempt([&] { const ExactSolver refused(hostile.mesh); }, extreme)) return;
   ExactSolver solver(hostile.mesh);
   ExactSolver several(hostile.mesh);
   for (int i = 0; i < 2; ++i) {

@@ -7,11 +7,13 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <limits>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "fuzz/hostile_case.h"
+#include "mesh/mesh_check.h"
 
 namespace {
 
@@ -21,8 +23,8 @@ using namespace vorogeo::test;
 constexpr const char* usage =
     "usage: hostile_fuzz [--count N | --hours H] [--first SEED | --of-today] [--vertices N | --mixed] "
     "[--jobs N] "
-    "[--no-costs] [--exact-only]\n"
-    "       hostile_fuzz --seed SEED [--vertices N]\n"
+    "[--no-costs] [--exact-only] [--spoilt]\n"
+    "       hostile_fuzz --seed SEED [--vertices N] [--spoilt]\n"
     "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
     "  --hours     as many as fit this time instead\n"
     "  --of-today  the first seed is ten thousand times the day's number, so that no day repeats another's "
@@ -32,7 +34,8 @@ constexpr const char* usage =
     "  --jobs      processes (default 1)\n"
     "  --seed      one mesh in this process: what a finding names\n"
     "  --no-costs  does not compare time and memory with those of a scan\n"
-    "  --exact-only  exact fields alone, with 1, 2, 3 and 8 threads: no index, no costs\n";
+    "  --exact-only  exact fields alone, with 1, 2, 3 and 8 threads: no index, no costs\n"
+    "  --spoilt    meshes have what the generator leaves out, and are refused with values that are none\n";
 
 struct Options {
   unsigned first = 1;
@@ -44,6 +47,7 @@ struct Options {
   bool single = false;
   bool costs = true;
   bool index = true;
+  bool spoilt = false;
 };
 
 #ifdef VOROGEO_SMALL_TESTS
@@ -63,6 +67,45 @@ int size_of(unsigned seed, const Options& options) {
   // One in 200 is larger: that is where threads share a field.
   const std::size_t draw = HostileRandom(seed).below(200);
   return draw == 199 ? 6000 : sizes[draw % sizes.size()];
+}
+
+/// Sizes at the limits of floating-point numbers, or corners anywhere: non-manifold in every way.
+void spoil(HostileMesh& mesh, HostileRandom random) {
+  mesh.flat.clear();
+  if (random.one_in(2)) {
+    mesh.soup = scaled(mesh.soup, random.power(-140.0, 140.0));
+    mesh.defects.emplace_back("a size of any order");
+    return;
+  }
+  for (auto& face : mesh.soup.faces) {
+    if (random.one_in(8))
+      face[random.below(3)] = static_cast<Index>(random.below(mesh.soup.positions.size()));
+  }
+  mesh.defects.emplace_back("corners anywhere");
+}
+
+/// The mesh with a coordinate that is no number, or a corner that is no vertex, is none.
+void require_refusals(HostileCase& hostile) {
+  const Soup& soup = hostile.hostile.soup;
+  HostileRandom random(hostile.seed);
+  auto require_refusal = [&](const Soup& bad, const std::string& what) {
+    hostile.ask("mesh with " + what);
+    if (check_mesh(bad.positions, bad.faces).usable())
+      hostile.fail("the report calls usable what is none", what);
+    if (hostile.attempt([&] { make_mesh(bad); }, true)) hostile.fail("a mesh was made of what is none", what);
+  };
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), unreachable, -unreachable}) {
+    Soup bad = soup;
+    bad.positions[random.below(bad.positions.size())][random.below(3)] = value;
+    require_refusal(bad, "a coordinate " + exactly(value));
+  }
+  if (soup.faces.empty()) return;
+  for (const Index vertex :
+       {-1, static_cast<Index>(soup.positions.size()), std::numeric_limits<Index>::max()}) {
+    Soup bad = soup;
+    bad.faces[random.below(bad.faces.size())][random.below(3)] = vertex;
+    require_refusal(bad, "a corner " + std::to_string(vertex));
+  }
 }
 
 Costs examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
@@ -88,8 +131,12 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   tally.seed = seed;
   std::strcpy(tally.question, "generator");
   const int vertices = size_of(seed, options);
-  std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d", vertices);
-  HostileCase hostile(seed, hostile_mesh(seed, vertices), tally);
+  std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d%s", vertices,
+                options.spoilt ? " --spoilt" : "");
+  HostileMesh mesh = hostile_mesh(seed, vertices);
+  if (options.spoilt) spoil(mesh, HostileRandom(seed));
+  HostileCase hostile(seed, std::move(mesh), tally);
+  if (options.spoilt) require_refusals(hostile);
   // What a check itself throws, as where its reference finds no memory, is a finding as well.
   hostile.attempt([&] { examine(hostile, options, options.costs ? &scans : nullptr); });
   ++tally.meshes;
@@ -212,6 +259,10 @@ bool read_options(int argc, char** argv, Options& options) {
     }
     if (name == "--exact-only") {
       options.index = options.costs = false;
+      continue;
+    }
+    if (name == "--spoilt") {
+      options.spoilt = true;
       continue;
     }
     if (name == "--of-today") {

@@ -40,18 +40,14 @@ void check_one_path(HostileCase& hostile, PathQuery& query, const SurfacePoint& 
     check(path, false, "refined");
     hostile.note_error(ErrorKind::refined_path, path.length, exact);
   });
-  hostile.ask(hostile.index_text() + "exact_path " + between);
-  hostile.attempt([&] {
-    const ExactPath found = query.exact_path(source, target);
-    check(found.path, found.certified, found.certified ? "certified" : "uncertified");
-    if (!found.certified) hostile.note_error(ErrorKind::uncertified_path, found.path.length, exact);
-  });
-  hostile.ask(hostile.index_text() + "exact_path, certify = false, " + between);
-  hostile.attempt([&] {
-    const ExactPath found = query.exact_path(source, target, false);
-    check(found.path, found.certified, found.certified ? "certified" : "uncertified");
-    if (!found.certified) hostile.note_error(ErrorKind::uncertified_path, found.path.length, exact);
-  });
+  for (const bool certify : {true, false}) {
+    hostile.ask(hostile.index_text() + (certify ? "exact_path " : "exact_path, certify = false, ") + between);
+    hostile.attempt([&] {
+      const ExactPath found = query.exact_path(source, target, certify);
+      check(found.path, found.certified, found.certified ? "certified" : "uncertified");
+      if (!found.certified) hostile.note_error(ErrorKind::uncertified_path, found.path.length, exact);
+    });
+  }
 }
 
 }  // namespace
