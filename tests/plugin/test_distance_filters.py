@@ -94,17 +94,6 @@ def test_border_of_a_rectangle():
     assert result["max_distance"] == pytest.approx(6, rel=0.001)
 
 
-def test_distance_of_two_vertices_is_symmetric():
-    vertices, faces = sphere(4)
-    ms = mesh_set(vertices, faces)
-    exact = exact_distances(vertices, faces, [7])
-    for target in (9, 500, 2000):
-        there = ms.apply_filter(TWO_POINTS, source=7, target=target, method="index")["distance"]
-        assert there == ms.apply_filter(TWO_POINTS, source=target, target=7, method="index")["distance"]
-        assert there == pytest.approx(exact[target], rel=0.02)
-    assert ms.apply_filter(TWO_POINTS, source=9, target=9)["distance"] == 0
-
-
 def test_colours_run_from_red_at_the_source_to_blue_at_the_farthest_vertex():
     ms = mesh_set(*grid(10, 3))
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
@@ -161,15 +150,6 @@ def test_another_component_and_isolated_vertices_are_unreachable(name):
     np.testing.assert_allclose(colors[36:], np.tile(GREY, (17, 1)))
     np.testing.assert_allclose(colors[35], [0, 0, 1, 1])  # the ramp ends at the farthest vertex that was reached
     assert ms.apply_filter(TWO_POINTS, source=0, target=40)["distance"] == float("inf")
-
-
-@pytest.mark.parametrize("name", FROM_A_SELECTION)
-def test_a_source_in_each_component_reaches_everything(name):
-    ms = mesh_set(*side_by_side(grid(5, 5), grid(3, 3)))
-    select_vertices(ms, [0, 36])
-    result = ms.apply_filter(name)
-    assert (result["source_vertices"], result["unreachable_vertices"]) == (2, 0)
-    assert np.all(field(ms) >= 0)
 
 
 @pytest.mark.parametrize("name", FROM_A_POINT)

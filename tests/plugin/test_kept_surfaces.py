@@ -16,8 +16,6 @@ from support import (
     FROM_POINT,
     INDEX,
     PATCHES,
-    PATH,
-    TWO_POINTS,
     arrays,
     assert_close_to_exact,
     exact_distances,
@@ -114,23 +112,6 @@ def logged(setup: str, calls: list[str]) -> list[str]:
         [sys.executable, "-c", "\n".join(script)], cwd=Path(__file__).parent, capture_output=True, text=True, check=True
     )
     return done.stderr.split("NEXT\n")[1:]
-
-
-@pytest.mark.parametrize("method", ["exact", "quick", "index"])
-def test_a_second_call_gives_the_same_bits(method):
-    vertices, faces = sphere(4)
-    ms = mesh_set(vertices, faces)
-    seen = []
-    for _ in range(2):
-        for source in (9, 700):
-            ms.apply_filter(FROM_POINT, vertex_index=source, method=method, max_distance=length(1.5))
-            seen.append(field(ms).copy())
-    np.testing.assert_array_equal(seen[0], seen[2])
-    np.testing.assert_array_equal(seen[1], seen[3])
-    lengths = [ms.apply_filter(PATH, source=9, target=700, method="exact")["length"]]
-    ms.set_current_mesh(0)
-    lengths.append(ms.apply_filter(TWO_POINTS, source=9, target=700, method="exact")["distance"])
-    assert lengths[0] == pytest.approx(lengths[1], rel=1e-12)
 
 
 def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():

@@ -71,6 +71,7 @@ REFUSED = {
     "patches: '44' is not a pair": [lambda i: made(patches="44")],
     r"patches\[0\]: -1 is out of range": [lambda i: made(patches=(-1, 2))],
     r"patches\[1\]: 2.5 is not an integer": [lambda i: made(patches=(2, 2.5))],
+    "memory_budget: ": [lambda i, bad=bad: made(memory_budget=bad) for bad in (0, -5, 1.5, "much")],
     "progress: 'yes' is not a function": [lambda i: made(progress="yes")],
     "Level 0 is nan": [lambda i: i.isolines(np.zeros(20), [float("nan")])],
     "count: 0 is out of range": [lambda i: i.sample_farthest(0)],

@@ -38,14 +38,6 @@ def test_every_method_gives_about_the_distances_of_a_prism(method):
     assert np.corrcoef(field, expected)[0, 1] > 0.95
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_unreached_vertices_are_infinite(method):
-    vertices, faces = side_by_side(bent_grid(12, 9), cube())
-    field = vorogeo.distance_field(np.vstack([vertices, [5, 5, 5]]), faces, [2, 7], method=method)
-    assert np.isfinite(field[:108]).all()
-    assert np.isinf(field[108:]).all()
-
-
 def test_a_prepared_method_answers_many_times():
     vertices, faces = bent_grid(14, 11)
     method = vorogeo.GeodesicMethod(vertices, faces, "ammp", eps=0.0)

@@ -31,28 +31,15 @@ def wavy():
     return vertices, faces, vorogeo.EdgeLengths(sides_of(vertices, faces))
 
 
-def test_positions_forgotten_change_no_answer(wavy):
+def test_without_positions_regions_have_their_areas_and_places_in_space_are_refused(wavy):
     vertices, faces, metric = wavy
-    plain = vorogeo.GeodesicIndex(vertices, faces, patches=(6, 3))
-    index = vorogeo.GeodesicIndex(None, faces, patches=(6, 3), metric=metric)
-    assert index.statistics.vertices == len(vertices)
-    assert np.isnan(index.vertices).all()
-    ends = [3, 500, 1111], [1000, 40, 41]
-    # Rounding of the tables may fall on another entry.
-    np.testing.assert_allclose(index.distance_field(7), plain.distance_field(7), rtol=3e-5)
-    for mine, other in zip(index.exact_path(*ends), plain.exact_path(*ends), strict=True):
-        assert mine.certified
-        assert np.isnan(mine.points).all()
-        assert mine.length == pytest.approx(other.length, abs=1e-12)
-        np.testing.assert_array_equal(mine.surface_points.faces, other.surface_points.faces)
-        np.testing.assert_allclose(mine.surface_points.barycentric, other.surface_points.barycentric, atol=1e-9)
-    regions = [q.voronoi([0, 600, 1199], method="exact") for q in (index, plain)]
+    surface = vorogeo.Surface(None, faces, metric=metric)
+    regions = [one.voronoi([0, 600, 1199], method="exact") for one in (surface, vorogeo.Surface(vertices, faces))]
     np.testing.assert_allclose(regions[0].area, regions[1].area, rtol=1e-12)
     np.testing.assert_array_equal(regions[0].face_region, regions[1].face_region)
-    with pytest.raises(vorogeo.InvalidInput, match="no positions"):
-        index.snap([0, 0, 0])
-    with pytest.raises(vorogeo.InvalidInput, match="no positions"):
-        index.relax([0, 600], rounds=1)
+    for question in (lambda: surface.snap([0, 0, 0]), lambda: surface.relax([0, 600], rounds=1)):
+        with pytest.raises(vorogeo.InvalidInput, match="no positions"):
+            question()
 
 
 def test_cost_of_the_hyperbolic_plane_falls_with_the_square_of_the_edge():

@@ -53,9 +53,3 @@ def test_faces_may_be_a_column_of_whole_numbers_stored_as_reals(plane):
     np.testing.assert_array_equal(plane.fields(same), plane.fields(points))
     np.testing.assert_array_equal(same.positions(*PLANE), points.positions(*PLANE))
     assert same.to_text() == points.to_text()
-
-
-@pytest.mark.parametrize("bad", [[0, np.inf, 0], [0, 0, -1.7e308]])
-def test_points_that_cannot_be_snapped_are_named(plane, bad):
-    with pytest.raises(vorogeo.InvalidInput, match=r"points\[1\]: .*(nan|inf|1.7e\+308)"):
-        plane.snap([[0, 0, 0], bad])

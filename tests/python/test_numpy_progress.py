@@ -32,18 +32,6 @@ def test_fractions_rise_to_one_on_the_calling_thread():
     assert threads == {threading.get_ident()}
 
 
-def test_false_cancels():
-    calls = []
-
-    def progress(fraction, text):
-        calls.append(fraction)
-        return len(calls) < 2
-
-    with pytest.raises(vorogeo.Cancelled, match="Cancelled"):
-        vorogeo.GeodesicIndex(*MESH, progress=progress)
-    assert len(calls) == 2
-
-
 @pytest.mark.parametrize("answer", [True, None, 1, "go on", 0, 0.0, "", (), np.int8(0), np.bool_(True)])
 def test_other_answers_go_on(answer):
     expected = vorogeo.GeodesicIndex(*MESH).distance_field(0)
