@@ -74,12 +74,12 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
   return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};
 }
 
-/// The same for a task of the core, as the parameter exact says: from the index, which is built if there is
-/// none, or by exact propagation. The answer of task(surface, arguments..., options).
+/// The same for a task of the core, as the parameter exact says: by what is fastest, or by exact propagation.
+/// The answer of task(surface, arguments..., options).
 template <class Task, class... Arguments>
 auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
               const Arguments&... arguments) {
-  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::index;
+  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::automatic;
   return ask_surface(call, layer, activity,
                      [&](Surface& surface, Answered& answered, const Progress& progress) {
                        return task(surface, arguments..., TaskOptions{by, progress, &answered});

@@ -51,7 +51,7 @@ int number_of(const FilterCall& call, const char* parameter, int least, const ch
 
 RichBool exact_parameter() {
   return RichBool("exact", false, "Exact",
-                  "Exact propagation for each point instead of the index: slower, without its errors.");
+                  "Exact propagation for each point, also where the index is faster: without its errors.");
 }
 
 RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Seed of the random numbers."); }
