@@ -22,23 +22,27 @@ namespace {
 /// Relative to the other sides of a face.
 constexpr double length_rounding = 1e-13;
 
-/// Of a face's longest side: where many faces of less height and different costs lie side by side, sources
-/// placed before them err by more than their height.
-constexpr double thin_height = 1e-3;
+/// Where many faces without width and of different costs lie side by side, waves in each err by more than the
+/// next is away.
 constexpr double different_cost = 1.01;
 /// The same for a few such faces, as at a T-junction.
 constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
+/// Powers of the length of an edge, and of its ratio to the height of a face, with which its points grow.
+constexpr double by_length = 0.8;
+constexpr double by_height = 0.1;
+/// Of an edge: lower faces count as this high.
+constexpr double least_height = 1e-3;
+/// No edge has fewer points than this part of the usual ones, nor more than so many.
+constexpr Index per_fewest = 2;
+constexpr double most_points = 20000.0;
+constexpr double most_points_of_all = 2e9;
+
 }  // namespace
 
-FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge)
-    : mesh_(std::move(mesh)), per_edge_(points_per_edge) {
-  constexpr double max_points = 2e9;
-  if (static_cast<double>(per_edge_) * mesh_->edge_count() + mesh_->vertex_count() > max_points) {
-    throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
-  }
+FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge) : mesh_(std::move(mesh)) {
   double longest = 0.0;
   layout_.reserve(mesh_->face_count());
   for (Index f = 0; f < mesh_->face_count(); ++f) {
@@ -58,18 +62,56 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge)
   }
   find_thin_fans();
   require_lengths(mesh_->mean_edge_length(), longest, "metrics of faces take", exact_lengths);
+  place_points(points_per_edge);
+}
+
+/// Long edges have more points than short ones, and those beside a low face more than their length alone
+/// asks for: what is reached through a piece may be as near as that. Each component has the points that it
+/// would have alone.
+void FaceNorms::place_points(Index per_edge) {
+  const Index edges = mesh_->edge_count();
+  std::vector<double> weight(edges, 0.0);
+  std::vector<std::vector<double>> weights(mesh_->component_count());
+  auto component_of = [&](Index e) { return mesh_->component(mesh_->edge_vertices(e)[0]); };
+  for (const Index e : checked(edges)) {
+    if (!(edge_cost(e) > 0.0)) continue;
+    double ratio = 0.0;  // of the length to the height of the lowest face
+    const Index first = mesh_->edge_halfedge(e);
+    Index h = first;
+    do {
+      const EdgeFrame face = frame(h);
+      ratio = std::max(ratio, face.length / std::max(face.apex_y, least_height * face.length));
+      h = mesh_->next_around_edge(h);
+    } while (h != first);
+    weight[e] = std::pow(edge_cost(e), by_length) * std::pow(ratio, by_height);
+    weights[component_of(e)].push_back(weight[e]);
+  }
+  std::vector<double> scale(weights.size(), 0.0);
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    if (weights[c].empty()) continue;
+    const auto median = weights[c].begin() + static_cast<std::ptrdiff_t>(weights[c].size() / 2);
+    std::ranges::nth_element(weights[c], median);
+    scale[c] = per_edge / *median;
+  }
+  const double fewest = std::max<Index>(1, per_edge / per_fewest);
+  first_point_.reserve(edges + 1);
+  first_point_.push_back(mesh_->vertex_count());
+  for (const Index e : checked(edges)) {
+    const double count = std::clamp(std::round(weight[e] * scale[component_of(e)]), fewest, most_points);
+    if (first_point_.back() + count > most_points_of_all) {
+      throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
+    }
+    first_point_.push_back(first_point_.back() + static_cast<Index>(count));
+    edge_of_point_.insert(edge_of_point_.end(), static_cast<std::size_t>(count), e);
+    longest_piece_ = std::max(longest_piece_, edge_cost(e) * spacing(e));
+  }
 }
 
 void FaceNorms::find_thin_fans() {
-  auto is_thin = [&](Index f) {
-    const auto side = mesh_->side_lengths(f);
-    const double longest = std::max({side[0], side[1], side[2]});
-    return layout_[f][0] * layout_[f][2] <= thin_height * longest * longest;
-  };
   std::vector<std::uint8_t> seen;
   std::vector<Index> fan;
   for (Index first = 0; first < mesh_->face_count(); ++first) {
-    if (!is_thin(first) || (!seen.empty() && seen[first] != 0)) continue;
+    if (!is_flat(first) || (!seen.empty() && seen[first] != 0)) continue;
     seen.resize(mesh_->face_count(), 0);
     seen[first] = 1;
     fan.assign(1, first);
@@ -81,7 +123,7 @@ void FaceNorms::find_thin_fans() {
         const double cost = edge_cost(mesh_->edge_of(h));
         if (cost > 0.0) greatest_ratio = std::max(greatest_ratio, mesh_->side_length(h) / cost);
         const Index other = Mesh::face_of(mesh_->next_around_edge(h));
-        if (seen[other] != 0 || !is_thin(other)) continue;
+        if (seen[other] != 0 || !is_flat(other)) continue;
         seen[other] = 1;
         fan.push_back(other);
       }
@@ -225,18 +267,18 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
   return length;
 }
 
-// ---- A source placed before the piece, and the crossing by Snell's law: Newton's method within bounds
+// ---- Waves at a point of an edge, and what of them is good beside it
 
 namespace {
 
 /// Relative: the cost of an edge is that of one of its faces up to rounding.
 constexpr double same_cost = 1e-9;
 
-/// Of the place in the piece; the length of the way is off by its square.
-constexpr double crossing_rounding = 1e-7;
-constexpr int most_newton_steps = 50;
+/// Of its radius: how far beside its point a wave that has entered a dearer face is as of one source.
+constexpr double wide = 0.25;
 
-double length_of(double x, double y) { return std::max(std::sqrt(x * x + y * y), 1e-300); }
+/// Of a piece: what the parts of two waves that touch overlap by, so that no ray passes between them.
+constexpr double overlap = 0.05;
 
 }  // namespace
 
@@ -248,67 +290,30 @@ double refracted_radius(double radius, const RayAtEdge& ray, bool into_face) {
   return into_face ? radius * in_face / before : radius * before / in_face;
 }
 
-PlacedSource::PlacedSource(const EdgePiece& piece)
-    : length_(piece.length), cheapest_(piece.cheapest), farther_(piece.farther) {
-  const double first = piece.at_first + farther_;
-  const double difference = piece.at_first - piece.at_second;
-  // Distances that sum to less than the piece are those of two waves, one at each end.
-  exists_ = cheapest_ > 0.0 && piece.at_first < unreachable && piece.at_second < unreachable &&
-            std::abs(difference) <= cheapest_ &&
-            piece.at_first + piece.at_second >= cheapest_ * (1.0 - same_cost);
-  if (!exists_) return;
-  const double sum = first + piece.at_second + farther_;
-  least_ = 0.5 * (piece.at_first + piece.at_second - cheapest_);
-  x_ = 0.5 * (cheapest_ + difference * sum / cheapest_);
-  y_ = std::sqrt(std::max(0.0, (first - x_) * (first + x_)));
-  refracts_ = length_ > cheapest_ * (1.0 + same_cost);
-  if (!refracts_) return;
-  // Rays leave both ends at angles of which the slopes are the cosines.
-  x_ /= cheapest_;
-  y_ /= cheapest_;
-  slope_at_first_ = cheapest_ * (-x_ / length_of(x_, y_));
-  slope_at_second_ = cheapest_ * ((1.0 - x_) / length_of(1.0 - x_, y_));
-}
-
-EdgeCrossing PlacedSource::cross(double x, double y) const {
-  if (refracts_) return refract(x / length_, y / length_);
-  const double height = y_ + y;
-  const double shift = x - x_;
-  const double at = x_ * height + shift * y_;  // times height, which is not negative
-  if (!(at > 0.0 && at < cheapest_ * height)) return {};
-  return {std::sqrt(shift * shift + height * height) - farther_, at / (height * cheapest_)};
-}
-
-/// How the sum of the lengths before and after the piece changes with the place of the crossing.
-double PlacedSource::slope_at(double share, double x, double y, double& curvature) const {
-  const double before = length_of(share - x_, y_);
-  const double after = length_of(share - x, y);
-  curvature =
-      cheapest_ * (y_ / before) * (y_ / before) / before + length_ * (y / after) * (y / after) / after;
-  return cheapest_ * ((share - x_) / before) + length_ * ((share - x) / after);
-}
-
-/// All in units of the piece, on both sides of it.
-EdgeCrossing PlacedSource::refract(double x, double y) const {
-  const double height = y_ + y;
-  if (!(height > 0.0)) return {};
-  const bool inside = slope_at_first_ < length_ * (x / length_of(x, y)) &&
-                      slope_at_second_ > length_ * ((x - 1.0) / length_of(x - 1.0, y));
-  if (!inside) return {};
-  double low = 0.0;
-  double high = 1.0;
-  double curvature = 0.0;
-  double at = std::clamp(x_ + (x - x_) * (y_ / height), low, high);
-  for (int i = 0; i < most_newton_steps; ++i) {
-    const double rise = slope_at(at, x, y, curvature);
-    (rise > 0.0 ? high : low) = at;
-    double next = at - rise / curvature;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool found = std::abs(next - at) <= crossing_rounding;
-    at = next;
-    if (found) break;
+WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost) {
+  const double at_first = second.along(-cost) - first.distance;
+  const double at_second = first.along(cost) - second.distance;
+  if (at_first >= 0.0 && at_second >= 0.0) return {};
+  double one = std::abs(at_first);
+  double other = std::abs(at_second);
+  if (at_first >= 0.0 || at_second >= 0.0) {
+    one = std::sqrt(one);
+    other = std::sqrt(other);
   }
-  return {cheapest_ * length_of(at - x_, y_) + length_ * length_of(at - x, y) - farther_, at};
+  const double share = one / (one + other);
+  return {std::min(1.0, share + overlap), std::max(0.0, share - overlap)};
+}
+
+FaceBeam::FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double limit)
+    : distance_(wave.distance), at_(at), low_(low), high_(high), limit_(limit) {
+  const double cosine = wave.slope / dearer;
+  radius_ = std::min(refracted_radius(wave.radius, {cosine, dearer}, true), flattest * wave.distance);
+  x_ = at - radius_ * cosine;
+  y_ = -radius_ * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  if (dearer > 1.0 + same_cost) {
+    low_ = std::max(low_, at - wide * radius_);
+    high_ = std::min(high_, at + wide * radius_);
+  }
 }
 
 // ---- A search over vertices and edges through faces that have no area

@@ -1,6 +1,7 @@
 // How shortest paths cross an edge between faces of different norms.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -31,20 +32,21 @@ struct EdgeFrame {
 /// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
 /// disagree; along an edge, the cheaper face counts.
 ///
-/// Each edge holds the same number of points, evenly spaced between its ends. Points are numbered: first the
-/// vertices, then those of the edges, from the edge's first vertex on.
+/// Each edge holds points, evenly spaced between its ends: more where it is long or a face beside it is low.
+/// Points are numbered: first the vertices, then those of the edges, from the edge's first vertex on.
 class FaceNorms {
  public:
   using Place = std::array<double, 2>;
   static double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-  /// \throw InvalidInput for lengths outside `exact_lengths`, or too many points.
+  /// `points_per_edge`: on the median edge. \throw InvalidInput for lengths outside `exact_lengths`, or too
+  /// many points.
   FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge);
 
   const Mesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
-  Index points_per_edge() const { return per_edge_; }
-  Index point_count() const { return mesh_->vertex_count() + per_edge_ * mesh_->edge_count(); }
+  Index point_count() const { return first_point_.back(); }
+  Index points_on(Index edge) const { return first_point_[edge + 1] - first_point_[edge]; }
 
   /// Corner 0 at the origin, corner 1 on the x axis, corner 2 above it.
   std::array<Place, 3> corners(Index face) const {
@@ -54,7 +56,7 @@ class FaceNorms {
   /// Whether all points of a face lie on one line, as far as sides can tell: its area is 0, and it can be
   /// crossed at no cost.
   bool is_flat(Index face) const { return layout_[face][2] == 0.0; }
-  /// Whether a face belongs to a fan of more than a few faces that have next to no width.
+  /// Whether a face belongs to a fan of more than a few faces that have no width, of different costs.
   bool in_thin_fan(Index face) const { return !in_thin_fan_.empty() && in_thin_fan_[face] != 0; }
   /// A point in a face.
   Place place(Index face, const std::array<double, 3>& weights) const {
@@ -65,17 +67,20 @@ class FaceNorms {
   double edge_cost(Index edge) const { return mesh_->edge_length(edge); }
   EdgeFrame frame(Index halfedge) const;
 
-  /// Point i of an edge: 0 and points_per_edge + 1 are its first and second vertex.
+  /// Point i of an edge: 0 and points_on(edge) + 1 are its first and second vertex.
   Index point(Index edge, Index i) const {
     if (i == 0) return mesh_->edge_vertices(edge)[0];
-    if (i > per_edge_) return mesh_->edge_vertices(edge)[1];
-    return mesh_->vertex_count() + edge * per_edge_ + i - 1;
+    if (i > points_on(edge)) return mesh_->edge_vertices(edge)[1];
+    return first_point_[edge] + i - 1;
   }
   bool is_vertex(Index point) const { return point < mesh_->vertex_count(); }
-  Index edge_of(Index point) const { return (point - mesh_->vertex_count()) / per_edge_; }
+  Index edge_of(Index point) const { return edge_of_point_[point - mesh_->vertex_count()]; }
   /// Its number along its edge, from 1.
-  Index along_edge(Index point) const { return (point - mesh_->vertex_count()) % per_edge_ + 1; }
-  double fraction(Index i) const { return static_cast<double>(i) / (per_edge_ + 1); }
+  Index along_edge(Index point) const { return point - first_point_[edge_of(point)] + 1; }
+  /// Of an edge, the part from a point to the next.
+  double spacing(Index edge) const { return 1.0 / (points_on(edge) + 1); }
+  double fraction(Index edge, Index i) const { return static_cast<double>(i) / (points_on(edge) + 1); }
+  double longest_piece() const { return longest_piece_; }
   /// The place in a face of the point at a fraction of the edge of one of its half-edges, from the edge's
   /// first vertex.
   Place on_edge(const std::array<Place, 3>& corner, Index halfedge, double fraction) const {
@@ -86,14 +91,18 @@ class FaceNorms {
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
   }
   std::size_t memory_bytes() const {
-    return layout_.capacity() * sizeof(layout_[0]) + in_thin_fan_.capacity();
+    return layout_.capacity() * sizeof(layout_[0]) + in_thin_fan_.capacity() +
+           (first_point_.capacity() + edge_of_point_.capacity()) * sizeof(Index);
   }
 
  private:
   void find_thin_fans();
+  void place_points(Index per_edge);
 
   std::shared_ptr<const Mesh> mesh_;
-  Index per_edge_;
+  std::vector<Index> first_point_;    ///< by edge, and the number of all points
+  std::vector<Index> edge_of_point_;  ///< by point that is no vertex
+  double longest_piece_ = 0.0;
   std::vector<std::uint8_t> in_thin_fan_;      ///< by face; empty if none does
   std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2, at height 0 if flat
 };
@@ -115,22 +124,10 @@ struct PathPiece {
 /// `crossing` holds the start and the result. \return the length.
 double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing);
 
-// ---- From between two points of an edge, whose distances are known, into a face
+// ---- Waves that reach a point of an edge, near it and in the faces behind it
 
-/// Waves of a radius of more than this many times the distance count as this flat: the sources of flatter
-/// ones would be placed so far away that rounding exceeds the least gain.
-inline constexpr double flattest = 1e3;
-
-/// A piece of an edge, from one of its points to the next.
-struct EdgePiece {
-  double length = 0.0;    ///< in the face that is entered
-  double cheapest = 0.0;  ///< in the cheapest face of the edge
-  double at_first = unreachable;
-  double at_second = unreachable;  ///< distances of its ends from the source
-  /// The wave is as flat as that of a source farther away by this: behind an edge to dearer faces it is
-  /// flatter than its distance alone says.
-  double farther = 0.0;
-};
+/// Waves of a radius of more than this many times the distance count as this flat.
+inline constexpr double flattest = 1e9;
 
 /// The cosine of the angle between a ray and an edge, in a face, and how many times as long the edge is there
 /// as in its cheapest face.
@@ -144,44 +141,68 @@ struct RayAtEdge {
 /// for the plane waves behind edges that are run along.
 double refracted_radius(double radius, const RayAtEdge& ray, bool into_face);
 
-/// How a point of a face is reached from inside a piece of one of its edges.
-struct EdgeCrossing {
-  double distance = unreachable;  ///< of the point; `unreachable` if no way leads straight through the piece
-  double share = 0.0;             ///< where the piece is crossed, 0 to 1 from its first end
+/// What is known of distances near a point of an edge: value, first and second derivative, as of one source
+/// in the plane of its cheapest face.
+struct EdgeWave {
+  double distance = unreachable;
+  double slope = 0.0;   ///< along the edge, of its cost: -1 to 1
+  double radius = 0.0;  ///< distance of the source
+
+  /// The distance in a point of the edge that is `shift` in cost from this one.
+  double along(double shift) const {
+    const double change = shift * shift + 2.0 * shift * radius * slope;
+    const double sum = std::sqrt(std::max(0.0, radius * radius + change)) + radius;
+    return sum > 0.0 ? distance + change / sum : distance;
+  }
 };
 
-/// The source of the wave that has reached a piece, placed in the plane before it.
-///
-/// Before the piece, distances are those in the metric of its cheapest face: there they grow along the edge
-/// no faster than the edge costs. Entering a dearer face, the way refracts.
-class PlacedSource {
- public:
-  /// None if no place in the plane has the two distances.
-  PlacedSource() = default;
-  explicit PlacedSource(const EdgePiece& piece);
+/// The parts of a piece between two points for which their waves are good: 0 to 1 from the first.
+struct WaveParts {
+  double first_until = 1.0;
+  double second_from = 0.0;
+};
 
-  bool exists() const { return exists_; }
-  /// Less the height of a point over the piece, a lower bound of its distance through the piece.
-  double least() const { return least_; }
-  double farther() const { return farther_; }
-  /// The shortest way through the piece to a point at height `y` over the line of the piece in the face that
-  /// is entered, `x` from the piece's first end. \pre exists()
-  EdgeCrossing cross(double x, double y) const;
+/// Between two points `cost` from each other. Waves that meet cross, and the shorter one is right. Beside the
+/// shadow of a vertex, the wave that does not bend would be too short: they touch where the shadow begins.
+WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost);
+
+/// A wave in a face that it has entered through a part of a side: as of a source before the side, which lies
+/// on the x axis.
+class FaceBeam {
+ public:
+  /// `at`: of the wave's point on the side; `dearer`: how many times as long the side is in the face as in
+  /// its cheapest one; the part is from `low` to `high`. Distances of `limit` or more are left to other
+  /// beams.
+  FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high,
+           double limit = unreachable);
+
+  /// The distance of a point at height `y`; `unreachable` if the ray to it does not pass the part.
+  double distance(double x, double y) const {
+    const double at = crossing(x, y);
+    return at >= low_ && at <= high_ ? distance_inside(x, y) : unreachable;
+  }
+  /// The same of a point to which the ray does.
+  double distance_inside(double x, double y) const {
+    // No difference of large numbers, however flat the wave is.
+    const double change = (x - at_) * (x - at_) + y * y + 2.0 * ((x - at_) * (at_ - x_) - y * y_);
+    const double sum = std::sqrt((x - x_) * (x - x_) + (y - y_) * (y - y_)) + radius_;
+    const double found = sum > 0.0 ? distance_ + change / sum : distance_;
+    return found < limit_ ? found : unreachable;
+  }
+  double crossing(double x, double y) const { return y > y_ ? (x_ * y - x * y_) / (y - y_) : x; }
+  FaceNorms::Place source() const { return {x_, y_}; }
+  double low() const { return low_; }
+  double high() const { return high_; }
 
  private:
-  double slope_at(double share, double x, double y, double& curvature) const;
-  EdgeCrossing refract(double x, double y) const;
-
-  bool exists_ = false;
-  bool refracts_ = false;
-  double length_ = 0.0;
-  double cheapest_ = 0.0;
-  double farther_ = 0.0;
-  double least_ = 0.0;
-  double x_ = 0.0;  ///< along the piece; in its units if the way refracts
-  double y_ = 0.0;  ///< before it
-  double slope_at_first_ = 0.0;
-  double slope_at_second_ = 0.0;  ///< of the distance along the piece, if the way refracts
+  double distance_;
+  double at_;
+  double low_;
+  double high_;
+  double limit_;
+  double radius_;
+  double x_ = 0.0;  ///< of the source
+  double y_ = 0.0;  ///< at most 0
 };
 
 // ---- What a path reaches without becoming longer: over faces without width and edges without length

@@ -10,20 +10,9 @@
 
 namespace vorogeo {
 
-// ---- Nearly Dijkstra's order over points of edges
+// ---- Dijkstra's order over points of edges
 
 namespace {
-
-/// Gains below this, relative to the distance, are rounding.
-constexpr double least_shortening = 1e-12;
-
-/// How often a point is reached until each time takes twice the gain of the last: pieces of the sides of
-/// needles would bring each other's distances down by ever less, thousands of times. Four times is usual.
-constexpr int patience = 24;
-constexpr int most_doublings = 32;
-
-/// Width of a bucket in typical pieces of an edge: narrow enough for few points that are settled again.
-constexpr double point_bucket_width = 0.5;
 
 /// Points settled between two reports of progress.
 constexpr std::size_t points_per_report = 4096;
@@ -31,9 +20,7 @@ constexpr std::size_t points_per_report = 4096;
 }  // namespace
 
 WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
-    : norms_(std::move(norms)), state_(norms_->point_count()), times_reached_(state_.size(), 0) {
-  queue_.resize(state_.size());
-}
+    : norms_(std::move(norms)), state_(norms_->point_count()) {}
 
 void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimits& limits) {
   std::vector<ExactSource> checked = validated(mesh(), sources);
@@ -44,12 +31,9 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   }
   corridor_distance_ = unreachable;
   for (const Index target : limits.targets) validated(mesh(), SurfacePoint::at_vertex(target));
-  for (const Index point : touched_) {
-    state_[point] = {};
-    times_reached_[point] = 0;
-  }
+  for (const Index point : touched_) state_[point] = {};
   touched_.clear();
-  queue_.reset(point_bucket_width * mesh().typical_edge_length() * norms_->fraction(1));
+  queue_.clear();
   sources_ = std::move(checked);
   face_sources_.clear();
   max_distance_ = limits.max_distance;
@@ -62,29 +46,25 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   rest_ = 0.0;
 }
 
-void WeightedSolver::reach(Index point, double distance, Index source, double farther, double slope) {
+void WeightedSolver::reach(Index point, const Arrival& arrival) {
   PointState& state = state_[point];
-  if (!(distance < state.distance * (1.0 - least_shortening))) return;
-  std::uint8_t& times = times_reached_[point];
-  if (times > patience &&
-      !(distance < state.distance * (1.0 - std::ldexp(least_shortening, times - patience)))) {
-    return;
-  }
-  if (times < patience + most_doublings) ++times;
+  if (state.settled || !(arrival.distance < state.distance)) return;
   if (state.distance == unreachable) touched_.push_back(point);
-  state.distance = distance;
-  state.source = source;
-  state.flatness = distance > 0.0 ? static_cast<float>(farther / distance) : 0.0f;
-  state.slope = static_cast<float>(slope);
-  // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, so that points
-  // behind a jump would be reached, and settled, again and again.
-  queue_.push(point, distance);
+  state.distance = arrival.distance;
+  state.slope = std::clamp(arrival.slope, -1.0, 1.0);
+  state.radius = std::min(arrival.radius, flattest * arrival.distance);
+  state.face = std::abs(arrival.slope) < 1.0 ? arrival.face : no_index;
+  state.source = arrival.source;
+  // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, and points behind a
+  // jump would be settled too early.
+  queue_.push_back({arrival.distance, point});
+  std::push_heap(queue_.begin(), queue_.end());
 }
 
 void WeightedSolver::start_at(Index number) {
   const auto& [source, offset] = sources_[number];
   if (source.is_vertex()) {
-    reach(source.vertex, offset, number);
+    reach(source.vertex, {offset, number});
     return;
   }
   face_sources_.push_back(number);
@@ -95,17 +75,30 @@ void WeightedSolver::start_at(Index number) {
     for (int i = 0; i < 3; ++i) {
       const Index h = 3 * face + i;
       const Index edge = mesh().edge_of(h);
-      for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-        reach(norms_->point(edge, k),
-              offset + FaceNorms::apart(from, norms_->on_edge(corner, h, norms_->fraction(k))), number);
+      const Index last = norms_->points_on(edge) + 1;
+      const double cost = norms_->edge_cost(edge);
+      const double dearer = cost > 0.0 ? mesh().side_length(h) / cost : 1.0;
+      const auto begin = norms_->on_edge(corner, h, 0.0);
+      const auto end = norms_->on_edge(corner, h, 1.0);
+      for (Index k = 0; k <= last; ++k) {
+        const auto to = norms_->on_edge(corner, h, norms_->fraction(edge, k));
+        const double length = FaceNorms::apart(from, to);
+        const double scale = length * mesh().side_length(h);
+        const double cosine =
+            scale > 0.0
+                ? ((to[0] - from[0]) * (end[0] - begin[0]) + (to[1] - from[1]) * (end[1] - begin[1])) / scale
+                : 0.0;
+        reach(norms_->point(edge, k), {offset + length, number, face, cosine * dearer,
+                                       refracted_radius(length, {cosine, dearer}, false)});
       }
       // Along its own edge, the cheaper face counts.
       if (weights[(i + 2) % 3] > 0.0) continue;
       const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
       const double at = weights[along ? (i + 1) % 3 : i];
-      for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-        reach(norms_->point(edge, k), offset + std::abs(norms_->fraction(k) - at) * norms_->edge_cost(edge),
-              number);
+      for (Index k = 0; k <= last; ++k) {
+        const double shift = (norms_->fraction(edge, k) - at) * cost;
+        reach(norms_->point(edge, k),
+              {offset + std::abs(shift), number, no_index, shift < 0.0 ? -1.0 : 1.0, std::abs(shift)});
       }
     }
   });
@@ -115,17 +108,16 @@ void WeightedSolver::run(std::span<const ExactSource> sources, const ExactLimits
   reset(sources, limits);
   for (std::size_t i = 0; i < sources_.size(); ++i) start_at(static_cast<Index>(i));
   std::size_t settled = 0;
-  // This loop ends: a point enters the queue only with a distance that is smaller by more than rounding, and
-  // no distance is smaller than the sum of the straight pieces that it is made of. What is made of a distance
-  // that becomes smaller later is too long until then, so the order does not matter.
-  for (;;) {
-    const double reached = queue_.lower_bound() - longest_piece();
-    if (!limits.targets.empty() && is_final(limits, reached)) {
-      settled_distance_ = reached;
+  // This loop ends: each point is settled once, and waits only with distances that decrease.
+  while (!queue_.empty()) {
+    const auto [distance, point] = queue_.front();
+    if (!limits.targets.empty() && is_final(limits, distance - norms_->longest_piece())) {
+      settled_distance_ = distance - norms_->longest_piece();
       break;
     }
-    const Index point = queue_.pop();
-    if (point == no_index) break;
+    std::pop_heap(queue_.begin(), queue_.end());
+    queue_.pop_back();
+    if (state_[point].settled || distance > state_[point].distance) continue;
     rest_ = least_rest(point);
     if (is_beyond_limit(point)) continue;
     if (++settled % points_per_report == 0) {
@@ -143,41 +135,47 @@ bool WeightedSolver::may_enter(Index face, double distance) {
 }
 
 void WeightedSolver::settle(Index point) {
-  PointState& own = state_[point];
-  own.settled = true;
-  const Index last = norms_->points_per_edge() + 1;
-  auto along = [&](Index edge, Index from, Index to) {
-    const double cost = norms_->edge_cost(edge);
-    reach(norms_->point(edge, to), own.distance + cost * norms_->fraction(std::abs(to - from)), own.source,
-          norms_->is_vertex(point) ? 0.0 : own.farther(), to > from ? 1.0 : -1.0);
-  };
-  if (!norms_->is_vertex(point)) {
-    const Index edge = norms_->edge_of(point);
-    const Index k = norms_->along_edge(point);
-    const Index first = mesh().edge_halfedge(edge);
-    bool entered = false;
-    Index h = first;
-    do {
-      if (may_enter(Mesh::face_of(h), own.distance)) {
-        entered = true;
-        cross_from(h, k);
-      }
-      h = mesh().next_around_edge(h);
-    } while (h != first);
-    if (!entered) return;
-    along(edge, k, k - 1);
-    along(edge, k, k + 1);
+  state_[point].settled = true;
+  if (norms_->is_vertex(point)) {
+    settle_vertex(point);
     return;
   }
-  for (const Index corner : mesh().corners(point)) {
-    if (!may_enter(Mesh::face_of(corner), own.distance)) continue;
+  const Index edge = norms_->edge_of(point);
+  const Index k = norms_->along_edge(point);
+  cross_from(edge, k);
+  run_along(edge, k, k - 1);
+  run_along(edge, k, k + 1);
+}
+
+void WeightedSolver::settle_vertex(Index vertex) {
+  for (const Index corner : mesh().corners(vertex)) {
+    if (!may_enter(Mesh::face_of(corner), state_[vertex].distance)) continue;
+    cross_from_vertex(corner);
     for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
       const Index edge = mesh().edge_of(side);
-      const bool begins = mesh().edge_vertices(edge)[0] == point;
-      along(edge, begins ? 0 : last, begins ? 1 : last - 1);
-      cross_from(side, begins ? 0 : last);
+      const Index last = norms_->points_on(edge) + 1;
+      const bool begins = mesh().edge_vertices(edge)[0] == vertex;
+      run_along(edge, begins ? 0 : last, begins ? 1 : last - 1);
+      if (norms_->in_thin_fan(Mesh::face_of(side))) {
+        cross_thin(side, begins ? 0 : last);
+      } else {
+        cross(side, begins ? 0 : last);
+      }
     }
   }
+}
+
+/// Along an edge, from one of its points to the one beside it.
+void WeightedSolver::run_along(Index edge, Index from, Index to) {
+  if (from < 0 || to < 0) return;
+  const Index point = norms_->point(edge, from);
+  const PointState& own = state_[point];
+  const double length = norms_->edge_cost(edge) * norms_->spacing(edge);
+  const double sign = to > from ? 1.0 : -1.0;
+  // Waves that run along an edge are as of a vertex at its end, or plane ones.
+  const bool is_running = sign * own.slope >= 1.0;
+  const double radius = norms_->is_vertex(point) ? 0.0 : is_running ? own.radius : unreachable;
+  reach(norms_->point(edge, to), {own.distance + length, own.source, no_index, sign, radius + length});
 }
 
 double WeightedSolver::settled_distance() const { return std::min(settled_distance_, max_distance_); }
@@ -207,7 +205,7 @@ double WeightedSolver::least_rest(Index point) const {
   const double cost = norms_->edge_cost(edge);
   const auto [nearer, farther] = std::minmax(at_first, at_second);
   if (!(farther < unreachable)) return nearer - cost;
-  const double t = norms_->fraction(norms_->along_edge(point));
+  const double t = norms_->fraction(edge, norms_->along_edge(point));
   return std::max({0.0, at_first - t * cost, at_second - (1.0 - t) * cost});
 }
 
@@ -217,16 +215,17 @@ bool WeightedSolver::is_beyond_limit(Index point) const {
   const double through = state_[point].distance + rest_;
   if (through <= max_distance_) return false;
   double longest = 0.0;
+  auto add = [&](Index edge) {
+    longest = std::max(longest, norms_->edge_cost(edge) * norms_->spacing(edge));
+  };
   if (norms_->is_vertex(point)) {
     for (const Index corner : mesh().corners(point)) {
-      for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
-        longest = std::max(longest, norms_->edge_cost(mesh().edge_of(side)));
-      }
+      for (const Index side : {corner, Mesh::previous_in_face(corner)}) add(mesh().edge_of(side));
     }
   } else {
-    longest = norms_->edge_cost(norms_->edge_of(point));
+    add(norms_->edge_of(point));
   }
-  return !(through - longest * norms_->fraction(1) <= max_distance_);
+  return !(through - longest <= max_distance_);
 }
 
 /// Whether all targets, and that of the corridor, have distances of at most `bound`, of which none is final
@@ -241,8 +240,9 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
     const EdgePoint& target = limits.edge_targets[final_edge_targets_];
     const double length = norms_->edge_cost(target.edge);
     const double share = length > 0.0 ? target.position / length : 0.0;
-    const auto before = static_cast<Index>(share * (norms_->points_per_edge() + 1));
-    for (const Index k : {before, std::min(before + 1, norms_->points_per_edge() + 1)}) {
+    const Index last = norms_->points_on(target.edge) + 1;
+    const auto before = static_cast<Index>(share * last);
+    for (const Index k : {before, std::min(before + 1, last)}) {
       if (!(state_[norms_->point(target.edge, k)].distance <= bound)) return false;
     }
     ++final_edge_targets_;
@@ -263,158 +263,259 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
 /// each face of the fan, again and again.
 void WeightedSolver::cross_thin(Index halfedge, Index from) {
   const EdgeFrame frame = norms_->frame(halfedge);
-  const PointState own = state_[norms_->point(mesh().edge_of(halfedge), from)];
-  const Index last = norms_->points_per_edge() + 1;
-  const double at = norms_->fraction(from) * frame.length;
+  const Index edge = mesh().edge_of(halfedge);
+  const PointState own = state_[norms_->point(edge, from)];
+  const double at = norms_->fraction(edge, from) * frame.length;
   auto rate_of = [](double cost, double length) { return length > 0.0 ? cost / length : 1.0; };
-  const double rate = rate_of(norms_->edge_cost(mesh().edge_of(halfedge)), frame.length);
+  const double rate = rate_of(norms_->edge_cost(edge), frame.length);
   for (const Index side : {Mesh::next_in_face(halfedge), Mesh::previous_in_face(halfedge)}) {
     const Index other = mesh().edge_of(side);
+    const Index last = norms_->points_on(other) + 1;
     const double other_rate = rate_of(norms_->edge_cost(other), mesh().side_length(side));
     const bool from_apex = mesh().edge_vertices(other)[0] == mesh().apex(halfedge);
     const Index base = from_apex ? mesh().edge_vertices(other)[1] : mesh().edge_vertices(other)[0];
-    const double begin = base == mesh().edge_vertices(mesh().edge_of(halfedge))[0] ? 0.0 : frame.length;
+    const double begin = base == mesh().edge_vertices(edge)[0] ? 0.0 : frame.length;
     const auto [low, high] = std::minmax(begin, frame.apex_x);
+    const double cost = norms_->edge_cost(other) * (from_apex ? -1.0 : 1.0);
     for (Index k = 0; k <= last; ++k) {
-      const double x = std::lerp(begin, frame.apex_x, norms_->fraction(from_apex ? last - k : k));
-      const double y = frame.apex_y * norms_->fraction(from_apex ? last - k : k);
+      const double t = norms_->fraction(other, from_apex ? last - k : k);
+      const double x = std::lerp(begin, frame.apex_x, t);
+      const double y = frame.apex_y * t;
       double least_rate = 1.0;
       if (x >= 0.0 && x <= frame.length) least_rate = std::min(least_rate, rate);
       if (at >= low && at <= high) least_rate = std::min(least_rate, other_rate);
       const double straight = std::hypot(x - at, y);
-      const double distance = own.distance + std::min(straight, least_rate * std::abs(x - at) + y);
+      const double bent = least_rate * std::abs(x - at) + y;
+      const double distance = own.distance + std::min(straight, bent);
+      const bool bends = bent < straight;
+      double rise = 0.0;  // of the distance from the side's base to the apex
+      if (bends) rise = std::copysign(least_rate, x - at) * (frame.apex_x - begin) + frame.apex_y;
+      if (!bends && straight > 0.0) {
+        rise = ((x - at) * (frame.apex_x - begin) + y * frame.apex_y) / straight;
+      }
       // In the dearer side, a wave of the cheaper one is plane.
-      const double farther = other_rate > rate * (1.0 + 1e-9) ? flattest * distance : own.farther();
-      reach(norms_->point(other, k), distance, own.source, farther);
+      const bool is_plane = bends || other_rate > rate * (1.0 + 1e-9);
+      reach(norms_->point(other, k),
+            {distance, own.source, bends ? no_index : Mesh::face_of(halfedge),
+             cost != 0.0 ? rise / cost : 0.0, is_plane ? unreachable : own.radius + straight});
     }
   }
 }
 
-// ---- From the points of a side, and from between them, into a face
+// ---- From a vertex, from a point of a side, and from between two of them, into a face
+
+/// The wave at a point of an edge. That of a vertex runs along.
+EdgeWave WeightedSolver::wave_at(Index edge, Index k) const {
+  const PointState& state = state_[norms_->point(edge, k)];
+  if (k == 0) return {state.distance, 1.0, 0.0};
+  if (k > norms_->points_on(edge)) return {state.distance, -1.0, 0.0};
+  return {state.distance, state.slope, state.radius};
+}
+
+/// For which parts of a piece, from a point of an edge to the next, the waves of both are good.
+WaveParts WeightedSolver::parts_of(Index edge, Index first) const {
+  return wave_parts(wave_at(edge, first), wave_at(edge, first + 1),
+                    norms_->edge_cost(edge) * norms_->spacing(edge));
+}
 
 namespace {
 
-/// Of the cost of a piece: what the slopes of one wave at its ends are off by.
-constexpr double slope_slack = 0.3;
+/// A face crossed from one of its sides: the points of the other two sides, numbered from the first vertex of
+/// the side to the apex and on to its second vertex, as rays that do not cross meet them.
+class PointsAcross {
+ public:
+  struct Side {
+    Index first_point = no_index;
+    Index pieces = 0;
+    bool from_apex = false;
+    double x = 0.0;                ///< of its vertex on the side that is crossed
+    FaceNorms::Place step{};       ///< from there to the apex
+    FaceNorms::Place direction{};  ///< that, of length 1
+    double dearer = 1.0;
+  };
+  struct At {
+    Index point;
+    FaceNorms::Place place;
+    FaceNorms::Place direction;  ///< of its side
+    double dearer;               ///< as of RayAtEdge
+  };
+
+  PointsAcross(const FaceNorms& norms, Index halfedge, const EdgeFrame& frame)
+      : apex_{frame.apex_x, frame.apex_y}, apex_point_(norms.mesh().apex(halfedge)) {
+    const Mesh& mesh = norms.mesh();
+    const Index next = Mesh::next_in_face(halfedge);
+    const Index previous = Mesh::previous_in_face(halfedge);
+    const std::array<Index, 2> sides{frame.along ? previous : next, frame.along ? next : previous};
+    for (int i = 0; i < 2; ++i) {
+      Side& side = side_[i];
+      const Index edge = mesh.edge_of(sides[i]);
+      const double length = mesh.side_length(sides[i]);
+      const double scale = length > 0.0 ? 1.0 / length : 0.0;
+      const double cost = norms.edge_cost(edge);
+      side.pieces = norms.points_on(edge) + 1;
+      if (side.pieces > 1) side.first_point = norms.point(edge, 1);
+      side.from_apex = mesh.edge_vertices(edge)[0] == apex_point_;
+      side.x = i == 0 ? 0.0 : frame.length;
+      side.step = {frame.apex_x - side.x, frame.apex_y};
+      side.direction = {side.step[0] * scale, side.step[1] * scale};
+      if (side.from_apex) side.direction = {-side.direction[0], -side.direction[1]};
+      side.dearer = cost > 0.0 ? length / cost : 1.0;
+    }
+  }
+
+  Index count() const { return side_[0].pieces + side_[1].pieces - 1; }
+  /// 1 to count().
+  At at(Index number) const {
+    const Index before = side_[0].pieces;
+    if (number == before) return {apex_point_, apex_, {1.0, 0.0}, 1.0};
+    const Side& side = side_[number > before];
+    const Index k = number < before ? number : before + side.pieces - number;  // from the side to the apex
+    const double t = static_cast<double>(k) / side.pieces;
+    const Index point = side.first_point + (side.from_apex ? side.pieces - k : k) - 1;
+    return {point, {side.x + t * side.step[0], t * side.step[1]}, side.direction, side.dearer};
+  }
+  /// Where a ray from a source through a point of the side meets the other two, between their numbers.
+  double position(const FaceNorms::Place& source, double crossing) const {
+    const double x = crossing - source[0];
+    const double y = -source[1];
+    const bool is_second = x * (apex_[1] - source[1]) > y * (apex_[0] - source[0]);
+    const Side& side = side_[is_second];
+    const double across = x * side.step[1] - y * side.step[0];
+    const double t = across != 0.0 ? std::clamp(y * (side.x - crossing) / across, 0.0, 1.0) : 0.0;
+    return is_second ? side_[0].pieces + (1.0 - t) * side.pieces : t * side.pieces;
+  }
+
+ private:
+  std::array<Side, 2> side_;
+  FaceNorms::Place apex_;
+  Index apex_point_;
+};
 
 }  // namespace
 
-/// Whether the distances of the ends of a piece can be those of one wave: along an edge, these grow ever
-/// faster. Where two waves meet, they would place a source that is none, and distances behind it be too
-/// short.
-bool WeightedSolver::is_one_wave(Index edge, Index first) const {
-  const PointState& a = state_[norms_->point(edge, first)];
-  const PointState& b = state_[norms_->point(edge, first + 1)];
-  const double cost = norms_->fraction(1) * norms_->edge_cost(edge);
-  const double rise = b.distance - a.distance;
-  // A vertex belongs to many edges.
-  const bool bends_at_first = first > 0 && cost * a.slope > rise + slope_slack * cost;
-  const bool bends_at_second =
-      first < norms_->points_per_edge() && rise > cost * b.slope + slope_slack * cost;
-  return !bends_at_first && !bends_at_second;
+/// Crosses a face from one of its vertices to the points of the side opposite.
+void WeightedSolver::cross_from_vertex(Index corner) {
+  const Index halfedge = Mesh::next_in_face(corner);
+  const Index edge = mesh().edge_of(halfedge);
+  const PointState own = state_[mesh().tail(corner)];
+  const EdgeFrame frame = norms_->frame(halfedge);
+  const double cost = norms_->edge_cost(edge);
+  const double dearer = cost > 0.0 ? frame.length / cost : 1.0;
+  for (Index k = 1; k <= norms_->points_on(edge); ++k) {
+    const double along = norms_->fraction(edge, k) * frame.length - frame.apex_x;
+    const double length = std::sqrt(along * along + frame.apex_y * frame.apex_y);
+    const double cosine = length > 0.0 ? along / length : 0.0;
+    reach(norms_->point(edge, k), {own.distance + length, own.source, Mesh::face_of(halfedge),
+                                   cosine * dearer, refracted_radius(length, {cosine, dearer}, false)});
+  }
 }
 
-/// Where the wave between a point of an edge and the next one comes from. `length`: of the piece, in the face
-/// that is entered.
-PlacedSource WeightedSolver::placed_source(Index edge, Index first, double length) const {
-  if (!is_one_wave(edge, first)) return {};
-  const PointState& a = state_[norms_->point(edge, first)];
-  const PointState& b = state_[norms_->point(edge, first + 1)];
-  // A vertex belongs to edges with many cheapest faces. Where two waves meet, the flatter one is not too
-  // short.
-  const double at_first = first == 0 ? 0.0 : a.farther();
-  const double at_second = first == norms_->points_per_edge() ? 0.0 : b.farther();
-  return PlacedSource({length, norms_->edge_cost(edge) * norms_->fraction(1), a.distance, b.distance,
-                       std::max(at_first, at_second)});
+/// Into all faces of an edge but the one that the wave came through.
+void WeightedSolver::cross_from(Index edge, Index from) {
+  const Index first = mesh().edge_halfedge(edge);
+  Index h = first;
+  do {
+    if (may_enter(Mesh::face_of(h), state_[norms_->point(edge, from)].distance)) {
+      if (norms_->in_thin_fan(Mesh::face_of(h))) {
+        cross_thin(h, from);
+      } else {
+        cross(h, from);
+      }
+    }
+    h = mesh().next_around_edge(h);
+  } while (h != first);
 }
 
-/// Crosses a face from a point of a side, and from between it and those beside it that are settled, to the
-/// points of the other two sides.
-void WeightedSolver::cross_from(Index halfedge, Index from) {
-  if (norms_->in_thin_fan(Mesh::face_of(halfedge))) {
-    cross_thin(halfedge, from);
+/// Crosses a face from a point of a side and what lies between it and those beside it, to the points of the
+/// other two sides.
+void WeightedSolver::cross(Index halfedge, Index from) {
+  const Index face = Mesh::face_of(halfedge);
+  const Index edge = mesh().edge_of(halfedge);
+  const Index last = norms_->points_on(edge) + 1;
+  auto enters = [&](Index k) { return k != 0 && k != last && state_[norms_->point(edge, k)].face != face; };
+  const bool own_enters = enters(from);
+  auto is_settled = [&](Index k) { return state_[norms_->point(edge, k)].settled; };
+  if (!own_enters && !(from > 0 && is_settled(from - 1) && enters(from - 1)) &&
+      !(from < last && is_settled(from + 1) && enters(from + 1))) {
     return;
   }
   const EdgeFrame frame = norms_->frame(halfedge);
-  const Index edge = mesh().edge_of(halfedge);
-  const Index last = norms_->points_per_edge() + 1;
-  const double spacing = norms_->fraction(1);
-  const double at = norms_->fraction(from) * frame.length;
-  const PointState own = state_[norms_->point(edge, from)];
+  const PointsAcross across(*norms_, halfedge, frame);
   const double cost = norms_->edge_cost(edge);
-  const double dearer = cost > 0.0 ? frame.length / cost : 1.0;
-  struct Piece {
-    PlacedSource source;
-    double begin = 0.0;
-    Index nearest = no_index;
+  const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
+  const bool is_flat = norms_->is_flat(face);
+  auto place = [&](Index k) { return norms_->fraction(edge, k) * frame.length; };
+
+  const double reached = state_[norms_->point(edge, from)].distance;
+  auto arrive = [&](const PointsAcross::At& to, double distance, const FaceNorms::Place& source,
+                    Index label) {
+    const FaceNorms::Place ray{to.place[0] - source[0], to.place[1] - source[1]};
+    const double radius = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    const double cosine = radius > 0.0 ? (ray[0] * to.direction[0] + ray[1] * to.direction[1]) / radius : 0.0;
+    reach(to.point,
+          {distance, label, face, cosine * to.dearer, refracted_radius(radius, {cosine, to.dearer}, false)});
   };
-  std::array<Piece, 2> pieces;
-  int piece_count = 0;
-  double least = own.distance;
-  for (const Index begin : {from - 1, from}) {
-    if (begin < 0 || begin == last) continue;
-    const PointState& other = state_[norms_->point(edge, begin == from ? from + 1 : begin)];
-    // A point beside this one that is settled later crosses the piece itself.
-    if (!(other.settled || other.distance <= own.distance)) continue;
-    Piece& piece = pieces[piece_count];
-    piece.source = placed_source(edge, begin, frame.length * spacing);
-    if (!piece.source.exists()) continue;
-    piece.begin = norms_->fraction(begin) * frame.length;
-    piece.nearest = other.distance < own.distance ? other.source : own.source;
-    least = std::min(least, piece.source.least());
-    ++piece_count;
-  }
-  /// `side`: the direction of the side that the point is on, in this face; `side_dearer`: as of RayAtEdge;
-  /// `sign`: -1 if the direction is not that of its edge.
-  auto look = [&](Index point, double x, double y, const FaceNorms::Place& side, double side_dearer,
-                  double sign) {
-    const double known = state_[point].distance;
-    if (!(least + y < known)) return;
-    double best = own.distance + std::sqrt((x - at) * (x - at) + y * y);
-    double crossing = at;
-    Index source = own.source;
-    double farther = norms_->is_vertex(norms_->point(edge, from)) ? 0.0 : own.farther();
-    for (int i = 0; i < piece_count; ++i) {
-      const Piece& piece = pieces[i];
-      if (!(piece.source.least() + y < std::min(best, known))) continue;
-      const auto [through, share] = piece.source.cross(x - piece.begin, y);
-      if (!(through < best)) continue;
-      best = through;
-      source = piece.nearest;
-      farther = piece.source.farther();
-      crossing = piece.begin + share * frame.length * spacing;
-    }
-    if (!(best < known)) return;
-    const double after = std::sqrt((x - crossing) * (x - crossing) + y * y);
-    const FaceNorms::Place ray{after > 0.0 ? (x - crossing) / after : 0.0, after > 0.0 ? y / after : 1.0};
-    const double cosine = ray[0] * side[0] + ray[1] * side[1];
-    if (farther > 0.0 || dearer > 1.0 || side_dearer > 1.0) {
-      double radius = refracted_radius(best - after + farther, {ray[0], dearer}, true) + after;
-      radius = refracted_radius(radius, {cosine, side_dearer}, false);
-      farther = std::clamp(radius - best, 0.0, flattest * best);
-    }
-    reach(point, best, source, farther, sign * cosine * side_dearer);
+  struct Rays {
+    double first, last;  ///< where they meet the other sides
   };
-  const Index first_side = frame.along ? Mesh::previous_in_face(halfedge) : Mesh::next_in_face(halfedge);
-  const Index second_side = frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
-  const Index apex = mesh().apex(halfedge);
-  look(apex, frame.apex_x, frame.apex_y, {1.0, 0.0}, 1.0, 0.0);
-  for (const Index side : {first_side, second_side}) {
-    const Index other = mesh().edge_of(side);
-    const double x = side == first_side ? 0.0 : frame.length;
-    const bool from_apex = mesh().edge_vertices(other)[0] == apex;
-    const Index first_point = norms_->point(other, 1);
-    const double length = mesh().side_length(side);
-    const double scale = length > 0.0 ? 1.0 / length : 0.0;
-    const FaceNorms::Place along{(frame.apex_x - x) * scale, frame.apex_y * scale};
-    const double other_cost = norms_->edge_cost(other);
-    const double side_dearer = other_cost > 0.0 ? length / other_cost : 1.0;
-    for (Index k = 1; k < last; ++k) {
-      const double t = spacing * (from_apex ? last - k : k);  // from the edge to the apex
-      look(first_point + k - 1, x + t * (frame.apex_x - x), t * frame.apex_y, along, side_dearer,
-           from_apex ? -1.0 : 1.0);
+  // The wave of point k where it passes between two places of the side, the first one lower.
+  auto send = [&](Index k, double low, double high, double limit) {
+    const FaceBeam beam(wave_at(edge, k), place(k), dearer, low, high, limit);
+    const Index label = state_[norms_->point(edge, k)].source;
+    const FaceNorms::Place source = beam.source();
+    Rays rays{0.0, across.count() + 1.0};
+    if (!is_flat) rays = {across.position(source, beam.low()), across.position(source, beam.high())};
+    const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(rays.first)));
+    const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(rays.last)));
+    for (Index number = begin; number <= end; ++number) {
+      const PointsAcross::At to = across.at(number);
+      const PointState& known = state_[to.point];
+      if (known.settled) continue;
+      const auto& [x, y] = to.place;
+      // Nothing that is not settled is nearer than what is.
+      const double found = is_flat ? beam.distance(x, y) : beam.distance_inside(x, y);
+      const double distance = std::max(found, reached);
+      if (distance < known.distance) arrive(to, distance, source, label);
     }
+    return rays;
+  };
+  // From the point itself, where no wave passes.
+  auto fan = [&](Index k, double first, double second) {
+    const PointState& own = state_[norms_->point(edge, k)];
+    const FaceNorms::Place source{place(k), 0.0};
+    const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(first)));
+    const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(second)));
+    for (Index number = begin; number <= end; ++number) {
+      const PointsAcross::At to = across.at(number);
+      const double distance = own.distance + FaceNorms::apart(source, to.place);
+      if (distance < state_[to.point].distance) arrive(to, distance, source, own.source);
+    }
+  };
+
+  for (const Index beside : {from - 1, from + 1}) {
+    if (beside < 0 || beside > last) continue;
+    const Index first = std::min(from, beside);
+    const double begin = place(first);
+    const double end = place(first + 1);
+    const PointState& other = state_[norms_->point(edge, beside)];
+    if (!other.settled) {
+      // What is reached before the point beside this one; the rest when it is settled.
+      if (!own_enters) continue;
+      const double shift = norms_->spacing(edge) * cost * (beside < from ? -1.0 : 1.0);
+      const double limit = std::min(other.distance, wave_at(edge, from).along(shift));
+      if (limit > reached) send(from, begin, end, limit);
+      continue;
+    }
+    const WaveParts parts = parts_of(edge, first);
+    Rays until{-1.0, -1.0};
+    Rays then{-1.0, -1.0};
+    if (enters(first)) until = send(first, begin, std::lerp(begin, end, parts.first_until), unreachable);
+    if (enters(first + 1)) then = send(first + 1, std::lerp(begin, end, parts.second_from), end, unreachable);
+    if (!enters(first) || !enters(first + 1) || is_flat) continue;
+    fan(first, until.last, then.first);
+    fan(first + 1, until.last, then.first);
   }
+  if (own_enters && is_flat) fan(from, 0.0, across.count() + 1.0);
 }
 
 // ---- Paths back through the distances, edge by edge, and their refraction
@@ -501,24 +602,35 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const double x =
         weights[frame.along ? (i + 1) % 3 : i] * frame.length + weights[(i + 2) % 3] * frame.apex_x;
     const double y = weights[(i + 2) % 3] * frame.apex_y;
-    const double spacing = norms_->fraction(1);
+    const double cost = norms_->edge_cost(edge);
+    const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
+    const double spacing = norms_->spacing(edge);
     auto take = [&](double distance, double piece, double at) {
       if (!(distance < best.distance && distance - piece < below) || piece < least_piece) return;
       best = {distance, distance - piece, no_index, edge, at, face};
     };
-    for (Index k = 0; k <= norms_->points_per_edge() + 1; ++k) {
-      const double first = state_[norms_->point(edge, k)].distance;
-      if (!(first < unreachable)) continue;
-      const double begin = norms_->fraction(k) * frame.length;
+    const Index last = norms_->points_on(edge) + 1;
+    for (Index k = 0; k <= last; ++k) {
+      const PointState& first = state_[norms_->point(edge, k)];
+      if (!(first.distance < unreachable)) continue;
+      const double begin = norms_->fraction(edge, k) * frame.length;
       const double to_first = std::hypot(x - begin, y);
-      take(first + to_first, to_first, norms_->fraction(k));
-      if (k > norms_->points_per_edge()) break;
-      const PlacedSource source = placed_source(edge, k, frame.length * spacing);
-      if (!source.exists()) continue;
-      const auto [across, share] = source.cross(x - begin, y);
-      if (!(across < unreachable)) continue;
-      take(across, std::hypot(x - begin - share * frame.length * spacing, y),
-           norms_->fraction(k) + share * spacing);
+      take(first.distance + to_first, to_first, norms_->fraction(edge, k));
+      if (k == last || !(state_[norms_->point(edge, k + 1)].distance < unreachable)) continue;
+      const WaveParts parts = parts_of(edge, k);
+      const double piece = spacing * frame.length;
+      for (const Index end : {k, k + 1}) {
+        if (end == 0 || end == last || state_[norms_->point(edge, end)].face == face) continue;
+        const double low = begin + (end == k ? 0.0 : parts.second_from) * piece;
+        const double high = begin + (end == k ? parts.first_until : 1.0) * piece;
+        const FaceBeam beam(wave_at(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low,
+                            high);
+        const double distance = beam.distance(x, y);
+        if (!(distance < unreachable)) continue;
+        const double crossing = beam.crossing(x, y);
+        take(distance, std::hypot(x - crossing, y),
+             frame.length > 0.0 ? std::clamp(crossing / frame.length, 0.0, 1.0) : 0.0);
+      }
     }
   }
   return best;
@@ -538,14 +650,15 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
         offset + std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
     if (distance < best.distance) best = {distance, offset, s, edge, 0.0, no_index};
   }
-  const auto previous = static_cast<Index>(std::ceil(fraction * (norms_->points_per_edge() + 1))) - 1;
-  const auto next = static_cast<Index>(std::floor(fraction * (norms_->points_per_edge() + 1))) + 1;
+  const Index last = norms_->points_on(edge) + 1;
+  const auto previous = static_cast<Index>(std::ceil(fraction * last)) - 1;
+  const auto next = static_cast<Index>(std::floor(fraction * last)) + 1;
   for (Index k : {previous, next}) {
-    if (k < 0 || k > norms_->points_per_edge() + 1) continue;
+    if (k < 0 || k > last) continue;
     const double at_point = state_[norms_->point(edge, k)].distance;
-    const double distance = at_point + std::abs(norms_->fraction(k) - fraction) * cost;
+    const double distance = at_point + std::abs(norms_->fraction(edge, k) - fraction) * cost;
     if (!(distance < best.distance && at_point < below)) continue;
-    best = {distance, at_point, no_index, edge, norms_->fraction(k), no_index};
+    best = {distance, at_point, no_index, edge, norms_->fraction(edge, k), no_index};
   }
   // The apex of a face without width lies on the edge, between its points.
   const Index first = mesh().edge_halfedge(edge);
@@ -602,7 +715,7 @@ Index WeightedSolver::nearest_source(const EdgePoint& point) const {
   const BackStep step = best_step(at, unreachable);
   if (within_limit(step.distance) == unreachable || step.source != no_index) return step.source;
   // The piece begins between two points of its edge, at least one of which was reached.
-  const double place = step.fraction * (norms_->points_per_edge() + 1);
+  const double place = step.fraction * (norms_->points_on(step.edge) + 1);
   const PointState& before = state_[norms_->point(step.edge, static_cast<Index>(std::floor(place)))];
   const PointState& behind = state_[norms_->point(step.edge, static_cast<Index>(std::ceil(place)))];
   return before.distance <= behind.distance ? before.source : behind.source;

@@ -9,19 +9,16 @@
 
 #include "exact/exact_solver.h"
 #include "exact/refraction.h"
-#include "support/bucket_queue.h"
 
 namespace vorogeo {
 
-class PlacedSource;
-
 /// The weighted region problem on a surface: shortest paths refract at edges and run along cheap ones.
 ///
-/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in order
-/// of distance, nearly. A face is crossed from the points of a side or from between two of them: the
-/// distances of both place a source in the plane of the face. With p points on an edge, the error of a
-/// crossing is of the order of 1 / p^2. Its functions are those of ExactSolver, for any metric. One object
-/// belongs to one thread.
+/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled once, in
+/// order of distance. Each knows the wave that reached it: its direction and its curvature, as of a source in
+/// the plane. So a face is crossed not from points but from all of a side, and distances between two points
+/// have an error of third order in the space between them. Its functions are those of ExactSolver, for any
+/// metric. One object belongs to one thread.
 class WeightedSolver {
  public:
   explicit WeightedSolver(std::shared_ptr<const FaceNorms> norms);
@@ -58,15 +55,21 @@ class WeightedSolver {
   double barrier_distance() const { return barrier_distance_; }
 
  private:
+  /// How a point is reached.
+  struct Arrival {
+    double distance = unreachable;
+    Index source = no_index;
+    Index face = no_index;  ///< that was crossed last; no_index: along its edge, or from a vertex
+    double slope = 0.0;     ///< as of EdgeWave
+    double radius = 0.0;
+  };
   struct PointState {
     double distance = unreachable;
-    // In parts of lengths, which floats would not hold.
-    float flatness = 0.0f;                                  ///< EdgePiece::farther, of the distance
-    float slope = std::numeric_limits<float>::quiet_NaN();  ///< along its edge, of its cost; NaN: unknown
+    double slope = 0.0;
+    double radius = 0.0;
+    Index face = no_index;
     Index source : 31 = no_index;
     bool settled : 1 = false;
-
-    double farther() const { return flatness > 0.0f ? distance * flatness : 0.0; }
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
@@ -80,18 +83,20 @@ class WeightedSolver {
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
-  void reach(Index point, double distance, Index source, double farther = 0.0,
-             double slope = std::numeric_limits<double>::quiet_NaN());
-  bool is_one_wave(Index edge, Index first) const;
-  PlacedSource placed_source(Index edge, Index first, double length) const;
+  void reach(Index point, const Arrival& arrival);
+  EdgeWave wave_at(Index edge, Index k) const;
+  WaveParts parts_of(Index edge, Index first) const;
   bool is_final(const ExactLimits& limits, double bound);
-  double longest_piece() const { return mesh().longest_edge_length() * norms_->fraction(1); }
   double least_rest_at(Index vertex) const;
   double least_rest(Index point) const;
   bool is_beyond_limit(Index point) const;
   bool may_enter(Index face, double distance);
   void settle(Index point);
-  void cross_from(Index halfedge, Index from);
+  void settle_vertex(Index vertex);
+  void run_along(Index edge, Index from, Index to);
+  void cross_from_vertex(Index corner);
+  void cross_from(Index edge, Index from);
+  void cross(Index halfedge, Index from);
   void cross_thin(Index halfedge, Index from);
   BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
   BackStep step_along(Index edge, double fraction, double below) const;
@@ -102,11 +107,17 @@ class WeightedSolver {
 
   std::shared_ptr<const FaceNorms> norms_;
   std::vector<PointState> state_;
-  std::vector<std::uint8_t> times_reached_;  ///< by point
   std::vector<Index> touched_;
   std::vector<ExactSource> sources_;
   std::vector<Index> face_sources_;  ///< numbers of those that are no vertices
-  BucketQueue queue_;
+  struct Waiting {
+    double distance;
+    Index point;
+    bool operator<(const Waiting& other) const {  // the nearest is on top of a heap
+      return distance != other.distance ? distance > other.distance : point > other.point;
+    }
+  };
+  std::vector<Waiting> queue_;  ///< a heap; all entries of a point but the nearest are passed over
 
   // Limits of the last run.
   double max_distance_ = unreachable;

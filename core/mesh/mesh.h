@@ -56,8 +56,8 @@ struct FaceSplits {
   bool empty() const { return middle_of.empty(); }
 };
 
-/// Points on each edge of a metric that jumps, from which faces are crossed (core/exact): errors fall with
-/// the square of their number.
+/// Points on the median edge of a metric that jumps, from which faces are crossed (core/exact): errors fall
+/// with the square of their number or faster.
 inline constexpr Index usual_edge_points = 6;
 
 /// How long the sides of faces are, if not as long as in space.

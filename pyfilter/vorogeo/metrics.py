@@ -165,11 +165,13 @@ class FaceCost:
     cost : array_like, shape (m,)
         Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts.
     points : int, default 6
-        Points on each edge, 1 to 1000, from which faces are crossed: errors fall with its square, time grows with it.
+        Points on the median edge, 1 to 1000, from which faces are crossed; long edges have more. Errors fall with its
+        square or faster, time grows with it.
 
     Notes
     -----
-    Distances err by some hundredths of a percent even without an index; paths are refined until Snell's law holds.
+    Distances err by some thousandths of a percent even without an index; paths are refined until Snell's law holds.
+    Where all faces agree on the lengths of their edges, as with one cost, distances are exact.
 
     Examples
     --------

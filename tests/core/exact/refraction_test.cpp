@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "exact/weighted_solver.h"
@@ -61,65 +62,125 @@ TEST(Snell, CrossingsStayOnTheirEdges) {
   EXPECT_EQ(crossing[0], 1.0);
 }
 
-// Crossings of a piece of an edge against sources in a plane, and against the least of all ways.
+// Waves at points of an edge against sources in a plane, and against the least of all ways.
 
-constexpr double source_x = 0.7;
-constexpr double source_y = 0.4;
-constexpr double target_x = 0.1;
-constexpr double target_y = 0.5;
+/// New ones for each run; a failure says which.
+class Waves : public testing::Test {
+ protected:
+  /// The wave at x on the x axis of a source in the plane, at a distance of its own.
+  struct Source {
+    EdgeWave at(double place) const {
+      const double radius = std::hypot(place - x, y);
+      return {offset + radius, (place - x) / radius, radius};
+    }
+    double distance(double place) const { return offset + std::hypot(place - x, y); }
+    double x, y, offset;
+  };
+  double between(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+  Source source() { return {between(-1.0, 1.0), between(0.2, 1.0), between(0.0, 3.0)}; }
 
-/// Through the piece from 0 to `length` on the x axis before which a unit costs 1, and beyond `cost`.
-EdgeCrossing crossing(double length, double cost) {
-  const PlacedSource source(
-      {cost * length, length, std::hypot(source_x, source_y), std::hypot(source_x - length, source_y)});
-  EXPECT_TRUE(source.exists());
-  const EdgeCrossing found = source.cross(cost * target_x, cost * target_y);
-  EXPECT_GE(found.distance, source.least() + cost * target_y);
-  return found;
+ private:
+  unsigned seed_ = std::random_device()();
+  testing::ScopedTrace trace_{__FILE__, __LINE__, seed_};
+  std::mt19937 random_{seed_};
+};
+
+TEST_F(Waves, AlongTheEdge) {
+  for (int i = 0; i < 100; ++i) {
+    const Source from = source();
+    const double at = between(-1.0, 1.0);
+    const double shift = between(-2.0, 2.0);
+    EXPECT_NEAR(from.at(at).along(shift), from.distance(at + shift), 1e-13);
+  }
+  EXPECT_EQ((EdgeWave{3.0, 1.0, 0.0}.along(0.5)), 3.5) << "from a vertex";
+  EXPECT_EQ((EdgeWave{3.0, -1.0, 0.0}.along(0.0)), 3.0);
 }
 
-TEST(EdgeCrossing, OneCostIsThePlane) {
-  const EdgeCrossing found = crossing(1.0, 1.0);
-  EXPECT_NEAR(found.distance, std::hypot(target_x - source_x, target_y + source_y), 1e-15);
-  EXPECT_NEAR(found.share, source_x + (target_x - source_x) * source_y / (source_y + target_y), 1e-15);
-}
-
-TEST(EdgeCrossing, DearerFacesRefract) {
-  for (const double cost : {1.5, 5.0, 1e3, 1e6}) {
-    const EdgeCrossing found = crossing(1.0, cost);
-    const auto length = [&](double x) {
-      return std::hypot(x - source_x, source_y) + cost * std::hypot(x - target_x, target_y);
-    };
-    EXPECT_NEAR(found.distance, test::least_of(length, 0.0, 1.0), 1e-14 * found.distance);
-    // Snell's law.
-    EXPECT_NEAR((source_x - found.share) / std::hypot(source_x - found.share, source_y),
-                cost * (found.share - target_x) / std::hypot(found.share - target_x, target_y), 1e-6);
-    // Along the edge, distances do not fall below what running along it would cost.
-    const PlacedSource wide({cost, 1.0, 2.0, 2.0});
-    EXPECT_GE(wide.cross(0.5 * cost, 0.1 * cost).distance, 1.5);
+TEST_F(Waves, OneCostIsThePlane) {
+  for (int i = 0; i < 100; ++i) {
+    const Source from = source();
+    const double at = between(-1.0, 1.0);
+    const std::array target{between(-1.0, 1.0), between(0.0, 1.0)};
+    const double crossing = from.x + (target[0] - from.x) * from.y / (from.y + target[1]);
+    const double straight = from.offset + std::hypot(target[0] - from.x, target[1] + from.y);
+    const FaceBeam beam(from.at(at), at, 1.0, crossing - 0.1, crossing + 0.1);
+    EXPECT_NEAR(beam.distance(target[0], target[1]), straight, 1e-12);
+    EXPECT_NEAR(beam.crossing(target[0], target[1]), crossing, 1e-12);
+    const FaceBeam beside(from.at(at), at, 1.0, crossing + 0.01, crossing + 0.1);
+    EXPECT_EQ(beside.distance(target[0], target[1]), unreachable);
+    EXPECT_EQ(FaceBeam(from.at(at), at, 1.0, -9.0, 9.0, straight - 0.01).distance(target[0], target[1]),
+              unreachable);
   }
 }
 
-TEST(EdgeCrossing, WaysAroundThePieceAreNone) {
-  EXPECT_EQ(crossing(0.3, 1.0).distance, unreachable);
-  EXPECT_EQ(crossing(0.05, 3.0).distance, unreachable);
-  EXPECT_FALSE(PlacedSource({1, 1, unreachable, 1}).exists());
-  EXPECT_FALSE(PlacedSource({0, 0, 1, 1}).exists());
-  EXPECT_FALSE(PlacedSource({2, 1, 1, 2.5}).exists());
-  EXPECT_FALSE(PlacedSource({2, 1, 0.3, 0.4, 5}).exists()) << "there are two waves";
+/// The place on the x axis where the way from a source before it to a target behind it, a unit of which costs
+/// `cost`, is shortest.
+double refracted_at(const auto& from, const std::array<double, 2>& target, double cost) {
+  double low = -10.0;
+  double high = 10.0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double slope = (middle - from.x) / std::hypot(middle - from.x, from.y) +
+                         cost * (middle - target[0]) / std::hypot(middle - target[0], target[1]);
+    (slope > 0.0 ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
-TEST(EdgeCrossing, WavesOfSourcesFartherAway) {
-  // Seen from the piece, distances are less by what the source is farther away.
-  const double farther = 3.0;
-  const PlacedSource source({1.0, 1.0, std::hypot(source_x, source_y + 5.0) - farther,
-                             std::hypot(source_x - 1.0, source_y + 5.0) - farther, farther});
-  ASSERT_TRUE(source.exists());
-  EXPECT_NEAR(source.cross(target_x, target_y).distance,
-              std::hypot(target_x - source_x, target_y + source_y + 5.0) - farther, 1e-14);
+TEST_F(Waves, DearerFacesRefractToThirdOrder) {
+  for (const double cost : {1.5, 5.0, 1e3}) {
+    for (int i = 0; i < 20; ++i) {
+      const Source from = source();
+      const std::array target{between(-1.0, 1.0), between(0.3, 1.0)};
+      const double crossing = refracted_at(from, target, cost);
+      const double exact = from.distance(crossing) + cost * std::hypot(target[0] - crossing, target[1]);
+      const auto error_from = [&](double away) {
+        // Lengths along the edge are those in the dearer face, where a unit is `cost`.
+        const double at = crossing + away;
+        const FaceBeam beam(from.at(at), cost * at, cost, cost * (crossing - 1.0), cost * (crossing + 1.0));
+        const double found = beam.distance(cost * target[0], cost * target[1]);
+        return found < unreachable ? std::abs(found - exact) : 1.0;
+      };
+      const double least_distance = std::min(from.y, target[1]);
+      for (const double away : {0.01, -0.01}) {
+        const double cube = std::pow(std::abs(away) / least_distance, 3) * least_distance;
+        EXPECT_LT(error_from(away), 5.0 * cube + 1e-11) << cost << " at " << away;
+      }
+      EXPECT_NEAR(error_from(0.0), 0.0, 1e-9) << cost;
+    }
+  }
 }
 
-TEST(EdgeCrossing, WavesBecomeFlatterInDearerFaces) {
+TEST_F(Waves, ThoseThatMeetCross) {
+  for (int i = 0; i < 100; ++i) {
+    // Where the distances of two sources are the same, the nearer one on each side is right.
+    const Source left{between(-3.0, -2.0), between(0.2, 1.0), 0.0};
+    Source right{between(3.0, 4.0), between(0.2, 1.0), 0.0};
+    const double meet = between(0.2, 0.8);
+    right.offset = left.distance(meet) - right.distance(meet);
+    const WaveParts parts = wave_parts(left.at(0.0), right.at(1.0), 1.0);
+    EXPECT_GT(parts.first_until, meet);
+    EXPECT_LT(parts.second_from, meet);
+  }
+}
+
+TEST_F(Waves, ShadowsBeginBetweenThem) {
+  for (int i = 0; i < 100; ++i) {
+    // Beyond `edge`, paths bend at a vertex that lies on the ray through it.
+    const double edge = between(0.1, 0.9);
+    const Source direct{between(-1.0, 0.0) - 8.0, 10.0, 0.0};
+    const double share = between(0.3, 0.6);
+    Source bent{direct.x + (edge - direct.x) * share, direct.y * (1.0 - share), 0.0};
+    bent.offset = direct.distance(edge) - bent.distance(edge);
+    const WaveParts parts = wave_parts(direct.at(0.0), bent.at(1.0), 1.0);
+    EXPECT_NEAR(parts.first_until, edge, 0.1);
+    EXPECT_NEAR(parts.second_from, edge, 0.1);
+    const WaveParts turned = wave_parts(bent.at(1.0), direct.at(0.0), -1.0);
+    EXPECT_NEAR(1.0 - turned.first_until, edge, 0.1);
+  }
+}
+
+TEST(Refraction, WavesBecomeFlatterInDearerFaces) {
   // Around a source at height 1 over an edge beyond which a unit costs 5: the second derivative of the least
   // sum along a line parallel to the edge is that of a wave of this radius.
   constexpr double cost = 5.0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 
 #include "exact/local_solver.h"
@@ -45,6 +46,71 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
   EXPECT_LT(errors.mean, 5e-4);
   EXPECT_LT(errors.greatest, 5e-3);
   EXPECT_GT(errors.least, -5e-3);
+}
+
+/// A new one for each run, which its failures name.
+unsigned new_seed() { return std::random_device()(); }
+
+TEST(WeightedSolver, ErrorsFallWithTheSquareOfThePoints) {
+  const unsigned seed = new_seed();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> between(0.0, 1.0);
+  const double dearer = 1.5 + 3.0 * between(random);
+  const Layers layers(10, [&](double, double y) { return y > 0.0 ? 1.0 : dearer; });
+  const Index source = layers.nearest(2.0 * between(random), -0.3 - 0.5 * between(random));
+  const auto exact = [&](const Point& p, const Point& q) { return two_half_planes(p, q, 1.0, dearer); };
+  for (const Index points : {3, 6, 12, 24, 48}) {
+    WeightedSolver solver = layers.solver(points);
+    const auto errors = errors_of(layers, solver, source, exact);
+    EXPECT_LT(errors.mean, 1e-3 * std::pow(3.0 / points, 2)) << points;
+  }
+}
+
+/// Each face in four.
+test::Soup subdivided(const test::Soup& soup) {
+  test::Soup fine{soup.positions, {}};
+  std::map<std::array<Index, 2>, Index> middles;
+  for (const auto& face : soup.faces) {
+    std::array<Index, 3> middle{};
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
+      const auto [at, is_new] = middles.try_emplace({a, b}, static_cast<Index>(fine.positions.size()));
+      middle[i] = at->second;
+      const Point& p = soup.positions[a];
+      const Point& q = soup.positions[b];
+      if (is_new) fine.positions.push_back({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])});
+    }
+    for (int i = 0; i < 3; ++i) fine.faces.push_back({face[i], middle[i], middle[(i + 2) % 3]});
+    fine.faces.push_back(middle);
+  }
+  return fine;
+}
+
+TEST(WeightedSolver, AsOnAFinerMesh) {
+  const unsigned seed = new_seed();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> cost(1.0, 5.0);
+  const test::Soup soup = test::random_sphere(150, seed);
+  const test::Soup fine = subdivided(subdivided(soup));
+  std::vector<double> costs(soup.faces.size());
+  for (double& each : costs) each = cost(random);
+  std::vector<double> fine_costs(fine.faces.size());
+  for (std::size_t f = 0; f < fine_costs.size(); ++f) fine_costs[f] = costs[f / 16];
+  const std::array<Index, 1> from{7};
+  WeightedSolver known = test::solver_of(test::with_costs(fine, fine_costs, 24));
+  known.run_from_vertices(from);
+  for (const Index points : {6, 12, 24, 48}) {
+    WeightedSolver solver = test::solver_of(test::with_costs(soup, costs, points));
+    solver.run_from_vertices(from);
+    double sum = 0.0;
+    for (Index v = 0; v < static_cast<Index>(soup.positions.size()); ++v) {
+      if (v != from[0]) sum += std::abs(solver.distance(v) / known.distance(v) - 1.0);
+    }
+    const double mean = sum / static_cast<double>(soup.positions.size() - 1);
+    EXPECT_LT(mean, 2e-3 * std::pow(6.0 / points, 2)) << points;
+  }
 }
 
 TEST(WeightedSolver, MorePointsAreMoreExact) {
