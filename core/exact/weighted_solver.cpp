@@ -53,7 +53,9 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
   state.distance = arrival.distance;
   state.slope = std::clamp(arrival.slope, -1.0, 1.0);
   state.radius = std::min(arrival.radius, flattest * arrival.distance);
-  state.face = std::abs(arrival.slope) < 1.0 ? arrival.face : no_index;
+  state.from = arrival.from;
+  state.face = arrival.face;
+  state.bends = arrival.bends;
   state.source = arrival.source;
   // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, and points behind a
   // jump would be settled too early.
@@ -64,7 +66,7 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
 void WeightedSolver::start_at(Index number) {
   const auto& [source, offset] = sources_[number];
   if (source.is_vertex()) {
-    reach(source.vertex, {offset, number});
+    reach(source.vertex, {.distance = offset, .source = number});
     return;
   }
   face_sources_.push_back(number);
@@ -88,7 +90,7 @@ void WeightedSolver::start_at(Index number) {
             scale > 0.0
                 ? ((to[0] - from[0]) * (end[0] - begin[0]) + (to[1] - from[1]) * (end[1] - begin[1])) / scale
                 : 0.0;
-        reach(norms_->point(edge, k), {offset + length, number, face, cosine * dearer,
+        reach(norms_->point(edge, k), {offset + length, number, no_index, face, cosine * dearer,
                                        refracted_radius(length, {cosine, dearer}, false)});
       }
       // Along its own edge, the cheaper face counts.
@@ -97,8 +99,8 @@ void WeightedSolver::start_at(Index number) {
       const double at = weights[along ? (i + 1) % 3 : i];
       for (Index k = 0; k <= last; ++k) {
         const double shift = (norms_->fraction(edge, k) - at) * cost;
-        reach(norms_->point(edge, k),
-              {offset + std::abs(shift), number, no_index, shift < 0.0 ? -1.0 : 1.0, std::abs(shift)});
+        reach(norms_->point(edge, k), {offset + std::abs(shift), number, no_index, no_index,
+                                       shift < 0.0 ? -1.0 : 1.0, std::abs(shift)});
       }
     }
   });
@@ -175,7 +177,7 @@ void WeightedSolver::run_along(Index edge, Index from, Index to) {
   // Waves that run along an edge are as of a vertex at its end, or plane ones.
   const bool is_running = sign * own.slope >= 1.0;
   const double radius = norms_->is_vertex(point) ? 0.0 : is_running ? own.radius : unreachable;
-  reach(norms_->point(edge, to), {own.distance + length, own.source, no_index, sign, radius + length});
+  reach(norms_->point(edge, to), {own.distance + length, own.source, point, no_index, sign, radius + length});
 }
 
 double WeightedSolver::settled_distance() const { return std::min(settled_distance_, max_distance_); }
@@ -250,7 +252,7 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
   if (!has_corridor_ || corridor_point_.is_vertex()) return true;
   // Points between the corners of its face may be settled after these. Its distance only decreases.
   if (!(corridor_distance_ < unreachable)) {
-    corridor_distance_ = best_step(corridor_point_, unreachable).distance;
+    corridor_distance_ = best_step(corridor_point_).distance;
   }
   return corridor_distance_ <= bound;
 }
@@ -264,7 +266,8 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
 void WeightedSolver::cross_thin(Index halfedge, Index from) {
   const EdgeFrame frame = norms_->frame(halfedge);
   const Index edge = mesh().edge_of(halfedge);
-  const PointState own = state_[norms_->point(edge, from)];
+  const Index start = norms_->point(edge, from);
+  const PointState own = state_[start];
   const double at = norms_->fraction(edge, from) * frame.length;
   auto rate_of = [](double cost, double length) { return length > 0.0 ? cost / length : 1.0; };
   const double rate = rate_of(norms_->edge_cost(edge), frame.length);
@@ -296,8 +299,8 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
       // In the dearer side, a wave of the cheaper one is plane.
       const bool is_plane = bends || other_rate > rate * (1.0 + 1e-9);
       reach(norms_->point(other, k),
-            {distance, own.source, bends ? no_index : Mesh::face_of(halfedge),
-             cost != 0.0 ? rise / cost : 0.0, is_plane ? unreachable : own.radius + straight});
+            {distance, own.source, start, Mesh::face_of(halfedge), cost != 0.0 ? rise / cost : 0.0,
+             is_plane ? unreachable : own.radius + straight, bends});
     }
   }
 }
@@ -405,8 +408,9 @@ void WeightedSolver::cross_from_vertex(Index corner) {
     const double along = norms_->fraction(edge, k) * frame.length - frame.apex_x;
     const double length = std::sqrt(along * along + frame.apex_y * frame.apex_y);
     const double cosine = length > 0.0 ? along / length : 0.0;
-    reach(norms_->point(edge, k), {own.distance + length, own.source, Mesh::face_of(halfedge),
-                                   cosine * dearer, refracted_radius(length, {cosine, dearer}, false)});
+    reach(norms_->point(edge, k),
+          {own.distance + length, own.source, mesh().tail(corner), Mesh::face_of(halfedge), cosine * dearer,
+           refracted_radius(length, {cosine, dearer}, false)});
   }
 }
 
@@ -426,13 +430,19 @@ void WeightedSolver::cross_from(Index edge, Index from) {
   } while (h != first);
 }
 
+/// Whether the wave at a point goes on into a face: it did not come through it, or runs along the edge.
+bool WeightedSolver::passes(Index point, Index face) const {
+  const PointState& state = state_[point];
+  return state.face != face || state.bends || std::abs(state.slope) >= 1.0;
+}
+
 /// Crosses a face from a point of a side and what lies between it and those beside it, to the points of the
 /// other two sides.
 void WeightedSolver::cross(Index halfedge, Index from) {
   const Index face = Mesh::face_of(halfedge);
   const Index edge = mesh().edge_of(halfedge);
   const Index last = norms_->points_on(edge) + 1;
-  auto enters = [&](Index k) { return k != 0 && k != last && state_[norms_->point(edge, k)].face != face; };
+  auto enters = [&](Index k) { return k != 0 && k != last && passes(norms_->point(edge, k), face); };
   const bool own_enters = enters(from);
   auto is_settled = [&](Index k) { return state_[norms_->point(edge, k)].settled; };
   if (!own_enters && !(from > 0 && is_settled(from - 1) && enters(from - 1)) &&
@@ -447,13 +457,13 @@ void WeightedSolver::cross(Index halfedge, Index from) {
   auto place = [&](Index k) { return norms_->fraction(edge, k) * frame.length; };
 
   const double reached = state_[norms_->point(edge, from)].distance;
-  auto arrive = [&](const PointsAcross::At& to, double distance, const FaceNorms::Place& source,
-                    Index label) {
+  auto arrive = [&](Index k, const PointsAcross::At& to, double distance, const FaceNorms::Place& source) {
+    const Index point = norms_->point(edge, k);
     const FaceNorms::Place ray{to.place[0] - source[0], to.place[1] - source[1]};
     const double radius = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
     const double cosine = radius > 0.0 ? (ray[0] * to.direction[0] + ray[1] * to.direction[1]) / radius : 0.0;
-    reach(to.point,
-          {distance, label, face, cosine * to.dearer, refracted_radius(radius, {cosine, to.dearer}, false)});
+    reach(to.point, {distance, state_[point].source, point, face, cosine * to.dearer,
+                     refracted_radius(radius, {cosine, to.dearer}, false)});
   };
   struct Rays {
     double first, last;  ///< where they meet the other sides
@@ -461,7 +471,6 @@ void WeightedSolver::cross(Index halfedge, Index from) {
   // The wave of point k where it passes between two places of the side, the first one lower.
   auto send = [&](Index k, double low, double high, double limit) {
     const FaceBeam beam(wave_at(edge, k), place(k), dearer, low, high, limit);
-    const Index label = state_[norms_->point(edge, k)].source;
     const FaceNorms::Place source = beam.source();
     Rays rays{0.0, across.count() + 1.0};
     if (!is_flat) rays = {across.position(source, beam.low()), across.position(source, beam.high())};
@@ -475,7 +484,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
       // Nothing that is not settled is nearer than what is.
       const double found = is_flat ? beam.distance(x, y) : beam.distance_inside(x, y);
       const double distance = std::max(found, reached);
-      if (distance < known.distance) arrive(to, distance, source, label);
+      if (distance < known.distance) arrive(k, to, distance, source);
     }
     return rays;
   };
@@ -488,7 +497,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     for (Index number = begin; number <= end; ++number) {
       const PointsAcross::At to = across.at(number);
       const double distance = own.distance + FaceNorms::apart(source, to.place);
-      if (distance < state_[to.point].distance) arrive(to, distance, source, own.source);
+      if (distance < state_[to.point].distance) arrive(k, to, distance, source);
     }
   };
 
@@ -522,12 +531,6 @@ void WeightedSolver::cross(Index halfedge, Index from) {
 
 namespace {
 
-/// Times that a path may continue from a point at a greater distance than the last one.
-constexpr int max_setbacks = 1000;
-
-/// Of two ways back, one is shorter only by more than this part: otherwise the one with fewer steps is taken.
-constexpr double rounding = 1e-12;
-
 /// A crossing is a vertex if it is this near.
 constexpr double at_vertex = 1e-9;
 
@@ -538,14 +541,19 @@ SurfacePoint crossing_on_edge(const Mesh& mesh, Index edge, double fraction) {
                                                      : fraction);
 }
 
+}  // namespace
+
 /// An end of a piece: a fixed point, or one that may move along an edge.
-struct Joint {
+struct WeightedSolver::Joint {
   SurfacePoint point;
   Index edge = no_index;
   double fraction = 0.0;
 };
 
+namespace {
+
 /// Where a joint lies as a function of its fraction, on the line of an edge or in the plane of a face.
+template <class Joint>
 void place_joint(const FaceNorms& norms, const Joint& joint, Index face, Index edge, PathPiece::Vector& at,
                  PathPiece::Vector& along) {
   const Mesh& mesh = norms.mesh();
@@ -580,19 +588,15 @@ void place_joint(const FaceNorms& norms, const Joint& joint, Index face, Index e
 
 }  // namespace
 
-WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights,
-                                                   double below) const {
+WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights) const {
   const auto target = norms_->place(face, weights);
-  // On the way back, what is across a face without area is no step (flat_places): to and fro over it, paths
-  // would decrease by rounding only.
-  const double least_piece = below < unreachable ? flat_height(*norms_, face) : 0.0;
   BackStep best;
   for (const Index s : face_sources_) {
     const auto& [source, offset] = sources_[s];
     std::array<double, 3> there{};
     if (!(offset < best.distance) || !weights_in_face(mesh(), source, face, there)) continue;
     const double distance = offset + FaceNorms::apart(norms_->place(face, there), target);
-    if (distance < best.distance) best = {distance, offset, s, no_index, 0.0, face};
+    if (distance < best.distance) best = {.distance = distance, .source = s, .face = face};
   }
   for (int i = 0; i < 3; ++i) {
     if (weights[(i + 2) % 3] == 0.0) continue;  // from the point's own edge, steps run along it
@@ -605,38 +609,35 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const double cost = norms_->edge_cost(edge);
     const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
     const double spacing = norms_->spacing(edge);
-    auto take = [&](double distance, double piece, double at) {
-      if (!(distance < best.distance && distance - piece < below) || piece < least_piece) return;
-      best = {distance, distance - piece, no_index, edge, at, face};
-    };
     const Index last = norms_->points_on(edge) + 1;
+    auto take = [&](double distance, Index k, double at) {
+      if (!(distance < best.distance)) return;
+      best = {
+          .distance = distance, .edge = edge, .fraction = at, .face = face, .from = norms_->point(edge, k)};
+    };
     for (Index k = 0; k <= last; ++k) {
       const PointState& first = state_[norms_->point(edge, k)];
       if (!(first.distance < unreachable)) continue;
       const double begin = norms_->fraction(edge, k) * frame.length;
-      const double to_first = std::hypot(x - begin, y);
-      take(first.distance + to_first, to_first, norms_->fraction(edge, k));
+      take(first.distance + std::hypot(x - begin, y), k, norms_->fraction(edge, k));
       if (k == last || !(state_[norms_->point(edge, k + 1)].distance < unreachable)) continue;
       const WaveParts parts = parts_of(edge, k);
       const double piece = spacing * frame.length;
       for (const Index end : {k, k + 1}) {
-        if (end == 0 || end == last || state_[norms_->point(edge, end)].face == face) continue;
+        if (end == 0 || end == last || !passes(norms_->point(edge, end), face)) continue;
         const double low = begin + (end == k ? 0.0 : parts.second_from) * piece;
         const double high = begin + (end == k ? parts.first_until : 1.0) * piece;
         const FaceBeam beam(wave_at(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low,
                             high);
-        const double distance = beam.distance(x, y);
-        if (!(distance < unreachable)) continue;
-        const double crossing = beam.crossing(x, y);
-        take(distance, std::hypot(x - crossing, y),
-             frame.length > 0.0 ? std::clamp(crossing / frame.length, 0.0, 1.0) : 0.0);
+        take(beam.distance(x, y), end,
+             frame.length > 0.0 ? std::clamp(beam.crossing(x, y) / frame.length, 0.0, 1.0) : 0.0);
       }
     }
   }
   return best;
 }
 
-WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction, double below) const {
+WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction) const {
   BackStep best;
   const double cost = norms_->edge_cost(edge);
   for (const Index s : face_sources_) {
@@ -648,17 +649,17 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
     const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
     const double distance =
         offset + std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
-    if (distance < best.distance) best = {distance, offset, s, edge, 0.0, no_index};
+    if (distance < best.distance) best = {.distance = distance, .source = s, .edge = edge};
   }
+  auto take = [&](Index from, double at, Index flat_face) {
+    const double distance = state_[from].distance + std::abs(at - fraction) * cost;
+    if (!(distance < best.distance)) return;
+    best = {.distance = distance, .edge = edge, .fraction = at, .from = from, .flat_face = flat_face};
+  };
   const Index last = norms_->points_on(edge) + 1;
-  const auto previous = static_cast<Index>(std::ceil(fraction * last)) - 1;
-  const auto next = static_cast<Index>(std::floor(fraction * last)) + 1;
-  for (Index k : {previous, next}) {
-    if (k < 0 || k > last) continue;
-    const double at_point = state_[norms_->point(edge, k)].distance;
-    const double distance = at_point + std::abs(norms_->fraction(edge, k) - fraction) * cost;
-    if (!(distance < best.distance && at_point < below)) continue;
-    best = {distance, at_point, no_index, edge, norms_->fraction(edge, k), no_index};
+  const auto before = static_cast<Index>(fraction * last);
+  for (const Index k : {before, std::min(before + 1, last)}) {
+    take(norms_->point(edge, k), norms_->fraction(edge, k), no_index);
   }
   // The apex of a face without width lies on the edge, between its points.
   const Index first = mesh().edge_halfedge(edge);
@@ -666,19 +667,15 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
   do {
     if (norms_->is_flat(Mesh::face_of(h))) {
       const EdgeFrame frame = norms_->frame(h);
-      const double at_apex = state_[mesh().apex(h)].distance;
       const double foot = frame.length > 0.0 ? frame.apex_x / frame.length : 0.0;
-      const double distance = at_apex + std::abs(foot - fraction) * cost;
-      if (foot > 0.0 && foot < 1.0 && distance < best.distance && at_apex < below) {
-        best = {distance, at_apex, no_index, edge, foot, no_index};
-      }
+      if (foot > 0.0 && foot < 1.0) take(mesh().apex(h), foot, Mesh::face_of(h));
     }
     h = mesh().next_around_edge(h);
   } while (h != first);
   return best;
 }
 
-WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, double below) const {
+WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point) const {
   BackStep best;
   auto take = [&](const BackStep& step) {
     if (step.distance < best.distance) best = step;
@@ -688,9 +685,9 @@ WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, do
       if (weights[(i + 2) % 3] > 0.0) continue;
       const Index edge = mesh().edge_of(3 * face + i);
       const bool along = mesh().tail(3 * face + i) == mesh().edge_vertices(edge)[0];
-      take(step_along(edge, weights[along ? (i + 1) % 3 : i], below));
+      take(step_along(edge, weights[along ? (i + 1) % 3 : i]));
     }
-    take(step_into(face, weights, below));
+    take(step_into(face, weights));
   });
   return best;
 }
@@ -698,7 +695,7 @@ WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, do
 double WeightedSolver::distance(const SurfacePoint& point) const {
   const SurfacePoint target = validated(mesh(), point);
   if (target.is_vertex()) return distance(target.vertex);
-  return within_limit(best_step(target, unreachable).distance);
+  return within_limit(best_step(target).distance);
 }
 
 double WeightedSolver::distance(const EdgePoint& point) const {
@@ -712,89 +709,195 @@ Index WeightedSolver::nearest_source(const EdgePoint& point) const {
   if (!(cost > 0.0)) return nearest_source(mesh().edge_vertices(point.edge)[0]);
   const SurfacePoint at = crossing_on_edge(mesh(), point.edge, point.position / cost);
   if (at.is_vertex()) return nearest_source(at.vertex);
-  const BackStep step = best_step(at, unreachable);
+  const BackStep step = best_step(at);
   if (within_limit(step.distance) == unreachable || step.source != no_index) return step.source;
-  // The piece begins between two points of its edge, at least one of which was reached.
-  const double place = step.fraction * (norms_->points_on(step.edge) + 1);
-  const PointState& before = state_[norms_->point(step.edge, static_cast<Index>(std::floor(place)))];
-  const PointState& behind = state_[norms_->point(step.edge, static_cast<Index>(std::ceil(place)))];
-  return before.distance <= behind.distance ? before.source : behind.source;
+  return state_[step.from].source;
 }
 
-/// Whether a path to the vertex begins there.
-bool WeightedSolver::is_at_source(Index vertex) const {
-  const PointState& state = state_[vertex];
-  return state.source != no_index && sources_[state.source].point.vertex == vertex &&
-         sources_[state.source].offset == state.distance;
+// ---- From a target back to its source, point by point: each was settled before the next
+
+struct WeightedSolver::Trace {
+  struct Passed {
+    Index face, edge;  ///< no face: along the edge
+  };
+  std::vector<Joint> joints;
+  std::vector<Passed> passed;
+
+  const Joint& here() const { return joints.back(); }
+  void go_to(const Joint& joint, Index face, Index edge) {
+    // Steps along one edge are one piece.
+    if (face == no_index && !passed.empty() && passed.back().face == no_index && passed.back().edge == edge) {
+      passed.pop_back();
+      joints.pop_back();
+    }
+    passed.push_back({face, edge});
+    joints.push_back(joint);
+    if (joint.point.is_vertex()) joints.back().edge = no_index;
+  }
+};
+
+namespace {
+
+/// The cheapest edge from a vertex to another that is its neighbour.
+Index edge_between(const Mesh& mesh, Index a, Index b) {
+  Index found = no_index;
+  for (const Index corner : mesh.corners(a)) {
+    for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
+      const Index edge = mesh.edge_of(side);
+      const auto ends = mesh.edge_vertices(edge);
+      if (ends[0] != b && ends[1] != b) continue;
+      if (found == no_index || mesh.edge_length(edge) < mesh.edge_length(found)) found = edge;
+    }
+  }
+  return found;
+}
+
+/// The edge on which a point lies, of those that end at a vertex.
+Index edge_under(const Mesh& mesh, const SurfacePoint& point, Index vertex) {
+  Index found = no_index;
+  for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    for (int i = 0; i < 3; ++i) {
+      const auto ends = mesh.edge_vertices(mesh.edge_of(3 * face + i));
+      if (weights[(i + 2) % 3] == 0.0 && (ends[0] == vertex || ends[1] == vertex)) {
+        found = mesh.edge_of(3 * face + i);
+      }
+    }
+  });
+  return found;
+}
+
+}  // namespace
+
+WeightedSolver::Joint WeightedSolver::joint_on(Index edge, double fraction) const {
+  return {crossing_on_edge(mesh(), edge, fraction), edge, fraction};
+}
+
+WeightedSolver::Joint WeightedSolver::joint_at(Index point) const {
+  if (norms_->is_vertex(point)) return {SurfacePoint::at_vertex(point)};
+  const Index edge = norms_->edge_of(point);
+  return joint_on(edge, norms_->fraction(edge, norms_->along_edge(point)));
+}
+
+/// The same where the wave ran along a side of that face: as that cost less.
+void WeightedSolver::go_back_bent(Index point, Trace& trace) const {
+  const PointState& state = state_[point];
+  const Joint from = joint_at(state.from);
+  std::array<double, 3> here_weights{};
+  std::array<double, 3> from_weights{};
+  weights_in_face(mesh(), trace.here().point, state.face, here_weights);
+  weights_in_face(mesh(), from.point, state.face, from_weights);
+  double least = unreachable;
+  Joint turn;
+  bool turns_before = false;  // the wave ran along the side before it crossed the face
+  for (Index h = 3 * state.face; h < 3 * state.face + 3; ++h) {
+    const EdgeFrame frame = norms_->frame(h);
+    if (!(frame.length > 0.0)) continue;
+    const Index apex = Mesh::previous_in_face(h) % 3;
+    const Index base = frame.along ? Mesh::next_in_face(h) % 3 : h % 3;
+    auto x_of = [&](const std::array<double, 3>& weights) {
+      return std::clamp(weights[base] * frame.length + weights[apex] * frame.apex_x, 0.0, frame.length);
+    };
+    const double shift = std::abs(x_of(here_weights) - x_of(from_weights));
+    const double along = shift * norms_->edge_cost(mesh().edge_of(h)) / frame.length;
+    for (const bool before : {true, false}) {
+      if ((before ? from_weights : here_weights)[apex] != 0.0) continue;
+      const auto& other = before ? here_weights : from_weights;
+      const double length = along + other[apex] * frame.apex_y;
+      if (!(length < least)) continue;
+      least = length;
+      turn = joint_on(mesh().edge_of(h), x_of(other) / frame.length);
+      turns_before = before;
+    }
+  }
+  const Index edge = turn.edge;
+  trace.go_to(turn, turns_before ? state.face : no_index, turns_before ? no_index : edge);
+  trace.go_to(from, turns_before ? no_index : state.face, turns_before ? edge : no_index);
+}
+
+/// Goes on across the face through which the wave of a point came, from where the trace is, which lies beside
+/// that point or is it. \return the point from which it goes on.
+Index WeightedSolver::go_back_across(Index point, Trace& trace) const {
+  const PointState& state = state_[point];
+  const Index face = state.face;
+  if (norms_->is_vertex(state.from)) {
+    trace.go_to(joint_at(state.from), face, no_index);
+    return state.from;
+  }
+  const Index edge = norms_->edge_of(state.from);
+  Index h = 3 * face;
+  while (mesh().edge_of(h) != edge) ++h;
+  std::array<double, 3> weights{};
+  weights_in_face(mesh(), trace.here().point, face, weights);
+  const EdgeFrame frame = norms_->frame(h);
+  const double apex_weight = weights[Mesh::previous_in_face(h) % 3];
+  const double x =
+      weights[frame.along ? Mesh::next_in_face(h) % 3 : h % 3] * frame.length + apex_weight * frame.apex_x;
+  const double cost = norms_->edge_cost(edge);
+  const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
+  const Index last = norms_->points_on(edge) + 1;
+  const Index k = norms_->along_edge(state.from);
+  const FaceBeam beam(wave_at(edge, k), norms_->fraction(edge, k) * frame.length, dearer, 0.0, frame.length);
+  const double crossing = beam.crossing(x, apex_weight * frame.apex_y);
+  // Not quite at a vertex: there, it would stay.
+  const double place = std::clamp(frame.length > 0.0 ? crossing / frame.length * last : 0.0,
+                                  std::max(k - 1.0, 0.5), std::min(k + 1.0, last - 0.5));
+  trace.go_to(joint_on(edge, place / last), face, no_index);
+  // The wave of the point beside it, if that is better there.
+  const Index beside = place < k ? k - 1 : k + 1;
+  if (beside == 0 || beside == last) return state.from;
+  const Index other = norms_->point(edge, beside);
+  const PointState& before = state_[other];
+  if (!(before.distance < state.distance) || !passes(other, face)) return state.from;
+  const WaveParts parts = parts_of(edge, std::min(k, beside));
+  const bool is_better = place < k ? place - beside < parts.second_from : place - k > parts.first_until;
+  return is_better ? other : state.from;
+}
+
+Index WeightedSolver::go_back(Index point, Trace& trace) const {
+  const PointState& state = state_[point];
+  const Mesh& m = mesh();
+  if (state.from == no_index) {
+    const SurfacePoint& source = sources_[state.source].point;
+    if (source.is_vertex()) return no_index;
+    const Index edge = norms_->is_vertex(point) ? edge_under(m, source, point) : norms_->edge_of(point);
+    trace.go_to({source}, state.face, state.face == no_index ? edge : no_index);
+    return no_index;
+  }
+  if (state.face == no_index) {
+    const Index edge = !norms_->is_vertex(point)        ? norms_->edge_of(point)
+                       : !norms_->is_vertex(state.from) ? norms_->edge_of(state.from)
+                                                        : edge_between(m, point, state.from);
+    trace.go_to(joint_at(state.from), no_index, edge);
+    return state.from;
+  }
+  if (!state.bends) return go_back_across(point, trace);
+  go_back_bent(point, trace);
+  return state.from;
+}
+
+WeightedSolver::Trace WeightedSolver::trace_back(const SurfacePoint& target) const {
+  Trace trace{{{target}}, {}};
+  Index point = target.vertex;
+  if (!target.is_vertex()) {
+    const BackStep step = best_step(target);
+    if (step.source != no_index) {
+      trace.go_to({sources_[step.source].point}, step.face, step.edge);
+      return trace;
+    }
+    trace.go_to(joint_on(step.edge, step.fraction), step.face, step.edge);
+    point = step.from;
+    if (step.flat_face != no_index) trace.go_to({SurfacePoint::at_vertex(point)}, step.flat_face, no_index);
+  }
+  // This loop ends: points are followed to one that was settled earlier.
+  while (point != no_index) point = go_back(point, trace);
+  return trace;
 }
 
 SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
   SurfacePath path;
   path.length = unreachable;
   if (!(distance(target) < unreachable)) return path;
-  std::vector<Joint> joints{{validated(mesh(), target)}};
-  struct Passed {
-    Index face, edge;
-  };
-  std::vector<Passed> passed;
-  auto go_to = [&](const Joint& joint, Index face, Index edge) {
-    passed.push_back({face, edge});
-    joints.push_back(joint);
-    if (joint.point.is_vertex()) joints.back().edge = no_index;
-  };
-  // All steps but a limited number lead to a point at a smaller distance, and those among places at no
-  // distance from one another pass each of these once. No shortest path takes as many as there are points.
-  double limit = unreachable;
-  int setbacks = 0;
-  for (Index round = 0;; ++round) {
-    if (round > norms_->point_count()) return path;
-    checkpoint();
-    const Joint here = joints.back();
-    const auto places = flat_places(*norms_, {here.point, here.edge, here.fraction});
-    BackStep step;
-    std::size_t from = 0;
-    bool arrived = false;
-    double least = unreachable;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const SurfacePoint& point = places[i].point;
-      const bool is_source = point.is_vertex() && is_at_source(point.vertex);
-      const BackStep next = is_source ? BackStep{state_[point.vertex].distance} : best_step(point, limit);
-      if (!(places[i].length + next.distance < least * (1.0 - rounding))) continue;
-      least = places[i].length + next.distance;
-      step = next;
-      from = i;
-      arrived = is_source;
-    }
-    if (!(least < unreachable)) {
-      // Between two points of an edge, distances are estimates, and all around may be greater: the path goes
-      // on from one of the two.
-      if (here.edge == no_index || ++setbacks > max_setbacks) return path;
-      step = step_along(here.edge, here.fraction, unreachable);
-      if (!(step.distance < unreachable)) return path;
-    }
-    const std::size_t before = joints.size();
-    for (std::size_t i = from; i != 0; i = places[i].from) {
-      const FlatPlace& place = places[i];
-      joints.insert(joints.begin() + static_cast<std::ptrdiff_t>(before),
-                    {place.point, place.edge, place.fraction});
-      passed.insert(passed.begin() + static_cast<std::ptrdiff_t>(before) - 1, {place.face, place.along});
-    }
-    if (arrived) break;
-    limit = step.begin_distance;
-    if (step.source != no_index) {
-      go_to({sources_[step.source].point}, step.face, step.edge);
-      break;
-    }
-    const Joint joint{crossing_on_edge(mesh(), step.edge, step.fraction), step.edge, step.fraction};
-    // Steps along one edge are one piece.
-    if (step.face == no_index && !passed.empty() && passed.back().face == no_index &&
-        passed.back().edge == step.edge && joints.back().edge == step.edge) {
-      passed.pop_back();
-      joints.pop_back();
-    }
-    go_to(joint, step.face, step.edge);
-  }
-
+  auto [joints, passed] = trace_back(validated(mesh(), target));
   // Between vertices, which stay, each chain of crossings is refracted.
   path.length = 0.0;
   std::vector<PathPiece> pieces;

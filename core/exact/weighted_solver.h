@@ -43,9 +43,8 @@ class WeightedSolver {
   /// And a point of an edge.
   Index nearest_source(const EdgePoint& point) const;
 
-  /// A shortest path from a point back to its nearest source, target first. Its edges are found by going back
-  /// through the distances; then its crossings are moved to where its length is least, by Snell's law. Empty
-  /// if unreachable.
+  /// A shortest path from a point back to its nearest source, target first. Its edges are those by which the
+  /// waves came; its crossings are moved to where its length is least, by Snell's law. Empty if unreachable.
   SurfacePath path_to_source(const SurfacePoint& target) const;
 
   /// Distances up to this one are final.
@@ -59,27 +58,34 @@ class WeightedSolver {
   struct Arrival {
     double distance = unreachable;
     Index source = no_index;
-    Index face = no_index;  ///< that was crossed last; no_index: along its edge, or from a vertex
+    Index from = no_index;  ///< the point whose wave it is; no_index: the source's own
+    Index face = no_index;  ///< that was crossed last; no_index: along its edge
     double slope = 0.0;     ///< as of EdgeWave
     double radius = 0.0;
+    bool bends = false;  ///< runs along a side of the face before or after it
   };
   struct PointState {
     double distance = unreachable;
     double slope = 0.0;
     double radius = 0.0;
+    Index from = no_index;
     Index face = no_index;
-    Index source : 31 = no_index;
+    Index source : 30 = no_index;
+    bool bends : 1 = false;
     bool settled : 1 = false;
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
-    double distance = unreachable;        ///< of the point
-    double begin_distance = unreachable;  ///< of where the piece begins
-    Index source = no_index;              ///< the piece begins at a source in the face, or
-    Index edge = no_index;                ///< on an edge,
-    double fraction = 0.0;                ///< here, from the edge's first vertex;
-    Index face = no_index;                ///< it crosses this face; no_index: it runs along the edge
+    double distance = unreachable;  ///< of the point
+    Index source = no_index;        ///< the piece begins at a source in the face, or
+    Index edge = no_index;          ///< on an edge,
+    double fraction = 0.0;          ///< here, from the edge's first vertex;
+    Index face = no_index;          ///< it crosses this face; no_index: it runs along the edge
+    Index from = no_index;          ///< the point whose wave it is
+    Index flat_face = no_index;     ///< of no width, if that point is its apex, at the same place of the edge
   };
+  struct Joint;
+  struct Trace;
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
@@ -98,11 +104,16 @@ class WeightedSolver {
   void cross_from(Index edge, Index from);
   void cross(Index halfedge, Index from);
   void cross_thin(Index halfedge, Index from);
-  BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
-  BackStep step_along(Index edge, double fraction, double below) const;
-  /// `below`: the distance of where the piece begins is less.
-  BackStep best_step(const SurfacePoint& point, double below) const;
-  bool is_at_source(Index vertex) const;
+  bool passes(Index point, Index face) const;
+  BackStep step_into(Index face, const std::array<double, 3>& weights) const;
+  BackStep step_along(Index edge, double fraction) const;
+  BackStep best_step(const SurfacePoint& point) const;
+  Trace trace_back(const SurfacePoint& target) const;
+  Index go_back(Index point, Trace& trace) const;
+  Index go_back_across(Index point, Trace& trace) const;
+  void go_back_bent(Index point, Trace& trace) const;
+  Joint joint_on(Index edge, double fraction) const;
+  Joint joint_at(Index point) const;
   double within_limit(double distance) const { return distance <= max_distance_ ? distance : unreachable; }
 
   std::shared_ptr<const FaceNorms> norms_;
