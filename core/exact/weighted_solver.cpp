@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/crossing_path.h"
 #include "exact/refraction.h"
 #include "support/progress.h"
 
@@ -531,64 +532,16 @@ void WeightedSolver::cross(Index halfedge, Index from) {
 
 namespace {
 
-/// A crossing is a vertex if it is this near.
-constexpr double at_vertex = 1e-9;
+/// Of a distance: what rounding leaves.
+constexpr double rounding = 1e-12;
 
-SurfacePoint crossing_on_edge(const Mesh& mesh, Index edge, double fraction) {
-  return point_on_edge(mesh, edge,
-                       fraction <= at_vertex         ? 0.0
-                       : fraction >= 1.0 - at_vertex ? 1.0
-                                                     : fraction);
-}
+/// Of a piece: what the waves of two points may differ by between them.
+constexpr double spare = 0.1;
 
 }  // namespace
 
-/// An end of a piece: a fixed point, or one that may move along an edge.
-struct WeightedSolver::Joint {
-  SurfacePoint point;
-  Index edge = no_index;
-  double fraction = 0.0;
-};
-
-namespace {
-
-/// Where a joint lies as a function of its fraction, on the line of an edge or in the plane of a face.
-template <class Joint>
-void place_joint(const FaceNorms& norms, const Joint& joint, Index face, Index edge, PathPiece::Vector& at,
-                 PathPiece::Vector& along) {
-  const Mesh& mesh = norms.mesh();
-  if (face == no_index) {
-    if (joint.edge == edge) {
-      along = {norms.edge_cost(edge), 0.0};
-    } else if (joint.point.is_vertex()) {
-      at = {joint.point.vertex == mesh.edge_vertices(edge)[0] ? 0.0 : norms.edge_cost(edge), 0.0};
-    } else {
-      std::array<double, 3> weights{};
-      const Index h = mesh.edge_halfedge(edge);
-      weights_in_face(mesh, joint.point, Mesh::face_of(h), weights);
-      const bool forward = mesh.tail(h) == mesh.edge_vertices(edge)[0];
-      at = {weights[forward ? Mesh::next_in_face(h) % 3 : h % 3] * norms.edge_cost(edge), 0.0};
-    }
-    return;
-  }
-  if (joint.edge == no_index) {
-    std::array<double, 3> weights{};
-    weights_in_face(mesh, joint.point, face, weights);
-    at = norms.place(face, weights);
-    return;
-  }
-  const auto corner = norms.corners(face);
-  for (int i = 0; i < 3; ++i) {
-    if (mesh.edge_of(3 * face + i) != joint.edge) continue;
-    at = norms.on_edge(corner, 3 * face + i, 0.0);
-    const auto end = norms.on_edge(corner, 3 * face + i, 1.0);
-    along = {end[0] - at[0], end[1] - at[1]};
-  }
-}
-
-}  // namespace
-
-WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights) const {
+WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<double, 3>& weights,
+                                                   double below) const {
   const auto target = norms_->place(face, weights);
   BackStep best;
   for (const Index s : face_sources_) {
@@ -611,9 +564,9 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const double spacing = norms_->spacing(edge);
     const Index last = norms_->points_on(edge) + 1;
     auto take = [&](double distance, Index k, double at) {
-      if (!(distance < best.distance)) return;
-      best = {
-          .distance = distance, .edge = edge, .fraction = at, .face = face, .from = norms_->point(edge, k)};
+      const Index from = norms_->point(edge, k);
+      if (!(distance < best.distance && state_[from].distance < below)) return;
+      best = {.distance = distance, .edge = edge, .fraction = at, .face = face, .from = from};
     };
     for (Index k = 0; k <= last; ++k) {
       const PointState& first = state_[norms_->point(edge, k)];
@@ -637,7 +590,7 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
   return best;
 }
 
-WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction) const {
+WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction, double below) const {
   BackStep best;
   const double cost = norms_->edge_cost(edge);
   for (const Index s : face_sources_) {
@@ -653,7 +606,7 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction)
   }
   auto take = [&](Index from, double at, Index flat_face) {
     const double distance = state_[from].distance + std::abs(at - fraction) * cost;
-    if (!(distance < best.distance)) return;
+    if (!(distance < best.distance && state_[from].distance < below)) return;
     best = {.distance = distance, .edge = edge, .fraction = at, .from = from, .flat_face = flat_face};
   };
   const Index last = norms_->points_on(edge) + 1;
@@ -675,7 +628,7 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction)
   return best;
 }
 
-WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point) const {
+WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point, double below) const {
   BackStep best;
   auto take = [&](const BackStep& step) {
     if (step.distance < best.distance) best = step;
@@ -685,9 +638,9 @@ WeightedSolver::BackStep WeightedSolver::best_step(const SurfacePoint& point) co
       if (weights[(i + 2) % 3] > 0.0) continue;
       const Index edge = mesh().edge_of(3 * face + i);
       const bool along = mesh().tail(3 * face + i) == mesh().edge_vertices(edge)[0];
-      take(step_along(edge, weights[along ? (i + 1) % 3 : i]));
+      take(step_along(edge, weights[along ? (i + 1) % 3 : i], below));
     }
-    take(step_into(face, weights));
+    take(step_into(face, weights, below));
   });
   return best;
 }
@@ -701,13 +654,13 @@ double WeightedSolver::distance(const SurfacePoint& point) const {
 double WeightedSolver::distance(const EdgePoint& point) const {
   const double cost = norms_->edge_cost(point.edge);
   if (!(cost > 0.0)) return distance(mesh().edge_vertices(point.edge)[0]);
-  return distance(crossing_on_edge(mesh(), point.edge, point.position / cost));
+  return distance(joint_on(mesh(), point.edge, point.position / cost).point);
 }
 
 Index WeightedSolver::nearest_source(const EdgePoint& point) const {
   const double cost = norms_->edge_cost(point.edge);
   if (!(cost > 0.0)) return nearest_source(mesh().edge_vertices(point.edge)[0]);
-  const SurfacePoint at = crossing_on_edge(mesh(), point.edge, point.position / cost);
+  const SurfacePoint at = joint_on(mesh(), point.edge, point.position / cost).point;
   if (at.is_vertex()) return nearest_source(at.vertex);
   const BackStep step = best_step(at);
   if (within_limit(step.distance) == unreachable || step.source != no_index) return step.source;
@@ -715,26 +668,6 @@ Index WeightedSolver::nearest_source(const EdgePoint& point) const {
 }
 
 // ---- From a target back to its source, point by point: each was settled before the next
-
-struct WeightedSolver::Trace {
-  struct Passed {
-    Index face, edge;  ///< no face: along the edge
-  };
-  std::vector<Joint> joints;
-  std::vector<Passed> passed;
-
-  const Joint& here() const { return joints.back(); }
-  void go_to(const Joint& joint, Index face, Index edge) {
-    // Steps along one edge are one piece.
-    if (face == no_index && !passed.empty() && passed.back().face == no_index && passed.back().edge == edge) {
-      passed.pop_back();
-      joints.pop_back();
-    }
-    passed.push_back({face, edge});
-    joints.push_back(joint);
-    if (joint.point.is_vertex()) joints.back().edge = no_index;
-  }
-};
 
 namespace {
 
@@ -768,26 +701,22 @@ Index edge_under(const Mesh& mesh, const SurfacePoint& point, Index vertex) {
 
 }  // namespace
 
-WeightedSolver::Joint WeightedSolver::joint_on(Index edge, double fraction) const {
-  return {crossing_on_edge(mesh(), edge, fraction), edge, fraction};
-}
-
-WeightedSolver::Joint WeightedSolver::joint_at(Index point) const {
+PathJoint WeightedSolver::joint_at(Index point) const {
   if (norms_->is_vertex(point)) return {SurfacePoint::at_vertex(point)};
   const Index edge = norms_->edge_of(point);
-  return joint_on(edge, norms_->fraction(edge, norms_->along_edge(point)));
+  return joint_on(mesh(), edge, norms_->fraction(edge, norms_->along_edge(point)));
 }
 
 /// The same where the wave ran along a side of that face: as that cost less.
-void WeightedSolver::go_back_bent(Index point, Trace& trace) const {
+void WeightedSolver::go_back_bent(Index point, CrossingPath& path) const {
   const PointState& state = state_[point];
-  const Joint from = joint_at(state.from);
+  const PathJoint from = joint_at(state.from);
   std::array<double, 3> here_weights{};
   std::array<double, 3> from_weights{};
-  weights_in_face(mesh(), trace.here().point, state.face, here_weights);
+  weights_in_face(mesh(), path.here().point, state.face, here_weights);
   weights_in_face(mesh(), from.point, state.face, from_weights);
   double least = unreachable;
-  Joint turn;
+  PathJoint turn;
   bool turns_before = false;  // the wave ran along the side before it crossed the face
   for (Index h = 3 * state.face; h < 3 * state.face + 3; ++h) {
     const EdgeFrame frame = norms_->frame(h);
@@ -805,129 +734,80 @@ void WeightedSolver::go_back_bent(Index point, Trace& trace) const {
       const double length = along + other[apex] * frame.apex_y;
       if (!(length < least)) continue;
       least = length;
-      turn = joint_on(mesh().edge_of(h), x_of(other) / frame.length);
+      turn = joint_on(mesh(), mesh().edge_of(h), x_of(other) / frame.length);
       turns_before = before;
     }
   }
   const Index edge = turn.edge;
-  trace.go_to(turn, turns_before ? state.face : no_index, turns_before ? no_index : edge);
-  trace.go_to(from, turns_before ? no_index : state.face, turns_before ? edge : no_index);
+  path.go_to(turn, turns_before ? state.face : no_index, turns_before ? no_index : edge);
+  path.go_to(from, turns_before ? no_index : state.face, turns_before ? edge : no_index);
 }
 
-/// Goes on across the face through which the wave of a point came, from where the trace is, which lies beside
-/// that point or is it. \return the point from which it goes on.
-Index WeightedSolver::go_back_across(Index point, Trace& trace) const {
-  const PointState& state = state_[point];
-  const Index face = state.face;
-  if (norms_->is_vertex(state.from)) {
-    trace.go_to(joint_at(state.from), face, no_index);
-    return state.from;
-  }
-  const Index edge = norms_->edge_of(state.from);
-  Index h = 3 * face;
-  while (mesh().edge_of(h) != edge) ++h;
-  std::array<double, 3> weights{};
-  weights_in_face(mesh(), trace.here().point, face, weights);
-  const EdgeFrame frame = norms_->frame(h);
-  const double apex_weight = weights[Mesh::previous_in_face(h) % 3];
-  const double x =
-      weights[frame.along ? Mesh::next_in_face(h) % 3 : h % 3] * frame.length + apex_weight * frame.apex_x;
-  const double cost = norms_->edge_cost(edge);
-  const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
-  const Index last = norms_->points_on(edge) + 1;
-  const Index k = norms_->along_edge(state.from);
-  const FaceBeam beam(wave_at(edge, k), norms_->fraction(edge, k) * frame.length, dearer, 0.0, frame.length);
-  const double crossing = beam.crossing(x, apex_weight * frame.apex_y);
-  // Not quite at a vertex: there, it would stay.
-  const double place = std::clamp(frame.length > 0.0 ? crossing / frame.length * last : 0.0,
-                                  std::max(k - 1.0, 0.5), std::min(k + 1.0, last - 0.5));
-  trace.go_to(joint_on(edge, place / last), face, no_index);
-  // The wave of the point beside it, if that is better there.
-  const Index beside = place < k ? k - 1 : k + 1;
-  if (beside == 0 || beside == last) return state.from;
-  const Index other = norms_->point(edge, beside);
-  const PointState& before = state_[other];
-  if (!(before.distance < state.distance) || !passes(other, face)) return state.from;
-  const WaveParts parts = parts_of(edge, std::min(k, beside));
-  const bool is_better = place < k ? place - beside < parts.second_from : place - k > parts.first_until;
-  return is_better ? other : state.from;
-}
-
-Index WeightedSolver::go_back(Index point, Trace& trace) const {
+Index WeightedSolver::go_back(Index point, CrossingPath& path) const {
   const PointState& state = state_[point];
   const Mesh& m = mesh();
   if (state.from == no_index) {
     const SurfacePoint& source = sources_[state.source].point;
     if (source.is_vertex()) return no_index;
     const Index edge = norms_->is_vertex(point) ? edge_under(m, source, point) : norms_->edge_of(point);
-    trace.go_to({source}, state.face, state.face == no_index ? edge : no_index);
+    path.go_to({source}, state.face, state.face == no_index ? edge : no_index);
     return no_index;
   }
   if (state.face == no_index) {
     const Index edge = !norms_->is_vertex(point)        ? norms_->edge_of(point)
                        : !norms_->is_vertex(state.from) ? norms_->edge_of(state.from)
                                                         : edge_between(m, point, state.from);
-    trace.go_to(joint_at(state.from), no_index, edge);
+    path.go_to(joint_at(state.from), no_index, edge);
     return state.from;
   }
-  if (!state.bends) return go_back_across(point, trace);
-  go_back_bent(point, trace);
+  if (state.bends) {
+    go_back_bent(point, path);
+  } else {
+    path.go_to(joint_at(state.from), state.face, no_index);
+  }
   return state.from;
 }
 
-WeightedSolver::Trace WeightedSolver::trace_back(const SurfacePoint& target) const {
-  Trace trace{{{target}}, {}};
-  Index point = target.vertex;
-  if (!target.is_vertex()) {
-    const BackStep step = best_step(target);
-    if (step.source != no_index) {
-      trace.go_to({sources_[step.source].point}, step.face, step.edge);
-      return trace;
-    }
-    trace.go_to(joint_on(step.edge, step.fraction), step.face, step.edge);
-    point = step.from;
-    if (step.flat_face != no_index) trace.go_to({SurfacePoint::at_vertex(point)}, step.flat_face, no_index);
+/// The distance where a path is that a point's wave leads on, with a little to spare between points.
+double WeightedSolver::estimate_at(const PathJoint& here, Index point) const {
+  const double distance = state_[point].distance;
+  if (norms_->is_vertex(point)) return distance * (1.0 + rounding);
+  const Index edge = norms_->edge_of(point);
+  const Index k = norms_->along_edge(point);
+  const double at = here.edge == edge                                    ? here.fraction
+                    : here.point.vertex == mesh().edge_vertices(edge)[0] ? 0.0
+                                                                         : 1.0;
+  const double cost = norms_->edge_cost(edge);
+  const double shift = (at - norms_->fraction(edge, k)) * cost;
+  return wave_at(edge, k).along(shift) * (1.0 + rounding) +
+         (shift != 0.0 ? spare * norms_->spacing(edge) * cost : 0.0);
+}
+
+/// \return the point whose wave leads on; no_index at the source.
+Index WeightedSolver::follow(const BackStep& step, CrossingPath& path) const {
+  if (step.source != no_index) {
+    path.go_to({sources_[step.source].point}, step.face, step.edge);
+    return no_index;
   }
-  // This loop ends: points are followed to one that was settled earlier.
-  while (point != no_index) point = go_back(point, trace);
-  return trace;
+  path.go_to(joint_on(mesh(), step.edge, step.fraction), step.face, step.edge);
+  if (step.flat_face != no_index) path.go_to(joint_at(step.from), step.flat_face, no_index);
+  return step.from;
 }
 
 SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
-  SurfacePath path;
-  path.length = unreachable;
-  if (!(distance(target) < unreachable)) return path;
-  auto [joints, passed] = trace_back(validated(mesh(), target));
-  // Between vertices, which stay, each chain of crossings is refracted.
-  path.length = 0.0;
-  std::vector<PathPiece> pieces;
-  std::vector<double> crossing;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < passed.size(); ++i) {
-    PathPiece piece;
-    const bool first = i == begin;
-    place_joint(*norms_, joints[i], passed[i].face, passed[i].edge, piece.begin_at, piece.begin_along);
-    place_joint(*norms_, joints[i + 1], passed[i].face, passed[i].edge, piece.end_at, piece.end_along);
-    if (first) piece.begin_along = {};
-    pieces.push_back(piece);
-    if (joints[i + 1].edge != no_index) {
-      crossing.push_back(joints[i + 1].fraction);
-      continue;
-    }
-    path.length += refract(pieces, crossing);
-    for (std::size_t k = 0; k < crossing.size(); ++k) {
-      Joint& joint = joints[begin + 1 + k];
-      joint.point = crossing_on_edge(mesh(), joint.edge, crossing[k]);
-    }
-    pieces.clear();
-    crossing.clear();
-    begin = i + 1;
+  if (!(distance(target) < unreachable)) return {.points = {}, .length = unreachable};
+  CrossingPath path(*norms_, validated(mesh(), target));
+  Index point = target.is_vertex() ? target.vertex : follow(best_step(path.here().point), path);
+  // This loop ends: each point was settled before the last one. Where the best step as of all waves around
+  // does not lead on, the point's own wave does.
+  while (point != no_index) {
+    checkpoint();
+    const PathJoint here = path.here();
+    const BackStep step = state_[point].bends ? BackStep{} : best_step(here.point, state_[point].distance);
+    point = step.distance <= estimate_at(here, point) ? follow(step, path) : go_back(point, path);
   }
-  for (const Joint& joint : joints) {
-    const bool repeated = !path.points.empty() && path.points.back() == joint.point;
-    if (!repeated) path.points.push_back(joint.point);
-  }
-  return path;
+  const double length = path.straighten();
+  return {.points = path.points(), .length = length};
 }
 
 }  // namespace vorogeo

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "exact/crossing_path.h"
 #include "exact/exact_solver.h"
 #include "exact/refraction.h"
 
@@ -84,8 +85,6 @@ class WeightedSolver {
     Index from = no_index;          ///< the point whose wave it is
     Index flat_face = no_index;     ///< of no width, if that point is its apex, at the same place of the edge
   };
-  struct Joint;
-  struct Trace;
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
@@ -105,15 +104,15 @@ class WeightedSolver {
   void cross(Index halfedge, Index from);
   void cross_thin(Index halfedge, Index from);
   bool passes(Index point, Index face) const;
-  BackStep step_into(Index face, const std::array<double, 3>& weights) const;
-  BackStep step_along(Index edge, double fraction) const;
-  BackStep best_step(const SurfacePoint& point) const;
-  Trace trace_back(const SurfacePoint& target) const;
-  Index go_back(Index point, Trace& trace) const;
-  Index go_back_across(Index point, Trace& trace) const;
-  void go_back_bent(Index point, Trace& trace) const;
-  Joint joint_on(Index edge, double fraction) const;
-  Joint joint_at(Index point) const;
+  BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
+  BackStep step_along(Index edge, double fraction, double below) const;
+  /// `below`: the point whose wave it is has a smaller distance.
+  BackStep best_step(const SurfacePoint& point, double below = unreachable) const;
+  Index go_back(Index point, CrossingPath& path) const;
+  Index follow(const BackStep& step, CrossingPath& path) const;
+  double estimate_at(const PathJoint& here, Index point) const;
+  void go_back_bent(Index point, CrossingPath& path) const;
+  PathJoint joint_at(Index point) const;
   double within_limit(double distance) const { return distance <= max_distance_ ? distance : unreachable; }
 
   std::shared_ptr<const FaceNorms> norms_;

@@ -1,0 +1,233 @@
+// A path from edge to edge over faces of different norms, moved to where it is shortest.
+#include "exact/crossing_path.h"
+
+#include <algorithm>
+#include <array>
+
+#include "support/progress.h"
+
+namespace vorogeo {
+
+// ---- From joint to joint, and the refraction of the pieces between
+
+namespace {
+
+/// A crossing is a vertex if it is this near.
+constexpr double at_vertex = 1e-9;
+
+/// Where a joint lies as a function of its fraction, on the line of an edge or in the plane of a face.
+void place_joint(const FaceNorms& norms, const PathJoint& joint, Index face, Index edge,
+                 PathPiece::Vector& at, PathPiece::Vector& along) {
+  const Mesh& mesh = norms.mesh();
+  if (face == no_index) {
+    if (joint.edge == edge) {
+      along = {norms.edge_cost(edge), 0.0};
+    } else if (joint.point.is_vertex()) {
+      at = {joint.point.vertex == mesh.edge_vertices(edge)[0] ? 0.0 : norms.edge_cost(edge), 0.0};
+    } else {
+      std::array<double, 3> weights{};
+      const Index h = mesh.edge_halfedge(edge);
+      weights_in_face(mesh, joint.point, Mesh::face_of(h), weights);
+      const bool forward = mesh.tail(h) == mesh.edge_vertices(edge)[0];
+      at = {weights[forward ? Mesh::next_in_face(h) % 3 : h % 3] * norms.edge_cost(edge), 0.0};
+    }
+    return;
+  }
+  if (joint.edge == no_index) {
+    std::array<double, 3> weights{};
+    weights_in_face(mesh, joint.point, face, weights);
+    at = norms.place(face, weights);
+    return;
+  }
+  const auto corner = norms.corners(face);
+  for (int i = 0; i < 3; ++i) {
+    if (mesh.edge_of(3 * face + i) != joint.edge) continue;
+    at = norms.on_edge(corner, 3 * face + i, 0.0);
+    const auto end = norms.on_edge(corner, 3 * face + i, 1.0);
+    along = {end[0] - at[0], end[1] - at[1]};
+  }
+}
+
+/// Keeps an end of a piece where its joint is.
+void fix(const PathJoint& joint, PathPiece::Vector& at, PathPiece::Vector& along) {
+  at = {at[0] + joint.fraction * along[0], at[1] + joint.fraction * along[1]};
+  along = {};
+}
+
+}  // namespace
+
+PathJoint joint_on(const Mesh& mesh, Index edge, double fraction) {
+  const double snapped = fraction <= at_vertex ? 0.0 : fraction >= 1.0 - at_vertex ? 1.0 : fraction;
+  return {point_on_edge(mesh, edge, snapped), edge, snapped};
+}
+
+void CrossingPath::go_to(const PathJoint& joint, Index face, Index edge) {
+  // Steps along one edge are one piece.
+  if (face == no_index && !passed_.empty() && passed_.back().face == no_index &&
+      passed_.back().edge == edge) {
+    passed_.pop_back();
+    joints_.pop_back();
+  }
+  passed_.push_back({face, edge});
+  joints_.push_back(joint);
+  if (joint.point.is_vertex()) joints_.back().edge = no_index;
+}
+
+PathPiece CrossingPath::piece(std::size_t number) const {
+  PathPiece piece;
+  const auto& [face, edge] = passed_[number];
+  place_joint(norms_, joints_[number], face, edge, piece.begin_at, piece.begin_along);
+  place_joint(norms_, joints_[number + 1], face, edge, piece.end_at, piece.end_along);
+  return piece;
+}
+
+/// Moves the joints between two that stay. \return the length of the pieces there.
+double CrossingPath::refract_between(std::size_t begin, std::size_t end) {
+  std::vector<PathPiece> pieces;
+  std::vector<double> crossing;
+  for (std::size_t i = begin; i < end; ++i) {
+    pieces.push_back(piece(i));
+    if (i > begin) crossing.push_back(joints_[i].fraction);
+  }
+  fix(joints_[begin], pieces.front().begin_at, pieces.front().begin_along);
+  fix(joints_[end], pieces.back().end_at, pieces.back().end_along);
+  const double length = refract(pieces, crossing);
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    joints_[i] = joint_on(norms_.mesh(), joints_[i].edge, crossing[i - begin - 1]);
+  }
+  return length;
+}
+
+/// Refracts each chain between joints that cannot move.
+double CrossingPath::refract_all() {
+  double length = 0.0;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < joints_.size(); ++i) {
+    if (joints_[i].edge != no_index && i + 1 < joints_.size()) continue;
+    length += refract_between(begin, i);
+    begin = i;
+  }
+  return length;
+}
+
+// ---- Past vertices
+
+namespace {
+
+/// Of an edge at a vertex, where a crossing begins to look for its place.
+constexpr double near_vertex = 0.1;
+
+/// Shorter by no more than this part is rounding.
+constexpr double rounding = 1e-12;
+
+/// The edge that two faces share at a vertex, of which `corner` and `next` are the half-edges that leave it.
+Index shared_edge(const Mesh& mesh, Index corner, Index next) {
+  for (const Index a : {corner, Mesh::previous_in_face(corner)}) {
+    for (const Index b : {next, Mesh::previous_in_face(next)}) {
+      if (mesh.edge_of(a) == mesh.edge_of(b)) return mesh.edge_of(a);
+    }
+  }
+  return no_index;
+}
+
+}  // namespace
+
+/// Tries all ways past the vertex at which the joints between two lie: between the faces before and behind
+/// it, on both sides.
+void CrossingPath::take_other_ways(std::size_t begin, std::size_t end, CrossingPath& best,
+                                   double& least) const {
+  const Mesh& mesh = norms_.mesh();
+  const Index vertex = joints_[begin + 1].point.vertex;
+  const auto corners = mesh.corners(vertex);
+  const auto count = static_cast<std::ptrdiff_t>(corners.size());
+  const bool is_cycle = mesh.fan(vertex) == Mesh::Fan::closed;
+  auto touches = [&](const Passed& passed, Index corner) {
+    if (passed.face != no_index) return Mesh::face_of(corner) == passed.face;
+    return mesh.edge_of(corner) == passed.edge || mesh.edge_of(Mesh::previous_in_face(corner)) == passed.edge;
+  };
+  for (std::ptrdiff_t first = 0; first < count; ++first) {
+    if (!touches(passed_[begin], corners[first])) continue;
+    for (const std::ptrdiff_t turn : {1, -1}) {
+      CrossingPath way(norms_, joints_[begin].point);
+      way.joints_.front() = joints_[begin];
+      std::ptrdiff_t at = first;
+      for (std::ptrdiff_t steps = 0; steps < count; ++steps) {
+        if (touches(passed_[end - 1], corners[at])) {
+          CrossingPath whole = way;
+          whole.passed_.push_back({Mesh::face_of(corners[at]), no_index});
+          whole.joints_.push_back(joints_[end]);
+          const double length = whole.refract_between(0, whole.joints_.size() - 1);
+          if (length < least * (1.0 - rounding)) {
+            least = length;
+            best.joints_ = std::move(whole.joints_);
+            best.passed_ = std::move(whole.passed_);
+          }
+        }
+        std::ptrdiff_t next = at + turn;
+        if (is_cycle) next = (next + count) % count;
+        if (next < 0 || next >= count) break;
+        const Index edge = shared_edge(mesh, corners[at], corners[next]);
+        if (edge == no_index) break;
+        way.passed_.push_back({Mesh::face_of(corners[at]), no_index});
+        way.joints_.push_back(
+            joint_on(mesh, edge, mesh.edge_vertices(edge)[0] == vertex ? near_vertex : 1.0 - near_vertex));
+        at = next;
+      }
+    }
+  }
+}
+
+/// \return whether the path became shorter.
+bool CrossingPath::pass_vertices() {
+  bool has_changed = false;
+  for (std::size_t i = 1; i + 1 < joints_.size(); ++i) {
+    const Index vertex = joints_[i].point.vertex;
+    if (vertex == no_index || norms_.mesh().fan(vertex) == Mesh::Fan::non_manifold) continue;
+    std::size_t end = i + 1;
+    while (end + 1 < joints_.size() && joints_[end].point.vertex == vertex) ++end;
+    if (joints_[i - 1].point.vertex == vertex || joints_[end].point.vertex == vertex) continue;
+    const std::size_t begin = i - 1;
+    checkpoint();
+    CrossingPath now(norms_, joints_[begin].point);
+    now.joints_.assign(joints_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       joints_.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+    now.passed_.assign(passed_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       passed_.begin() + static_cast<std::ptrdiff_t>(end));
+    double least = now.refract_all();
+    const double before = least;
+    take_other_ways(begin, end, now, least);
+    if (!(least < before)) continue;
+    auto replace = [](auto& list, auto from, auto to, const auto& by, std::size_t skipped) {
+      const auto place = list.erase(list.begin() + static_cast<std::ptrdiff_t>(from),
+                                    list.begin() + static_cast<std::ptrdiff_t>(to));
+      list.insert(place, by.begin() + static_cast<std::ptrdiff_t>(skipped),
+                  by.end() - static_cast<std::ptrdiff_t>(skipped));
+    };
+    replace(joints_, begin + 1, end, now.joints_, 1);
+    replace(passed_, begin, end, now.passed_, 0);
+    i = begin + now.joints_.size() - 2;
+    has_changed = true;
+  }
+  return has_changed;
+}
+
+double CrossingPath::straighten() {
+  double length = refract_all();
+  // This loop ends: the path becomes shorter each time.
+  while (pass_vertices()) {
+    const double shorter = refract_all();
+    if (!(shorter < length * (1.0 - rounding))) return std::min(shorter, length);
+    length = shorter;
+  }
+  return length;
+}
+
+std::vector<SurfacePoint> CrossingPath::points() const {
+  std::vector<SurfacePoint> points;
+  for (const PathJoint& joint : joints_) {
+    if (points.empty() || !(points.back() == joint.point)) points.push_back(joint.point);
+  }
+  return points;
+}
+
+}  // namespace vorogeo
