@@ -118,7 +118,7 @@ namespace {
 constexpr double near_vertex = 0.1;
 
 /// Shorter by no more than this part is rounding.
-constexpr double rounding = 1e-12;
+constexpr double same_length = 1e-12;
 
 /// The edge that two faces share at a vertex, of which `corner` and `next` are the half-edges that leave it.
 Index shared_edge(const Mesh& mesh, Index corner, Index next) {
@@ -157,7 +157,7 @@ void CrossingPath::take_other_ways(std::size_t begin, std::size_t end, CrossingP
           whole.passed_.push_back({Mesh::face_of(corners[at]), no_index});
           whole.joints_.push_back(joints_[end]);
           const double length = whole.refract_between(0, whole.joints_.size() - 1);
-          if (length < least * (1.0 - rounding)) {
+          if (length < least * (1.0 - same_length)) {
             least = length;
             best.joints_ = std::move(whole.joints_);
             best.passed_ = std::move(whole.passed_);
@@ -216,7 +216,7 @@ double CrossingPath::straighten() {
   // This loop ends: the path becomes shorter each time.
   while (pass_vertices()) {
     const double shorter = refract_all();
-    if (!(shorter < length * (1.0 - rounding))) return std::min(shorter, length);
+    if (!(shorter < length * (1.0 - same_length))) return std::min(shorter, length);
     length = shorter;
   }
   return length;

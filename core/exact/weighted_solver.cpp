@@ -533,7 +533,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
 namespace {
 
 /// Of a distance: what rounding leaves.
-constexpr double rounding = 1e-12;
+constexpr double same_distance = 1e-12;
 
 /// Of a piece: what the waves of two points may differ by between them.
 constexpr double spare = 0.1;
@@ -771,7 +771,7 @@ Index WeightedSolver::go_back(Index point, CrossingPath& path) const {
 /// The distance where a path is that a point's wave leads on, with a little to spare between points.
 double WeightedSolver::estimate_at(const PathJoint& here, Index point) const {
   const double distance = state_[point].distance;
-  if (norms_->is_vertex(point)) return distance * (1.0 + rounding);
+  if (norms_->is_vertex(point)) return distance * (1.0 + same_distance);
   const Index edge = norms_->edge_of(point);
   const Index k = norms_->along_edge(point);
   const double at = here.edge == edge                                    ? here.fraction
@@ -779,7 +779,7 @@ double WeightedSolver::estimate_at(const PathJoint& here, Index point) const {
                                                                          : 1.0;
   const double cost = norms_->edge_cost(edge);
   const double shift = (at - norms_->fraction(edge, k)) * cost;
-  return wave_at(edge, k).along(shift) * (1.0 + rounding) +
+  return wave_at(edge, k).along(shift) * (1.0 + same_distance) +
          (shift != 0.0 ? spare * norms_->spacing(edge) * cost : 0.0);
 }
 
