@@ -159,7 +159,11 @@ EdgeFrame FaceNorms::frame(Index halfedge) const {
 
 namespace {
 
-constexpr int max_rounds = 100;
+constexpr int max_rounds = 30;
+
+/// Pieces may have no length, as across faces without width, and their lengths have a kink there. So at first
+/// all are taken for longer, by a height of this part of their mean length: the less, the nearer the end is.
+constexpr std::array smoothing{1e-2, 1e-4, 1e-7, 1e-11};
 constexpr double least_decrease = 1e-15;
 
 using Vector = PathPiece::Vector;
@@ -170,12 +174,13 @@ Vector step_of(const PathPiece& piece, double begin, double end) {
           piece.end_at[1] + end * piece.end_along[1] - piece.begin_at[1] - begin * piece.begin_along[1]};
 }
 
-double length_of_chain(std::span<const PathPiece> pieces, const std::vector<double>& crossing) {
+double length_of_chain(std::span<const PathPiece> pieces, const std::vector<double>& crossing,
+                       double height = 0.0) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vector step =
         step_of(pieces[i], i > 0 ? crossing[i - 1] : 0.0, i < crossing.size() ? crossing[i] : 0.0);
-    sum += std::hypot(step[0], step[1]);
+    sum += std::hypot(step[0], step[1], height);
   }
   return sum;
 }
@@ -186,15 +191,14 @@ struct Derivatives {
 };
 
 Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<double>& crossing,
-                           double scale) {
+                           double height) {
   const std::size_t count = crossing.size();
   Derivatives d{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
   auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const PathPiece& piece = pieces[i];
     const Vector step = step_of(piece, i > 0 ? crossing[i - 1] : 0.0, i < count ? crossing[i] : 0.0);
-    // A piece without length has no direction: it counts as a little longer.
-    const double length = std::max(std::hypot(step[0], step[1]), 1e-12 * scale);
+    const double length = std::hypot(step[0], step[1], height);
     const Vector unit{step[0] / length, step[1] / length};
     const Vector begin{-piece.begin_along[0], -piece.begin_along[1]};
     const Vector& end = piece.end_along;
@@ -214,18 +218,16 @@ Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<
   return d;
 }
 
-}  // namespace
-
-double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing) {
+/// Moves the crossings to where the pieces, with their height, are shortest.
+void refract_smoothed(std::span<const PathPiece> pieces, double height, double scale,
+                      std::vector<double>& crossing) {
   const std::size_t count = crossing.size();
-  double length = length_of_chain(pieces, crossing);
-  if (count == 0) return length;
+  double length = length_of_chain(pieces, crossing, height);
   std::vector<double> step(count);
   std::vector<double> factor(count);
   std::vector<double> next(count);
-  const double scale = length / static_cast<double>(pieces.size());
   for (int round = 0; round < max_rounds; ++round) {
-    Derivatives d = derivatives_of(pieces, crossing, scale);
+    Derivatives d = derivatives_of(pieces, crossing, height);
     // A crossing at an end of its edge stays there while the path would be shorter beyond the edge only.
     auto is_held = [&](std::size_t i) {
       return (crossing[i] <= 0.0 && d.first[i] >= 0.0) || (crossing[i] >= 1.0 && d.first[i] <= 0.0);
@@ -255,13 +257,26 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
     double shorter = length;
     for (; share > 1e-10; share *= 0.5) {
       for (std::size_t i = 0; i < count; ++i) next[i] = std::clamp(crossing[i] + share * step[i], 0.0, 1.0);
-      shorter = length_of_chain(pieces, next);
+      shorter = length_of_chain(pieces, next, height);
       if (shorter < length) break;
     }
     if (!(shorter < length * (1.0 - least_decrease))) break;
     length = shorter;
     crossing.swap(next);
   }
+}
+
+}  // namespace
+
+double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing) {
+  const double first_length = length_of_chain(pieces, crossing);
+  if (crossing.empty()) return first_length;
+  const double scale = first_length / static_cast<double>(pieces.size());
+  std::vector<double> moved = crossing;
+  for (const double part : smoothing) refract_smoothed(pieces, part * scale, scale, moved);
+  const double length = length_of_chain(pieces, moved);
+  if (!(length < first_length)) return first_length;
+  crossing = std::move(moved);
   return length;
 }
 
