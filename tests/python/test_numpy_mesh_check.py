@@ -92,7 +92,7 @@ def test_sentences_name_elements_and_say_what_to_do():
 
 
 @pytest.mark.parametrize(
-    ("vertices", "faces"), [(VERTICES[:, :2], FACES), (VERTICES, FACES.astype(float)), (None, FACES)]
+    ("vertices", "faces"), [(VERTICES[:, :2], FACES), (VERTICES, FACES + 0.5), (None, FACES)]
 )
 def test_wrong_shapes_and_types_are_errors(vertices, faces):
     with pytest.raises(ValueError, match=r"vertices|faces"):
