@@ -91,9 +91,7 @@ def test_sentences_name_elements_and_say_what_to_do():
         vorogeo.GeodesicIndex(1e30 * VERTICES, FACES)
 
 
-@pytest.mark.parametrize(
-    ("vertices", "faces"), [(VERTICES[:, :2], FACES), (VERTICES, FACES + 0.5), (None, FACES)]
-)
+@pytest.mark.parametrize(("vertices", "faces"), [(VERTICES[:, :2], FACES), (VERTICES, FACES + 0.5), (None, FACES)])
 def test_wrong_shapes_and_types_are_errors(vertices, faces):
     with pytest.raises(ValueError, match=r"vertices|faces"):
         vorogeo.check_mesh(vertices, faces)
