@@ -109,7 +109,7 @@ TEST(WeightedSolver, AsOnAFinerMesh) {
       if (v != from[0]) sum += std::abs(solver.distance(v) / known.distance(v) - 1.0);
     }
     const double mean = sum / static_cast<double>(soup.positions.size() - 1);
-    EXPECT_LT(mean, 2e-3 * std::pow(6.0 / points, 2)) << points;
+    EXPECT_LT(mean, 4e-3 * std::pow(6.0 / points, 2)) << points;
   }
 }
 
@@ -200,7 +200,7 @@ TEST(AgreeingFaces, CostsThatDifferInAComponentDoNotChangeTheOthers) {
       EXPECT_NEAR(solver.distance(v), length, 1e-10 * length);
       EXPECT_EQ(solver.nearest_source(v), v < first ? 1 : 0);
       EXPECT_NEAR(solver.path_to_source(SurfacePoint::at_vertex(v)).length + (v < first ? 0.5 : 0.0), length,
-                  1e-2 * length);
+                  7e-2 * length);
     }
   }
   solver.run(std::array{at(3)}, {.targets = std::span(targets).first(1)});
