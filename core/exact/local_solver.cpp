@@ -13,22 +13,16 @@ namespace vorogeo {
 // ---- The choice of the solver
 
 LocalGeometry::LocalGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
-  if (mesh->metric_jumps()) {
-    norms = std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge());
-    if (mesh->metric_agrees_somewhere()) agreeing = std::make_shared<const ExactGeometry>(mesh);
-    return;
-  }
-  windows = std::make_shared<const ExactGeometry>(mesh);
+  if (mesh->metric_jumps()) norms = std::make_shared<const FaceNorms>(mesh, mesh->points_per_edge());
+  if (mesh->metric_agrees_somewhere()) windows = std::make_shared<const ExactGeometry>(mesh);
 }
 
 std::size_t LocalGeometry::memory_bytes() const {
-  return windows ? windows->memory_bytes()
-                 : norms->memory_bytes() + (agreeing ? agreeing->memory_bytes() : 0);
+  return (windows ? windows->memory_bytes() : 0) + (norms ? norms->memory_bytes() : 0);
 }
 
 LocalSolver::LocalSolver(const std::shared_ptr<const LocalGeometry>& geometry) {
   if (geometry->windows) windows_.emplace(geometry->windows);
-  if (geometry->agreeing) windows_.emplace(geometry->agreeing);
   if (geometry->norms) points_.emplace(geometry->norms);
 }
 

@@ -26,10 +26,8 @@ struct LocalGeometry {
   std::size_t memory_bytes() const;
 
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const ExactGeometry> windows;  ///< null in a metric that jumps at edges
-  std::shared_ptr<const FaceNorms> norms;        ///< null in any other
-  /// Of the components of a metric that jumps in which it does not; null if there are none.
-  std::shared_ptr<const ExactGeometry> agreeing;
+  std::shared_ptr<const ExactGeometry> windows;  ///< null if the metric jumps in all components
+  std::shared_ptr<const FaceNorms> norms;        ///< null if it jumps in none
 };
 
 /// The solver for the metric of a surface: windows, which are exact, or points on edges in components where

@@ -671,20 +671,6 @@ Index WeightedSolver::nearest_source(const EdgePoint& point) const {
 
 namespace {
 
-/// The cheapest edge from a vertex to another that is its neighbour.
-Index edge_between(const Mesh& mesh, Index a, Index b) {
-  Index found = no_index;
-  for (const Index corner : mesh.corners(a)) {
-    for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
-      const Index edge = mesh.edge_of(side);
-      const auto ends = mesh.edge_vertices(edge);
-      if (ends[0] != b && ends[1] != b) continue;
-      if (found == no_index || mesh.edge_length(edge) < mesh.edge_length(found)) found = edge;
-    }
-  }
-  return found;
-}
-
 /// The edge on which a point lies, of those that end at a vertex.
 Index edge_under(const Mesh& mesh, const SurfacePoint& point, Index vertex) {
   Index found = no_index;
@@ -707,7 +693,7 @@ PathJoint WeightedSolver::joint_at(Index point) const {
   return joint_on(mesh(), edge, norms_->fraction(edge, norms_->along_edge(point)));
 }
 
-/// The same where the wave ran along a side of that face: as that cost less.
+/// Goes back across a face where the wave ran along one of its sides too, as that cost less.
 void WeightedSolver::go_back_bent(Index point, CrossingPath& path) const {
   const PointState& state = state_[point];
   const PathJoint from = joint_at(state.from);
@@ -756,7 +742,7 @@ Index WeightedSolver::go_back(Index point, CrossingPath& path) const {
   if (state.face == no_index) {
     const Index edge = !norms_->is_vertex(point)        ? norms_->edge_of(point)
                        : !norms_->is_vertex(state.from) ? norms_->edge_of(state.from)
-                                                        : edge_between(m, point, state.from);
+                                                        : m.edge_between(point, state.from);
     path.go_to(joint_at(state.from), no_index, edge);
     return state.from;
   }
@@ -795,9 +781,11 @@ Index WeightedSolver::follow(const BackStep& step, CrossingPath& path) const {
 }
 
 SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
-  if (!(distance(target) < unreachable)) return {.points = {}, .length = unreachable};
-  CrossingPath path(*norms_, validated(mesh(), target));
-  Index point = target.is_vertex() ? target.vertex : follow(best_step(path.here().point), path);
+  const SurfacePoint end = validated(mesh(), target);
+  const BackStep last = end.is_vertex() ? BackStep{state_[end.vertex].distance} : best_step(end);
+  if (within_limit(last.distance) == unreachable) return {.points = {}, .length = unreachable};
+  CrossingPath path(*norms_, end);
+  Index point = end.is_vertex() ? end.vertex : follow(last, path);
   // This loop ends: each point was settled before the last one. Where the best step as of all waves around
   // does not lead on, the point's own wave does.
   while (point != no_index) {

@@ -272,6 +272,14 @@ void Mesh::leave_out_faces() {
 }
 
 /// Numbers the edges by their lower ends, then by their upper ends, and links their half-edges in rings.
+Index Mesh::edge_between(Index a, Index b) const {
+  for (const Index h : corners(a)) {
+    if (head(h) == b) return edge_of(h);
+    if (apex(h) == b) return edge_of(previous_in_face(h));
+  }
+  return no_index;
+}
+
 void Mesh::link_edges() {
   // Sorted: the upper end of an edge, then a half-edge. The first key of each edge is marked afterwards.
   using Key = std::uint64_t;

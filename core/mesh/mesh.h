@@ -198,6 +198,8 @@ class Mesh {
   std::span<const Index> corners(Index vertex) const {
     return {corners_.data() + corner_begin_[vertex], corners_.data() + corner_begin_[vertex + 1]};
   }
+  /// The edge that joins two vertices; no_index if there is none.
+  Index edge_between(Index a, Index b) const;
   /// How the corners of a vertex lie around it.
   enum class Fan : std::uint8_t {
     isolated,     ///< no face

@@ -12,18 +12,6 @@
 
 namespace vorogeo {
 
-namespace {
-
-Index edge_between(const Mesh& mesh, Index a, Index b) {
-  for (const Index h : mesh.corners(a)) {
-    if (mesh.head(h) == b) return mesh.edge_of(h);
-    if (mesh.apex(h) == b) return mesh.edge_of(Mesh::previous_in_face(h));
-  }
-  return no_index;
-}
-
-}  // namespace
-
 std::shared_ptr<const Mesh> measured_mesh(MeshInput input) {
   auto& [positions, faces, metric, gap] = input;
   require_gap(gap);
@@ -152,7 +140,7 @@ std::vector<Index> InputMap::of_faces(std::span<const Index> values, std::size_t
 }
 
 std::vector<Index> InputMap::edges_between(Index a, Index b) const {
-  const Index edge = edge_between(mesh_, a, b);
+  const Index edge = mesh_.edge_between(a, b);
   if (edge != no_index) return {edge};
   for (Index v = mesh_.given_vertex_count(); v < mesh_.vertex_count(); ++v) {
     const auto& ends = mesh_.middle_of(v);

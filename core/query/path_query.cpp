@@ -35,12 +35,12 @@ PathQuery::PathQuery(std::shared_ptr<const GeodesicIndex> index)
       strip_geometry_(index_->data().geometry),
       exact_(index_->data()),
       routes_(std::make_unique<Routes>(index_->data())) {
-  if (strip_geometry_->windows) refiner_.emplace(*strip_geometry_->windows);
+  if (!strip_geometry_->norms) refiner_.emplace(*strip_geometry_->windows);
 }
 
 PathQuery::PathQuery(const std::shared_ptr<const LocalGeometry>& geometry)
     : mesh_(geometry->mesh), strip_geometry_(geometry), exact_(geometry) {
-  if (geometry->windows) refiner_.emplace(*geometry->windows);
+  if (!geometry->norms) refiner_.emplace(*geometry->windows);
 }
 
 /// The answer where no propagation is needed: to the point itself, or where no path exists.

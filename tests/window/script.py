@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from abc import ABC, abstractmethod
 from pathlib import Path
 
 from meshlab_window import MeshLabWindow
@@ -13,7 +14,7 @@ from screen import start_display
 Fields = dict[str, str | tuple[str, ...]]
 
 
-class Script:
+class Script(ABC):
     """Steps in a window with some meshes of FOLDER/meshes.
 
     All that was seen goes to FOLDER/NAME.json, also if a step fails, where NAME is that of the script: there test_*.py
@@ -59,9 +60,9 @@ class Script:
             self.seen["log"] = self.window.log_lines()
             (self.folder / f"{self.name}.json").write_text(json.dumps(self.seen, indent=1))
 
+    @abstractmethod
     def steps(self) -> None:
         """What the script does."""
-        raise NotImplementedError
 
     def picture(self, name: str) -> None:
         """Keep a picture of the screen."""

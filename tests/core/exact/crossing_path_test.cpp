@@ -14,19 +14,11 @@ namespace {
 const test::Soup square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.3, 0}},
                         {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
 
-Index edge_of(const Mesh& mesh, Index a, Index b) {
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    const auto ends = mesh.edge_vertices(e);
-    if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) return e;
-  }
-  return no_index;
-}
-
 /// From corner to corner over the vertex, along two edges.
 CrossingPath over_vertex(const FaceNorms& norms) {
   CrossingPath path(norms, SurfacePoint::at_vertex(0));
-  path.go_to({SurfacePoint::at_vertex(4)}, no_index, edge_of(norms.mesh(), 0, 4));
-  path.go_to({SurfacePoint::at_vertex(2)}, no_index, edge_of(norms.mesh(), 4, 2));
+  path.go_to({SurfacePoint::at_vertex(4)}, no_index, norms.mesh().edge_between(0, 4));
+  path.go_to({SurfacePoint::at_vertex(2)}, no_index, norms.mesh().edge_between(4, 2));
   return path;
 }
 
