@@ -1,0 +1,262 @@
+// Straightest geodesics: lines traced over the faces from a point, in a direction, for a length.
+#include "exact/straightest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "support/progress.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// A line that passes a vertex this close, relative to the shortest edge around, passes through it.
+constexpr double through_vertex = 1e-12;
+/// Of directions, in radians.
+constexpr double angle_rounding = 1e-15;
+/// Directions this far outside all faces, in radians, are along the border.
+constexpr double along_border = 1e-9;
+
+using Weights = std::array<double, 3>;
+
+class Line {
+ public:
+  Line(const ExactGeometry& geometry, AtBorder at_border, double length)
+      : geometry_(geometry), mesh_(*geometry.mesh), at_border_(at_border), left_(length) {}
+
+  SurfacePoint run(const TangentFrame& frame, double angle) {
+    end_ = frame.point();
+    leave(frame, angle);
+    for (int step = 1; !is_done_; ++step) {
+      if (step % 256 == 0) checkpoint();
+      if (vertex_frame_) {
+        const TangentFrame here = *std::exchange(vertex_frame_, std::nullopt);
+        leave(here, onwards_);
+      } else {
+        cross();
+      }
+    }
+    return validated(mesh_, end_);
+  }
+  /// What was not walked.
+  double left() const { return left_; }
+
+ private:
+  double length_of(Index halfedge) const { return mesh_.edge_length(mesh_.edge_of(halfedge)); }
+
+  Weights on_edge(Index halfedge, double x) const {
+    const double second = std::clamp(x / length_of(halfedge), 0.0, 1.0);
+    const bool along = geometry_.frame[halfedge].along;
+    Weights weights{};
+    weights[halfedge % 3] = along ? 1.0 - second : second;
+    weights[Mesh::next_in_face(halfedge) % 3] = along ? second : 1.0 - second;
+    return weights;
+  }
+
+  /// Walks straight through a face, from() to to(); the line ends on the way if it is no longer than that.
+  template <class From, class To>
+  void walk(Index face, double distance, const From& from, const To& to) {
+    if (distance < left_) {
+      left_ -= distance;
+      return;
+    }
+    const double part = left_ / distance;
+    left_ = 0.0;
+    is_done_ = true;
+    end_ = SurfacePoint::in_face(face, to());
+    const Weights begin = from();
+    for (int i = 0; i < 3 && part < 1.0; ++i) {
+      end_.barycentric[i] = (1.0 - part) * begin[i] + part * end_.barycentric[i];
+    }
+  }
+
+  /// From a point into the face in that direction.
+  void leave(const TangentFrame& frame, double angle) {
+    const EdgeView* into = nullptr;
+    double least = frame.is_on_border() ? along_border : 2.0 * frame.full_turn();
+    double direction = 0.0;
+    for (const EdgeView& view : frame.views()) {
+      const double first = view.angle_to(0.0);
+      const double second = view.angle_to(length_of(view.halfedge));
+      const double middle = 0.5 * (first + second);
+      const double off = std::remainder(angle - middle, frame.full_turn());
+      const double outside = std::abs(off) - 0.5 * std::abs(second - first);
+      if (!(outside < least)) continue;
+      into = &view;
+      least = outside;
+      direction = middle + off;
+    }
+    if (into == nullptr) return meet_border(frame, angle);
+    const Index h = into->halfedge;
+    const Index face = Mesh::face_of(h);
+    const double length = length_of(h);
+    Weights from{};
+    weights_in_face(mesh_, frame.point(), face, from);
+    // How far the line passes from the ends of the edge, and how far these are along it.
+    std::array<double, 2> to_end{}, aside{}, along{};
+    const double rounding = angle_rounding * std::max(1.0, std::abs(direction));
+    for (const int k : {0, 1}) {
+      const double x = k * length;
+      const double angle_to_end = std::max(0.0, std::abs(direction - into->angle_to(x)) - rounding);
+      to_end[k] = std::hypot(x - into->x, into->y);
+      aside[k] = to_end[k] * std::sin(angle_to_end);
+      along[k] = to_end[k] * std::cos(angle_to_end);
+    }
+    const double near = through_vertex * std::min({length, to_end[0], to_end[1]});
+    const int nearer = aside[1] < aside[0] ? 1 : 0;
+    if (aside[nearer] <= near && along[nearer] >= 0.0) {
+      return reach(geometry_.ends(mesh_.edge_of(h))[nearer], face, from, along[nearer]);
+    }
+    const double both = aside[0] + aside[1];
+    const double x = both > 0.0 ? length * (aside[0] / both) : std::clamp(into->x, 0.0, length);
+    walk(
+        face, std::hypot(x - into->x, into->y), [&] { return from; }, [&] { return on_edge(h, x); });
+    const double slope = into->sign * (direction - into->across);
+    edge_ = {h, length, x, std::sin(slope), std::cos(slope)};
+  }
+
+  /// Through the face behind the edge.
+  void cross() {
+    const Index h = mesh_.next_around_edge(edge_.halfedge);
+    if (h == edge_.halfedge || mesh_.next_around_edge(h) != edge_.halfedge) {
+      return slide(edge_.halfedge, edge_.x, edge_.along > 0.0);
+    }
+    const FaceFrame& frame = geometry_.frame[h];
+    const double length = edge_.length;
+    const double depth = frame.apex_depth;
+    const bool second = (frame.apex_x - edge_.x) * edge_.across < edge_.along * depth;
+    // All counts from the vertex that the edge shares with the side by which the line leaves.
+    const double x = second ? length - edge_.x : edge_.x;
+    const double along = second ? -edge_.along : edge_.along;
+    const double apex_x = second ? geometry_.apex_from_second(h) : frame.apex_x;
+    const Index halfedge = second ? frame.second_side(h) : frame.first_side(h);
+    const bool is_reversed = second ? frame.second_side_reversed : frame.first_side_reversed;
+    const Index face = Mesh::face_of(h);
+    const auto from = [&] { return on_edge(h, edge_.x); };
+    // On a long edge, positions have their digits at the first end only.
+    const bool from_first = second && geometry_.is_long(mesh_.edge_of(h));
+    const double to_apex = from_first ? edge_.x - frame.apex_x : apex_x - x;
+    const double shared_aside = x * edge_.across;
+    const double apex_aside = std::max(0.0, to_apex * edge_.across - along * depth);
+    const double side = length_of(halfedge);
+    const double near = through_vertex * std::min(length, side);
+    const double ahead = to_apex * along + depth * edge_.across;
+    if (apex_aside <= near && ahead >= 0.0) return reach(frame.apex, face, from(), ahead);
+    if (shared_aside <= near && along < 0.0) {
+      return reach(geometry_.ends(mesh_.edge_of(h))[second ? 1 : 0], face, from(), -x * along);
+    }
+    const double both = shared_aside + apex_aside;
+    if (!(both > 0.0)) {  // along the edge
+      const int end = edge_.along > 0.0 ? 1 : 0;
+      return reach(geometry_.ends(mesh_.edge_of(h))[end], face, from(), std::abs(end * length - edge_.x));
+    }
+    const double to_side = shared_aside / both;
+    const double at = side * (is_reversed ? apex_aside / both : to_side);
+    const bool is_steep = edge_.across > 0.5;
+    walk(face, is_steep ? depth * to_side / edge_.across : std::abs((to_side * apex_x - x) / along), from,
+         [&] { return on_edge(halfedge, at); });
+    // The direction in the frame of the side, times its length.
+    const double turned = along * apex_x + edge_.across * depth;
+    const double across = std::max(0.0, edge_.across * apex_x - along * depth);
+    const double size = std::sqrt(turned * turned + across * across);
+    edge_ = {halfedge, side, at, (is_reversed ? -turned : turned) / size, across / size};
+  }
+
+  /// To a vertex of a face, and on with half of its angle on either side.
+  void reach(Index vertex, Index face, const Weights& from, double distance) {
+    walk(
+        face, distance, [&] { return from; },
+        [&] {
+          Weights to{};
+          for (int i = 0; i < 3; ++i) to[i] = mesh_.face_vertices(face)[i] == vertex ? 1.0 : 0.0;
+          return to;
+        });
+    if (is_done_) return;
+    end_ = SurfacePoint::at_vertex(vertex);
+    is_done_ = !TangentFrame::exists_at(mesh_, vertex);
+    if (is_done_) return;
+    vertex_frame_.emplace(geometry_, SurfacePoint::at_vertex(vertex));
+    onwards_ = vertex_frame_->angle_in_face(face, from) + 0.5 * vertex_frame_->full_turn();
+  }
+
+  /// At the border of a point, which the line would leave by that angle.
+  void meet_border(const TangentFrame& frame, double angle) {
+    const SurfacePoint& point = frame.point();
+    if (!point.is_vertex()) {
+      Index h = 3 * point.face;
+      while (point.barycentric[(h + 2) % 3] > 0.0) ++h;
+      const bool to_head = std::cos(angle - frame.angle_to(point.face, mesh_.head(h))) > 0.0;
+      const bool along = geometry_.frame[h].along;
+      const double second = point.barycentric[(along ? h + 1 : h) % 3];
+      return slide(h, second * length_of(h), to_head == along);
+    }
+    // Of the two edges on the border, the first is the x axis; the other one lies half a turn from it.
+    const bool to_first = angle > 0.75 * frame.full_turn();
+    const Index first = frame.first_halfedge();
+    const Index h = to_first ? first : next_on_border(point.vertex, mesh_.edge_of(first));
+    const bool to_second = geometry_.ends(mesh_.edge_of(h))[0] == point.vertex;
+    slide(h, to_second ? 0.0 : length_of(h), to_second);
+  }
+
+  /// The other border edge at a vertex, by its half-edge.
+  Index next_on_border(Index vertex, Index edge) const {
+    for (const Index corner : mesh_.corners(vertex)) {
+      for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
+        if (mesh_.edge_of(side) != edge && mesh_.is_border_edge(mesh_.edge_of(side))) return side;
+      }
+    }
+    return no_index;
+  }
+
+  /// Along the border, from a place on one of its edges.
+  void slide(Index halfedge, double x, bool to_second) {
+    end_ = SurfacePoint::in_face(Mesh::face_of(halfedge), on_edge(halfedge, x));
+    for (int step = 1; at_border_ == AtBorder::slide; ++step) {
+      if (step % 256 == 0) checkpoint();
+      const Index edge = mesh_.edge_of(halfedge);
+      const double length = mesh_.edge_length(edge);
+      const double to = to_second ? length : 0.0;
+      walk(
+          Mesh::face_of(halfedge), std::abs(to - x), [&] { return on_edge(halfedge, x); },
+          [&] { return on_edge(halfedge, to); });
+      const Index vertex = geometry_.ends(edge)[to_second ? 1 : 0];
+      if (is_done_) return;
+      end_ = SurfacePoint::at_vertex(vertex);
+      if (mesh_.fan(vertex) != Mesh::Fan::open) break;
+      halfedge = next_on_border(vertex, edge);
+      to_second = geometry_.ends(mesh_.edge_of(halfedge))[0] == vertex;
+      x = to_second ? 0.0 : length_of(halfedge);
+    }
+    is_done_ = true;
+  }
+
+  /// Where the line has come to an edge: its place there and its direction, of unit length.
+  struct OnEdge {
+    Index halfedge;  ///< in the face that was crossed
+    double length, x, along, across;
+  };
+
+  const ExactGeometry& geometry_;
+  const Mesh& mesh_;
+  AtBorder at_border_;
+  double left_;
+  bool is_done_ = false;
+  SurfacePoint end_;
+  OnEdge edge_{};
+  std::optional<TangentFrame> vertex_frame_;  ///< where the line has come to a vertex
+  double onwards_ = 0.0;                      ///< the angle in which it leaves it
+};
+
+}  // namespace
+
+TracedEnd trace(const TangentFrame& frame, const Tangent& vector, AtBorder at_border) {
+  const double length = std::hypot(vector[0], vector[1]);
+  if (!(length > 0.0)) return {frame.point(), 0.0};
+  Line line(frame.geometry(), at_border, length);
+  const SurfacePoint end = line.run(frame, frame.angle_of(vector));
+  return {end, length - line.left()};
+}
+
+}  // namespace vorogeo
