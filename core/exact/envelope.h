@@ -23,6 +23,8 @@ struct Window {
   double offset;    ///< distance from the source to the pseudo-source
   Index came_from;  ///< half-edge of the edge in the face the window came through; see entry()
   Index source;     ///< which of the sources
+  /// In a run that finds directions (see FirstLeg).
+  double first_leg = 0.0;
 
   /// A window that was taken across the faces on the other side keeps the complement of its half-edge.
   bool is_propagated() const { return came_from < 0; }
@@ -48,6 +50,26 @@ inline double vertex_takeover(double from_vertex, double offset, double source_x
   const double k = from_vertex - offset;
   return (source_x * source_x + source_y * source_y - k * k) / (2.0 * (k + source_x));
 }
+
+/// The angle at the source at which paths through a window begin, as the window carries it: the angle itself
+/// behind a pseudo-source. Where the source itself is seen, that of the direction at right angles to the
+/// edge, lifted above 0 and with the sign by which angles at the source grow along the edge.
+struct FirstLeg {
+  static constexpr double lift = 16.0;
+  static double seen(double across, double sign) { return sign * (across + lift); }
+  static bool sees_source(const Window& window) { return window.offset == 0.0; }
+  /// Of the path to the place `along` the edge and `below` it.
+  static double to(const Window& window, double along, double below) {
+    if (!sees_source(window)) return window.first_leg;
+    const double turned = std::atan2(along - window.source_x, window.source_y + below);
+    return std::copysign(1.0, window.first_leg) * (window.first_leg + turned) - lift;
+  }
+  /// Of a window that was handed on to a side of the face behind its edge, which makes this angle with it.
+  static double handed_on(const Window& window, double angle, bool second, bool is_forth) {
+    if (!sees_source(window)) return window.first_leg;
+    return (is_forth ? 1.0 : -1.0) * (window.first_leg + (second ? angle : -angle));
+  }
+};
 
 // ---- The windows of all edges: on each edge the lower envelope of their distances
 
@@ -143,6 +165,7 @@ class WindowEnvelope {
       place.offset = window.offset;
       place.came_from = window.came_from;
       place.source = window.source;
+      place.first_leg = window.first_leg;
     }
     Window& top() { return room_[size_ - 1]; }
     void pop() { --size_; }

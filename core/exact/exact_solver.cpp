@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -138,6 +139,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.max_distance = limits.max_distance;
   state.distances_only = limits.distances_only;
   state.merge_tolerance = limits.merge_tolerance;
+  state.directions = limits.directions;
   if (!limits.edge_targets.empty()) state.require_windows();
   state.has_corridor = corridor.has_value();
   if (corridor) state.corridor_at = position_of(state.mesh, *corridor);
@@ -202,6 +204,11 @@ const Mesh& ExactSolver::mesh() const { return state_->mesh; }
 double ExactSolver::distance(Index vertex) const {
   const double found = state_->vertices[state_->mesh.representative(vertex)].distance;
   return found <= state_->max_distance ? found : unreachable;
+}
+
+double ExactSolver::first_leg(Index vertex) const {
+  if (distance(vertex) == unreachable) return std::numeric_limits<double>::quiet_NaN();
+  return state_->vertices[state_->mesh.representative(vertex)].first_leg;
 }
 
 double ExactSolver::distance(const EdgePoint& point) const {

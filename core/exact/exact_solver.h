@@ -14,6 +14,7 @@ namespace vorogeo {
 
 class ExactLandmarks;
 class SharedRun;
+class TangentFrame;
 struct ExactGeometry;
 
 /// Where the distance starts, and with which value.
@@ -68,6 +69,8 @@ struct ExactLimits {
   /// With distances_only and none of targets, a corridor and face_allowed: this many threads share the run
   /// (see threads_for_field). Distances are equal up to rounding, and to the last bit for the same number.
   int threads = 1;
+  /// If set: first_leg() will be read; the frame is that of the only source, whose offset is 0.
+  const TangentFrame* directions = nullptr;
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   /// Otherwise the run has checkpoints.
   const Progress* progress = nullptr;
@@ -111,6 +114,10 @@ class ExactSolver {
   Index nearest_source(Index vertex) const;
   /// And a point of an edge, as distance() of it.
   Index nearest_source(const EdgePoint& point) const;
+  /// The angle around the source, in the frame that the run was given, at which the shortest path to a vertex
+  /// or point begins; NaN if unreachable. \throw std::logic_error as distance() of it.
+  double first_leg(Index vertex) const;
+  double first_leg(const SurfacePoint& point) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   /// \throw std::logic_error after a run with distances_only.
   SurfacePath path_to_source(const SurfacePoint& target) const;

@@ -58,6 +58,9 @@ class LocalSolver {
   Index nearest_source(const EdgePoint& point) const {
     return at(vertex_near(point), [&](const auto& s) { return given_number(s, s.nearest_source(point)); });
   }
+  /// \pre The metric does not jump around the source.
+  double first_leg(Index vertex) const { return windows_->first_leg(vertex); }
+  double first_leg(const SurfacePoint& point) const { return windows_->first_leg(point); }
   SurfacePath path_to_source(const SurfacePoint& target) const {
     return at(vertex_near(target), [&](const auto& s) { return s.path_to_source(target); });
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "exact/exact_geometry.h"
@@ -53,13 +54,22 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
   for (Index source : state.sources_in(face)) {
     const double distance = state.sources[source].offset +
                             distance_in_plane(plane.at(source_in_face(state, source, face)), target);
-    if (distance < best.distance) best = {distance, source, no_index, no_index, 0.0};
+    if (!(distance < best.distance)) continue;
+    best = {distance, source, no_index, no_index, 0.0};
+    if (state.directions != nullptr) best.first_leg = state.directions->angle_in_face(face, barycentric);
   }
   for (int i = 0; i < 3; ++i) {
     const Index v = state.mesh.face_vertices(face)[i];
     if (barycentric[i] == 1.0 || avoided.contains(v)) continue;
     const double distance = state.vertices[v].distance + distance_in_plane(plane.corner[i], target);
-    if (distance < best.distance) best = {distance, no_index, v, no_index, 0.0};
+    if (!(distance < best.distance)) continue;
+    const bool is_first = state.directions != nullptr && state.is_source(v);
+    best = {distance,
+            no_index,
+            v,
+            no_index,
+            0.0,
+            is_first ? state.directions->angle_in_face(face, barycentric) : state.vertices[v].first_leg};
   }
   for (int i = 0; i < 3; ++i) {
     if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge is not reached across it
@@ -79,7 +89,9 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
       const double distance = window.distance(at) + std::hypot(x - at, depth);
       if (!(distance < best.distance)) continue;
       const double scale = state.geometry->scale_at(edge, at, distance, length);
-      if (!avoided.contains(h, at, same_place * scale)) best = {distance, no_index, no_index, h, at};
+      if (avoided.contains(h, at, same_place * scale)) continue;
+      best = {distance, no_index, no_index, h, at};
+      if (state.directions != nullptr) best.first_leg = FirstLeg::to(window, x, depth);
     }
   }
   return best;
@@ -127,6 +139,20 @@ double ExactSolver::distance(const SurfacePoint& point) const {
     found = std::min(found, best_back_step(*state_, face, weights).distance);
   });
   return found <= state_->max_distance ? found : unreachable;
+}
+
+double ExactSolver::first_leg(const SurfacePoint& point) const {
+  const SurfacePoint target = validated(state_->mesh, point);
+  if (target.is_vertex()) return first_leg(target.vertex);
+  state_->require_windows();
+  BackStep best;
+  for_each_face_at(state_->mesh, target, [&](Index face, const std::array<double, 3>& weights) {
+    const BackStep step = best_back_step(*state_, face, weights);
+    if (step.distance < best.distance) best = step;
+  });
+  return best.distance <= state_->max_distance && best.distance < unreachable
+             ? best.first_leg
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 // ---- Paths back to the source, one face at a time, through the windows that a run left

@@ -40,6 +40,7 @@ struct BackStep {
   Index vertex = no_index;        ///< through this vertex
   Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
   double x = 0.0;
+  double first_leg = 0.0;  ///< in a run that finds directions
 };
 
 /// The best step back from a point given by barycentric coordinates in `face`, avoiding the places `avoided`.

@@ -46,6 +46,7 @@ void SharedRun::prepare(ExactSolver::State& first) {
     other->max_distance = first.max_distance;
     other->distances_only = first.distances_only;
     other->merge_tolerance = first.merge_tolerance;
+    other->directions = first.directions;
     other->face_allowed = {};
     other->has_corridor = false;
     all_.push_back(other.get());

@@ -28,6 +28,11 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
   const VertexState& state = vertices[vertex];
   Window window =
       Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
+  window.first_leg = state.first_leg;
+  if (directions != nullptr && is_source(vertex)) {
+    const EdgeView& seen = directions->view(opposite);
+    window.first_leg = FirstLeg::seen(seen.across, seen.sign);
+  }
   // A vertex that lies on the edge up to a negligible distance would see a sector through no part of the
   // edge.
   const bool is_on_edge = frame.apex_depth <= ExactGeometry::next_to_nothing * length;
@@ -105,7 +110,9 @@ void ExactSolver::State::take_vertex(Index vertex) {
       arrival = geometry->corner_begin[there];
       if (leaves == (geometry->begins_at_own_edge[there] != 0)) arrival += mesh.corner_angle(there);
     }
-    reach_vertex(other, distance, state.source, arrival, vertex);
+    const bool is_first = directions != nullptr && is_source(vertex);
+    const double leg = is_first ? directions->angle_to(Mesh::face_of(side), other) : state.first_leg;
+    reach_vertex(other, {distance, arrival, state.source, vertex, leg});
   });
   // A face that may not be entered acts like a border of the mesh: paths may bend around it.
   const bool beside_barrier = std::ranges::any_of(
@@ -113,8 +120,8 @@ void ExactSolver::State::take_vertex(Index vertex) {
   if (beside_barrier) {
     barrier_distance = std::min(barrier_distance, length_at_vertex(state.distance, vertex));
   }
-  const bool is_source = state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
-  if (is_source || beside_barrier || (geometry->can_bend[vertex] && !(geometry->flat_height[vertex] > 0.0))) {
+  if (is_source(vertex) || beside_barrier ||
+      (geometry->can_bend[vertex] && !(geometry->flat_height[vertex] > 0.0))) {
     emit_fan(vertex, beside_barrier);
   } else if (geometry->can_bend[vertex]) {
     // Its sector is no wider than rounding. Once the windows that pass on both sides have come to the edges
@@ -135,14 +142,19 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
   const double at_apex = source.point.barycentric[(tail + 2) % 3];
   const double at_second = source.point.barycentric[along ? (tail + 1) % 3 : tail];
   const double length = mesh.edge_length(edge);
-  add_window(edge, Window::from_source(length, at_second * length + at_apex * frame.apex_x,
-                                       at_apex * frame.apex_depth, source.offset, halfedge, id));
+  Window window = Window::from_source(length, at_second * length + at_apex * frame.apex_x,
+                                      at_apex * frame.apex_depth, source.offset, halfedge, id);
+  if (directions != nullptr) {
+    const EdgeView& seen = directions->view(halfedge);
+    window.first_leg = FirstLeg::seen(seen.across, seen.sign);
+  }
+  add_window(edge, window);
 }
 
 void ExactSolver::State::start_at(const ExactSource& source, Index id) {
   if (source.point.is_vertex()) {
     if (source.offset < vertices[source.point.vertex].distance) {
-      reach_vertex(source.point.vertex, source.offset, id, -1.0, no_index);
+      reach_vertex(source.point.vertex, {source.offset, -1.0, id, no_index});
     }
     return;
   }
@@ -157,7 +169,9 @@ void ExactSolver::State::start_at(const ExactSource& source, Index id) {
       const double distance =
           source.offset + std::hypot(at[0] - plane.corner[i][0], at[1] - plane.corner[i][1]);
       const Index v = mesh.face_vertices(face)[i];
-      if (distance < vertices[v].distance) reach_vertex(v, distance, id, -1.0, no_index);
+      if (!(distance < vertices[v].distance)) continue;
+      const double leg = directions != nullptr ? directions->angle_to(face, v) : 0.0;
+      reach_vertex(v, {distance, -1.0, id, no_index, leg});
     }
     for (int i = 0; i < 3; ++i) {
       if (barycentric[(i + 2) % 3] > 0.0) emit_from(local, id, 3 * face + i);
@@ -213,14 +227,13 @@ void open_at_source(const ExactGeometry& geometry, Index edge, Window& window, d
 
 }  // namespace
 
-void ExactSolver::State::reach_vertex(Index vertex, double distance, Index source, double arrival,
-                                      Index along_edge_from) {
-  if (!in_corridor(length_at_vertex(distance, vertex))) return;
+void ExactSolver::State::reach_vertex(Index vertex, const VertexState& reached) {
+  if (!in_corridor(length_at_vertex(reached.distance, vertex))) return;
   VertexState& state = vertices[vertex];
   if (state.distance == unreachable) touched_vertices.push_back(vertex);
-  state = {distance, arrival, source, along_edge_from};
+  state = reached;
   light_is_due[vertex] = 0;
-  territories == nullptr ? queue.push(vertex, distance) : announce(vertex);
+  territories == nullptr ? queue.push(vertex, reached.distance) : announce(vertex);
 }
 
 bool ExactSolver::State::open_edge(Index edge) {
@@ -390,8 +403,9 @@ void ExactSolver::State::reach_apex(const Window& window, Index halfedge, double
     arrival = geometry->corner_begin[corner] +
               std::atan2(std::abs(side_x * height + side_y * dx), side_y * height - side_x * dx);
   }
-  if (vertices[frame.apex].is_improved_by(distance, arrival))
-    reach_vertex(frame.apex, distance, window.source, arrival, no_index);
+  if (!vertices[frame.apex].is_improved_by(distance, arrival)) return;
+  const double leg = directions == nullptr ? 0.0 : FirstLeg::to(window, frame.apex_x, frame.apex_depth);
+  reach_vertex(frame.apex, {distance, arrival, window.source, no_index, leg});
 }
 
 void ExactSolver::State::cross_face(Index halfedge) {
@@ -448,6 +462,7 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
   if (!(side.length > 0.0)) return;
   bool is_open = false;
   const bool is_long = geometry->is_long(crossed_edge) || geometry->is_long(side.edge);
+  const double angle = directions == nullptr ? 0.0 : std::atan2(side.sine, side.cosine);
   // In the order of the side's edge, so that the batch is sorted except for windows whose rays cross.
   const bool forth = side.reversed == second;
   for (std::size_t i = 0; i < crossing.size(); ++i) {
@@ -460,10 +475,11 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
     // A window that is cut at the ray to the apex ends at the apex: from a source close to the edge, all rays
     // leave the edge at the same position up to rounding.
     const bool to_end = second ? item.to_apex >= item.window.begin : item.to_apex <= item.window.end;
-    const Window window = is_long && side.reversed
-                              ? side.arriving_from_apex(item.window, begin, end, to_end, second,
-                                                        crossed_length, apex_along, item.to_apex)
-                              : side.arriving(item.window, begin, end, to_end, second, crossed_length);
+    Window window = is_long && side.reversed
+                        ? side.arriving_from_apex(item.window, begin, end, to_end, second, crossed_length,
+                                                  apex_along, item.to_apex)
+                        : side.arriving(item.window, begin, end, to_end, second, crossed_length);
+    if (directions != nullptr) window.first_leg = FirstLeg::handed_on(item.window, angle, second, forth);
     insert_window(window);
     if (passes_through && lies_on_edge(window, side.edge)) through.push_back(window);
   }

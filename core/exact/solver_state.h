@@ -12,6 +12,7 @@
 #include "exact/exact_geometry.h"
 #include "exact/exact_landmarks.h"
 #include "exact/exact_solver.h"
+#include "exact/tangent_frame.h"
 #include "exact/territories.h"
 #include "mesh/mesh.h"
 #include "support/bucket_queue.h"
@@ -71,7 +72,8 @@ struct Side {
             std::max(0.0, turned_y),
             window.offset,
             halfedge,
-            window.source};
+            window.source,
+            window.first_leg};
   }
 
   /// The same for a side whose positions count from the apex, without differences of large numbers: the
@@ -100,7 +102,8 @@ struct Side {
             std::max(0.0, turned_y),
             window.offset,
             halfedge,
-            window.source};
+            window.source,
+            window.first_leg};
   }
 
   Index halfedge;
@@ -123,6 +126,8 @@ struct VertexState {
   Index source = no_index;
   /// The vertex from which the path came along an edge; no_index: through a face, or a source.
   Index along_edge_from = no_index;
+  /// In a run that finds directions: the angle at the source at which the path begins.
+  double first_leg = 0.0;
 
   /// Whether a path that arrives so tells more: it is shorter, or as long and from no direction, as from a
   /// vertex in the same place. From there, paths go on in directions in which one that arrives straight
@@ -177,6 +182,11 @@ struct ExactSolver::State {
   /// Propagates an item of the queue. `front`: no distance below it is still to be propagated.
   void take(Index item, double front);
   void take_vertex(Index vertex);
+  /// \pre It was reached.
+  bool is_source(Index vertex) const {
+    const VertexState& state = vertices[vertex];
+    return state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
+  }
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
   void close_edges_behind(double front);
@@ -227,7 +237,7 @@ struct ExactSolver::State {
   void emit(Index vertex, Index corner, double width, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
   void emit_fan(Index vertex, bool everywhere);
-  void reach_vertex(Index vertex, double distance, Index source, double arrival, Index along_edge_from);
+  void reach_vertex(Index vertex, const VertexState& reached);
   void add_window(Index edge, const Window& window);
 
   /// Lower bound of the length of a path to the corridor's target that has come within `radius` of a point
@@ -324,6 +334,7 @@ struct ExactSolver::State {
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (solver_state.cpp).
   void merge_crossing(Index edge);
   double merge_tolerance = 0.0;
+  const TangentFrame* directions = nullptr;  ///< at the only source, if they are wanted
   /// The open edge, to which windows are being added, and the distances of its ends.
   Index open = no_index;
   double open_length = 0.0;

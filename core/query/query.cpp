@@ -2,6 +2,7 @@
 #include "query/query.h"
 
 #include <array>
+#include <ranges>
 
 #include "query/surface.h"
 #include "support/parallel.h"
@@ -31,6 +32,10 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, double ma
   if (progress) limits.progress = &progress;
   limits.distances_only = distances_only;
   limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;
+  return solved(sources, limits);
+}
+
+const LocalSolver& Query::solved(std::span<const ExactSource> sources, const ExactLimits& limits) {
   if (!solver_) solver_.emplace(surface_.geometry());
   solver_->run(sources, limits);
   return *solver_;
@@ -117,6 +122,41 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
   if (!exact) return {index_paths_->path(source, target), false};
   const auto landmarks = surface_.landmarks();
   return index_paths_->exact_path(source, target, certify, landmarks.get());
+}
+
+namespace {
+
+/// What a solver has found of some points in a run with directions.
+template <class Points>
+LogMap log_map_of(const LocalSolver& solver, const TangentFrame& frame, const Points& points) {
+  LogMap found;
+  for (const auto& point : points) {
+    found.distance.push_back(solver.distance(point));
+    found.vector.push_back(frame.vector(solver.first_leg(point), found.distance.back()));
+  }
+  return found;
+}
+
+}  // namespace
+
+LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
+                      int threads, const Progress& progress) {
+  const std::array source{ExactSource{frame.point()}};
+  // Points in faces need windows there, which a run that ends at vertices may not have.
+  const bool only_vertices = !targets || targets->only_vertices();
+  const std::vector<Index> vertices = targets && only_vertices ? targets->vertices() : std::vector<Index>{};
+  const bool is_shared = threads > 1 && !targets;
+  const LocalSolver& solver =
+      solved(source, {.max_distance = max_distance,
+                      .targets = vertices,
+                      .distances_only = only_vertices,
+                      .threads = is_shared ? threads_for_field(*surface_.mesh(), threads) : 1,
+                      .directions = &frame,
+                      .progress = progress ? &progress : nullptr});
+  if (!targets) {
+    return log_map_of(solver, frame, std::views::iota(Index{0}, surface_.mesh()->vertex_count()));
+  }
+  return only_vertices ? log_map_of(solver, frame, vertices) : log_map_of(solver, frame, *targets);
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

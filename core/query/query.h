@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/local_solver.h"
+#include "exact/tangent_frame.h"
 #include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
 #include "query/index_field.h"
@@ -29,6 +30,13 @@ enum class AnswerMethod : std::uint8_t {
 const char* to_string(AnswerMethod method);
 
 class Surface;
+
+/// The shortest paths from a point, as vectors in the frame there: each has the direction in which the path
+/// begins, and its length.
+struct LogMap {
+  std::vector<Tangent> vector;   ///< NaN where no path leads
+  std::vector<double> distance;  ///< `unreachable` there
+};
 
 /// Answers by a method that was chosen before. Lent by a Surface (Surface::lend) to one thread at a time;
 /// each part takes its memory, for the whole mesh, when it is first asked. In all calls `by` is not
@@ -53,6 +61,10 @@ class Query {
   /// See Surface::path.
   ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
                  bool certify);
+  /// From the point of a frame to all vertices, or to some points; distances above max_distance are
+  /// `unreachable`. Exact. \pre The metric does not jump around the point.
+  LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
+                 int threads, const Progress& progress);
   /// Exact paths from one point to many: one propagation serves them all.
   void exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,
                    const std::function<void(std::size_t, ExactPath)>& found);
@@ -63,6 +75,7 @@ class Query {
                                 bool wants_labels);
   const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
                             bool distances_only, const Progress& progress = {});
+  const LocalSolver& solved(std::span<const ExactSource> sources, const ExactLimits& limits);
 
   Surface& surface_;
   std::optional<IndexField> index_field_;

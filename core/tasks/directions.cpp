@@ -1,0 +1,106 @@
+// Directions at points: the logarithmic and the exponential map, and the frames they count in.
+#include "tasks/directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "support/parallel.h"
+
+namespace vorogeo {
+
+namespace {
+
+/// Lines handed to a thread at a time.
+constexpr std::size_t lines_at_once = 64;
+
+Index corner_of(const Mesh& mesh, const SurfacePoint& point) {
+  return point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
+}
+
+const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
+  const Mesh& mesh = *surface.mesh();
+  if (mesh.metric_jumps_in(mesh.component(corner_of(mesh, point)))) {
+    require_agreeing_faces(mesh, "Directions");
+  }
+  if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
+    throw InvalidInput("There are no directions at a point of face " +
+                       std::to_string(mesh.input_face(point.face)) +
+                       ": with this metric, it is measured in parts; take a vertex.");
+  }
+  const auto geometry = surface.geometry();
+  return geometry->windows ? *geometry->windows : *geometry->agreeing;
+}
+
+std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
+  std::vector<TangentFrame> frames;
+  for (const SurfacePoint& point : points_on(*surface.mesh(), points, "Point")) {
+    frames.emplace_back(geometry_around(surface, point), point);
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::vector<std::array<Point, 3>> tangent_axes(Surface& surface, const PointList& points) {
+  if (surface.mesh()->has_metric()) {
+    throw InvalidInput(
+        "With a metric, frames have no axes in space: angles are those of its lengths. Vectors in a frame "
+        "can "
+        "be had from the logarithmic map of vertices around the point.");
+  }
+  std::vector<std::array<Point, 3>> axes;
+  for (const TangentFrame& frame : frames_at(surface, points)) {
+    axes.push_back(frame.axes());
+    if (std::isfinite(axes.back()[1][0])) continue;
+    throw InvalidInput("Point " + std::to_string(axes.size() - 1) +
+                       " has no axes: the faces around it have no normal, or it lies along an edge.");
+  }
+  return axes;
+}
+
+LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
+               double max_distance, const TaskOptions& options) {
+  require_limit(max_distance);
+  if (options.by == AnswerMethod::index || options.by == AnswerMethod::quick) {
+    throw InvalidInput("Directions are exact: an index and the quick method have none.");
+  }
+  const TangentFrame frame = frames_at(surface, std::vector{point}).front();
+  std::optional<PointList> ends;
+  if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
+  Answered answered;
+  const Stopwatch watch;
+  LogMap found = surface.lend([&](Query& query) {
+    return query.log_map(frame, ends, max_distance, surface.threads(), options.progress);
+  });
+  answered.seconds = watch.seconds();
+  if (options.answered != nullptr) *options.answered = answered;
+  return found;
+}
+
+std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const std::vector<Tangent>& vectors,
+                               AtBorder at_border, const TaskOptions& options) {
+  if (points.size() != 1 && points.size() != vectors.size()) {
+    throw InvalidInput("There are " + std::to_string(points.size()) + " points and " +
+                       std::to_string(vectors.size()) + " vectors; give one vector for each, or one point.");
+  }
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    if (std::isfinite(std::hypot(vectors[i][0], vectors[i][1]))) continue;
+    throw InvalidInput("Vector " + std::to_string(i) + " is " + std::to_string(vectors[i][0]) + ", " +
+                       std::to_string(vectors[i][1]) + "; give finite numbers.");
+  }
+  const std::vector<TangentFrame> frames = frames_at(surface, points);
+  std::vector<TracedEnd> ends(vectors.size());
+  const Stopwatch watch;
+  const std::size_t blocks = (vectors.size() + lines_at_once - 1) / lines_at_once;
+  parallel_for(blocks, surface.threads(), options.progress, "Tracing lines", [&](std::size_t block, int) {
+    const std::size_t end = std::min(vectors.size(), (block + 1) * lines_at_once);
+    for (std::size_t i = block * lines_at_once; i < end; ++i) {
+      ends[i] = trace(frames[frames.size() == 1 ? 0 : i], vectors[i], at_border);
+    }
+  });
+  if (options.answered != nullptr) options.answered->seconds = watch.seconds();
+  return ends;
+}
+
+}  // namespace vorogeo

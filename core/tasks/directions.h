@@ -1,0 +1,32 @@
+// Directions at points: the logarithmic and the exponential map, and the frames they count in.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "exact/straightest.h"
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+/// The frames at points, in space: x axis, y axis and normal of each (TangentFrame::axes). \throw
+/// InvalidInput for a point that is not on the mesh, or at which directions have no angles; in a face that
+/// the metric measures in parts; in a component where the metric jumps at edges; with any metric, as its
+/// angles are not those in space; where faces have no normal.
+std::vector<std::array<Point, 3>> tangent_axes(Surface& surface, const PointList& points);
+
+/// The shortest paths from a point to some points, or to all vertices, as vectors in the frame there;
+/// distances above max_distance are `unreachable`. Always exact. \throw as tangent_axes(), but takes a
+/// metric; for `by` an index and for a negative distance; Cancelled. Complexity: that of an exact field, if
+/// all targets are vertices as far as they are.
+LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
+               double max_distance, const TaskOptions& options);
+
+/// The ends of straightest lines from points along vectors in the frames there, on all threads: of pairs, or
+/// of one point and each of the vectors. \throw as log_map(), for vectors that are not finite and for
+/// lists of different lengths; Cancelled. Complexity: O(faces crossed).
+std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const std::vector<Tangent>& vectors,
+                               AtBorder at_border, const TaskOptions& options);
+
+}  // namespace vorogeo

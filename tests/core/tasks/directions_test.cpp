@@ -1,0 +1,157 @@
+// The logarithmic and the exponential map of a surface: batches, targets, limits, metrics, and what is
+// refused.
+#include "tasks/directions.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_input.h"
+#include "mesh/metric.h"
+#include "mesh/vectors.h"
+#include "support/gaps.h"
+#include "support/layers.h"
+#include "support/near.h"
+#include "support/refusal.h"
+#include "support/shapes.h"
+
+namespace vorogeo {
+namespace {
+
+test::Soup plane() { return test::plane_grid(10, 8, 2.0, 1.6, 0.2).soup; }
+
+std::shared_ptr<const Mesh> with_vertex_cost(const test::Soup& soup, double cost) {
+  const std::vector<double> costs(soup.positions.size(), cost);
+  return std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                      lengths_by_cost(soup.positions, soup.faces, costs));
+}
+
+double apart(const Tangent& a, const Tangent& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+TEST(LogMap, OfTargetsAndUpToALimitIsThatOfAllVertices) {
+  Surface surface(test::make_mesh(test::torus(40, 20, 2.0, 0.7)), IndexOptions{.threads = 2});
+  const SurfacePoint from = SurfacePoint::in_face(77, {0.5, 0.25, 0.25});
+  const LogMap all = log_map(surface, from, {}, unreachable, {});
+  const std::vector<Index> some{5, 300, 799, 5};
+  const LogMap few = log_map(surface, from, some, unreachable, {});
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    EXPECT_LE(apart(few.vector[i], all.vector[some[i]]), 1e-9);
+    EXPECT_NEAR(few.distance[i], all.distance[some[i]], 1e-12);
+  }
+  const LogMap near = log_map(surface, from, {}, 1.0, {});
+  int within = 0;
+  for (Index v = 0; v < surface.mesh()->vertex_count(); ++v) {
+    if (all.distance[v] > 1.0) {
+      EXPECT_TRUE(std::isnan(near.vector[v][0]));
+      EXPECT_EQ(near.distance[v], unreachable);
+    } else {
+      ++within;
+      EXPECT_LE(apart(near.vector[v], all.vector[v]), 1e-9);
+    }
+  }
+  EXPECT_GT(within, 10);
+}
+
+TEST(LogMap, OfThePointItselfIsZero) {
+  Surface surface(test::make_mesh(plane()));
+  for (const SurfacePoint& point : test::spread_points(plane())) {
+    const LogMap found = log_map(surface, point, std::vector{point}, unreachable, {});
+    EXPECT_EQ(found.distance[0], 0.0);
+    EXPECT_EQ(found.vector[0], (Tangent{0.0, 0.0}));
+  }
+}
+
+TEST(LogMap, IsNaNWhereNoPathLeads) {
+  const auto soup = test::two_components(plane(), plane());
+  Surface surface(test::make_mesh(soup));
+  const LogMap found = log_map(surface, SurfacePoint::at_vertex(40), {}, unreachable, {});
+  const auto count = static_cast<Index>(plane().positions.size());
+  EXPECT_TRUE(std::isfinite(found.vector[count - 1][0]));
+  EXPECT_TRUE(std::isnan(found.vector[count][0]) && std::isnan(found.vector[count][1]));
+  EXPECT_EQ(found.distance[count], unreachable);
+}
+
+TEST(LogMap, InTwiceTheUnitHasTwiceTheLength) {
+  Surface space(test::make_mesh(plane()));
+  Surface dear(with_vertex_cost(plane(), 2.0));
+  for (const SurfacePoint& point : test::spread_points(plane())) {
+    const LogMap once = log_map(space, point, {}, unreachable, {});
+    const LogMap twice = log_map(dear, point, {}, unreachable, {});
+    std::vector<Tangent> vectors = twice.vector;
+    const auto ends = exp_map(dear, std::vector{point}, vectors, AtBorder::end, {});
+    for (std::size_t v = 0; v < once.vector.size(); ++v) {
+      EXPECT_LE(apart(twice.vector[v], {2.0 * once.vector[v][0], 2.0 * once.vector[v][1]}), 1e-9);
+      EXPECT_LE(distance_between(position_of(*dear.mesh(), ends[v].point), plane().positions[v]), 1e-9);
+    }
+  }
+}
+
+TEST(ExpMap, IsTheSameForOnePointAndForPairs) {
+  Surface surface(test::make_mesh(test::torus(40, 20, 2.0, 0.7)), IndexOptions{.threads = 2});
+  const SurfacePoint from = SurfacePoint::in_face(77, {0.5, 0.25, 0.25});
+  std::vector<Tangent> vectors;
+  for (int i = 0; i < 200; ++i) vectors.push_back({0.02 * i * std::cos(i), 0.02 * i * std::sin(i)});
+  const auto one = exp_map(surface, std::vector{from}, vectors, AtBorder::end, {});
+  const auto pairs =
+      exp_map(surface, std::vector<SurfacePoint>(vectors.size(), from), vectors, AtBorder::end, {});
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    EXPECT_EQ(one[i].point, pairs[i].point);
+    EXPECT_NEAR(one[i].length, 0.02 * static_cast<double>(i), 1e-12);
+  }
+  EXPECT_TRUE(exp_map(surface, std::vector{from}, {}, AtBorder::end, {}).empty());
+}
+
+TEST(ExpMap, ALineOfManyTurnsCanBeCancelled) {
+  Surface surface(test::make_mesh(test::icosphere(2)));
+  const Progress stop([](double, const std::string&) { return false; });
+  EXPECT_THROW(exp_map(surface, std::vector{SurfacePoint::at_vertex(0)}, {{1e12, 0.3}}, AtBorder::end,
+                       {.progress = stop}),
+               Cancelled);
+}
+
+TEST(Directions, CrossABridgedGapAsIfItWereFlat) {
+  const test::Shape plates = test::two_plates(8, 6, 0.01);
+  const auto& [positions, faces] = plates.soup;
+  Surface surface(measured_mesh({positions, faces, {}, {0.02, false}}));
+  const SurfacePoint from = SurfacePoint::in_face(60, {0.5, 0.25, 0.25});
+  const LogMap found = log_map(surface, from, {}, unreachable, {});
+  const auto ends = exp_map(surface, std::vector{from}, found.vector, AtBorder::end, {});
+  for (Index v = 0; v < static_cast<Index>(positions.size()); ++v) {
+    const double distance = plates.distance(from, SurfacePoint::at_vertex(v));
+    EXPECT_NEAR(std::hypot(found.vector[v][0], found.vector[v][1]), distance, 1e-9) << v;
+    EXPECT_LE(distance_between(position_of(*surface.mesh(), ends[v].point), positions[v]), 1e-9) << v;
+  }
+}
+
+TEST(Directions, AreRefusedByName) {
+  Surface surface(test::make_mesh(plane()));
+  const SurfacePoint from = SurfacePoint::at_vertex(40);
+  const std::vector one{from};
+  EXPECT_EQ(test::refusal([&] { log_map(surface, SurfacePoint::at_vertex(99999), {}, unreachable, {}); }),
+            "Point 0 is vertex 99999, which does not exist: the mesh has vertices 0 to 98.");
+  EXPECT_NE(test::refusal([&] { log_map(surface, from, {}, -1.0, {}); }).find("must be at least 0"),
+            std::string::npos);
+  EXPECT_EQ(test::refusal([&] { log_map(surface, from, {}, 1.0, {.by = AnswerMethod::index}); }),
+            "Directions are exact: an index and the quick method have none.");
+  EXPECT_EQ(test::refusal([&] {
+              exp_map(surface, one, {{0.0, 1.0}, {std::nan(""), 0.0}}, AtBorder::end, {});
+            }),
+            "Vector 1 is nan, 0.000000; give finite numbers.");
+  EXPECT_EQ(test::refusal([&] {
+              exp_map(surface, std::vector{from, from}, {{0.0, 1.0}}, AtBorder::end, {});
+            }),
+            "There are 2 points and 1 vectors; give one vector for each, or one point.");
+  Surface dear(with_vertex_cost(plane(), 2.0));
+  EXPECT_NE(test::refusal([&] { tangent_axes(dear, one); }).find("With a metric"), std::string::npos);
+  std::vector<double> costs(plane().faces.size(), 1.0);
+  costs[3] = 5.0;
+  Surface jumps(test::with_costs(plane(), costs));
+  EXPECT_NE(test::refusal([&] { log_map(jumps, from, {}, unreachable, {}); }).find("Directions need edges"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace vorogeo
