@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "index/build_cost.h"
@@ -15,6 +16,7 @@
 #include "support/memory.h"
 #include "support/parallel.h"
 #include "tasks/curve_sources.h"
+#include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/neighbors.h"
@@ -27,16 +29,19 @@ namespace inner {
 using vorogeo::Cancelled;
 using vorogeo::check_mesh;
 using vorogeo::Error;
+using vorogeo::exp_map;
 using vorogeo::IndexFileError;
 using vorogeo::IndexOptions;
 using vorogeo::InvalidInput;
 using vorogeo::isolines;
+using vorogeo::log_map;
 using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
 using vorogeo::Query;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
 using vorogeo::SurfacePoint;
+using vorogeo::tangent_axes;
 using vorogeo::TaskOptions;
 using vorogeo::to_string;
 }  // namespace inner
@@ -615,6 +620,41 @@ Extent extent(const Surface& surface, int max_fields, const TaskOptions& options
                   {found.ends[0], found.ends[1]},
                   {found.radius.lower, found.radius.upper},
                   found.centre};
+  });
+}
+
+// ---- Directions
+
+std::vector<TangentAxes> tangent_axes(const Surface& surface, const PointList& points) {
+  return ask(surface, TaskOptions{}, [&](const Asked& at) {
+    std::vector<TangentAxes> out;
+    for (const auto& [x, y, normal] : inner::tangent_axes(at.surface, at.in(points))) {
+      out.push_back({x, y, normal});
+    }
+    return out;
+  });
+}
+
+LogMap log_map(const Surface& surface, const SurfacePoint& from, const LogMapOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    std::optional<inner::PointList> targets;
+    if (!options.targets.empty()) targets = at.in(options.targets);
+    auto found = inner::log_map(at.surface, at.in(from), targets, options.limit, at.options);
+    if (targets) return LogMap{std::move(found.vector), std::move(found.distance)};
+    const InputMap map(at.mesh);
+    return LogMap{map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance))};
+  });
+}
+
+std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,
+                               const std::vector<Tangent>& vectors, const ExpMapOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    std::vector<TracedEnd> out;
+    for (const auto& end : inner::exp_map(at.surface, at.in(from), vectors,
+                                          options.slide ? AtBorder::slide : AtBorder::end, at.options)) {
+      out.push_back({point_out(at.mesh, end.point), end.length});
+    }
+    return out;
   });
 }
 

@@ -447,5 +447,52 @@ struct Extent {
 /// Of the largest component, from at most `max_fields` fields.
 VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const TaskOptions& options = {});
 
+// ---- Directions: the logarithmic and the exponential map
+
+/// A vector in the tangent plane of a point, by its coordinates in the frame there. As in
+/// geometry-central, the x axis runs at a vertex along the edge that leaves it in its last face, on a border
+/// along the border edge after which the faces follow, and angles are scaled so that they sum to 2 pi, on a
+/// border to pi; in a face, from the first corner to the second. Points on edges take the first of the
+/// edge's faces.
+using Tangent = std::array<double, 2>;
+
+/// The axes of a frame, in space and of unit length.
+struct TangentAxes {
+  Point x{}, y{}, normal{};
+};
+/// Of surfaces without a metric. \throw InvalidInput where directions have no angles: at vertices without a
+/// fan of faces, on edges of three faces or more, in faces without area; names the place.
+VOROGEO_API std::vector<TangentAxes> tangent_axes(const Surface& surface, const PointList& points);
+
+struct LogMapOptions {
+  PointList targets = {};      ///< empty: all vertices
+  double limit = unreachable;  ///< distances above it are `unreachable`
+  ProgressFunction progress = {};
+};
+struct LogMap {
+  std::vector<Tangent> vector;   ///< NaN where no path leads
+  std::vector<double> distance;  ///< the lengths of these vectors
+};
+/// Exact shortest paths from a point, as vectors in its frame: each has the direction in which the path
+/// begins, and its length. \throw InvalidInput as tangent_axes(), and where the metric jumps at edges.
+VOROGEO_API LogMap log_map(const Surface& surface, const SurfacePoint& from,
+                           const LogMapOptions& options = {});
+
+struct ExpMapOptions {
+  bool slide = false;  ///< at a border, go on along it; otherwise a line ends there
+  ProgressFunction progress = {};
+};
+/// Where a line ends, and its length: less than was asked for where it met a border.
+struct TracedEnd {
+  SurfacePoint point;
+  double length = 0.0;
+};
+/// Straightest lines from points along vectors in the frames there, on all threads: of pairs, or of one point
+/// and each of the vectors. Through a vertex they go with half of its angle on either side. \throw
+/// InvalidInput as log_map(), and for vectors that are not finite.
+VOROGEO_API std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,
+                                           const std::vector<Tangent>& vectors,
+                                           const ExpMapOptions& options = {});
+
 }  // namespace v0
 }  // namespace vorogeo

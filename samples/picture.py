@@ -27,15 +27,18 @@ def draw(
     faces: ArrayLike,
     values: ArrayLike | None = None,
     regions: ArrayLike | None = None,
+    colors: ArrayLike | None = None,
     lines: object = None,
     points: ArrayLike | None = None,
 ) -> None:
-    """Write a picture: `values` of the vertices or `regions` of the faces as colours, polylines and points."""
+    """Write a picture: `values` of the vertices, `regions` or `colors` of the faces, polylines and points."""
     arrays = {"vertices": np.asarray(vertices), "faces": np.asarray(faces)}
     if values is not None:
         arrays["values"] = np.asarray(values)
     if regions is not None:
         arrays["colors"] = region_colors(arrays["faces"], np.asarray(regions))
+    if colors is not None:
+        arrays["colors"] = np.asarray(colors).astype(np.uint8)
     if lines is not None:
         arrays["line_points"], arrays["line_edges"] = lines.points, lines.edges
     if points is not None:

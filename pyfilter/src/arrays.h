@@ -34,6 +34,7 @@ template <class T, class Shape>
 using ArrayIn = nb::ndarray<const T, Shape, nb::c_contig, nb::device::cpu>;
 using IdArray = ArrayIn<Index, nb::shape<-1>>;
 using EdgeArray = ArrayIn<Index, nb::shape<-1, 2>>;
+using TangentArray = ArrayIn<double, nb::shape<-1, 2>>;
 using FaceArray = ArrayIn<Index, nb::shape<-1, 3>>;
 using ValueArray = ArrayIn<double, nb::shape<-1>>;
 using VertexArray = ArrayIn<double, nb::shape<-1, 3>>;

@@ -9,6 +9,7 @@
 #include "mesh/outliers.h"
 #include "support/file.h"
 #include "support/memory.h"
+#include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/neighbors.h"
@@ -136,6 +137,41 @@ auto relax(const TaskOptions& options, const HeldSurface& held, const PointArray
   return std::tuple(columns_of(held, found.points), std::move(found.energy));
 }
 
+// ---- Directions
+
+/// x axis, y axis and normal of each point.
+auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& points) {
+  std::vector<std::array<double, 9>> rows;
+  for (const auto& [x, y, normal] : tangent_axes(*held.surface, held.points(points))) {
+    rows.push_back({x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2]});
+  }
+  return std::tuple(std::move(rows));
+}
+
+/// Vectors and distances. Without `targets`, of all vertices.
+auto logarithms(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+                const OptionalPoints& targets, double max_distance) {
+  std::optional<PointList> ends;
+  if (targets) ends = held.points(*targets);
+  auto found = log_map(*held.surface, held.points(point)[0], ends, max_distance, options);
+  if (targets) return std::tuple(std::move(found.vector), std::move(found.distance));
+  const InputMap map(held.mesh());
+  return std::tuple(map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)));
+}
+
+/// Points and lengths of lines.
+auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+               const TangentArray& vectors, bool slides) {
+  PointColumns columns;
+  std::vector<double> lengths;
+  for (const TracedEnd& end : exp_map(*held.surface, held.points(points), rows_of<2>(vectors),
+                                      slides ? AtBorder::slide : AtBorder::end, options)) {
+    columns.add(held.mesh(), end.point);
+    lengths.push_back(end.length);
+  }
+  return std::tuple(std::move(columns), std::move(lengths));
+}
+
 }  // namespace
 
 void bind_tasks(nb::class_<HeldSurface>& surface) {
@@ -153,6 +189,9 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "eccentricity", &eccentricity);
   bind_question(surface, "extent", &extent);
   bind_question(surface, "relax", &relax);
+  bind_question(surface, "tangent_axes", &axes_at);
+  bind_question(surface, "log_map", &logarithms);
+  bind_question(surface, "exp_map", &line_ends);
 }
 
 // ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete

@@ -33,8 +33,8 @@ def _describe(value: Any, array: NDArray[Any]) -> str:
     return f"an array of {array.dtype}"
 
 
-def _triples(name: str, array: NDArray[Any], wanted: str) -> None:
-    if array.ndim != 2 or array.shape[1] != 3:
+def _triples(name: str, array: NDArray[Any], wanted: str, width: int = 3) -> None:
+    if array.ndim != 2 or array.shape[1] != width:
         raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
 
 
@@ -263,13 +263,13 @@ def real_values(name: str, value: ArrayLike) -> NDArray[np.float64]:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def positions(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Finite triples of real numbers as contiguous float64 of shape (k, 3); a single triple is treated as k = 1."""
-    wanted = "finite real numbers of shape (3,) or (k, 3)"
+def positions(name: str, value: ArrayLike, width: int = 3) -> NDArray[np.float64]:
+    """Finite rows of real numbers as contiguous float64 of shape (k, width); a single row is treated as k = 1."""
+    wanted = f"finite real numbers of shape ({width},) or (k, {width})"
     array = np.atleast_2d(numbers(name, value, wanted))
     if array.size == 0:
-        return np.empty((0, 3))
-    _triples(name, array, wanted)
+        return np.empty((0, width))
+    _triples(name, array, wanted, width)
     points = np.ascontiguousarray(array, dtype=np.float64)
     _finite(name, points, f"give {wanted}")
     return points

@@ -132,6 +132,39 @@ TEST(Library, PathsAreStraightLinesOnThePaper) {
   EXPECT_THROW(surface.paths({0, 0}, {1}), vorogeo::InvalidInput);
 }
 
+TEST(Library, DirectionsAreThoseOnThePaper) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  const int from = sheet.vertex(10, 11);
+  // The last face that has it runs on to its neighbour on the right.
+  const auto map = vorogeo::log_map(surface, from);
+  ASSERT_EQ(map.vector.size(), sheet.positions.size());
+  const auto ends = vorogeo::exp_map(surface, from, map.vector);
+  for (int j = 0; j <= squares; ++j) {
+    for (int i = 0; i <= squares; ++i) {
+      const int v = sheet.vertex(i, j);
+      EXPECT_NEAR(map.vector[v][0], (i - 10.0) / squares, 1e-12);
+      EXPECT_NEAR(map.vector[v][1], (j - 11.0) / squares, 1e-12);
+      EXPECT_NEAR(map.distance[v], sheet.flat_distance(from, v), 1e-12);
+      EXPECT_NEAR(ends[v].length, map.distance[v], 1e-12);
+      const auto end = surface.position(ends[v].point);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(end[k], sheet.positions[v][k], 1e-12);
+    }
+  }
+  const auto few = vorogeo::log_map(surface, from, {.targets = {0, {0, {0.5, 0.5, 0.0}}}, .limit = 0.5});
+  EXPECT_TRUE(std::isnan(few.vector[0][0]));
+  EXPECT_EQ(few.distance[1], unreachable);
+  const auto axes = vorogeo::tangent_axes(surface, from).front();
+  EXPECT_GT(axes.x[0], 0.5);
+  EXPECT_NEAR(axes.y[1], 1.0, 1e-12);
+  // Beyond the side of the sheet, a line ends on it or slides along it.
+  const std::vector<vorogeo::Tangent> out{{1.0, 0.5}};
+  const auto ended = vorogeo::exp_map(surface, from, out).front();
+  EXPECT_NEAR(ended.length, 14.0 / squares * std::hypot(1.0, 0.5), 1e-12);
+  EXPECT_NEAR(vorogeo::exp_map(surface, from, out, {.slide = true}).front().length, std::hypot(1.0, 0.5),
+              1e-12);
+}
+
 TEST(Library, PlacesInSpaceAreSnapped) {
   const Sheet sheet(squares);
   const Surface surface = surface_of(sheet);
