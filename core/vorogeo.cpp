@@ -41,7 +41,7 @@ using vorogeo::Query;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
 using vorogeo::SurfacePoint;
-using vorogeo::tangent_axes;
+using vorogeo::tangent_frames;
 using vorogeo::TaskOptions;
 using vorogeo::to_string;
 }  // namespace inner
@@ -625,10 +625,10 @@ Extent extent(const Surface& surface, int max_fields, const TaskOptions& options
 
 // ---- Directions
 
-std::vector<TangentAxes> tangent_axes(const Surface& surface, const PointList& points) {
+std::vector<TangentFrame> tangent_frames(const Surface& surface, const PointList& points) {
   return ask(surface, TaskOptions{}, [&](const Asked& at) {
-    std::vector<TangentAxes> out;
-    for (const auto& [x, y, normal] : inner::tangent_axes(at.surface, at.in(points))) {
+    std::vector<TangentFrame> out;
+    for (const auto& [x, y, normal] : inner::tangent_frames(at.surface, at.in(points))) {
       out.push_back({x, y, normal});
     }
     return out;

@@ -457,12 +457,12 @@ VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const Tas
 using Tangent = std::array<double, 2>;
 
 /// The axes of a frame, in space and of unit length.
-struct TangentAxes {
+struct TangentFrame {
   Point x{}, y{}, normal{};
 };
 /// Of surfaces without a metric. \throw InvalidInput where directions have no angles: at vertices without a
 /// fan of faces, on edges of three faces or more, in faces without area; names the place.
-VOROGEO_API std::vector<TangentAxes> tangent_axes(const Surface& surface, const PointList& points);
+VOROGEO_API std::vector<TangentFrame> tangent_frames(const Surface& surface, const PointList& points);
 
 struct LogMapOptions {
   PointList targets = {};      ///< empty: all vertices
@@ -474,7 +474,7 @@ struct LogMap {
   std::vector<double> distance;  ///< the lengths of these vectors
 };
 /// Exact shortest paths from a point, as vectors in its frame: each has the direction in which the path
-/// begins, and its length. \throw InvalidInput as tangent_axes(), and where the metric jumps at edges.
+/// begins, and its length. \throw InvalidInput as tangent_frames(), and where the metric jumps at edges.
 VOROGEO_API LogMap log_map(const Surface& surface, const SurfacePoint& from,
                            const LogMapOptions& options = {});
 

@@ -69,7 +69,8 @@ struct ExactLimits {
   /// With distances_only and none of targets, a corridor and face_allowed: this many threads share the run
   /// (see threads_for_field). Distances are equal up to rounding, and to the last bit for the same number.
   int threads = 1;
-  /// If set: first_leg() will be read; the frame is that of the only source, whose offset is 0.
+  /// If set: first_leg() will be read; the frame is that of the only source, whose offset is 0, and outlives
+  /// what is read of the run. Not with a merge_tolerance, whose windows have no angle at the source.
   const TangentFrame* directions = nullptr;
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   /// Otherwise the run has checkpoints.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "exact/exact_geometry.h"
@@ -55,7 +54,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
     const double distance = state.sources[source].offset +
                             distance_in_plane(plane.at(source_in_face(state, source, face)), target);
     if (!(distance < best.distance)) continue;
-    best = {distance, source, no_index, no_index, 0.0};
+    best = {.distance = distance, .source = source};
     if (state.directions != nullptr) best.first_leg = state.directions->angle_in_face(face, barycentric);
   }
   for (int i = 0; i < 3; ++i) {
@@ -63,13 +62,10 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
     if (barycentric[i] == 1.0 || avoided.contains(v)) continue;
     const double distance = state.vertices[v].distance + distance_in_plane(plane.corner[i], target);
     if (!(distance < best.distance)) continue;
-    const bool is_first = state.directions != nullptr && state.is_source(v);
-    best = {distance,
-            no_index,
-            v,
-            no_index,
-            0.0,
-            is_first ? state.directions->angle_in_face(face, barycentric) : state.vertices[v].first_leg};
+    best = {.distance = distance, .vertex = v};
+    if (state.directions == nullptr) continue;
+    best.first_leg =
+        state.is_source(v) ? state.directions->angle_in_face(face, barycentric) : state.vertices[v].first_leg;
   }
   for (int i = 0; i < 3; ++i) {
     if (barycentric[(i + 2) % 3] == 0.0) continue;  // a point on this edge is not reached across it
@@ -90,8 +86,10 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
       if (!(distance < best.distance)) continue;
       const double scale = state.geometry->scale_at(edge, at, distance, length);
       if (avoided.contains(h, at, same_place * scale)) continue;
-      best = {distance, no_index, no_index, h, at};
-      if (state.directions != nullptr) best.first_leg = FirstLeg::to(window, x, depth);
+      best = {.distance = distance, .halfedge = h, .x = at};
+      if (state.directions == nullptr) continue;
+      // Beside the window, as in the shadow of a vertex where that ends, the path turns at its end.
+      best.first_leg = at == straight ? FirstLeg::to(window, x, depth) : FirstLeg::to(window, at, 0.0);
     }
   }
   return best;
@@ -130,29 +128,29 @@ ExactSolver::State::Reached ExactSolver::State::reached_on_edge(const EdgePoint&
   return best;
 }
 
+namespace {
+
+/// Of a point in a face, within the greatest distance of the run; otherwise a step from nowhere.
+BackStep last_step(const ExactSolver::State& state, const SurfacePoint& target) {
+  state.require_windows();
+  BackStep best;
+  for_each_face_at(state.mesh, target, [&](Index face, const std::array<double, 3>& weights) {
+    const BackStep step = best_back_step(state, face, weights);
+    if (step.distance < best.distance) best = step;
+  });
+  return best.distance <= state.max_distance ? best : BackStep{};
+}
+
+}  // namespace
+
 double ExactSolver::distance(const SurfacePoint& point) const {
   const SurfacePoint target = validated(state_->mesh, point);
-  if (target.is_vertex()) return distance(target.vertex);
-  state_->require_windows();
-  double found = unreachable;
-  for_each_face_at(state_->mesh, target, [&](Index face, const std::array<double, 3>& weights) {
-    found = std::min(found, best_back_step(*state_, face, weights).distance);
-  });
-  return found <= state_->max_distance ? found : unreachable;
+  return target.is_vertex() ? distance(target.vertex) : last_step(*state_, target).distance;
 }
 
 double ExactSolver::first_leg(const SurfacePoint& point) const {
   const SurfacePoint target = validated(state_->mesh, point);
-  if (target.is_vertex()) return first_leg(target.vertex);
-  state_->require_windows();
-  BackStep best;
-  for_each_face_at(state_->mesh, target, [&](Index face, const std::array<double, 3>& weights) {
-    const BackStep step = best_back_step(*state_, face, weights);
-    if (step.distance < best.distance) best = step;
-  });
-  return best.distance <= state_->max_distance && best.distance < unreachable
-             ? best.first_leg
-             : std::numeric_limits<double>::quiet_NaN();
+  return target.is_vertex() ? first_leg(target.vertex) : last_step(*state_, target).first_leg;
 }
 
 // ---- Paths back to the source, one face at a time, through the windows that a run left

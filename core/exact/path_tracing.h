@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -40,7 +41,8 @@ struct BackStep {
   Index vertex = no_index;        ///< through this vertex
   Index halfedge = no_index;      ///< across this half-edge of the face, at position `x` of its edge
   double x = 0.0;
-  double first_leg = 0.0;  ///< in a run that finds directions
+  /// In a run that finds directions: the angle at the source at which the path begins.
+  double first_leg = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The best step back from a point given by barycentric coordinates in `face`, avoiding the places `avoided`.

@@ -28,11 +28,7 @@ void ExactSolver::State::emit(Index vertex, Index corner, double width, double l
   const VertexState& state = vertices[vertex];
   Window window =
       Window::from_source(length, frame.apex_x, frame.apex_depth, state.distance, opposite, state.source);
-  window.first_leg = state.first_leg;
-  if (directions != nullptr && is_source(vertex)) {
-    const EdgeView& seen = directions->view(opposite);
-    window.first_leg = FirstLeg::seen(seen.across, seen.sign);
-  }
+  window.first_leg = begins_at(vertex) ? first_leg_over(opposite) : state.first_leg;
   // A vertex that lies on the edge up to a negligible distance would see a sector through no part of the
   // edge.
   const bool is_on_edge = frame.apex_depth <= ExactGeometry::next_to_nothing * length;
@@ -110,8 +106,7 @@ void ExactSolver::State::take_vertex(Index vertex) {
       arrival = geometry->corner_begin[there];
       if (leaves == (geometry->begins_at_own_edge[there] != 0)) arrival += mesh.corner_angle(there);
     }
-    const bool is_first = directions != nullptr && is_source(vertex);
-    const double leg = is_first ? directions->angle_to(Mesh::face_of(side), other) : state.first_leg;
+    const double leg = begins_at(vertex) ? directions->angle_to(Mesh::face_of(side), other) : state.first_leg;
     reach_vertex(other, {distance, arrival, state.source, vertex, leg});
   });
   // A face that may not be entered acts like a border of the mesh: paths may bend around it.
@@ -144,10 +139,7 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
   const double length = mesh.edge_length(edge);
   Window window = Window::from_source(length, at_second * length + at_apex * frame.apex_x,
                                       at_apex * frame.apex_depth, source.offset, halfedge, id);
-  if (directions != nullptr) {
-    const EdgeView& seen = directions->view(halfedge);
-    window.first_leg = FirstLeg::seen(seen.across, seen.sign);
-  }
+  if (directions != nullptr) window.first_leg = first_leg_over(halfedge);
   add_window(edge, window);
 }
 

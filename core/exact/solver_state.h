@@ -187,6 +187,13 @@ struct ExactSolver::State {
     const VertexState& state = vertices[vertex];
     return state.along_edge_from == no_index && sources[state.source].point.vertex == vertex;
   }
+  /// Whether paths from a vertex have no first leg yet, in a run that finds directions. \pre It was reached.
+  bool begins_at(Index vertex) const { return directions != nullptr && is_source(vertex); }
+  /// Of a window in which the edge of a half-edge is seen from the source.
+  double first_leg_over(Index halfedge) const {
+    const EdgeView& seen = directions->view(halfedge);
+    return FirstLeg::seen(seen.across, seen.sign);
+  }
   void take_edge(Index edge);
   void close_edges_at(Index vertex);
   void close_edges_behind(double front);

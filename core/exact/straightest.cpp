@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -175,7 +176,10 @@ class Line {
         });
     if (is_done_) return;
     end_ = SurfacePoint::at_vertex(vertex);
-    is_done_ = !TangentFrame::exists_at(mesh_, vertex);
+    // Along a border, a line goes on where that is straight; round its bends only if it slides.
+    const bool bends = mesh_.fan(vertex) == Mesh::Fan::open &&
+                       std::abs(mesh_.total_angle(vertex) - std::numbers::pi) > along_border;
+    is_done_ = !TangentFrame::exists_at(mesh_, vertex) || (bends && at_border_ == AtBorder::end);
     if (is_done_) return;
     vertex_frame_.emplace(geometry_, SurfacePoint::at_vertex(vertex));
     onwards_ = vertex_frame_->angle_in_face(face, from) + 0.5 * vertex_frame_->full_turn();

@@ -22,8 +22,8 @@ struct TracedEnd {
 /// Traces from the point of a frame along a vector in it, for the vector's length. A line is straight in its
 /// faces and over their edges. Through a vertex it goes on with half the angle of the vertex on either side
 /// (Polthier, Schmies 1998); vertices on a border, those whose faces are no fan and edges of three faces or
-/// more count as borders. A vector of length 0 gives the point itself. \throw Cancelled.
-/// Complexity: O(faces crossed).
+/// more count as borders. A line along a border that does not slide ends where that bends. A vector of length
+/// 0 gives the point itself. \throw Cancelled. Complexity: O(faces crossed).
 TracedEnd trace(const TangentFrame& frame, const Tangent& vector, AtBorder at_border = AtBorder::end);
 
 }  // namespace vorogeo

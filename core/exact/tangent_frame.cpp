@@ -90,18 +90,13 @@ void TangentFrame::view_from_face() {
     double direction = 0.0;
     int orientation = 1;
     if (face != point_.face) {
-      const Index edge = [&] {
-        for (int i = 0; i < 3; ++i) {
-          if (weights[(i + 2) % 3] == 0.0) return mesh.edge_of(3 * face + i);
-        }
-        return no_index;
-      }();
+      while (weights[(known + 2) % 3] > 0.0) ++known;
+      const Index edge = mesh.edge_of(known);
       if (mesh.edge_face_count(edge) > 2) {
         refuse(name + " on its edge from vertex " + std::to_string(mesh.edge_vertices(edge)[0]) + " to " +
                    std::to_string(mesh.edge_vertices(edge)[1]),
                "three faces or more meet there");
       }
-      while (mesh.edge_of(known) != edge) ++known;
       const Index beside = mesh.next_around_edge(known);
       orientation = mesh.tail(beside) == mesh.tail(known) ? -1 : 1;
       direction = own[beside % 3] + (orientation > 0 ? pi : 0.0);

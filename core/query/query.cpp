@@ -1,8 +1,8 @@
 // Each question passed on to the solver of its method.
 #include "query/query.h"
 
+#include <algorithm>
 #include <array>
-#include <ranges>
 
 #include "query/surface.h"
 #include "support/parallel.h"
@@ -124,39 +124,30 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
   return index_paths_->exact_path(source, target, certify, landmarks.get());
 }
 
-namespace {
-
-/// What a solver has found of some points in a run with directions.
-template <class Points>
-LogMap log_map_of(const LocalSolver& solver, const TangentFrame& frame, const Points& points) {
-  LogMap found;
-  for (const auto& point : points) {
-    found.distance.push_back(solver.distance(point));
-    found.vector.push_back(frame.vector(solver.first_leg(point), found.distance.back()));
-  }
-  return found;
-}
-
-}  // namespace
-
 LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
                       int threads, const Progress& progress) {
   const std::array source{ExactSource{frame.point()}};
   // Points in faces need windows there, which a run that ends at vertices may not have.
   const bool only_vertices = !targets || targets->only_vertices();
   const std::vector<Index> vertices = targets && only_vertices ? targets->vertices() : std::vector<Index>{};
-  const bool is_shared = threads > 1 && !targets;
   const LocalSolver& solver =
       solved(source, {.max_distance = max_distance,
                       .targets = vertices,
                       .distances_only = only_vertices,
-                      .threads = is_shared ? threads_for_field(*surface_.mesh(), threads) : 1,
+                      .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
                       .directions = &frame,
                       .progress = progress ? &progress : nullptr});
-  if (!targets) {
-    return log_map_of(solver, frame, std::views::iota(Index{0}, surface_.mesh()->vertex_count()));
+  LogMap found;
+  const auto add = [&](const auto& point) {
+    found.distance.push_back(solver.distance(point));
+    found.vector.push_back(frame.vector(solver.first_leg(point), found.distance.back()));
+  };
+  if (targets) {
+    std::ranges::for_each(*targets, add);
+  } else {
+    for (Index v = 0; v < surface_.mesh()->vertex_count(); ++v) add(v);
   }
-  return only_vertices ? log_map_of(solver, frame, vertices) : log_map_of(solver, frame, *targets);
+  return found;
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

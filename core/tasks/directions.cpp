@@ -14,22 +14,20 @@ namespace {
 /// Lines handed to a thread at a time.
 constexpr std::size_t lines_at_once = 64;
 
-Index corner_of(const Mesh& mesh, const SurfacePoint& point) {
-  return point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
-}
-
+/// Which the surface keeps.
 const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
   const Mesh& mesh = *surface.mesh();
-  if (mesh.metric_jumps_in(mesh.component(corner_of(mesh, point)))) {
-    require_agreeing_faces(mesh, "Directions");
-  }
+  const auto geometry = surface.geometry();
+  const auto& flat = geometry->windows ? geometry->windows : geometry->agreeing;
+  const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
+  // A vertex without faces may be all that is left where the metric does not jump.
+  if (!flat || mesh.metric_jumps_in(mesh.component(corner))) require_agreeing_faces(mesh, "Directions");
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
                        ": with this metric, it is measured in parts; take a vertex.");
   }
-  const auto geometry = surface.geometry();
-  return geometry->windows ? *geometry->windows : *geometry->agreeing;
+  return *flat;
 }
 
 std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
@@ -40,14 +38,20 @@ std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
   return frames;
 }
 
+/// Answers are exact, without an index.
+void report(const TaskOptions& options, const Stopwatch& watch) {
+  if (options.answered == nullptr) return;
+  *options.answered = {};
+  options.answered->seconds = watch.seconds();
+}
+
 }  // namespace
 
-std::vector<std::array<Point, 3>> tangent_axes(Surface& surface, const PointList& points) {
+std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointList& points) {
   if (surface.mesh()->has_metric()) {
     throw InvalidInput(
         "With a metric, frames have no axes in space: angles are those of its lengths. Vectors in a frame "
-        "can "
-        "be had from the logarithmic map of vertices around the point.");
+        "can be had from the logarithmic map of vertices around the point.");
   }
   std::vector<std::array<Point, 3>> axes;
   for (const TangentFrame& frame : frames_at(surface, points)) {
@@ -68,13 +72,11 @@ LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<
   const TangentFrame frame = frames_at(surface, std::vector{point}).front();
   std::optional<PointList> ends;
   if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
-  Answered answered;
   const Stopwatch watch;
   LogMap found = surface.lend([&](Query& query) {
     return query.log_map(frame, ends, max_distance, surface.threads(), options.progress);
   });
-  answered.seconds = watch.seconds();
-  if (options.answered != nullptr) *options.answered = answered;
+  report(options, watch);
   return found;
 }
 
@@ -99,7 +101,7 @@ std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const 
       ends[i] = trace(frames[frames.size() == 1 ? 0 : i], vectors[i], at_border);
     }
   });
-  if (options.answered != nullptr) options.answered->seconds = watch.seconds();
+  report(options, watch);
   return ends;
 }
 

@@ -14,10 +14,10 @@ namespace vorogeo {
 /// InvalidInput for a point that is not on the mesh, or at which directions have no angles; in a face that
 /// the metric measures in parts; in a component where the metric jumps at edges; with any metric, as its
 /// angles are not those in space; where faces have no normal.
-std::vector<std::array<Point, 3>> tangent_axes(Surface& surface, const PointList& points);
+std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointList& points);
 
 /// The shortest paths from a point to some points, or to all vertices, as vectors in the frame there;
-/// distances above max_distance are `unreachable`. Always exact. \throw as tangent_axes(), but takes a
+/// distances above max_distance are `unreachable`. Always exact. \throw as tangent_frames(), but takes a
 /// metric; for `by` an index and for a negative distance; Cancelled. Complexity: that of an exact field, if
 /// all targets are vertices as far as they are.
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,

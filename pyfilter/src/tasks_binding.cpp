@@ -139,11 +139,11 @@ auto relax(const TaskOptions& options, const HeldSurface& held, const PointArray
 
 // ---- Directions
 
-/// x axis, y axis and normal of each point.
+/// Rows x axis, y axis and normal of each point.
 auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& points) {
-  std::vector<std::array<double, 9>> rows;
-  for (const auto& [x, y, normal] : tangent_axes(*held.surface, held.points(points))) {
-    rows.push_back({x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2]});
+  std::vector<Point> rows;
+  for (const auto& axes : tangent_frames(*held.surface, held.points(points))) {
+    rows.insert(rows.end(), axes.begin(), axes.end());
   }
   return std::tuple(std::move(rows));
 }
@@ -189,7 +189,7 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "eccentricity", &eccentricity);
   bind_question(surface, "extent", &extent);
   bind_question(surface, "relax", &relax);
-  bind_question(surface, "tangent_axes", &axes_at);
+  bind_question(surface, "tangent_frames", &axes_at);
   bind_question(surface, "log_map", &logarithms);
   bind_question(surface, "exp_map", &line_ends);
 }

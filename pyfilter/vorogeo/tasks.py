@@ -570,7 +570,7 @@ class Tasks:
             Of each point three rows. The normal of a vertex is the mean of those of its faces, weighted by their
             angles; its x axis is the sum of all edges, projected along the normal and each turned back by its angle.
         """
-        (axes,) = self._ask(self._shared.core.tangent_axes, self._rows("points", points), method="exact")
+        (axes,) = self._ask(self._shared.core.tangent_frames, self._rows("points", points), method="exact")
         frames: NDArray[np.float64] = axes.reshape(-1, 3, 3)
         return frames
 

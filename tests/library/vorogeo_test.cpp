@@ -154,7 +154,7 @@ TEST(Library, DirectionsAreThoseOnThePaper) {
   const auto few = vorogeo::log_map(surface, from, {.targets = {0, {0, {0.5, 0.5, 0.0}}}, .limit = 0.5});
   EXPECT_TRUE(std::isnan(few.vector[0][0]));
   EXPECT_EQ(few.distance[1], unreachable);
-  const auto axes = vorogeo::tangent_axes(surface, from).front();
+  const auto axes = vorogeo::tangent_frames(surface, from).front();
   EXPECT_GT(axes.x[0], 0.5);
   EXPECT_NEAR(axes.y[1], 1.0, 1e-12);
   // Beyond the side of the sheet, a line ends on it or slides along it.

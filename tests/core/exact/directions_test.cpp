@@ -280,8 +280,14 @@ TEST(Directions, AreThoseOfTheFirstLegsOfTracedPaths) {
     const test::Soup soup = shaken(even);
     for (const SurfacePoint& point : test::spread_points(soup)) {
       const From from(soup, point);
-      for (Index v = 0; v < from.mesh->vertex_count(); ++v) {
-        const auto path = from.solver.path_to_source(SurfacePoint::at_vertex(v)).points;
+      std::vector<SurfacePoint> targets;
+      for (Index v = 0; v < from.mesh->vertex_count(); ++v) targets.push_back(SurfacePoint::at_vertex(v));
+      // Some of the points in faces lie in the shadow of a corner, where a window ends.
+      for (Index f = 0; f < from.mesh->face_count(); ++f) {
+        targets.push_back(SurfacePoint::in_face(f, {0.2, 0.3, 0.5}));
+      }
+      for (const SurfacePoint& target : targets) {
+        const auto path = from.solver.path_to_source(target).points;
         if (path.size() < 2) continue;
         const SurfacePoint& leg = path[path.size() - 2];
         std::vector<double> angles;
@@ -293,10 +299,10 @@ TEST(Directions, AreThoseOfTheFirstLegsOfTracedPaths) {
         ASSERT_FALSE(angles.empty());
         double best = unreachable;
         for (const double angle : angles) {
-          best = std::min(best,
-                          std::abs(std::remainder(angle - from.solver.first_leg(v), from.frame.full_turn())));
+          best = std::min(
+              best, std::abs(std::remainder(angle - from.solver.first_leg(target), from.frame.full_turn())));
         }
-        EXPECT_LE(best, 1e-9) << name(from.point) << " to vertex " << v;
+        EXPECT_LE(best, 1e-9) << name(from.point) << " to " << name(target);
       }
     }
   }
@@ -382,6 +388,11 @@ TEST(Straightest, FromTheBorderOutwardsALineStaysOrSlides) {
   const TracedEnd stayed = trace(side.frame, out);
   EXPECT_EQ(stayed.point.vertex, 2);
   EXPECT_EQ(stayed.length, 0.0);
+  // Along the side to its end, or round the corner.
+  const Tangent right{0.8 * axes[0][0], 0.8 * axes[1][0]};
+  EXPECT_NEAR(trace(side.frame, right).length, 0.5, 1e-12);
+  expect_at(side.end(right), {1.0, 0.0, 0.0}, 1e-12, "along the side");
+  expect_at(side.end(right, AtBorder::slide), {1.0, 0.3, 0.0}, 1e-12, "round the corner");
   const double length = std::hypot(0.3, 0.1);
   expect_at(side.end(out, AtBorder::slide), {0.5 + length, 0.0, 0.0}, 1e-12, "slide from a vertex");
   std::array<double, 3> weights{};

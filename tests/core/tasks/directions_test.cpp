@@ -145,11 +145,16 @@ TEST(Directions, AreRefusedByName) {
             }),
             "There are 2 points and 1 vectors; give one vector for each, or one point.");
   Surface dear(with_vertex_cost(plane(), 2.0));
-  EXPECT_NE(test::refusal([&] { tangent_axes(dear, one); }).find("With a metric"), std::string::npos);
+  EXPECT_NE(test::refusal([&] { tangent_frames(dear, one); }).find("With a metric"), std::string::npos);
   std::vector<double> costs(plane().faces.size(), 1.0);
   costs[3] = 5.0;
   Surface jumps(test::with_costs(plane(), costs));
   EXPECT_NE(test::refusal([&] { log_map(jumps, from, {}, unreachable, {}); }).find("Directions need edges"),
+            std::string::npos);
+  const auto alone = test::with_isolated_vertex(plane(), {5.0, 5.0, 5.0});
+  Surface jumps_elsewhere(test::with_costs(alone, costs));
+  const auto last = SurfacePoint::at_vertex(static_cast<Index>(alone.positions.size()) - 1);
+  EXPECT_NE(test::refusal([&] { log_map(jumps_elsewhere, last, {}, unreachable, {}); }).find("need edges"),
             std::string::npos);
 }
 
