@@ -126,6 +126,7 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
 
 LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
                       int threads, const Progress& progress) {
+  if (targets && targets->empty()) return {};
   const std::array source{ExactSource{frame.point()}};
   // Points in faces need windows there, which a run that ends at vertices may not have.
   const bool only_vertices = !targets || targets->only_vertices();
