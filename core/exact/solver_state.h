@@ -72,8 +72,7 @@ struct Side {
             std::max(0.0, turned_y),
             window.offset,
             halfedge,
-            window.source,
-            window.first_leg};
+            window.source};
   }
 
   /// The same for a side whose positions count from the apex, without differences of large numbers: the
@@ -102,8 +101,7 @@ struct Side {
             std::max(0.0, turned_y),
             window.offset,
             halfedge,
-            window.source,
-            window.first_leg};
+            window.source};
   }
 
   Index halfedge;
