@@ -18,16 +18,15 @@ constexpr std::size_t lines_at_once = 64;
 const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
   const Mesh& mesh = *surface.mesh();
   const auto geometry = surface.geometry();
-  const auto& flat = geometry->windows ? geometry->windows : geometry->agreeing;
   const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
   // A vertex without faces may be all that is left where the metric does not jump.
-  if (!flat || mesh.metric_jumps_in(mesh.component(corner))) require_agreeing_faces(mesh, "Directions");
+  if (!geometry->windows || mesh.metric_jumps_in(mesh.component(corner))) require_agreeing_faces(mesh, "Directions");
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
                        ": with this metric, it is measured in parts; take a vertex.");
   }
-  return *flat;
+  return *geometry->windows;
 }
 
 std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
