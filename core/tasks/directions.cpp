@@ -20,7 +20,8 @@ const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point
   const auto geometry = surface.geometry();
   const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
   // A vertex without faces may be all that is left where the metric does not jump.
-  if (!geometry->windows || mesh.metric_jumps_in(mesh.component(corner))) require_agreeing_faces(mesh, "Directions");
+  if (!geometry->windows || mesh.metric_jumps_in(mesh.component(corner)))
+    require_agreeing_faces(mesh, "Directions");
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
