@@ -476,16 +476,24 @@ std::unique_ptr<IndexData> BuildFile::complete(const std::shared_ptr<const Mesh>
   require_same(out_->temporary(), index_);
   std::unique_ptr<IndexData> data;
   std::uint64_t end = 0;
-  try {
+  const auto read = [&] {
     IndexFileReader in(out_->temporary());
     data = read_index(in, out_->temporary(), mesh, TableStorage::mapped);
     end = in.end();
+  };
+  try {
+    read();
   } catch (const IndexFileError&) {
     return nullptr;
   }
   writing_index([&] {
-    // If the build was stopped in its last step, its records are still there.
-    if (out_->size() > end) out_->resize(end);
+    // If the build was stopped in its last step, its records are still there. Some systems cut no file that
+    // is mapped.
+    if (out_->size() > end) {
+      data.reset();
+      out_->resize(end);
+      read();
+    }
     out_->finish();
   });
   return data;

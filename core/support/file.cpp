@@ -1,13 +1,6 @@
 // Files: written whole or not at all, in one run or in several, and mapped; errors name the file.
 #include "support/file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -19,33 +12,29 @@
 #include <vector>
 
 #include "support/progress.h"
+#include "support/system.h"
 
 namespace vorogeo {
 
-// ---- Space by posix_fallocate
+// ---- Space, by zeros where the file system cannot reserve any
 
 namespace {
 
-bool is_full(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
-
 /// \return errno, or 0.
-int reserve_piece(int descriptor, std::int64_t begin, std::int64_t size) {
-  int error = 0;
-  do error = ::posix_fallocate(descriptor, begin, size);
-  while (error == EINTR);
+int reserve_piece(int descriptor, std::uint64_t begin, std::uint64_t size) {
+  int error = system::reserve(descriptor, begin, size);
   // File systems that cannot reserve say so in many ways; writing zeros finds out whether that was the
   // reason.
-  if (error == 0 || is_full(error)) return error;
-  struct stat found {};
-  if (::fstat(descriptor, &found) != 0) return errno;
+  if (error == 0 || system::is_full(error)) return error;
+  const std::int64_t found = system::size(descriptor);
+  if (found < 0) return static_cast<int>(-found);
   const std::vector<std::byte> zeros(std::size_t{1} << 20);
   // What the file has already stays as it is.
-  for (std::int64_t at = std::max<std::int64_t>(begin, found.st_size); at < begin + size;
-       at += static_cast<std::int64_t>(zeros.size())) {
+  for (std::uint64_t at = std::max(begin, static_cast<std::uint64_t>(found)); at < begin + size;
+       at += zeros.size()) {
     checkpoint();
-    const auto count = std::min<std::int64_t>(static_cast<std::int64_t>(zeros.size()), begin + size - at);
-    error = write_all(descriptor, std::span(zeros).first(static_cast<std::size_t>(count)),
-                      static_cast<std::uint64_t>(at));
+    const auto count = std::min<std::uint64_t>(zeros.size(), begin + size - at);
+    error = write_all(descriptor, std::span(zeros).first(count), at);
     if (error != 0) return error;
   }
   return 0;
@@ -57,9 +46,9 @@ int write_all(int descriptor, std::span<const std::byte> bytes, std::uint64_t of
   constexpr std::size_t max_bytes = std::size_t{1} << 30;  // a call takes less than 2 GiB
   while (!bytes.empty()) {
     const std::size_t size = std::min(bytes.size(), max_bytes);
-    const ssize_t done = ::pwrite(descriptor, bytes.data(), size, static_cast<off_t>(offset));
-    if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) return done == 0 ? ENOSPC : errno;
+    const std::int64_t done = system::write(descriptor, bytes.first(size), offset);
+    if (done == -EINTR) continue;
+    if (done <= 0) return done == 0 ? ENOSPC : static_cast<int>(-done);
     bytes = bytes.subspan(static_cast<std::size_t>(done));
     offset += static_cast<std::uint64_t>(done);
   }
@@ -67,22 +56,17 @@ int write_all(int descriptor, std::span<const std::byte> bytes, std::uint64_t of
 }
 
 int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes) {
-  struct statvfs disk {};
-  struct stat found {};
-  if (::fstatvfs(descriptor, &disk) == 0 && disk.f_blocks > 0 && ::fstat(descriptor, &found) == 0) {
-    const auto blocks = ::geteuid() == 0 ? disk.f_bfree : disk.f_bavail;
-    const auto size = static_cast<std::uint64_t>(found.st_size);
-    const std::uint64_t within = std::min(bytes, size - std::min(size, offset));
-    const std::uint64_t held =
-        std::min(within, std::uint64_t{512} * static_cast<std::uint64_t>(found.st_blocks));
+  const std::int64_t size = system::size(descriptor);
+  if (const auto space = system::space(descriptor); space && size >= 0) {
+    const std::uint64_t within = std::min(bytes, size - std::min<std::uint64_t>(size, offset));
+    const std::uint64_t held = std::min(within, space->taken);
     // Checked first, so that a file that cannot fit does not fill the disk for a while.
-    if (bytes > held && (bytes - held) / disk.f_frsize > blocks) return ENOSPC;
+    if (bytes > held && bytes - held > space->free) return ENOSPC;
   }
   constexpr std::uint64_t piece = std::uint64_t{1} << 30;  // so that a signal does not undo much
   for (std::uint64_t begin = 0; begin < bytes; begin += piece) {
     checkpoint();
-    const int error = reserve_piece(descriptor, static_cast<std::int64_t>(offset + begin),
-                                    static_cast<std::int64_t>(std::min(piece, bytes - begin)));
+    const int error = reserve_piece(descriptor, offset + begin, std::min(piece, bytes - begin));
     if (error != 0) return error;
   }
   return 0;
@@ -98,37 +82,31 @@ void fail_writing(const std::filesystem::path& file, const std::string& what, co
                   int error) {
   throw FileError(named_file(file, what) + " cannot be written: " + how_far + " (" + reason_of(error) +
                   "); " +
-                  (is_full(error) ? "free space or name a file on another disk."
-                                  : "check the disk or name another file."));
+                  (system::is_full(error) ? "free space or name a file on another disk."
+                                          : "check the disk or name another file."));
 }
 
-// ---- Mapping by the POSIX calls
+// ---- A file as read-only memory
 
 MappedFile::MappedFile(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw std::system_error(errno, std::generic_category());
-  struct stat found {};
-  int error = ::fstat(descriptor, &found) == 0 ? 0 : errno;
-  const auto size = static_cast<std::size_t>(found.st_size);
-  if (error == 0 && size > 0) {
-    // Private, as some network and FUSE file systems refuse shared mappings; pages that are only read are
-    // shared in both.
-    void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (begin == MAP_FAILED) {
-      error = errno;
-    } else {
-      bytes_ = {static_cast<const std::byte*>(begin), size};
-    }
+  const int descriptor = system::open(file, system::Opening::reading);
+  if (descriptor < 0) throw std::system_error(-descriptor, std::generic_category());
+  const std::int64_t size = system::size(descriptor);
+  try {
+    if (size < 0) throw std::system_error(static_cast<int>(-size), std::generic_category());
+    if (size > 0) bytes_ = system::map(descriptor, static_cast<std::size_t>(size), false);
+  } catch (...) {
+    system::close(descriptor);
+    throw;
   }
-  ::close(descriptor);
-  if (error != 0) throw std::system_error(error, std::generic_category());
+  system::close(descriptor);
 }
 
 MappedFile::~MappedFile() {
-  if (!bytes_.empty()) ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+  if (!bytes_.empty()) system::unmap(bytes_);
 }
 
-// ---- Temporary files with a lock (flock), and the rename at the end
+// ---- Temporary files with a lock, and the rename at the end
 
 namespace fs = std::filesystem;
 
@@ -139,8 +117,6 @@ constexpr const char* ending = ".part";
 constexpr const char* kept_ending = ".unfinished";
 constexpr std::size_t longest_name = 255;  ///< in bytes, of every usual file system
 constexpr int max_links = 40;              ///< as in the kernel
-/// What is brought to the disk between two checkpoints.
-[[maybe_unused]] constexpr std::uint64_t bytes_per_sync = std::uint64_t{1} << 23;
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -150,7 +126,17 @@ fs::path folder_of(const fs::path& file) {
 /// long.
 std::string prefix_of(const fs::path& target) {
   const std::string name = target.filename().string();
-  return name.substr(0, longest_name - std::string(mark).size() - 8 - std::string(ending).size()) + mark;
+  std::size_t size = longest_name - std::string(mark).size() - 8 - std::string(ending).size();
+  while (size < name.size() && (name[size] & 0xc0) == 0x80) --size;  // inside a character
+  return name.substr(0, size) + mark;
+}
+
+/// The name of a new temporary of a target.
+fs::path temporary_of(const fs::path& target) {
+  std::random_device random;
+  std::array<char, 9> number{};
+  std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
+  return folder_of(target) / (prefix_of(target) + number.data() + ending);
 }
 
 /// Where a chain of symbolic links ends, whether that exists or not.
@@ -160,18 +146,6 @@ fs::path end_of_links(fs::path file) {
     file = folder_of(file) / fs::read_symlink(file, error);  // an absolute link replaces the folder
   }
   return file;
-}
-
-/// Renames a file unless another one has its new name. \return errno, or 0.
-int rename_to_free_name(const fs::path& from, const fs::path& to) {
-#ifdef __linux__
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return errno;
-#endif
-  // File systems that cannot do both in one step.
-  std::error_code error;
-  if (fs::exists(fs::symlink_status(to, error))) return EEXIST;
-  return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 }  // namespace
@@ -187,8 +161,8 @@ fs::path output_target(const fs::path& file, const std::string& what) {
     if (error || !fs::equivalent(file, target, error)) {
       throw InvalidInput(name + " is a link to a file without a name; name a plain file.");
     }
-    if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
-      throw FileError(name + " cannot be written (" + reason_of(errno) +
+    if (const int refused = system::check_writable(target); refused != 0) {
+      throw FileError(name + " cannot be written (" + reason_of(refused) +
                       "); change its permissions or name another file.");
     }
     return target;
@@ -206,21 +180,17 @@ fs::path output_target(const fs::path& file, const std::string& what) {
 
 class OutputFile::Mapping {
  public:
-  Mapping(int descriptor, std::size_t size) : size_(size) {
-    void* begin = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
-    if (begin == MAP_FAILED) throw std::system_error(errno, std::generic_category());
-    begin_ = static_cast<std::byte*>(begin);
+  Mapping(int descriptor, std::size_t size) : bytes_(system::map(descriptor, size, true)) {}
+  ~Mapping() {
+    if (!bytes_.empty()) system::unmap(bytes_);
   }
-  ~Mapping() { ::munmap(begin_, size_); }
   Mapping(const Mapping&) = delete;
   Mapping& operator=(const Mapping&) = delete;
 
-  std::span<std::byte> bytes() const { return {begin_, size_}; }
-  void make_read_only() { ::mprotect(begin_, size_, PROT_READ); }
+  std::span<std::byte>& bytes() { return bytes_; }
 
  private:
-  std::byte* begin_ = nullptr;
-  std::size_t size_;
+  std::span<std::byte> bytes_;
 };
 
 OutputFile::OutputFile(const fs::path& file, std::string what, Unfinished unfinished)
@@ -231,19 +201,12 @@ OutputFile::OutputFile(const fs::path& file, std::string what, Unfinished unfini
   }
   remove_leftovers();
   open_temporary();
-  struct stat old {};
-  if (::stat(target_.c_str(), &old) == 0) {
-    // The new file gets the owner of the old one, if this user may give files away.
-    [[maybe_unused]] const int refused = ::fchown(descriptor_, old.st_uid, old.st_gid);
-    ::fchmod(descriptor_, old.st_mode & 07777);
-  }
+  system::copy_rights(target_, descriptor_);
 }
 
 OutputFile::~OutputFile() {
-  struct stat found {};
-  const bool has_contents = ::fstat(descriptor_, &found) == 0 && found.st_size > 0;
-  if (unfinished_ == Unfinished::removed || !has_contents) discard();
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (unfinished_ == Unfinished::removed || system::size(descriptor_) <= 0) discard();
+  system::close(descriptor_);
 }
 
 void OutputFile::remove_leftovers() const {
@@ -252,32 +215,28 @@ void OutputFile::remove_leftovers() const {
   for (fs::directory_iterator at(folder_of(target_), error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
     if (!name.starts_with(prefix) || !name.ends_with(ending)) continue;
-    const int other = ::open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    const int other = system::open(at->path(), system::Opening::existing);
     if (other < 0) continue;
-    if (::flock(other, LOCK_EX | LOCK_NB) == 0) ::unlink(at->path().c_str());
-    ::close(other);
+    std::error_code stays;
+    if (system::lock(other) == 0) fs::remove(at->path(), stays);
+    system::close(other);
   }
 }
 
 void OutputFile::open_temporary() {
-  std::random_device random;
   // Another process that cleans up may remove the file before it is locked; then another one is made.
   for (int attempt = 0; attempt < 100; ++attempt) {
-    std::array<char, 9> number{};
-    std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
-    temporary_ = folder_of(target_) / (prefix_of(target_) + number.data() + ending);
-    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno == EEXIST) continue;
+    temporary_ = temporary_of(target_);
+    descriptor_ = system::open(temporary_, system::Opening::made);
+    if (descriptor_ == -EEXIST) continue;
     if (descriptor_ < 0) {
-      const int error = errno;
       temporary_.clear();
-      refuse("cannot be written (" + reason_of(error) +
+      refuse("cannot be written (" + reason_of(-descriptor_) +
              "); check that its folder may be written to, or name another file.");
     }
-    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // where there are no locks, leftovers stay
+    system::lock(descriptor_);  // where there are no locks, leftovers stay
     if (has_its_name()) return;
-    ::close(descriptor_);
-    descriptor_ = -1;
+    system::close(descriptor_);
   }
   temporary_.clear();
   refuse("cannot be written: no temporary file can be made; try again.");
@@ -289,14 +248,14 @@ void OutputFile::open_kept() {
   output_target(name, what_);
   // Whoever held the lock may have renamed or removed the file before it was free.
   do {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0) system::close(descriptor_);
+    descriptor_ = system::open(name, system::Opening::existing_or_made);
     if (descriptor_ < 0) {
-      throw FileError(named_file(name, what_) + " cannot be written (" + reason_of(errno) +
+      throw FileError(named_file(name, what_) + " cannot be written (" + reason_of(-descriptor_) +
                       "); check that its folder may be written to, or name another file.");
     }
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor_);
+    if (system::lock(descriptor_) == EWOULDBLOCK) {
+      system::close(descriptor_);
       throw FileError(named_file(name, what_) +
                       " is being written by another process; wait for it or name another file.");
     }
@@ -304,12 +263,7 @@ void OutputFile::open_kept() {
   } while (!has_its_name());
 }
 
-bool OutputFile::has_its_name() const {
-  struct stat own {};
-  struct stat named {};
-  return ::fstat(descriptor_, &own) == 0 && ::lstat(temporary_.c_str(), &named) == 0 &&
-         own.st_dev == named.st_dev && own.st_ino == named.st_ino;
-}
+bool OutputFile::has_its_name() const { return system::has_name(descriptor_, temporary_); }
 
 void OutputFile::refuse(const std::string& what) const {
   throw FileError(named_file(file_, what_) + " " + what);
@@ -320,20 +274,22 @@ void OutputFile::fail(const std::string& how_far, int error) const {
 }
 
 std::uint64_t OutputFile::size() const {
-  struct stat found {};
-  if (::fstat(descriptor_, &found) != 0) fail("its size cannot be read", errno);
-  return static_cast<std::uint64_t>(found.st_size);
+  const std::int64_t bytes = system::size(descriptor_);
+  if (bytes < 0) fail("its size cannot be read", static_cast<int>(-bytes));
+  return static_cast<std::uint64_t>(bytes);
 }
 
 std::string OutputFile::head(std::size_t bytes) const {
   std::string text(bytes, '\0');
-  const ssize_t found = ::pread(descriptor_, text.data(), bytes, 0);
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, found)));
+  const std::int64_t found = system::read(descriptor_, std::as_writable_bytes(std::span(text)), 0);
+  text.resize(static_cast<std::size_t>(std::max<std::int64_t>(0, found)));
   return text;
 }
 
 void OutputFile::resize(std::uint64_t bytes) {
-  if (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0) fail("its size cannot be changed", errno);
+  std::span<std::byte> unmapped;
+  const int error = system::resize(descriptor_, bytes, mapping_ ? mapping_->bytes() : unmapped);
+  if (error != 0) fail("its size cannot be changed", error);
 }
 
 void OutputFile::reserve(std::uint64_t offset, std::uint64_t bytes) {
@@ -350,6 +306,12 @@ void OutputFile::map() {
     refuse("cannot be mapped to memory (" + error.code().message() +
            "); build the index in memory and save it there, or name a file on another disk.");
   }
+}
+
+std::intptr_t OutputFile::duplicate() const {
+  const std::intptr_t handle = system::duplicate(descriptor_);
+  if (handle < 0) fail("it cannot be opened again", static_cast<int>(-handle));
+  return handle;
 }
 
 std::span<std::byte> OutputFile::mapped() const {
@@ -369,33 +331,21 @@ void OutputFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {
 }
 
 void OutputFile::sync() {
-#ifdef __linux__
-  // Piece by piece, so that the whole takes no single call of minutes.
-  const std::uint64_t end = size();
-  for (std::uint64_t at = 0; at < end; at += bytes_per_sync) {
-    checkpoint();
-    ::sync_file_range(descriptor_, static_cast<off_t>(at), static_cast<off_t>(bytes_per_sync),
-                      SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
-  }
-#endif
   // A network file system may notice only here that it is full.
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("it did not reach the disk", errno);
+  if (const int error = system::sync(descriptor_, mapped()); error != 0)
+    fail("it did not reach the disk", error);
 }
 
 void OutputFile::finish() {
-  if (mapping_) mapping_->make_read_only();
+  if (mapping_) system::make_read_only(mapping_->bytes());
   sync();
   const bool is_kept = unfinished_ == Unfinished::kept;
   if (is_kept && !has_its_name()) {
     throw FileError(named_file(temporary_, what_) +
                     " was removed or replaced while it was being written: build the index again.");
   }
-  int error = 0;
-  if (is_kept) {
-    error = rename_to_free_name(temporary_, target_);
-  } else if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
-    error = errno;
-  }
+  const int error = is_kept ? system::rename_to_free_name(temporary_, target_)
+                            : system::replace(temporary_, target_, temporary_of(target_));
   if (error == 0) {
     temporary_.clear();
     return;
@@ -408,7 +358,8 @@ void OutputFile::finish() {
 }
 
 void OutputFile::discard() noexcept {
-  if (!temporary_.empty() && has_its_name()) ::unlink(temporary_.c_str());
+  std::error_code stays;
+  if (!temporary_.empty() && has_its_name()) fs::remove(temporary_, stays);
   temporary_.clear();
 }
 

@@ -103,7 +103,7 @@ class SharedArray {
 /// if it may not be written to.
 std::filesystem::path output_target(const std::filesystem::path& file, const std::string& what);
 
-/// Writes to a file next to the target and renames it at the end. It holds a lock (flock) as long as its
+/// Writes to a file next to the target and renames it at the end. It holds a lock as long as its
 /// writer lives, where the file system has locks. Not thread-safe, except for writing to different places of
 /// the mapped memory.
 class OutputFile {
@@ -141,6 +141,9 @@ class OutputFile {
   void reserve(std::uint64_t offset, std::uint64_t bytes);
   /// Maps all of it to memory that can be written. \throw FileError if the file system cannot.
   void map();
+  /// Another handle of the open file, which the caller closes: a descriptor, on Windows a HANDLE. \throw
+  /// FileError.
+  std::intptr_t duplicate() const;
   /// Empty if it is not mapped.
   std::span<std::byte> mapped() const;
   /// What keeps it mapped, also beyond the life of this object. Call after map().

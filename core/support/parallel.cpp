@@ -1,11 +1,10 @@
-// Work shared by threads, scratch memory for each worker, and the processor time of a thread.
+// Threads: workers take items from a shared counter, the caller works along and reports progress.
 #include "support/parallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -15,16 +14,6 @@
 #include "support/progress.h"
 
 namespace vorogeo {
-
-// ---- The clock of POSIX for the calling thread
-
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// ---- Threads: workers take items from a shared counter, the caller works along and reports progress
 
 int resolve_thread_count(int requested) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
