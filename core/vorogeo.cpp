@@ -19,7 +19,11 @@
 #include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
+#include "tasks/girth.h"
+#include "tasks/loops.h"
 #include "tasks/neighbors.h"
+#include "tasks/path_through.h"
+#include "tasks/profile.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -37,6 +41,7 @@ using vorogeo::isolines;
 using vorogeo::log_map;
 using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
+using vorogeo::profile;
 using vorogeo::Query;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
@@ -544,6 +549,60 @@ NearestOfSet nearest(const Surface& surface, const PointList& set, const PointLi
   return ask(surface, options, [&](const Asked& at) {
     auto found = nearest_of_set(at.surface, at.in(set), at.in(queries), count, at.options);
     return NearestOfSet{std::move(found.position), std::move(found.distance)};
+  });
+}
+
+Path path_through(const Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {
+  return ask(surface, options, [&](Asked& at) {
+    at.options.answered = &at.answered;
+    return path_out(at.mesh, path_through(at.surface, at.in(points), closed, at.options), at.answered);
+  });
+}
+
+Path tighten(const Surface& surface, const PointList& curve, const TaskOptions& options) {
+  return ask(surface, options, [&](Asked& at) {
+    at.options.answered = &at.answered;
+    return path_out(at.mesh, tighten(at.surface, at.in(curve), at.options), at.answered);
+  });
+}
+
+Path shortest_loop(const Surface& surface, const SurfacePoint& point, const PointList& curve,
+                   const TaskOptions& options) {
+  return ask(surface, options, [&](Asked& at) {
+    at.options.answered = &at.answered;
+    return path_out(at.mesh, shortest_loop(at.surface, at.in(point), at.in(curve), at.options), at.answered);
+  });
+}
+
+namespace {
+
+Girth girth_of(const Surface& surface, const SurfacePoint& point, const std::optional<Point>& normal,
+               const TaskOptions& options) {
+  return ask(surface, options, [&](Asked& at) {
+    at.options.answered = &at.answered;
+    auto found = girth(at.surface, at.in(point), normal, at.options);
+    return Girth{found.normal, path_out(at.mesh, {std::move(found.section), false}, {}),
+                 std::move(found.tape), found.tape_length,
+                 path_out(at.mesh, {std::move(found.loop), false}, at.answered)};
+  });
+}
+
+}  // namespace
+
+Girth girth(const Surface& surface, const SurfacePoint& point, const Point& normal,
+            const TaskOptions& options) {
+  return girth_of(surface, point, normal, options);
+}
+
+Girth girth(const Surface& surface, const SurfacePoint& point, const TaskOptions& options) {
+  return girth_of(surface, point, std::nullopt, options);
+}
+
+Profile profile(const Surface& surface, const Path& path, const Point& up) {
+  return translated([&] {
+    const Mesh& mesh = *surface.state().mesh;
+    auto found = inner::profile(mesh, points_in(mesh, path.surface_points), up);
+    return Profile{std::move(found.along), std::move(found.height), std::move(found.angle)};
   });
 }
 

@@ -365,6 +365,43 @@ struct NearestOfSet {
 VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                                  std::size_t count, const TaskOptions& options = {});
 
+/// The shortest path through points in this order, each leg exact; `closed`: and back to the first. Where all
+/// legs are certified, so is the path. \throw InvalidInput for fewer than two points, or two that no path
+/// joins.
+VOROGEO_API Path path_through(const Surface& surface, const PointList& points, bool closed = false,
+                              const TaskOptions& options = {});
+
+/// The closed geodesic that a closed curve through these points is pulled to, without crossing a border: the
+/// shortest near it, which need not be the shortest of all that go round like it. Points that share no face
+/// are joined by shortest paths. \throw InvalidInput for a curve that slips off, naming where.
+VOROGEO_API Path tighten(const Surface& surface, const PointList& curve, const TaskOptions& options = {});
+/// The shortest loop through a point that cannot be contracted to it; with a curve, a shortest one near it
+/// that goes round like the curve. \throw InvalidInput where every loop contracts.
+VOROGEO_API Path shortest_loop(const Surface& surface, const SurfacePoint& point, const PointList& curve = {},
+                               const TaskOptions& options = {});
+
+/// How far it is round a limb. Lengths of section and tape are in space, whatever the metric.
+struct Girth {
+  Point normal{};           ///< of the plane
+  Path section;             ///< where the plane cuts the surface, from the point round to it
+  std::vector<Point> tape;  ///< corners of the section's convex hull, in order
+  double tape_length = 0.0;
+  Path loop;  ///< the section pulled tight; one point, of length 0, where it slips off, which `remark` says
+};
+/// At a point, by the plane with this normal, of any length; without one by that of the shortest closed
+/// section through the normal of the surface. \throw InvalidInput for a section that meets a border.
+VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const Point& normal,
+                        const TaskOptions& options = {});
+VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const TaskOptions& options = {});
+
+/// By point of a path.
+struct Profile {
+  std::vector<double> along;   ///< length of the path up to the point
+  std::vector<double> height;  ///< of the point in the direction `up`
+  std::vector<double> angle;   ///< of the surface's normal with `up`, in radians
+};
+VOROGEO_API Profile profile(const Surface& surface, const Path& path, const Point& up = {0.0, 0.0, 1.0});
+
 /// Polylines on a surface: each segment joins two of the points.
 struct SurfaceLines {
   std::vector<Point> points;

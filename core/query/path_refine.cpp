@@ -133,10 +133,15 @@ bool PathRefiner::try_other_sides() {
   return false;
 }
 
-double PathRefiner::refine(const FaceStrip& strip) {
-  tried_.clear();
+double PathRefiner::tighten(const FaceStrip& strip) {
   line_.assign(strip);
   straighten();
+  return line_.length();
+}
+
+double PathRefiner::refine(const FaceStrip& strip) {
+  tried_.clear();
+  tighten(strip);
   // This loop ends: each round tries at least one more vertex, and at most max_trials are tried.
   while (try_other_sides()) {
   }

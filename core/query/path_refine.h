@@ -20,6 +20,9 @@ class PathRefiner {
 
   /// \return the length of the line in the shortened strip.
   double refine(const FaceStrip& strip);
+  /// Without trying vertices on their other side: the geodesic to which the strip's line is pulled, though
+  /// there may be a shorter one beside it.
+  double tighten(const FaceStrip& strip);
   /// The line last refined: points on edges, at vertices, and the two ends; its length is measured along
   /// these where unfolding may have lost it.
   SurfacePath path() const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "exact/surface_path.h"
 #include "mesh/surface_locator.h"
 #include "progress_bridge.h"
 #include "query/surface.h"
@@ -42,6 +43,33 @@ struct HeldSurface {
 inline std::vector<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
   return InputMap(*held.mesh).of_faces(of_face, held.input_faces);
 }
+
+/// Paths for Python, collected without the GIL: lengths, certified, where the points of each path begin,
+/// positions, the points on the surface, and which of them begin a step over a gap.
+class PathArrays {
+ public:
+  void add(const Mesh& mesh, const ExactPath& one) {
+    lengths_.push_back(one.path.length);
+    certified_.push_back(one.certified ? 1 : 0);
+    for (const SurfacePoint& point : one.path.points) {
+      positions_.push_back(position_of(mesh, point));
+      columns_.add(mesh, point);
+    }
+    for (const bool over : steps_over_gaps(mesh, one.path.points)) over_gap_.push_back(over ? 1 : 0);
+    begin_.push_back(static_cast<std::int64_t>(positions_.size()));
+  }
+  auto take() {
+    return std::tuple(std::move(lengths_), std::move(certified_), std::move(begin_), std::move(positions_),
+                      std::move(columns_), std::move(over_gap_));
+  }
+
+ private:
+  std::vector<double> lengths_{};
+  std::vector<Index> certified_{}, over_gap_{};
+  std::vector<std::int64_t> begin_{0};
+  std::vector<Point> positions_{};
+  PointColumns columns_{};
+};
 
 /// What answered: by, seconds, index_seconds, remark.
 using About = std::tuple<std::string, double, double, std::string>;

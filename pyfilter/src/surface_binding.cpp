@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "bindings.h"
-#include "exact/surface_path.h"
 #include "index/geodesic_index.h"
 #include "query/landmarks.h"
 
@@ -118,30 +117,15 @@ auto distances(const TaskOptions& how, const HeldSurface& self, const PointArray
   return std::tuple(self.surface->distances({sources, targets}, how.by, *how.answered, how.progress));
 }
 
-/// Lengths, certified, where the points of each path begin, positions, the points on the surface, and which
-/// of them begin a step over a gap.
 auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
            const PointArrays& target, bool exact, bool certify) {
-  const Mesh& mesh = self.mesh();
   const PointList sources = self.points(source), targets = self.points(target);
-  std::vector<double> lengths;
-  std::vector<Index> certified, over_gap;
-  std::vector<std::int64_t> begin{0};
-  std::vector<Point> positions;
-  PointColumns columns;
+  PathArrays arrays;
   for (const ExactPath& one :
        self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress)) {
-    lengths.push_back(one.path.length);
-    certified.push_back(one.certified ? 1 : 0);
-    for (const SurfacePoint& point : one.path.points) {
-      positions.push_back(position_of(mesh, point));
-      columns.add(mesh, point);
-    }
-    for (const bool over : steps_over_gaps(mesh, one.path.points)) over_gap.push_back(over ? 1 : 0);
-    begin.push_back(static_cast<std::int64_t>(positions.size()));
+    arrays.add(self.mesh(), one);
   }
-  return std::tuple(std::move(lengths), std::move(certified), std::move(begin), std::move(positions),
-                    std::move(columns), std::move(over_gap));
+  return arrays.take();
 }
 
 /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,

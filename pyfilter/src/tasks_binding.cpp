@@ -12,7 +12,11 @@
 #include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
+#include "tasks/girth.h"
+#include "tasks/loops.h"
 #include "tasks/neighbors.h"
+#include "tasks/path_through.h"
+#include "tasks/profile.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -63,6 +67,47 @@ auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArr
              const PointArrays& queries, std::size_t count) {
   auto found = nearest_of_set(*held.surface, held.points(set), held.points(queries), count, options);
   return std::tuple(std::move(found.position), std::move(found.distance));
+}
+
+// ---- Curves
+
+auto through(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, bool closed) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), path_through(*held.surface, held.points(points), closed, options));
+  return arrays.take();
+}
+
+auto tight(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), tighten(*held.surface, held.points(curve), options));
+  return arrays.take();
+}
+
+/// `curve`: no points if there is none.
+auto loop_through(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+                  const PointArrays& curve) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), shortest_loop(*held.surface, held.points(point)[0], held.points(curve), options));
+  return arrays.take();
+}
+
+/// Section and loop as paths, the normal, the tape and its length. (x, y, z): the normal, if it is given.
+auto girth_at(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double x,
+              double y, double z, bool is_given) {
+  auto found = girth(*held.surface, held.points(point)[0],
+                     is_given ? std::optional(Point{x, y, z}) : std::nullopt, options);
+  PathArrays arrays;
+  arrays.add(held.mesh(), {std::move(found.section), false});
+  arrays.add(held.mesh(), {std::move(found.loop), false});
+  return std::tuple_cat(arrays.take(),
+                        std::tuple(std::vector<double>(found.normal.begin(), found.normal.end()),
+                                   std::move(found.tape), found.tape_length));
+}
+
+auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double x, double y,
+                double z) {
+  auto found = profile(held.mesh(), held.points(path), {x, y, z});
+  return std::tuple(std::move(found.along), std::move(found.height), std::move(found.angle));
 }
 
 // ---- Regions, samplings, lines and measures
@@ -181,6 +226,11 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "fill_fields", &fill_fields<float>);
   bind_question(surface, "pairs_within", &within);
   bind_question(surface, "nearest", &nearest);
+  bind_question(surface, "path_through", &through);
+  bind_question(surface, "tighten", &tight);
+  bind_question(surface, "shortest_loop", &loop_through);
+  bind_question(surface, "girth", &girth_at);
+  bind_question(surface, "profile", &profile_of);
   bind_question(surface, "voronoi", &voronoi);
   surface.def("isolines", &isolines_of);
   bind_question(surface, "sample_farthest", &farthest);

@@ -46,11 +46,13 @@ from .results import Disk as Disk
 from .results import Extent as Extent
 from .results import FarthestSamples as FarthestSamples
 from .results import GeodesicPath as GeodesicPath
+from .results import Girth as Girth
 from .results import IndexEstimate as IndexEstimate
 from .results import IndexStatistics as IndexStatistics
 from .results import Isolines as Isolines
 from .results import MeshArrays as MeshArrays
 from .results import Polylines as Polylines
+from .results import Profile as Profile
 from .results import RelaxedPoints as RelaxedPoints
 from .results import SparseDistances as SparseDistances
 from .results import VoronoiRegions as VoronoiRegions

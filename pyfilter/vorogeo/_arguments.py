@@ -275,6 +275,15 @@ def positions(name: str, value: ArrayLike, width: int = 3) -> NDArray[np.float64
     return points
 
 
+def direction(name: str, value: ArrayLike) -> tuple[float, float, float]:
+    """A vector of shape (3,) that is not 0."""
+    found = positions(name, value)
+    if found.shape != (1, 3) or not found.any():
+        raise InvalidInput(f"{name}: is {np.asarray(value).tolist()}; give three numbers that are not all 0.")
+    x, y, z = found[0].tolist()
+    return x, y, z
+
+
 def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:
     """Offsets of the sources as float64 of shape (count,), finite and not negative; zeros for None."""
     if value is None:

@@ -222,3 +222,23 @@ class GeodesicPath:
         if not len(self.points):
             return pyvista.PolyData()
         return pyvista.PolyData(self.points, lines=np.r_[len(self.points), np.arange(len(self.points))])
+
+
+@documented
+@dataclass(frozen=True)
+class Girth:
+    """Three lengths round a limb; those of section and tape are in space, whatever the metric."""
+
+    section: GeodesicPath = doc("Where the plane cuts the surface: from the point round to it.")
+    tape: Polylines = doc("The convex hull of the section, as a tape measure lies.")
+    loop: GeodesicPath = doc("The section pulled tight to a closed geodesic; a point of length 0 where it slips off.")
+    normal: NDArray[np.float64] = doc("Shape (3,). Of the plane, of length 1.")
+
+
+@documented
+class Profile(NamedTuple):
+    """What lies along a path, by its p points."""
+
+    length: Annotated[NDArray[np.float64], "Shape (p,). Of the path up to the point."]
+    height: Annotated[NDArray[np.float64], "Shape (p,). Of the point, in the direction `up`."]
+    angle: Annotated[NDArray[np.float64], "Shape (p,). Of the normal with `up`, in radians: 0 on level ground."]

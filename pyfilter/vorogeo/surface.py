@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from . import points as point_lists
+from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
 from .points import Points, Sources, SurfacePoints
 from .progress import ProgressFunction, reporter
-from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics
+from .results import Answered, GeodesicPath, Girth, IndexEstimate, IndexStatistics, Polylines, Profile
 from .tasks import METHODS, Shared, Tasks
 
 _Kind = TypeVar("_Kind", bound="Surface")
@@ -300,21 +301,136 @@ class Surface(Tasks):
         self, source: Any, target: Any, exact: bool, certify: bool, **how: Any
     ) -> GeodesicPath | list[GeodesicPath]:
         ends = point_lists.pairs(("source", "target"), source, target, len(self.vertices))
-        lengths, certified, begin, points, (vertices, faces, weights), over_gap = self._ask(
-            self._shared.core.paths, *ends, exact, certify, **how
-        )
-        paths = [
-            GeodesicPath(
-                points[a:b],
-                float(length),
-                vertices[a:b],
-                SurfacePoints(faces[a:b], weights[a:b]),
-                bool(proven),
-                over_gap[a:b] > 0,
-            )
-            for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
-        ]
+        paths = _paths(self._ask(self._shared.core.paths, *ends, exact, certify, **how))
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
+
+    def path_through(
+        self,
+        points: Points,
+        closed: bool = False,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """The shortest path through points in the order given; each leg from a point to the next is exact.
+
+        Parameters
+        ----------
+        points : k points, k >= 2
+        closed : bool, default False
+            Whether it leads from the last point back to the first, where it begins and ends.
+
+        Returns
+        -------
+        GeodesicPath
+            Certified where all legs are. Two points that no path joins are refused.
+        """
+        rows = self._rows("points", points)
+        found = self._ask(self._shared.core.path_through, rows, bool(closed), method=method, progress=progress)
+        return _paths(found)[0]
+
+    def tighten(
+        self,
+        curve: Points | GeodesicPath,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """The closed geodesic that a closed curve is pulled to: it moves over faces and vertices, but over no border.
+
+        The shortest curve near it, which need not be the shortest of all that go round like it. With values of faces,
+        where paths refract, it is refused.
+
+        Parameters
+        ----------
+        curve : k points, k >= 2, or GeodesicPath
+            In order; points that share no face are joined by shortest paths, the last with the first.
+
+        Returns
+        -------
+        GeodesicPath
+            It begins and ends at one point. A curve that nothing holds is refused, naming where it slips off.
+        """
+        rows = self._curve_rows(curve)
+        return _paths(self._ask(self._shared.core.tighten, rows, method=method, progress=progress))[0]
+
+    def shortest_loop(
+        self,
+        point: Points,
+        curve: Points | GeodesicPath | None = None,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """The shortest loop through a point that cannot be contracted: round a handle, or between two borders.
+
+        Parameters
+        ----------
+        point : one point
+        curve : k points or GeodesicPath, optional
+            As for `tighten`: what the loop has to go round like; of such loops it is a shortest one near the curve.
+
+        Returns
+        -------
+        GeodesicPath
+            From the point back to it. Where every loop contracts, as on a sphere, it is refused.
+
+        Notes
+        -----
+        From the exact field of the point: a loop for each class of edges at which the shortest paths of their two ends
+        part (Erickson, Har-Peled 2004), pulled tight with the point held.
+        """
+        rows = self._one_row("point", point), self._curve_rows(() if curve is None else curve)
+        return _paths(self._ask(self._shared.core.shortest_loop, *rows, method=method, progress=progress))[0]
+
+    def girth(
+        self,
+        point: Points,
+        normal: ArrayLike | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Girth:
+        """How far it is round a limb at a point: by a plane section, by a tape measure, and along the surface.
+
+        Parameters
+        ----------
+        point : one point
+        normal : array_like, shape (3,), optional
+            Of the plane, of any length: the direction of the limb. None: of the planes through the normal of the
+            surface at the point, the one with the shortest closed section, among 36 at equal angles and then between
+            the neighbours of the best.
+
+        Returns
+        -------
+        Girth
+            Its loop is a single point, of length 0, where the section slips off, as on a sphere; `last.remark` says so.
+        """
+        row = self._one_row("point", point)
+        plane = (0.0, 0.0, 0.0) if normal is None else check.direction("normal", normal)
+        *paths, direction, corners, _ = self._ask(
+            self._shared.core.girth, row, *plane, normal is not None, method=None, progress=progress
+        )
+        section, loop = _paths(paths)
+        order = np.arange(len(corners), dtype=np.int32)
+        return Girth(section, Polylines(corners, np.column_stack([order, np.roll(order, -1)])), loop, direction)
+
+    def profile(self, path: Points | GeodesicPath, up: ArrayLike = (0.0, 0.0, 1.0)) -> Profile:
+        """Height and slope along a path; `np.savetxt(file, np.column_stack(profile), delimiter=",")` writes a table.
+
+        Parameters
+        ----------
+        path : GeodesicPath, or k points
+            Consecutive points share a face.
+        up : array_like, shape (3,)
+            The direction in which heights count, of any length.
+        """
+        rows = self._curve_rows(path)
+        return Profile(*self._ask(self._shared.core.profile, rows, *check.direction("up", up), method=None))
+
+    def _curve_rows(self, curve: Points | GeodesicPath) -> point_lists.Rows:
+        return self._rows("curve", curve.surface_points if isinstance(curve, GeodesicPath) else curve)
+
+    def _one_row(self, name: str, point: Points) -> point_lists.Rows:
+        row = self._rows(name, point)
+        if len(row[0]) != 1:
+            raise InvalidInput(f"{name}: has {len(row[0])} points; give one.")
+        return row
 
     def __repr__(self) -> str:
         held = "with an index" if self._shared.core.has_index() else "no index yet"
@@ -465,6 +581,22 @@ class GeodesicIndex(Surface):
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
+
+
+def _paths(found: Any) -> list[GeodesicPath]:
+    """Paths as the core returns them."""
+    lengths, certified, begin, points, (vertices, faces, weights), over_gap = found
+    return [
+        GeodesicPath(
+            points[a:b],
+            float(length),
+            vertices[a:b],
+            SurfacePoints(faces[a:b], weights[a:b]),
+            bool(proven),
+            over_gap[a:b] > 0,
+        )
+        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
+    ]
 
 
 def exact_distance_field(

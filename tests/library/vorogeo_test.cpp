@@ -486,6 +486,48 @@ TEST(Library, ThreadsMayAskAtATime) {
   EXPECT_LT(*std::ranges::max_element(worst), 1e-12);
 }
 
+TEST(Library, CurvesToMeasureAlongAreThoseOfABoxAndOfFlatPaper) {
+  const Sheet sheet(squares);
+  const Surface paper = surface_of(sheet);
+  const Path tour = path_through(paper, {0, 300, 624}, true);
+  EXPECT_NEAR(tour.length, sheet.flat_distance(0, 300) + sheet.flat_distance(300, 624) + std::sqrt(2.0),
+              1e-12);
+  EXPECT_TRUE(tour.certified);
+  const vorogeo::Profile along = profile(paper, paper.path(0, squares));
+  EXPECT_NEAR(along.along.back(), 1.0, 1e-12);
+  for (const double angle : along.angle)
+    EXPECT_LT(std::min(angle, std::numbers::pi - angle), 0.53);  // 30 degrees
+  EXPECT_NE(
+      sentence_of<vorogeo::InvalidInput>([&] { tighten(paper, tour.surface_points); }).find("slips off"),
+      std::string::npos);
+
+  std::vector<vorogeo::Point> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back({1.0 * (i / 4), 2.0 * (i / 2 % 2), 3.0 * (i % 2)});
+  const Surface box(corners, {{0, 1, 3},
+                              {0, 3, 2},
+                              {4, 7, 5},
+                              {4, 6, 7},
+                              {0, 5, 1},
+                              {0, 4, 5},
+                              {2, 3, 7},
+                              {2, 7, 6},
+                              {0, 2, 6},
+                              {0, 6, 4},
+                              {1, 7, 3},
+                              {1, 5, 7}});
+  const SurfacePoint point = box.snap({0.0, 1.0, 1.4});
+  const vorogeo::Girth level = girth(box, point, {0.0, 0.0, 2.0});
+  EXPECT_NEAR(level.section.length, 6.0, 1e-12);
+  EXPECT_NEAR(level.tape_length, 6.0, 1e-12);
+  EXPECT_NEAR(level.loop.length, 6.0, 1e-12);
+  const vorogeo::Girth tilted = girth(box, point, {0.1, 0.0, 1.0});
+  EXPECT_NEAR(tilted.section.length, 4.0 + 2.0 * std::sqrt(1.01), 1e-12);
+  EXPECT_NEAR(tighten(box, tilted.section.surface_points).length, 6.0, 1e-12);
+  EXPECT_NEAR(girth(box, point).section.length, 6.0, 1e-9);
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { shortest_loop(box, point); }).find("contracts"),
+            std::string::npos);
+}
+
 // Numbers of any whole type are vertices, others are none.
 static_assert(std::convertible_to<std::vector<std::size_t>, vorogeo::PointList>);
 static_assert(std::convertible_to<std::vector<SurfacePoint>, vorogeo::PointList>);

@@ -1,0 +1,35 @@
+// Closed curves pulled tight, and shortest loops through a point.
+#pragma once
+
+#include <vector>
+
+#include "query/path_refine.h"
+#include "query/surface.h"
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+/// Pulls a closed curve tight until it is a closed geodesic: straight when its faces are laid out flat, and
+/// at vertices with at least pi on both sides. It moves over the surface continuously, so it stays in its
+/// homotopy class, but not across borders. `curve` ends where it begins, and consecutive points share a face.
+/// From one of its points, the curve is pulled tight as an open line; then from one half-way along, and so on
+/// (Birkhoff), until it becomes no shorter. \return one point, of length 0, if nothing holds the curve: where
+/// it slips off. \throw Cancelled at a checkpoint. Complexity: O(faces crossed) for each round; some tens of
+/// rounds where it bends at vertices, more in slight necks of smooth surfaces.
+SurfacePath tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve);
+
+/// The closed geodesic that a closed curve through these points is pulled to; see tightened(). Points that
+/// share no face are joined by shortest paths, the last with the first. \throw InvalidInput for fewer than
+/// two points, two that no path joins, a curve that slips off (names where), or a metric that jumps.
+ExactPath tighten(Surface& surface, const PointList& curve, const TaskOptions& options = {});
+
+/// The shortest loop through a point that cannot be contracted to it: across the edges of the cut locus of
+/// the point that remain when all of its ends are pruned back, one loop for each class of them (Erickson,
+/// Har-Peled 2004, with exact distances), is pulled tight with the point held. With a `curve`: of those like
+/// the curve, which is reached by the shortest path from the point, the loop that this is pulled to.
+/// \throw InvalidInput as tighten(); where every loop through the point contracts; for an edge of three
+/// faces; Cancelled. Complexity: a field, and O(n log n).
+ExactPath shortest_loop(Surface& surface, const SurfacePoint& point, const PointList& curve,
+                        const TaskOptions& options = {});
+
+}  // namespace vorogeo

@@ -1,0 +1,50 @@
+// Paths through several points: shortest from each to the next, and back to the first where they are closed.
+#include "tasks/path_through.h"
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_input.h"
+#include "support/error.h"
+
+namespace vorogeo {
+
+std::string name_of(const Mesh& mesh, const SurfacePoint& point) {
+  if (point.is_vertex() && point.vertex < mesh.given_vertex_count()) {
+    return "vertex " + std::to_string(point.vertex);
+  }
+  if (!point.is_vertex() && mesh.is_bridge(point.face)) return "a bridge over a gap";
+  return "face " + std::to_string(InputMap(mesh).face_at(point));
+}
+
+void refuse_leg(const Mesh& mesh, std::size_t i, const SurfacePoint& from, std::size_t j,
+                const SurfacePoint& to) {
+  throw InvalidInput("No path leads from point " + std::to_string(i) + " (" + name_of(mesh, from) +
+                     ") to point " + std::to_string(j) + " (" + name_of(mesh, to) +
+                     "): they are on two components.");
+}
+
+ExactPath path_through(Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {
+  if (points.size() < 2) {
+    throw InvalidInput("There are " + std::to_string(points.size()) +
+                       " points to pass through; give at least two.");
+  }
+  const Mesh& mesh = *surface.mesh();
+  const PointList passed = points_on(mesh, points, "Point");
+  std::vector<SurfacePoint> from(passed.begin(), passed.end()), to(passed.begin() + 1, passed.end());
+  closed ? to.push_back(passed[0]) : from.pop_back();
+  Answered answered;
+  const auto legs = surface.paths({from, to}, options.by, {.exact = true}, answered, options.progress);
+  if (options.answered != nullptr) *options.answered = answered;
+  ExactPath whole{{{from[0]}, 0.0}, true};
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const auto& [leg, certified] = legs[i];
+    if (leg.points.empty()) refuse_leg(mesh, i, from[i], (i + 1) % passed.size(), to[i]);
+    whole.path.points.insert(whole.path.points.end(), leg.points.begin() + 1, leg.points.end());
+    whole.path.length += leg.length;
+    whole.certified = whole.certified && certified;
+  }
+  return whole;
+}
+
+}  // namespace vorogeo

@@ -1,0 +1,58 @@
+// What lies along a path: its length so far, height, and the slope of the surface.
+#include "tasks/profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "exact/surface_path.h"
+#include "mesh/vectors.h"
+#include "support/error.h"
+#include "tasks/path_through.h"
+
+namespace vorogeo {
+
+Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
+  Point sum{};
+  for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    if (mesh.is_bridge(face)) return;
+    const auto& [a, b, c] = mesh.face_vertices(face);
+    const Point& p = mesh.position(a);
+    const Point normal = cross(minus(mesh.position(b), p), minus(mesh.position(c), p));
+    const double length = length_of(normal);
+    if (!(length > 0.0)) return;
+    const auto corner = std::ranges::find(weights, 1.0) - weights.begin();
+    const double part = corner < 3 ? mesh.corner_angle(3 * face + static_cast<Index>(corner)) : 1.0;
+    sum = moved(sum, (dot(sum, normal) < 0.0 ? -part : part) / length, normal);
+  });
+  const double length = length_of(sum);
+  return length > 0.0 ? moved({}, 1.0 / length, sum) : Point{};
+}
+
+Profile profile(const Mesh& mesh, const PointList& path, const Point& up) {
+  if (!mesh.has_positions())
+    throw InvalidInput("A profile needs the positions of the vertices, not lengths alone.");
+  const double size = length_of(up);
+  if (!(size > 0.0 && std::isfinite(size))) {
+    throw InvalidInput("The direction upwards has length " + std::to_string(size) +
+                       "; give one that is finite and not 0.");
+  }
+  const PointList points = points_on(mesh, path, "Point");
+  Profile found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double step = 0.0;
+    if (i > 0) step = measured_length(mesh, std::array{points[i - 1], points[i]}).length;
+    if (!std::isfinite(step)) {
+      throw InvalidInput("Points " + std::to_string(i - 1) + " (" + name_of(mesh, points[i - 1]) + ") and " +
+                         std::to_string(i) + " (" + name_of(mesh, points[i]) +
+                         ") of the path share no face; give one that path() or path_through() found.");
+    }
+    found.along.push_back(i > 0 ? found.along.back() + step : 0.0);
+    found.height.push_back(dot(position_of(mesh, points[i]), up) / size);
+    found.angle.push_back(std::acos(std::clamp(dot(normal_at(mesh, points[i]), up) / size, -1.0, 1.0)));
+  }
+  return found;
+}
+
+}  // namespace vorogeo

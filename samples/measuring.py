@@ -1,0 +1,52 @@
+"""Girths along a body, as a tape measure and the surface have them, a path through landmarks and its profile.
+
+Usage: python samples/measuring.py [MESH]      (needs samples/setup.sh once; writes samples/out/measuring.png and .csv)
+"""
+
+from pathlib import Path
+
+import mesh_input
+import numpy as np
+import picture
+import vorogeo
+
+STATIONS = 9
+
+mesh_set = mesh_input.load_from_command_line()
+mesh = mesh_set.current_mesh()
+vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+surface = vorogeo.Surface(vertices, faces)
+out = Path(__file__).parent / "out"
+out.mkdir(exist_ok=True)
+
+# Along the shortest path between the two vertices that are farthest apart: height and slope as a table.
+spine = surface.path(*surface.extent().ends)
+profile = surface.profile(spine, up=[0, 1, 0])
+np.savetxt(out / "measuring.csv", np.column_stack(profile), delimiter=",", header="length,height,angle", comments="")
+print(f"from end to end {spine.length:.4g}, heights from {profile.height.min():.4g} to {profile.height.max():.4g}")
+
+# Round the body at places along it. Each plane is the one of the shortest section there.
+print(f"{'along':>10} {'section':>10} {'tape':>10} {'loop':>10}")
+lines = [spine]
+for along in np.linspace(0, spine.length, STATIONS + 2)[1:-1]:
+    nearest = int(np.abs(profile.length - along).argmin())
+    try:
+        girth = surface.girth(spine.surface_points[nearest])
+    except vorogeo.InvalidInput as error:
+        print(f"{along:10.4g} {error}")
+        continue
+    print(f"{along:10.4g} {girth.section.length:10.4g} {girth.tape.length:10.4g} {girth.loop.length:10.4g}")
+    lines.append(girth.section)
+    if girth.loop.length > 0:
+        lines.append(girth.loop)
+
+# Round through landmarks, in their order and back to the first.
+landmarks = surface.sample_farthest(4, start=surface.extent().ends).vertices
+tour = surface.path_through(landmarks, closed=True)
+print(f"through {landmarks.tolist()} and back: {tour.length:.4g}, proven to be shortest: {tour.certified}")
+
+ends = np.cumsum([len(line.points) for line in lines])
+joints = np.setdiff1d(np.arange(ends[-1] - 1), ends - 1)  # each point is joined to the next of its line
+rings = vorogeo.Polylines(np.vstack([line.points for line in lines]), np.column_stack([joints, joints + 1]))
+values = surface.distance_field(int(surface.extent().ends[0]))
+picture.draw(out / "measuring.png", vertices, faces, values, lines=rings, points=spine.points[[0, -1]])
