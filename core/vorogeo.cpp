@@ -428,8 +428,8 @@ void Surface::load_index(const std::filesystem::path& file) {
 // ---- The questions of one thread
 
 struct Query::State {
-  explicit State(std::shared_ptr<inner::Surface> asked_surface, AnswerMethod method)
-      : surface(std::move(asked_surface)), by(method), query(*surface) {}
+  State(std::shared_ptr<inner::Surface> asked_surface, AnswerMethod method, bool is_chosen)
+      : surface(std::move(asked_surface)), by(method), is_automatic(is_chosen), query(*surface) {}
   inner::SurfacePoint in(const SurfacePoint& point) const {
     const Mesh& mesh = *surface->mesh();
     return canonical(mesh, validated(mesh, point_in(mesh, point)));
@@ -437,9 +437,16 @@ struct Query::State {
   inner::PointList in(const PointList& points, const char* what) const {
     return points_on(*surface->mesh(), points_in(*surface->mesh(), points), what);
   }
+  /// Exactly what reaches a small part of the surface, as Surface answers it.
+  AnswerMethod within(double limit, std::size_t sources) const {
+    const bool is_short =
+        is_automatic && surface->is_short(static_cast<double>(sources) * surface->reach_of(limit));
+    return is_short ? AnswerMethod::exact : by;
+  }
 
   std::shared_ptr<inner::Surface> surface;
   AnswerMethod by;
+  bool is_automatic;
   inner::Query query;
 };
 
@@ -449,8 +456,9 @@ Query Surface::query(Answer by) const {
   }
   if (by == Answer::index) index_of(*state_);
   const auto surface = state_->current();
-  if (by == Answer::automatic) by = surface->index() ? Answer::index : Answer::exact;
-  return Query(std::make_unique<Query::State>(surface, static_cast<AnswerMethod>(by)));
+  const bool is_automatic = by == Answer::automatic;
+  if (is_automatic) by = surface->index() ? Answer::index : Answer::exact;
+  return Query(std::make_unique<Query::State>(surface, static_cast<AnswerMethod>(by), is_automatic));
 }
 
 Query::Query(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -466,7 +474,8 @@ std::vector<double> Query::distances_from(const PointList& sources, double limit
     require_limit(limit);
     std::vector<ExactSource> from;
     for (const auto& point : state_->in(sources, "Source")) from.push_back({point});
-    return InputMap(*state_->surface->mesh()).of_vertices(state_->query.field(from, limit, state_->by, 1));
+    const AnswerMethod by = state_->within(limit, from.size());
+    return InputMap(*state_->surface->mesh()).of_vertices(state_->query.field(from, limit, by, 1));
   });
 }
 
@@ -478,7 +487,8 @@ std::vector<double> Query::distances(const SurfacePoint& from, const PointList& 
   return translated([&] {
     require_limit(limit);
     const ExactSource source{state_->in(from)};
-    return state_->query.distances(std::span(&source, 1), state_->in(to, "Target"), limit, state_->by);
+    return state_->query.distances(std::span(&source, 1), state_->in(to, "Target"), limit,
+                                   state_->within(limit, 1));
   });
 }
 

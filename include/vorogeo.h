@@ -304,16 +304,16 @@ class VOROGEO_API Surface {
   std::shared_ptr<State> state_;
 };
 
-/// The memory that answers of one thread need, kept between them. For loops of many small questions: the
-/// method is chosen once, and nothing is locked at each. Answers are those of the surface by that method,
-/// with the index that it had when the query was made. For one thread at a time; make one for each.
+/// The memory that answers of one thread need, kept between them. For loops of many small questions. Answers
+/// are those of the surface with the index that it had when the query was made: by it if there was one, but
+/// exactly what reaches a small part of the surface. For one thread at a time; make one for each.
 class VOROGEO_API Query {
  public:
   Query(Query&&) noexcept;
   Query& operator=(Query&&) noexcept;
   ~Query();
 
-  /// By the index, or exactly.
+  /// By the index, or exactly; where no limit says otherwise.
   Answer answers_by() const;
   /// See Surface::distances_from. Distances above the limit are `unreachable`.
   std::vector<double> distances_from(const PointList& sources, double limit = unreachable);

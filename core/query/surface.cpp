@@ -22,13 +22,6 @@ namespace {
 /// Queries kept for the next call, for each thread of a task; each holds memory for the whole mesh.
 constexpr int max_idle_per_thread = 2;
 
-/// A field from the index takes as long as an exact one over about this part of the surface: what reaches no
-/// farther is exact. Exact propagation grows faster with the mesh (measured on scans of 35,000 and 134,000
-/// vertices: 0.035 and 0.015).
-double short_reach(Index vertices) {
-  return std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, vertices), -2.0 / 3.0));
-}
-
 /// Tasks of so many whole fields ask for the price of an index before they begin.
 constexpr double many_fields = 16.0;
 
@@ -115,7 +108,7 @@ std::optional<double> Surface::field_seconds() const {
 
 void Surface::pay_for_fields(double seconds, double reach) {
   // What an index would not answer faster does not make one pay.
-  if (reach > short_reach(mesh_->vertex_count())) pay(seconds);
+  if (!is_short(reach)) pay(seconds);
 }
 
 std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progress) {
@@ -177,6 +170,11 @@ void Surface::give_back(std::unique_ptr<Query> query) {
 void Surface::free_queries() {
   const std::lock_guard lock(mutex_);
   idle_.clear();
+}
+
+bool Surface::is_short(double reach) const {
+  // Measured on scans of 35,000 and 134,000 vertices: 0.035 and 0.015.
+  return reach <= std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, mesh_->vertex_count()), -2.0 / 3.0));
 }
 
 double Surface::reach_of(double distance) {
@@ -258,7 +256,7 @@ AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, A
   if (fields <= 0.0 && !index()) return AnswerMethod::exact;  // nothing is asked, so nothing is built
   if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
   if (method != AnswerMethod::automatic) return method;
-  if (reach <= short_reach(mesh_->vertex_count())) return AnswerMethod::exact;
+  if (is_short(reach)) return AnswerMethod::exact;
   if (index()) return AnswerMethod::index;
   return rent_or_build(fields * reach, answered, progress);
 }
@@ -274,8 +272,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   Progress rest = progress;
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
   const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
-  if (method == AnswerMethod::automatic && is_large && reach > short_reach(mesh_->vertex_count()) &&
-      !index()) {
+  if (method == AnswerMethod::automatic && is_large && !is_short(reach) && !index()) {
     answered.by = AnswerMethod::quick;
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
                       " vertices: the field is a quick one, with an error of some tenths of a percent; ask "

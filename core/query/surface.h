@@ -113,6 +113,9 @@ class Surface {
                       Progress& progress);
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
+  /// A field from the index takes as long as an exact one over about a certain part of the surface, which is
+  /// the smaller the larger the mesh: what reaches no farther is exact.
+  bool is_short(double reach) const;
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
   void pay_for_fields(double seconds, double reach);
 

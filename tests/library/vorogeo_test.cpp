@@ -292,6 +292,9 @@ TEST(Library, AQueryAnswersAsItsSurfaceDoes) {
   expect_same(exactly, Answer::exact);  // as when it was made
   exactly = surface.query();
   expect_same(exactly, Answer::index);
+  EXPECT_EQ(exactly.distances_from(1860, 0.04),
+            surface.field(1860, {.limit = 0.04, .by = Answer::exact}).distance)
+      << "what reaches a small part of the surface is exact in spite of the index";
   vorogeo::Query moved = std::move(exactly);
   EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { moved.distance(0, 3721); }).find("Vertex 3721"),
             std::string::npos);
