@@ -439,9 +439,8 @@ struct Query::State {
   }
   /// Exactly what reaches a small part of the surface, as Surface answers it.
   AnswerMethod within(double limit, std::size_t sources) const {
-    const bool is_short =
-        is_automatic && surface->is_short(static_cast<double>(sources) * surface->reach_of(limit));
-    return is_short ? AnswerMethod::exact : by;
+    const double reach = static_cast<double>(sources) * surface->reach_of(limit);
+    return is_automatic && reach <= surface->short_reach() ? AnswerMethod::exact : by;
   }
 
   std::shared_ptr<inner::Surface> surface;

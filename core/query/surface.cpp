@@ -107,8 +107,8 @@ std::optional<double> Surface::field_seconds() const {
 }
 
 void Surface::pay_for_fields(double seconds, double reach) {
-  // What an index would not answer faster does not make one pay.
-  if (!is_short(reach)) pay(seconds);
+  // What an index would not save does not make one pay.
+  if (reach > short_reach()) pay(seconds * (1.0 - short_reach() / reach));
 }
 
 std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progress) {
@@ -172,9 +172,9 @@ void Surface::free_queries() {
   idle_.clear();
 }
 
-bool Surface::is_short(double reach) const {
+double Surface::short_reach() const {
   // Measured on scans of 35,000 and 134,000 vertices: 0.035 and 0.015.
-  return reach <= std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, mesh_->vertex_count()), -2.0 / 3.0));
+  return std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, mesh_->vertex_count()), -2.0 / 3.0));
 }
 
 double Surface::reach_of(double distance) {
@@ -221,10 +221,10 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
   answered.index_seconds = watch.seconds();
 }
 
-/// The index, built if the price has been paid in exact answers, or would be with those that `whole_fields`
-/// fields take; 0: with one more. Otherwise exact.
-AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, Progress& progress) {
-  const bool is_long = whole_fields >= many_fields;
+/// The index, built if the price has been paid in exact answers, or would be with what an index saves of
+/// them: as much as so many whole fields take; below `many_fields`: with one more. Otherwise exact.
+AnswerMethod Surface::rent_or_build(double saved_fields, Answered& answered, Progress& progress) {
+  const bool is_long = saved_fields >= many_fields;
   if (spent().has_given_up()) return AnswerMethod::exact;
   try {
     if (is_long ? !field_seconds() : spent().wants_price()) {
@@ -233,7 +233,7 @@ AnswerMethod Surface::rent_or_build(double whole_fields, Answered& answered, Pro
       spent_.set_price(estimate.build_seconds);
       if (is_long) field_seconds_ = estimate.exact_field_seconds;
     }
-    const double next = is_long ? whole_fields * *field_seconds() / threads_ : 0.0;
+    const double next = is_long ? saved_fields * *field_seconds() / threads_ : 0.0;
     if (!spent().should_buy(next)) return AnswerMethod::exact;
     build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
@@ -256,9 +256,10 @@ AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, A
   if (fields <= 0.0 && !index()) return AnswerMethod::exact;  // nothing is asked, so nothing is built
   if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
   if (method != AnswerMethod::automatic) return method;
-  if (is_short(reach)) return AnswerMethod::exact;
+  if (reach <= short_reach()) return AnswerMethod::exact;
   if (index()) return AnswerMethod::index;
-  return rent_or_build(fields * reach, answered, progress);
+  // What an index saves: its own fields take as long as short ones.
+  return rent_or_build(fields * (reach - short_reach()), answered, progress);
 }
 
 // ---- Fields
@@ -272,7 +273,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   Progress rest = progress;
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
   const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
-  if (method == AnswerMethod::automatic && is_large && !is_short(reach) && !index()) {
+  if (method == AnswerMethod::automatic && is_large && reach > short_reach() && !index()) {
     answered.by = AnswerMethod::quick;
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
                       " vertices: the field is a quick one, with an error of some tenths of a percent; ask "

@@ -113,9 +113,9 @@ class Surface {
                       Progress& progress);
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
-  /// A field from the index takes as long as an exact one over about a certain part of the surface, which is
-  /// the smaller the larger the mesh: what reaches no farther is exact.
-  bool is_short(double reach) const;
+  /// A field from the index takes as long as an exact one over about this part of the surface, which is the
+  /// smaller the larger the mesh: what reaches no farther is exact.
+  double short_reach() const;
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
   void pay_for_fields(double seconds, double reach);
 
@@ -136,7 +136,7 @@ class Surface {
 
  private:
   AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, Progress& progress);
-  AnswerMethod rent_or_build(double whole_fields, Answered& answered, Progress& progress);
+  AnswerMethod rent_or_build(double saved_fields, Answered& answered, Progress& progress);
   void build_for_question(Answered& answered, Progress& progress);
   void pay(double seconds);
   std::optional<double> field_seconds() const;
