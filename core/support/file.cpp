@@ -115,7 +115,7 @@ namespace {
 constexpr const char* mark = ".vorogeo-";
 constexpr const char* ending = ".part";
 constexpr const char* kept_ending = ".unfinished";
-constexpr std::size_t longest_name = 255;  ///< in bytes, of every usual file system
+constexpr std::size_t longest_name = 255;  ///< of every usual file system
 constexpr int max_links = 40;              ///< as in the kernel
 
 fs::path folder_of(const fs::path& file) {
@@ -123,12 +123,11 @@ fs::path folder_of(const fs::path& file) {
 }
 
 /// "NAME.vorogeo-" of all temporaries of a target; shortened so that the name with its suffix is not too
-/// long.
-std::string prefix_of(const fs::path& target) {
-  const std::string name = target.filename().string();
-  std::size_t size = longest_name - std::string(mark).size() - 8 - std::string(ending).size();
-  while (size < name.size() && (name[size] & 0xc0) == 0x80) --size;  // inside a character
-  return name.substr(0, size) + mark;
+/// long. Paths are put together as the system writes them: text may lose characters.
+fs::path prefix_of(const fs::path& target) {
+  fs::path prefix = target.filename().native().substr(
+      0, longest_name - std::string(mark).size() - 8 - std::string(ending).size());
+  return prefix += mark;
 }
 
 /// The name of a new temporary of a target.
@@ -136,7 +135,7 @@ fs::path temporary_of(const fs::path& target) {
   std::random_device random;
   std::array<char, 9> number{};
   std::snprintf(number.data(), number.size(), "%08x", static_cast<unsigned>(random()));
-  return folder_of(target) / (prefix_of(target) + number.data() + ending);
+  return folder_of(target) / ((prefix_of(target) += number.data()) += ending);
 }
 
 /// Where a chain of symbolic links ends, whether that exists or not.
@@ -155,7 +154,7 @@ fs::path output_target(const fs::path& file, const std::string& what) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (is_directory(status)) throw InvalidInput(name + " is a folder; name a file in it.");
-  if (exists(status) && status.type() != fs::file_type::unknown) {
+  if (system::is_device(file) || (exists(status) && status.type() != fs::file_type::unknown)) {
     if (!is_regular_file(status)) throw InvalidInput(name + " is a device or a pipe; name a plain file.");
     fs::path target = fs::is_symlink(fs::symlink_status(file, error)) ? fs::canonical(file, error) : file;
     if (error || !fs::equivalent(file, target, error)) {
@@ -210,11 +209,13 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::remove_leftovers() const {
-  const std::string prefix = prefix_of(target_);
+  const fs::path prefix = prefix_of(target_);
+  const fs::path end_of_name = ending;
   std::error_code error;
   for (fs::directory_iterator at(folder_of(target_), error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(ending)) continue;
+    const fs::path name = at->path().filename();
+    if (!name.native().starts_with(prefix.native()) || !name.native().ends_with(end_of_name.native()))
+      continue;
     const int other = system::open(at->path(), system::Opening::existing);
     if (other < 0) continue;
     std::error_code stays;

@@ -3,8 +3,9 @@
 
 // ---- Marks a function to be compiled for several instruction sets
 
+// Windows cannot choose between them when it loads a library.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(VOROGEO_NO_CLONES)
+    !defined(_WIN32) && !defined(VOROGEO_NO_CLONES)
 #define VOROGEO_CLONES __attribute__((target_clones("default", "avx2", "arch=skylake-avx512")))
 #else
 #define VOROGEO_CLONES

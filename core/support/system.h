@@ -64,6 +64,8 @@ void make_read_only(std::span<std::byte> mapped);
 
 // ---- Files by their names
 
+/// Whether a name stands for a device on which the system has no file.
+bool is_device(const std::filesystem::path& file);
 /// Whether this user may write to an existing file.
 int check_writable(const std::filesystem::path& file);
 /// Renames a file, which replaces one that has that name. Where a mapped file cannot be replaced, that gets

@@ -135,6 +135,8 @@ void unmap(std::span<const std::byte> mapped) {
 
 void make_read_only(std::span<std::byte> mapped) { ::mprotect(mapped.data(), mapped.size(), PROT_READ); }
 
+bool is_device(const fs::path&) { return false; }
+
 int check_writable(const fs::path& file) {
   return error_of(::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS));
 }

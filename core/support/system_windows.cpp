@@ -195,7 +195,15 @@ void make_read_only(std::span<std::byte> mapped) {
   ::VirtualProtect(mapped.data(), mapped.size(), PAGE_READONLY, &before);
 }
 
+bool is_device(const fs::path& file) {
+  std::wstring name(1 << 15, L'\0');  // "nul", "con" and their like, in any folder
+  ::GetFullPathNameW(file.c_str(), static_cast<DWORD>(name.size()), name.data(), nullptr);
+  return name.starts_with(L"\\\\.\\");
+}
+
 int check_writable(const fs::path& file) {
+  const DWORD attributes = ::GetFileAttributesW(file.c_str());
+  if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_READONLY) != 0) return EACCES;
   const HANDLE handle =
       ::CreateFileW(file.c_str(), GENERIC_WRITE, shared, nullptr, OPEN_EXISTING, 0, nullptr);
   if (handle == INVALID_HANDLE_VALUE) return last_error();
