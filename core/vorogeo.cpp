@@ -15,7 +15,9 @@
 #include "query/surface.h"
 #include "support/memory.h"
 #include "support/parallel.h"
+#include "tasks/bands.h"
 #include "tasks/curve_sources.h"
+#include "tasks/cut.h"
 #include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
@@ -23,15 +25,21 @@
 #include "tasks/loops.h"
 #include "tasks/neighbors.h"
 #include "tasks/path_through.h"
+#include "tasks/polygon.h"
 #include "tasks/profile.h"
+#include "tasks/set_distances.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
 
 // The core's own names, before the header below declares public ones beside them.
 namespace inner {
+using vorogeo::band;
 using vorogeo::Cancelled;
 using vorogeo::check_mesh;
+using vorogeo::cut_along;
+using vorogeo::cut_at_levels;
+using vorogeo::CutMesh;
 using vorogeo::Error;
 using vorogeo::exp_map;
 using vorogeo::IndexFileError;
@@ -43,6 +51,7 @@ using vorogeo::NotEnoughMemory;
 using vorogeo::PointList;
 using vorogeo::profile;
 using vorogeo::Query;
+using vorogeo::set_distances;
 using vorogeo::slope_cost;
 using vorogeo::Surface;
 using vorogeo::SurfacePoint;
@@ -666,6 +675,68 @@ Disk disk(const Surface& surface, const PointList& sources, double radius, const
     auto found = geodesic_disk(at.surface, at.in(sources), radius, at.options);
     for (int& face : found.faces) face = at.mesh.input_face(face);
     return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
+  });
+}
+
+Band band(const Surface& surface, const PointList& sources, double width, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    const auto found = inner::band(at.surface, at.in(sources), width, at.options);
+    return Band{found.area, found.border_length};
+  });
+}
+
+namespace {
+
+CutMesh cut_out(const Mesh& mesh, inner::CutMesh found) {
+  CutMesh cut;
+  for (const auto& point : found.points) cut.positions.push_back(position_of(mesh, point));
+  cut.points = points_out(mesh, found.points);
+  for (const Index face : found.face_of) cut.face_of.push_back(mesh.input_face(face));
+  cut.faces = std::move(found.faces);
+  cut.region = std::move(found.region);
+  cut.edges = std::move(found.edges);
+  cut.side = std::move(found.side);
+  return cut;
+}
+
+}  // namespace
+
+CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
+                      const std::vector<double>& levels) {
+  return translated([&] {
+    const Mesh& mesh = *surface.state().mesh;
+    return cut_out(mesh, inner::cut_at_levels(mesh, field, levels, Interpolation::distance));
+  });
+}
+
+CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines) {
+  return translated([&] {
+    const Mesh& mesh = *surface.state().mesh;
+    std::vector<std::vector<inner::SurfacePoint>> inside;
+    for (const auto& line : lines) {
+      inside.emplace_back();
+      for (const SurfacePoint& point : line) inside.back().push_back(point_in(mesh, point));
+    }
+    return cut_out(mesh, inner::cut_along(mesh, inside));
+  });
+}
+
+Polygon polygon(const Surface& surface, const PointList& points, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = geodesic_polygon(at.surface, at.in(points), at.options);
+    Polygon out{found.area,         found.perimeter,           std::move(found.angles), found.curvature,
+                found.gauss_bonnet, std::move(found.vertices), std::move(found.faces),  {}};
+    for (const auto& leg : found.legs) out.legs.push_back(points_out(at.mesh, leg.path.points));
+    return out;
+  });
+}
+
+SetDistances set_distances(const Surface& surface, const PointList& first, const PointList& second,
+                           const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = inner::set_distances(at.surface, at.in(first), at.in(second), at.options);
+    return SetDistances{std::move(found.to_second), std::move(found.to_first), found.nearest, found.mean,
+                        found.hausdorff};
   });
 }
 

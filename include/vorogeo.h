@@ -466,6 +466,69 @@ struct Disk {
 VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius,
                       const TaskOptions& options = {});
 
+/// What lies within a distance of the nearest of some sources, faces at its border in part.
+struct Band {
+  double area = 0.0;
+  double border_length = 0.0;  ///< without borders of the mesh
+};
+/// Borders are circular arcs in parts of faces, at most width / 16 long: exact for points in a plane but for
+/// the few arcs that leave such a part and come back. Sources may be points of along_edges().
+VOROGEO_API Band band(const Surface& surface, const PointList& sources, double width,
+                      const TaskOptions& options = {});
+/// The area within a radius of a point.
+inline double disk_area(const Surface& surface, const SurfacePoint& centre, double radius,
+                        const TaskOptions& options = {}) {
+  return band(surface, centre, radius, options).area;
+}
+
+/// A mesh cut along lines. Its vertices are those of the surface, then new ones on the lines; parts of
+/// neighbouring faces share these, so it is as watertight as it was. Faces that are left out of the surface
+/// are left out.
+struct CutMesh {
+  std::vector<Point> positions;
+  std::vector<std::array<int, 3>> faces;
+  std::vector<SurfacePoint> points;       ///< by vertex, where on the surface it is: to carry attributes over
+  std::vector<int> face_of;               ///< by face, the one of the surface that it is a part of
+  std::vector<int> region;                ///< by face; see the functions
+  std::vector<std::array<int, 2>> edges;  ///< along the lines, in their direction
+  std::vector<int> side;  ///< by face: 1 to the left of a line, -1 to the right, 0 beside none or both
+};
+/// Along isolines of a field at the vertices, which have greater values to their left. Region: how many
+/// different levels are at most the values there; -1 where these are not finite.
+VOROGEO_API CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
+                                  const std::vector<double>& levels);
+/// Along lines whose consecutive points share a face, such as the `surface_points` of paths. Region: the
+/// connected part, numbered from 0. \throw InvalidInput for points that share no face.
+VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines);
+
+/// A polygon of shortest paths.
+struct Polygon {
+  double area = 0.0;  ///< of the inside: the smaller of the two sides
+  double perimeter = 0.0;
+  std::vector<double> angles;  ///< of the inside at each point, in radians
+  double curvature = 0.0;      ///< sum of the angle defects of the vertices inside
+  /// 2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at
+  /// points and vertices: 0 but for rounding (Gauss-Bonnet), where the metric does not jump.
+  double gauss_bonnet = 0.0;
+  std::vector<int> vertices;                    ///< inside, not on the border
+  std::vector<int> faces;                       ///< all of which are inside
+  std::vector<std::vector<SurfacePoint>> legs;  ///< from each point to the next; cut_along() takes them
+};
+/// From each point to the next by the shortest path, and back to the first. \throw InvalidInput for legs that
+/// cross or touch, or that do not separate an inside from an outside.
+VOROGEO_API Polygon polygon(const Surface& surface, const PointList& points, const TaskOptions& options = {});
+
+/// How far two sets of points are from each other.
+struct SetDistances {
+  std::vector<double> to_second;  ///< by point of the first set, from the nearest of the second
+  std::vector<double> to_first;   ///< the other way
+  double nearest = 0.0;           ///< the least of them
+  double mean = 0.0;              ///< of the means of both
+  double hausdorff = 0.0;         ///< the greatest of them
+};
+VOROGEO_API SetDistances set_distances(const Surface& surface, const PointList& first,
+                                       const PointList& second, const TaskOptions& options = {});
+
 /// The vertex farthest from a point, within its component, and its distance.
 struct Eccentricity {
   double distance = 0.0;

@@ -93,18 +93,21 @@ std::vector<double> Query::distances(std::span<const ExactSource> sources, const
     }
     return result;
   }
-  const auto read = [&](const auto& solver) {
-    for (const SurfacePoint& target : targets) {
-      const double distance = solver.distance(target);
-      result.push_back(distance <= max_distance ? distance : unreachable);
-    }
-  };
-  if (by == AnswerMethod::index) {
-    read(index_field(sources, max_distance, 1, false));
-  } else {
-    read(solved(sources, max_distance, 1, false));
-  }
+  const auto distance_of = field_at_points(sources, max_distance, by);
+  for (const SurfacePoint& target : targets) result.push_back(distance_of(target));
   return result;
+}
+
+std::function<double(const SurfacePoint&)> Query::field_at_points(std::span<const ExactSource> sources,
+                                                                  double max_distance, AnswerMethod by) {
+  const auto read = [max_distance](const auto& solver) {
+    return [max_distance, &solver](const SurfacePoint& point) {
+      const double distance = solver.distance(point);
+      return distance <= max_distance ? distance : unreachable;
+    };
+  };
+  if (by == AnswerMethod::index) return read(index_field(sources, max_distance, 1, false));
+  return read(solved(sources, max_distance, 1, false));
 }
 
 double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {

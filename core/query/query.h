@@ -55,6 +55,10 @@ class Query {
   /// a source is near (IndexField::distance) or the method is exact.
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance, AnswerMethod by);
+  /// The same as a function of the point, which must not outlive the next question to this query. \pre `by`
+  /// is not quick.
+  std::function<double(const SurfacePoint&)> field_at_points(std::span<const ExactSource> sources,
+                                                             double max_distance, AnswerMethod by);
   /// Distance of two points, symmetric: from the index that of PairDistance for two vertices, otherwise the
   /// length of path().
   double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by);

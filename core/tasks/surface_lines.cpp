@@ -83,19 +83,24 @@ double crossing(double at_first, double at_second, double length, double level, 
   return t >= -1e-9 && t <= 1.0 + 1e-9 ? std::clamp(t, 0.0, 1.0) : std::clamp(linear, 0.0, 1.0);
 }
 
-Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
-                  Interpolation interpolation) {
-  if (given.size() != static_cast<std::size_t>(mesh.given_vertex_count())) {
-    throw InvalidInput("The field has " + std::to_string(given.size()) + " values, but the mesh has " +
+void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
+                              std::span<const double> levels) {
+  if (field.size() != static_cast<std::size_t>(mesh.given_vertex_count())) {
+    throw InvalidInput("The field has " + std::to_string(field.size()) + " values, but the mesh has " +
                        std::to_string(mesh.given_vertex_count()) + " vertices; give one value for each.");
   }
-  const std::vector<double> values = InputMap(mesh).on_vertices(given);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (!std::isfinite(levels[i])) {
       throw InvalidInput("Level " + std::to_string(i) + " is " + std::to_string(levels[i]) +
                          "; levels must be finite numbers.");
     }
   }
+}
+
+Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
+                  Interpolation interpolation) {
+  require_field_and_levels(mesh, given, levels);
+  const std::vector<double> values = InputMap(mesh).on_vertices(given);
   std::vector<Index> order(levels.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return levels[a] < levels[b]; });

@@ -82,6 +82,10 @@ struct Isolines {
 Isolines isolines(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
                   Interpolation interpolation);
 
+/// \throw InvalidInput if a field has not one value for each vertex that was given, or a level is not finite.
+void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
+                              std::span<const double> levels);
+
 /// Where on an edge of the given length a field takes the value `level`, which lies between those at the
 /// ends: a fraction in [0, 1], counted from the first end.
 double crossing(double at_first, double at_second, double length, double level, Interpolation interpolation);

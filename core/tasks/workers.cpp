@@ -79,6 +79,11 @@ std::vector<double> Workers::distances(const SurfacePoint& source, const PointLi
   return query(worker).distances(std::span(&one, 1), targets, max_distance, answered_.by);
 }
 
+std::function<double(const SurfacePoint&)> Workers::field_at_points(const PointList& sources,
+                                                                    double max_distance) {
+  return query(0).field_at_points(as_sources(sources), max_distance, answered_.by);
+}
+
 std::vector<double> Workers::field_on_all_threads(const PointList& sources, double max_distance) {
   // Threads that share an exact field wait for one another: over a small part of the surface that takes
   // longer than the field.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -56,6 +57,8 @@ class Workers {
   /// See Query::distances.
   std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
                                 int worker);
+  /// See Query::field_at_points: from the nearest of several sources, until the next question.
+  std::function<double(const SurfacePoint&)> field_at_points(const PointList& sources, double max_distance);
   /// A field from the nearest of several sources, on all threads; only one such call at a time.
   std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable);
   /// See Query::distance.

@@ -9,6 +9,8 @@
 #include "mesh/outliers.h"
 #include "support/file.h"
 #include "support/memory.h"
+#include "tasks/bands.h"
+#include "tasks/cut.h"
 #include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
@@ -16,7 +18,9 @@
 #include "tasks/loops.h"
 #include "tasks/neighbors.h"
 #include "tasks/path_through.h"
+#include "tasks/polygon.h"
 #include "tasks/profile.h"
+#include "tasks/set_distances.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -158,6 +162,72 @@ auto disk(const TaskOptions& options, const HeldSurface& held, const PointArrays
   return std::tuple(std::move(found.vertices), std::move(found.distance), std::move(found.faces));
 }
 
+auto area_within(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+                 double width) {
+  const Band found = band(*held.surface, held.points(sources), width, options);
+  return std::tuple(found.area, found.border_length);
+}
+
+/// Positions, faces, the points of the new vertices, then by face the one given, the region and the side;
+/// edges.
+nb::tuple cut_out(const HeldSurface& held, CutMesh&& cut) {
+  const Mesh& mesh = held.mesh();
+  std::vector<Point> positions;
+  for (const SurfacePoint& point : cut.points) positions.push_back(position_of(mesh, point));
+  PointColumns added;
+  for (std::size_t i = static_cast<std::size_t>(mesh.given_vertex_count()); i < cut.points.size(); ++i) {
+    added.add(mesh, cut.points[i]);
+  }
+  for (Index& face : cut.face_of) face = mesh.input_face(face);
+  return nb::make_tuple(to_numpy(std::move(positions)), to_numpy(std::move(cut.faces)),
+                        to_python(std::move(added)), to_numpy(std::move(cut.face_of)),
+                        to_numpy(std::move(cut.region)), to_numpy(std::move(cut.edges)),
+                        to_numpy(std::move(cut.side)));
+}
+
+nb::tuple cut_at_levels_of(const HeldSurface& held, const ValueArray& field, const ValueArray& levels,
+                           int interpolation) {
+  CutMesh found;
+  {
+    nb::gil_scoped_release release;
+    found = cut_at_levels(held.mesh(), values_of(field), values_of(levels),
+                          static_cast<Interpolation>(interpolation));
+  }
+  return cut_out(held, std::move(found));
+}
+
+/// `begin`: where each line begins in the list of points, and where the last one ends.
+nb::tuple cut_along_lines(const HeldSurface& held, const PointArrays& points, const IdArray& begin) {
+  CutMesh found;
+  {
+    nb::gil_scoped_release release;
+    const PointList all = held.points(points);
+    std::vector<std::vector<SurfacePoint>> lines;
+    for (std::size_t k = 0; k + 1 < begin.shape(0); ++k) {
+      lines.emplace_back(all.begin() + begin(k), all.begin() + begin(k + 1));
+    }
+    found = cut_along(held.mesh(), lines);
+  }
+  return cut_out(held, std::move(found));
+}
+
+/// Area, perimeter, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as paths.
+auto polygon(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+  auto found = geodesic_polygon(*held.surface, held.points(points), options);
+  PathArrays legs;
+  for (const ExactPath& leg : found.legs) legs.add(held.mesh(), leg);
+  return std::tuple_cat(std::tuple(found.area, found.perimeter, std::move(found.angles), found.curvature,
+                                   found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
+                        legs.take());
+}
+
+auto distances_of_sets(const TaskOptions& options, const HeldSurface& held, const PointArrays& first,
+                       const PointArrays& second) {
+  auto found = set_distances(*held.surface, held.points(first), held.points(second), options);
+  return std::tuple(std::move(found.to_second), std::move(found.to_first), found.nearest, found.mean,
+                    found.hausdorff);
+}
+
 auto eccentricity(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   std::vector<double> distance;
   std::vector<Index> vertex;
@@ -236,6 +306,11 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "sample_farthest", &farthest);
   bind_question(surface, "sample_poisson_disk", &poisson_disk);
   bind_question(surface, "disk", &disk);
+  bind_question(surface, "band", &area_within);
+  surface.def("cut_at_levels", &cut_at_levels_of);
+  surface.def("cut_along", &cut_along_lines);
+  bind_question(surface, "polygon", &polygon);
+  bind_question(surface, "set_distances", &distances_of_sets);
   bind_question(surface, "eccentricity", &eccentricity);
   bind_question(surface, "extent", &extent);
   bind_question(surface, "relax", &relax);

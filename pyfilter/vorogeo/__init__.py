@@ -42,10 +42,13 @@ from .plugin import load_plugin as load_plugin
 from .points import EdgeCurve as EdgeCurve
 from .points import SurfacePoints as SurfacePoints
 from .results import Answered as Answered
+from .results import Band as Band
+from .results import CutMesh as CutMesh
 from .results import Disk as Disk
 from .results import Extent as Extent
 from .results import FarthestSamples as FarthestSamples
 from .results import GeodesicPath as GeodesicPath
+from .results import GeodesicPolygon as GeodesicPolygon
 from .results import Girth as Girth
 from .results import IndexEstimate as IndexEstimate
 from .results import IndexStatistics as IndexStatistics
@@ -54,6 +57,7 @@ from .results import MeshArrays as MeshArrays
 from .results import Polylines as Polylines
 from .results import Profile as Profile
 from .results import RelaxedPoints as RelaxedPoints
+from .results import SetDistances as SetDistances
 from .results import SparseDistances as SparseDistances
 from .results import VoronoiRegions as VoronoiRegions
 from .surface import GeodesicIndex as GeodesicIndex

@@ -91,6 +91,39 @@ class Disk:
 
 @documented
 @dataclass(frozen=True)
+class Band:
+    """What lies within a distance of points or curves."""
+
+    area: float = doc("Of the faces inside and of the parts of those at the border.")
+    border_length: float = doc("Of the line at the distance, without borders of the mesh.")
+
+
+@documented
+@dataclass(frozen=True)
+class CutMesh:
+    """A mesh cut along lines: parts of neighbouring faces share the points of the lines."""
+
+    vertices: NDArray[np.float64] = doc("Shape (n + k, 3). The vertices of the surface, then the new ones.")
+    faces: NDArray[np.int32] = doc(
+        "Shape (j, 3). In the order of the faces of the surface; those that are left out of it are left out."
+    )
+    points: SurfacePoints = doc(
+        "k points. Where on the surface the new vertices are: `points.positions(values, surface.faces)` interpolates "
+        "any values of shape (n, d), such as colours."
+    )
+    input_faces: NDArray[np.int32] = doc("Shape (j,). The face of the surface that each is a part of.")
+    region: NDArray[np.int32] = doc("Shape (j,). See `Surface.cut`.")
+    edges: NDArray[np.int32] = doc("Shape (q, 2). Along the lines, in their direction; greater values to the left.")
+    side: NDArray[np.int32] = doc("Shape (j,). 1 to the left of a line, -1 to the right, 0 beside none or both.")
+
+    def part(self, region: int) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
+        """The vertices and faces of a region, and which vertices of the cut mesh they are."""
+        kept, faces = np.unique(self.faces[self.region == region], return_inverse=True)
+        return self.vertices[kept], faces.reshape(-1, 3).astype(np.int32), kept
+
+
+@documented
+@dataclass(frozen=True)
 class Extent:
     """How far a component reaches, over its vertices; the bounds hold for the distances as computed."""
 
@@ -242,3 +275,36 @@ class Profile(NamedTuple):
     length: Annotated[NDArray[np.float64], "Shape (p,). Of the path up to the point."]
     height: Annotated[NDArray[np.float64], "Shape (p,). Of the point, in the direction `up`."]
     angle: Annotated[NDArray[np.float64], "Shape (p,). Of the normal with `up`, in radians: 0 on level ground."]
+
+
+@documented
+@dataclass(frozen=True)
+class GeodesicPolygon:
+    """A polygon of shortest paths and its inside, the smaller of the two parts that they separate."""
+
+    area: float = doc("Of the inside.")
+    perimeter: float = doc("Sum of the lengths of all legs.")
+    angles: NDArray[np.float64] = doc("Shape (k,). Of the inside at each point, in radians.")
+    curvature: float = doc(
+        "Sum of the angle defects of the vertices inside. The angles sum to (k - 2) pi and this, where the inside is a "
+        "disk and no leg turns at a vertex."
+    )
+    gauss_bonnet: float = doc(
+        "2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at "
+        "points and vertices: 0 but for rounding, where the metric does not jump."
+    )
+    vertices: NDArray[np.int32] = doc("Shape (p,). Inside, not on the border; ascending.")
+    faces: NDArray[np.int32] = doc("Shape (j,). All of which are inside; ascending.")
+    legs: list[GeodesicPath] = doc("k paths: from each point to the next, the last one to the first. `cut` takes them.")
+
+
+@documented
+@dataclass(frozen=True)
+class SetDistances:
+    """How far two sets of points are from each other; infinity where there is no path."""
+
+    to_second: NDArray[np.float64] = doc("Shape (k,). Of each point of the first set from the nearest of the second.")
+    to_first: NDArray[np.float64] = doc("Shape (j,). The other way.")
+    nearest: float = doc("The least of them.")
+    mean: float = doc("Of the means of both.")
+    hausdorff: float = doc("The greatest of them: the Hausdorff distance along the surface.")

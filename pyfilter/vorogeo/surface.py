@@ -13,10 +13,10 @@ from . import points as point_lists
 from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .points import Points, Sources, SurfacePoints
+from .points import Points, Sources
 from .progress import ProgressFunction, reporter
 from .results import Answered, GeodesicPath, Girth, IndexEstimate, IndexStatistics, Polylines, Profile
-from .tasks import METHODS, Shared, Tasks
+from .tasks import METHODS, Shared, Tasks, paths_of
 
 _Kind = TypeVar("_Kind", bound="Surface")
 
@@ -301,7 +301,7 @@ class Surface(Tasks):
         self, source: Any, target: Any, exact: bool, certify: bool, **how: Any
     ) -> GeodesicPath | list[GeodesicPath]:
         ends = point_lists.pairs(("source", "target"), source, target, len(self.vertices))
-        paths = _paths(self._ask(self._shared.core.paths, *ends, exact, certify, **how))
+        paths = paths_of(self._ask(self._shared.core.paths, *ends, exact, certify, **how))
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
 
     def path_through(
@@ -326,7 +326,7 @@ class Surface(Tasks):
         """
         rows = self._rows("points", points)
         found = self._ask(self._shared.core.path_through, rows, bool(closed), method=method, progress=progress)
-        return _paths(found)[0]
+        return paths_of(found)[0]
 
     def tighten(
         self,
@@ -350,7 +350,7 @@ class Surface(Tasks):
             It begins and ends at one point. A curve that nothing holds is refused, naming where it slips off.
         """
         rows = self._curve_rows(curve)
-        return _paths(self._ask(self._shared.core.tighten, rows, method=method, progress=progress))[0]
+        return paths_of(self._ask(self._shared.core.tighten, rows, method=method, progress=progress))[0]
 
     def shortest_loop(
         self,
@@ -378,7 +378,7 @@ class Surface(Tasks):
         part (Erickson, Har-Peled 2004), pulled tight with the point held.
         """
         rows = self._one_row("point", point), self._curve_rows(() if curve is None else curve)
-        return _paths(self._ask(self._shared.core.shortest_loop, *rows, method=method, progress=progress))[0]
+        return paths_of(self._ask(self._shared.core.shortest_loop, *rows, method=method, progress=progress))[0]
 
     def girth(
         self,
@@ -406,7 +406,7 @@ class Surface(Tasks):
         *paths, direction, corners, _ = self._ask(
             self._shared.core.girth, row, *plane, normal is not None, method=None, progress=progress
         )
-        section, loop = _paths(paths)
+        section, loop = paths_of(paths)
         order = np.arange(len(corners), dtype=np.int32)
         return Girth(section, Polylines(corners, np.column_stack([order, np.roll(order, -1)])), loop, direction)
 
@@ -581,22 +581,6 @@ class GeodesicIndex(Surface):
             f"GeodesicIndex({s.vertices} vertices, {s.faces} faces, patches ({s.first_layer_patches}, "
             f"{s.second_layer_patches}), {s.form}, delta {s.delta:g}, {s.bytes / 2**20:.1f} MiB)"
         )
-
-
-def _paths(found: Any) -> list[GeodesicPath]:
-    """Paths as the core returns them."""
-    lengths, certified, begin, points, (vertices, faces, weights), over_gap = found
-    return [
-        GeodesicPath(
-            points[a:b],
-            float(length),
-            vertices[a:b],
-            SurfacePoints(faces[a:b], weights[a:b]),
-            bool(proven),
-            over_gap[a:b] > 0,
-        )
-        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
-    ]
 
 
 def exact_distance_field(

@@ -22,12 +22,17 @@ from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints, surface_poi
 from .progress import ProgressFunction, reporter
 from .results import (
     Answered,
+    Band,
+    CutMesh,
     Disk,
     Extent,
     FarthestSamples,
+    GeodesicPath,
+    GeodesicPolygon,
     Isolines,
     Polylines,
     RelaxedPoints,
+    SetDistances,
     SparseDistances,
     VoronoiRegions,
 )
@@ -167,15 +172,15 @@ class Tasks:
         """Checked points as the core takes them."""
         return point_lists.rows(name, points, len(self.vertices), least)
 
-    def _source_rows(self, sources: Sources) -> tuple[Rows, NDArray[np.int32]]:
+    def _source_rows(self, sources: Sources, list_name: str = "sources") -> tuple[Rows, NDArray[np.int32]]:
         """Sources as points, and for each the position of its source in the list; a curve is one source."""
         if not point_lists.holds(sources, EdgeCurve):
-            found = self._rows("sources", sources)
+            found = self._rows(list_name, sources)
             number = np.arange(len(found[0]), dtype=np.int32)
         else:
             parts, numbers, places = [], [], 0
             for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
-                name = f"sources[{i}]"
+                name = f"{list_name}[{i}]"
                 if isinstance(part, EdgeCurve):
                     spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
                     ends = part.edges(len(self.vertices), name)
@@ -189,7 +194,7 @@ class Tasks:
             found = point_lists.joined(parts)
             number = np.concatenate(numbers).astype(np.int32)
         if not len(found[0]):
-            raise InvalidInput("sources: is empty; give at least one vertex id, surface point or curve.")
+            raise InvalidInput(f"{list_name}: is empty; give at least one vertex id, surface point or curve.")
         return found, number
 
     def distance_matrix(
@@ -409,21 +414,26 @@ class Tasks:
             "distance": along an edge, values vary like distances from a point in the plane, which is exact where the
             surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
         """
+        values, chosen, how = self._levels(field, levels, interpolation)
+        points, edges, level = self._shared.core.isolines(values, chosen, how)
+        return Isolines(points, edges, chosen[level])
+
+    def _levels(
+        self, field: ArrayLike, levels: ArrayLike, interpolation: str
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
+        """A checked field, the levels meant, and the number of the interpolation."""
         values = check.real_values("field", field)
         if len(values) != len(self.vertices):
             raise InvalidInput(
                 f"field: has {len(values)} values; give one for each of the {len(self.vertices)} vertices."
             )
         how = check.choice("interpolation", interpolation, _INTERPOLATIONS)
-        if isinstance(levels, (int, np.integer)):
-            count = check.integer("levels", levels, 0, 2**31 - 1)
-            finite = values[np.isfinite(values)]
-            low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
-            chosen = np.linspace(low, high, count + 2)[1:-1]
-        else:
-            chosen = check.real_values("levels", levels)
-        points, edges, level = self._shared.core.isolines(values, chosen, how)
-        return Isolines(points, edges, chosen[level])
+        if not isinstance(levels, (int, np.integer)):
+            return values, check.real_values("levels", levels), how
+        count = check.integer("levels", levels, 0, 2**31 - 1)
+        finite = values[np.isfinite(values)]
+        low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+        return values, np.linspace(low, high, count + 2)[1:-1], how
 
     def sample_farthest(
         self,
@@ -495,6 +505,116 @@ class Tasks:
         """
         rows, _ = self._source_rows(sources)
         return Disk(*self._ask(self._shared.core.disk, rows, check.length("radius", radius), method=method))
+
+    def band(
+        self,
+        sources: Sources,
+        width: float,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Band:
+        """Area within a distance of the nearest source, and the length of its border.
+
+        Faces at the border are bisected until their sides are at most width / 16. In each part the border is an arc of
+        a circle through its crossings of the sides; the distance of the middle of its chord says how far the arc is
+        from it. Exact for points in a plane but for the few arcs that leave a part and come back.
+
+        Parameters
+        ----------
+        sources : k points, k >= 1
+            Or an `EdgeCurve`, or a list that contains curves. A band around a curve lies on both sides of it.
+        width : float
+            0 or more.
+        """
+        rows, _ = self._source_rows(sources)
+        reach = check.length("width", width)
+        return Band(*self._ask(self._shared.core.band, rows, reach, method=method, progress=progress))
+
+    def disk_area(
+        self,
+        sources: Sources,
+        radius: float,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> float:
+        """The area within a radius of the nearest source, as `band` finds it."""
+        rows, _ = self._source_rows(sources)
+        reach = check.length("radius", radius)
+        found: float = self._ask(self._shared.core.band, rows, reach, method=method, progress=progress)[0]
+        return found
+
+    def cut(self, lines: GeodesicPath | Points | list[GeodesicPath | Points]) -> CutMesh:
+        """The mesh with its faces cut along lines over it, such as paths.
+
+        The region of a face is its connected part after the cut, numbered from 0 in the order of the faces; `side` says
+        which faces are beside a line.
+
+        Parameters
+        ----------
+        lines : GeodesicPath or points, or a list of these
+            Consecutive points of a line lie on a common face: the points of a path do. Lines may cross.
+        """
+        several = isinstance(lines, list) and any(
+            isinstance(line, GeodesicPath) or not point_lists.is_single(line) for line in lines
+        )
+        listed = cast(list[Any], lines if several else [lines])
+        parts = [
+            self._rows(f"lines[{i}]", line.surface_points if isinstance(line, GeodesicPath) else line)
+            for i, line in enumerate(listed)
+        ]
+        begin = np.cumsum([0] + [len(part[0]) for part in parts], dtype=np.int32)
+        return self._cut_mesh(self._shared.core.cut_along(point_lists.joined(parts), begin))
+
+    def cut_at_levels(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> CutMesh:
+        """The mesh with its faces cut along isolines of a field.
+
+        The region of a face is the number of different levels that are at most its values: 0 below all of them; -1
+        where values are not finite.
+
+        Parameters
+        ----------
+        field, levels, interpolation
+            As for `isolines`.
+        """
+        return self._cut_mesh(self._shared.core.cut_at_levels(*self._levels(field, levels, interpolation)))
+
+    def polygon(
+        self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
+    ) -> GeodesicPolygon:
+        """The polygon of exact shortest paths from each point to the next, and from the last one to the first.
+
+        Neighbouring legs may begin together, as at a saddle; legs that cross or touch elsewhere are refused, as are
+        those that do not separate an inside from an outside: around a handle, say.
+
+        Parameters
+        ----------
+        points : k points, k >= 3
+        """
+        chosen = self._rows("points", points)
+        found = self._ask(self._shared.core.polygon, chosen, method=method, progress=progress)
+        return GeodesicPolygon(*found[:7], legs=paths_of(found[7:]))
+
+    @staticmethod
+    def _cut_mesh(found: Any) -> CutMesh:
+        vertices, faces, added, input_faces, region, edges, side = found
+        return CutMesh(vertices, faces, surface_points(added), input_faces, region, edges, side)
+
+    def set_distances(
+        self,
+        first: Sources,
+        second: Sources,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> SetDistances:
+        """How far two sets of points are from each other: nearest, mean and Hausdorff distance, by two fields.
+
+        Parameters
+        ----------
+        first, second : points
+            At least one each. Or an `EdgeCurve`, or a list that contains curves, which stand for points along them.
+        """
+        sets = self._source_rows(first, "first")[0], self._source_rows(second, "second")[0]
+        return SetDistances(*self._ask(self._shared.core.set_distances, *sets, method=method, progress=progress))
 
     def eccentricity(
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
@@ -661,3 +781,19 @@ def _reopened(result: NDArray[Any], out: Output) -> NDArray[Any]:
         return result
     mapped: NDArray[Any] = np.load(check.file_path(out), mmap_mode="r")
     return mapped
+
+
+def paths_of(found: Any) -> list[GeodesicPath]:
+    """Paths as the core returns them."""
+    lengths, certified, begin, points, (vertices, faces, weights), over_gap = found
+    return [
+        GeodesicPath(
+            points[a:b],
+            float(length),
+            vertices[a:b],
+            SurfacePoints(faces[a:b], weights[a:b]),
+            bool(proven),
+            over_gap[a:b] > 0,
+        )
+        for length, proven, a, b in zip(lengths, certified, begin[:-1], begin[1:], strict=True)
+    ]

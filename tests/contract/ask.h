@@ -13,9 +13,13 @@
 #include "query/surface.h"
 #include "support/error.h"
 #include "support/shapes.h"
+#include "tasks/bands.h"
+#include "tasks/cut.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/neighbors.h"
+#include "tasks/polygon.h"
+#include "tasks/set_distances.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -170,6 +174,29 @@ class Ask {
   GeodesicDisk disk(const std::vector<SurfacePoint>& sources, double radius, By by) const {
     return geodesic_disk(*surface_, into(sources), radius, task(by));
   }
+  Band band(const std::vector<SurfacePoint>& sources, double width, By by) const {
+    return vorogeo::band(*surface_, into(sources), width, task(by));
+  }
+  SetDistances set_distances(const std::vector<SurfacePoint>& first, const std::vector<SurfacePoint>& second,
+                             By by) const {
+    return vorogeo::set_distances(*surface_, into(first), into(second), task(by));
+  }
+  GeodesicPolygon polygon(const std::vector<SurfacePoint>& points, By by) const {
+    return geodesic_polygon(*surface_, into(points), task(by));
+  }
+  /// \pre No face is split.
+  CutMesh cut_at_levels(const std::vector<double>& values, const std::vector<double>& levels,
+                        Interpolation interpolation = Interpolation::distance) const {
+    return vorogeo::cut_at_levels(*mesh_, values, levels, interpolation);
+  }
+  /// \pre No face is split.
+  CutMesh cut_along(const std::vector<std::vector<SurfacePoint>>& lines) const {
+    std::vector<std::vector<SurfacePoint>> inside;
+    for (const auto& line : lines) inside.push_back(into(line));
+    return vorogeo::cut_along(*mesh_, inside);
+  }
+  /// \pre No face is split. Faces left out are left out.
+  const Mesh& mesh() const { return *mesh_; }
   /// Of a field of distances. \pre No face is split.
   Isolines isolines(const std::vector<double>& values, const std::vector<double>& levels) const {
     return vorogeo::isolines(*mesh_, values, levels, Interpolation::distance);

@@ -108,5 +108,38 @@ TEST(NeighboursContract, WhereFewerCanBeReachedTheRestIsEmpty) {
   }
 }
 
+TEST(NeighboursContract, SetsAreAsFarApartAsTheirPoints) {
+  ask_each(cases_in_turn(), [](const Case& one, By by) {
+    const auto all = vertices({0, 3, 8, 12, 20});
+    const std::vector<SurfacePoint> first(all.begin(), all.begin() + 2);
+    const std::vector<SurfacePoint> second(all.begin() + 2, all.end());
+    const SetDistances found = one.ask.set_distances(first, second, by);
+    const auto directed = [&](const auto& from, const auto& to, const std::vector<double>& distances) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        double least = unreachable;
+        for (const SurfacePoint& other : to) least = std::min(least, one.distance(from[i], other));
+        expect_close(distances[i], least, one.tolerance(by), one.ask, std::to_string(i));
+        sum += distances[i];
+      }
+      return sum / static_cast<double>(from.size());
+    };
+    ASSERT_EQ(found.to_second.size(), 2U);
+    ASSERT_EQ(found.to_first.size(), 3U);
+    const double mean =
+        0.5 * directed(first, second, found.to_second) + 0.5 * directed(second, first, found.to_first);
+    if (mean == unreachable) return;
+    EXPECT_NEAR(found.mean, mean, 1e-12 * mean);
+    double nearest = unreachable;
+    double greatest = 0.0;
+    for (const auto& distances : {found.to_second, found.to_first}) {
+      nearest = std::min(nearest, std::ranges::min(distances));
+      greatest = std::max(greatest, std::ranges::max(distances));
+    }
+    EXPECT_EQ(found.nearest, nearest);
+    EXPECT_EQ(found.hausdorff, greatest);
+  });
+}
+
 }  // namespace
 }  // namespace vorogeo::contract

@@ -75,6 +75,9 @@ TEST(RefusalsContract, PointsThatAreNotOnTheMeshAreNamedInEveryQuestion) {
       add("relaxed points", [=] { surface().relaxed({good, point}, 1, by); });
       add("eccentricities", [=] { surface().eccentricities({point}, by); });
       add("disk", [=] { surface().disk({point}, 1.0, by); });
+      add("band", [=] { surface().band({good, point}, 1.0, by); });
+      add("sets", [=] { surface().set_distances({good}, {good, point}, by); });
+      add("polygon", [=] { surface().polygon({good, vertex(9), point}, by); });
     }
     expect_refused(all);
   }

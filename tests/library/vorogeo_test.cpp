@@ -432,6 +432,29 @@ TEST_P(LibraryTasks, SamplesAreSpread) {
   }
 }
 
+TEST_P(LibraryTasks, AreasPolygonsAndCuts) {
+  const int middle = sheet.vertex(24, 24);
+  const double circle = std::numbers::pi * 0.09;
+  const vorogeo::TaskOptions exactly{.by = vorogeo::Answer::exact};
+  EXPECT_NEAR(vorogeo::disk_area(surface, middle, 0.3, exactly), circle, 1e-4);
+  EXPECT_NEAR(vorogeo::band(surface, middle, 0.3, exactly).border_length, circle / 0.15, 1e-3);
+
+  const vorogeo::PointList corners{sheet.vertex(6, 12), sheet.vertex(42, 12), sheet.vertex(42, 36),
+                                   sheet.vertex(6, 36)};
+  const auto polygon = vorogeo::polygon(surface, corners, options);
+  EXPECT_NEAR(polygon.area, 0.75 * 0.5, 1e-9);
+  EXPECT_NEAR(polygon.perimeter, 2.5, 1e-9);
+  for (const double angle : polygon.angles) EXPECT_NEAR(angle, 0.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(polygon.gauss_bonnet, 0.0, 1e-9);
+
+  const auto cut = vorogeo::cut_along(surface, polygon.legs);
+  ASSERT_EQ(cut.points.size(), cut.positions.size());
+  for (std::size_t v = 0; v < cut.points.size(); ++v) {
+    const auto at = surface.position(cut.points[v]);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(at[i], cut.positions[v][i], 1e-12);
+  }
+}
+
 TEST_P(LibraryTasks, LinesDisksAndExtent) {
   const auto lines = vorogeo::isolines(surface, surface.field(0, {.by = options.by}).distance, {0.5, 0.75});
   std::array<double, 2> length{};

@@ -1,0 +1,27 @@
+// The area within a distance of points or curves, and the length of its border.
+#pragma once
+
+#include "mesh/surface_point.h"
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+/// What lies within a distance of the nearest of some sources.
+struct Band {
+  double area = 0.0;           ///< in the square of the mesh's unit; that over a gap does not count
+  double border_length = 0.0;  ///< of the line at the distance, without borders of the mesh
+};
+
+/// The part of each face that is within the distance `width`.
+///
+/// Faces that the border may cross are bisected until their sides are at most width / 16. In each part, the
+/// border is a circular arc through its two crossings of the sides and through the point above the middle of
+/// its chord: as distances grow by one a unit, the distance of that middle says how far the arc is from it.
+/// Exact for sources in a plane but for arcs that leave a part and come back, and for parts where the border
+/// has a kink; those are bisected further, to sixteenths. \throw InvalidInput for no source, one that is not
+/// on the mesh, or a width that is negative or NaN; Cancelled. Complexity: a field bounded by the width and
+/// the longest side of a face, and a search of its windows for each part, of which there are about as many as
+/// faces at the border, or 16 for each width of its length if that is more.
+Band band(Surface& surface, const PointList& sources, double width, const TaskOptions& options = {});
+
+}  // namespace vorogeo

@@ -1,0 +1,33 @@
+// Polygons whose sides are shortest paths: their area, perimeter and angles, and what lies inside.
+#pragma once
+
+#include <vector>
+
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+struct GeodesicPolygon {
+  double area = 0.0;           ///< of the inside: the smaller of the two sides
+  double perimeter = 0.0;      ///< of all legs
+  std::vector<double> angles;  ///< by point, of the inside, in radians
+  /// Sum of the angle defects of the vertices inside. The angles sum to (n - 2) pi and this, where the inside
+  /// is a disk and no leg turns at a vertex.
+  double curvature = 0.0;
+  /// Gauss-Bonnet: 2 pi times the Euler characteristic of the inside, minus its curvature, minus the turning
+  /// of its border at points and vertices. Not 0 beyond rounding only if legs bend elsewhere, as where the
+  /// metric jumps.
+  double gauss_bonnet = 0.0;
+  std::vector<Index> vertices;  ///< inside, not on the border; ascending
+  std::vector<Index> faces;     ///< as given, all of which are inside; ascending
+  std::vector<ExactPath> legs;  ///< from each point to the next, the last one to the first
+};
+
+/// From each point to the next by the shortest path, and back to the first. Neighbouring legs may begin
+/// together, as at a saddle; then they enclose nothing there. \throw InvalidInput for fewer than three
+/// points, one that is not on the mesh or that the next one repeats or does not reach, legs that cross or
+/// touch elsewhere, and legs that have one and the same side, as around a handle or a tube; Cancelled.
+/// Complexity: the exact paths, and O(n log n) for the mesh.
+GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& points, const TaskOptions& options = {});
+
+}  // namespace vorogeo

@@ -1,0 +1,139 @@
+// Polygons of shortest paths: area, perimeter and angles by formulas, and by Gauss-Bonnet what they enclose.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "contract/surfaces.h"
+#include "mesh/surface_locator.h"
+
+namespace vorogeo::contract {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<SurfacePoint> places_on(const test::Soup& soup, const std::vector<Point>& places) {
+  const SurfaceLocator locator(test::make_mesh(soup));
+  std::vector<SurfacePoint> points;
+  for (const Point& place : places) points.push_back(locator.nearest(place).point);
+  return points;
+}
+
+double sum_of(const std::vector<double>& angles) {
+  return std::accumulate(angles.begin(), angles.end(), 0.0);
+}
+
+TEST(PolygonContract, InAPlaneItIsTheFlatOne) {
+  const test::Soup soup = test::plane_grid(11, 9, 4.0, 3.0, 0.24, 7).soup;
+  // An L, of six corners.
+  const std::vector<Point> places{{0.5, 0.4, 0}, {3.3, 0.4, 0}, {3.3, 1.3, 0},
+                                  {1.7, 1.3, 0}, {1.7, 2.6, 0}, {0.5, 2.6, 0}};
+  const Ask ask(soup, {.patches = 3, .patches_in_each = 3});
+  for (const By by : {By::exact, By::index}) {
+    const GeodesicPolygon found = ask.polygon(places_on(soup, places), by);
+    EXPECT_NEAR(found.area, 2.8 * 0.9 + 1.2 * 1.3, 1e-9);
+    EXPECT_NEAR(found.perimeter, 2.0 * (2.8 + 2.2), 1e-9);
+    ASSERT_EQ(found.angles.size(), 6U);
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(found.angles[i], i == 3 ? 1.5 * pi : 0.5 * pi, 1e-9);
+    EXPECT_NEAR(found.curvature, 0.0, 1e-9);
+    EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-9);
+    const auto is_inside = [](const Point& p) {
+      return p[0] > 0.5 && p[1] > 0.4 && p[0] < 3.3 && p[1] < 2.6 && (p[0] < 1.7 || p[1] < 1.3);
+    };
+    std::vector<Index> vertices;
+    for (Index v = 0; v < ask.vertex_count(); ++v) {
+      if (is_inside(soup.positions[v])) vertices.push_back(v);
+    }
+    EXPECT_EQ(found.vertices, vertices);
+    ASSERT_FALSE(found.faces.empty());
+    for (const Index f : found.faces) {
+      for (const Index v : soup.faces[f]) EXPECT_TRUE(is_inside(soup.positions[v])) << f;
+    }
+  }
+}
+
+TEST(PolygonContract, AroundACornerOfABoxAngleSumsHaveAQuarterTurnMore) {
+  const test::Soup soup = test::box({1.0, 1.7, 3.1}, 4).soup;
+  const Ask ask(soup);
+  const GeodesicPolygon found =
+      ask.polygon(places_on(soup, {{0.6, 0, 0}, {0, 0.6, 0}, {0, 0, 0.6}}), By::exact);
+  EXPECT_NEAR(found.area, 3.0 * 0.18, 1e-9);
+  EXPECT_NEAR(found.perimeter, 3.0 * 0.6 * std::numbers::sqrt2, 1e-9);
+  for (const double angle : found.angles) EXPECT_NEAR(angle, 0.5 * pi, 1e-9);
+  EXPECT_NEAR(found.curvature, 0.5 * pi, 1e-9);
+  EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-9);
+}
+
+TEST(PolygonContract, AroundAnApexAnglesSumToItsDefectMore) {
+  for (const double total : {1.4 * pi, 1.9 * pi, 2.3 * pi}) {
+    const Ask ask(test::cone(12, 4, total, 2.0).soup);
+    std::vector<Index> ring;  // the outermost but one, from every third sector
+    for (const Index sector : {0, 3, 6, 9}) ring.push_back(1 + 2 * 12 + sector);
+    const GeodesicPolygon found = ask.polygon(vertices(ring), By::exact);
+    EXPECT_NEAR(sum_of(found.angles), 2.0 * pi + (2.0 * pi - total), 1e-9) << total;
+    const double radius = distance_between(ask.soup().positions[0], ask.soup().positions[ring[0]]);
+    EXPECT_NEAR(found.area, 2.0 * radius * radius * std::sin(0.25 * total), 1e-9) << total;
+    EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-9) << total;
+  }
+}
+
+TEST(PolygonContract, LegsThatRunTogetherToASaddleEncloseNothingThere) {
+  // Sectors of 2 pi / 3 and more apart: every leg passes the apex.
+  const Ask ask(test::cone(12, 3, 3.6 * pi, 2.0).soup);
+  const std::vector<SurfacePoint> points = vertices({1 + 12, 1 + 12 + 4, 1 + 12 + 8});
+  const std::string sentence = refusal([&] { ask.polygon(points, By::exact); });
+  EXPECT_NE(sentence.find("same side left and right"), std::string::npos) << sentence;
+}
+
+TEST(PolygonContract, OnASphereAnOctantIsApproached) {
+  double before = 0.0;
+  for (const int subdivisions : {2, 3, 4}) {
+    const test::Soup soup = test::icosphere(subdivisions);
+    const Ask ask(soup);
+    const auto points = places_on(soup, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    const GeodesicPolygon found = ask.polygon(points, By::exact);
+    const double error = std::abs(found.area - 0.5 * pi);
+    EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-8);
+    EXPECT_NEAR(found.curvature, 0.5 * pi, 4.0 / std::pow(2.0, subdivisions));
+    if (before > 0.0) {
+      EXPECT_LT(error, before / 1.8) << subdivisions;
+    }
+    before = error;
+  }
+}
+
+TEST(PolygonContract, MetricsMultiplyLengthsAndKeepAngles) {
+  for (const Case& one : cases()) {
+    if (one.surface->name != "box by length" && one.surface->name != "box") continue;
+    const GeodesicPolygon found =
+        one.ask.polygon(places_on(one.surface->soup, {{0.6, 0, 0}, {0, 0.6, 0}, {0, 0, 0.6}}), By::exact);
+    EXPECT_NEAR(found.area, 0.54 * one.scale * one.scale, 1e-9) << one.name;
+    EXPECT_NEAR(found.perimeter, 1.8 * std::numbers::sqrt2 * one.scale, 1e-9) << one.name;
+    EXPECT_NEAR(sum_of(found.angles), 1.5 * pi, 1e-9) << one.name;
+  }
+}
+
+TEST(PolygonContract, WhatIsNoPolygonIsRefused) {
+  const test::Soup plane = test::plane_grid(6, 6, 2.0, 2.0, 0.2).soup;
+  const auto corners = places_on(plane, {{0.4, 0.4, 0}, {1.6, 0.4, 0}, {1.6, 1.6, 0}, {0.4, 1.6, 0}});
+  const auto torus = test::torus(24, 12, 2.0, 0.8);
+  const auto refused = [](const test::Soup& soup, const std::vector<SurfacePoint>& points) {
+    return refusal([&] { Ask(soup).polygon(points, By::exact); });
+  };
+  const auto has = [](const std::string& sentence, const std::string& words) {
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+  };
+  has(refused(plane, {corners[0], corners[2], corners[1], corners[3]}), "Legs 0 and 2");
+  has(refused(plane, {corners[0], corners[1]}), "there are 2");
+  has(refused(plane, {corners[0], corners[1], corners[1], corners[2]}),
+      "Points 1 and 2 of the polygon are the same");
+  has(refused(torus, places_on(torus, {{2.8, 0, 0}, {1.6, 0, 0.69}, {1.6, 0, -0.69}})),
+      "same side left and right");
+  const test::Soup two = test::two_components(plane, test::icosphere(1));
+  has(refused(two, {corners[0], corners[1], vertex(static_cast<Index>(plane.positions.size()) + 5)}),
+      "from point 1 to point 2");
+}
+
+}  // namespace
+}  // namespace vorogeo::contract

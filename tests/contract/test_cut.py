@@ -1,0 +1,110 @@
+"""Cutting leaves a surface as it is, in more faces; bands hold the area within a distance."""
+
+from __future__ import annotations
+
+import ask
+import numpy as np
+import pytest
+import table
+import vorogeo
+from surfaces import Floats, Ids, Shape
+
+LENGTHS = table.LENGTHS
+
+
+def areas(vertices: Floats, faces: Ids) -> Floats:
+    """The area of each face in space."""
+    corner = vertices[faces]
+    return np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1) / 2
+
+
+def assert_same_surface(shape: Shape, cut: vorogeo.CutMesh) -> None:
+    """Each face has its area, and the new vertices are where their points are."""
+    count = len(shape.vertices)
+    np.testing.assert_array_equal(cut.vertices[:count], shape.vertices)
+    np.testing.assert_allclose(
+        cut.points.positions(shape.vertices, shape.faces), cut.vertices[count:], atol=1e-12, rtol=0
+    )
+    parts = np.bincount(cut.input_faces, areas(cut.vertices, cut.faces), len(shape.faces))
+    expected = areas(shape.vertices, shape.faces) * table.is_face(shape)
+    np.testing.assert_allclose(parts, expected, atol=1e-12 * expected.sum(), rtol=0)
+
+
+@pytest.mark.parametrize("shape", LENGTHS, ids=str)
+def test_a_cut_at_levels_leaves_the_surface_as_it_is(shape: Shape) -> None:
+    field = ask.field("exact", shape, shape.sources[:1])
+    cut = ask.surface(shape).cut_at_levels(field, 4)
+    assert_same_surface(shape, cut)
+    finite = np.isfinite(field[shape.faces[cut.input_faces]]).all(axis=1)
+    np.testing.assert_array_equal(cut.region == -1, ~finite)
+    assert set(cut.region[finite].tolist()) == set(range(5))
+    vertices, faces, kept = cut.part(2)
+    np.testing.assert_array_equal(vertices, cut.vertices[kept])
+    assert areas(vertices, faces).sum() == pytest.approx(areas(cut.vertices, cut.faces)[cut.region == 2].sum())
+
+
+@pytest.mark.parametrize("shape", LENGTHS, ids=str)
+def test_a_cut_along_paths_leaves_the_surface_as_it_is(shape: Shape) -> None:
+    paths = [path for path in ask.path("exact", shape, shape.sources[0], shape.sources[1:]) if len(path.points)]
+    cut = ask.surface(shape).cut(paths)
+    assert_same_surface(shape, cut)
+    alone = ask.surface(shape).cut(paths[0])
+    ends = alone.vertices[alone.edges]
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(paths[0].length, rel=1e-9)
+    assert (alone.side == 1).any()
+    assert (alone.side == -1).any()
+
+
+@pytest.mark.parametrize("by", ask.TASKS)
+def test_the_disk_of_a_plane_has_the_area_of_a_circle(by: str) -> None:
+    shape = table.named("plane")
+    middle = ask.surface(shape).snap(shape.vertices.mean(axis=0))
+    size = np.ptp(shape.vertices, axis=0)[:2].min()
+    radius = 0.3 * size
+    error = 2e-2 if by == "index" else 1e-6
+    assert ask.task("disk_area", by, shape, middle, radius) == pytest.approx(np.pi * radius**2, rel=error)
+    band = ask.task("band", by, shape, middle, radius)
+    assert band.area == pytest.approx(np.pi * radius**2, rel=error)
+    assert band.border_length == pytest.approx(2 * np.pi * radius, rel=error)
+
+
+def test_a_band_around_a_curve_has_ends_that_are_half_disks() -> None:
+    x, y = np.meshgrid(np.linspace(0, 4, 41), np.linspace(0, 2, 21))
+    vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    corner = (np.arange(20)[:, None] * 41 + np.arange(40)).ravel()
+    faces = np.vstack(
+        [np.column_stack([corner, corner + 1, corner + 42]), np.column_stack([corner, corner + 42, corner + 41])]
+    )
+    curve = vorogeo.EdgeCurve(10 * 41 + np.arange(10, 31), spacing=0.01)  # from x = 1 to x = 3
+    band = vorogeo.Surface(vertices, faces).band(curve, 0.5)
+    sag = 2 * 2 * 0.01**2 / (8 * 0.5)
+    assert band.area == pytest.approx(2 * 2 * 0.5 + np.pi * 0.25, abs=sag + 1e-6)
+    assert band.border_length == pytest.approx(4 + np.pi, rel=1e-3)
+
+
+@pytest.mark.parametrize("by", ["exact", "by index, exact", "index", "automatic"])
+def test_a_polygon_of_a_plane_is_the_flat_one(by: str) -> None:
+    shape = table.named("plane")
+    low, size = shape.vertices.min(axis=0), np.ptp(shape.vertices, axis=0)
+    corners = low + size * [[0.1, 0.2, 0], [0.9, 0.15, 0], [0.7, 0.8, 0], [0.3, 0.85, 0]]
+    polygon = ask.task("polygon", by, shape, ask.surface(shape).snap(corners))
+    x, y, _ = corners.T
+    area = abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) / 2
+    assert polygon.area == pytest.approx(area, rel=1e-9)
+    assert polygon.perimeter == pytest.approx(np.linalg.norm(corners - np.roll(corners, -1, axis=0), axis=1).sum())
+    assert polygon.angles.sum() == pytest.approx(2 * np.pi)
+    assert polygon.gauss_bonnet == pytest.approx(0, abs=1e-9)
+    cut = ask.surface(shape).cut(polygon.legs)
+    parts = np.bincount(cut.region, areas(cut.vertices, cut.faces))
+    assert sorted(parts) == pytest.approx(sorted([area, size[0] * size[1] - area]))
+
+
+def test_sets_are_as_far_apart_as_their_points() -> None:
+    shape = table.named("plane")
+    first, second = shape.sources[:2], shape.sources[2:]
+    found = ask.surface(shape).set_distances(first, second)
+    expected = shape.between(shape.vertices[first], shape.vertices[second])
+    np.testing.assert_allclose(found.to_second, expected.min(axis=1), rtol=1e-9)
+    np.testing.assert_allclose(found.to_first, expected.min(axis=0), rtol=1e-9)
+    assert found.nearest == pytest.approx(expected.min())
+    assert found.hausdorff == pytest.approx(max(expected.min(axis=1).max(), expected.min(axis=0).max()))
