@@ -591,8 +591,10 @@ class Tasks:
         points : k points, k >= 3
         """
         chosen = self._rows("points", points)
-        found = self._ask(self._shared.core.polygon, chosen, method=method, progress=progress)
-        return GeodesicPolygon(*found[:7], legs=paths_of(found[7:]))
+        area, perimeter, angles, curvature, rest, vertices, faces, *legs = self._ask(
+            self._shared.core.polygon, chosen, method=method, progress=progress
+        )
+        return GeodesicPolygon(area, perimeter, angles, curvature, rest, vertices, faces, paths_of(legs))
 
     @staticmethod
     def _cut_mesh(found: Any) -> CutMesh:
