@@ -42,6 +42,7 @@ using vorogeo::cut_at_levels;
 using vorogeo::CutMesh;
 using vorogeo::Error;
 using vorogeo::exp_map;
+using vorogeo::gradient;
 using vorogeo::IndexFileError;
 using vorogeo::IndexOptions;
 using vorogeo::InvalidInput;
@@ -58,6 +59,7 @@ using vorogeo::SurfacePoint;
 using vorogeo::tangent_frames;
 using vorogeo::TaskOptions;
 using vorogeo::to_string;
+using vorogeo::transport;
 }  // namespace inner
 
 #include "vorogeo.h"
@@ -783,6 +785,22 @@ LogMap log_map(const Surface& surface, const SurfacePoint& from, const LogMapOpt
     const InputMap map(at.mesh);
     return LogMap{map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance))};
   });
+}
+
+std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
+                              const GradientOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    std::optional<inner::PointList> points;
+    if (!options.points.empty()) points = at.in(options.points);
+    auto found = inner::gradient(at.surface, at.in(sources), points, options.limit, at.options);
+    return points ? std::move(found) : InputMap(at.mesh).of_vertices(std::move(found));
+  });
+}
+
+std::vector<Tangent> transport(const Surface& surface, const PointList& path,
+                               const std::vector<Tangent>& vectors) {
+  return ask(surface, TaskOptions{},
+             [&](const Asked& at) { return inner::transport(at.surface, at.in(path), vectors); });
 }
 
 std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,

@@ -578,6 +578,20 @@ struct LogMap {
 VOROGEO_API LogMap log_map(const Surface& surface, const SurfacePoint& from,
                            const LogMapOptions& options = {});
 
+struct GradientOptions {
+  PointList points = {};       ///< empty: all vertices
+  double limit = unreachable;  ///< beyond it there is no gradient
+  ProgressFunction progress = {};
+};
+/// The gradient of the distance from the nearest source: vectors of length 1 in the frames of the points,
+/// away from the source, exactly. NaN at sources, where no path leads, and at vertices without a frame.
+VOROGEO_API std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
+                                          const GradientOptions& options = {});
+/// Vectors in the frame of the first point of a path, carried along it in parallel, in the frame of its last
+/// point. \throw InvalidInput for consecutive points without a common face, or a point without a frame.
+VOROGEO_API std::vector<Tangent> transport(const Surface& surface, const PointList& path,
+                                           const std::vector<Tangent>& vectors);
+
 struct ExpMapOptions {
   bool slide = false;  ///< at a border, go on along it; otherwise a line ends there
   ProgressFunction progress = {};

@@ -119,6 +119,9 @@ class ExactSolver {
   /// or point begins; NaN if unreachable. \throw std::logic_error as distance() of it.
   double first_leg(Index vertex) const;
   double first_leg(const SurfacePoint& point) const;
+  /// The angle, in the frame of a point, at which the shortest path from it to its nearest source begins; NaN
+  /// at a source and where none can be reached. \throw std::logic_error after a run with distances_only.
+  double last_leg(const TangentFrame& frame) const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   /// \throw std::logic_error after a run with distances_only.
   SurfacePath path_to_source(const SurfacePoint& target) const;

@@ -61,6 +61,7 @@ class LocalSolver {
   /// \pre The metric does not jump around the source.
   double first_leg(Index vertex) const { return windows_->first_leg(vertex); }
   double first_leg(const SurfacePoint& point) const { return windows_->first_leg(point); }
+  double last_leg(const TangentFrame& frame) const { return windows_->last_leg(frame); }
   SurfacePath path_to_source(const SurfacePoint& target) const {
     return at(vertex_near(target), [&](const auto& s) { return s.path_to_source(target); });
   }

@@ -7,6 +7,7 @@
 
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
+#include "exact/surface_path.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -151,6 +152,27 @@ double ExactSolver::distance(const SurfacePoint& point) const {
 double ExactSolver::first_leg(const SurfacePoint& point) const {
   const SurfacePoint target = validated(state_->mesh, point);
   return target.is_vertex() ? first_leg(target.vertex) : last_step(*state_, target).first_leg;
+}
+
+double ExactSolver::last_leg(const TangentFrame& frame) const {
+  state_->require_windows();
+  const SurfacePoint& point = frame.point();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (point.is_vertex() && (distance(point.vertex) == unreachable || state_->is_source(point.vertex)))
+    return none;
+  BackStep best;
+  Index through = no_index;
+  for_each_face_at(state_->mesh, point, [&](Index face, const std::array<double, 3>& weights) {
+    const BackStep step = best_back_step(*state_, face, weights);
+    if (!(step.distance < best.distance)) return;
+    best = step;
+    through = face;
+  });
+  if (!(best.distance <= state_->max_distance)) return none;
+  if (best.halfedge != no_index) return frame.view(best.halfedge).angle_to(best.x);
+  if (best.vertex != no_index) return frame.angle_to(through, best.vertex);
+  if (is_same_point(state_->mesh, state_->sources[best.source].point, point)) return none;
+  return frame.angle_in_face(through, source_in_face(*state_, best.source, through));
 }
 
 // ---- Paths back to the source, one face at a time, through the windows that a run left

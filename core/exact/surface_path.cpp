@@ -106,6 +106,15 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
   return sum;
 }
 
+Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+  Index common = no_index;
+  for_each_common_face(mesh, a, b, [&](Index face, const Weights&, const Weights&) {
+    common = face;
+    return false;
+  });
+  return common;
+}
+
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   if (a.is_vertex() && b.is_vertex()) return a.vertex == b.vertex;
   bool same = false;

@@ -30,6 +30,9 @@ struct MeasuredLength {
 /// `unreachable` if there is no point or two share no face. Complexity: O(points) for each face at a point.
 MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points);
 
+/// The first face that holds both points; no_index if there is none.
+Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
 /// Whether two points are the same up to rounding of their weights. Points at the same place in space, on two
 /// sides of a slit say, are not.
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);

@@ -138,6 +138,11 @@ double TangentFrame::angle_in_face(Index face, const std::array<double, 3>& weig
                        -at_apex(seen) * frame.apex_depth);
 }
 
+int TangentFrame::orientation(Index face) const {
+  const EdgeView& seen = *std::ranges::lower_bound(views_, 3 * face, {}, &EdgeView::halfedge);
+  return geometry_->frame[seen.halfedge].along ? seen.sign : -seen.sign;
+}
+
 double TangentFrame::angle_to(Index face, Index vertex) const {
   const auto& corners = geometry_->mesh->face_vertices(face);
   std::array<double, 3> weights{};
@@ -146,8 +151,7 @@ double TangentFrame::angle_to(Index face, Index vertex) const {
 }
 
 Tangent TangentFrame::vector(double angle, double length) const {
-  const double scaled = angle * (2.0 * pi / full_turn_);
-  return {length * std::cos(scaled), length * std::sin(scaled)};
+  return {length * std::cos(scaled(angle)), length * std::sin(scaled(angle))};
 }
 
 double TangentFrame::angle_of(const Tangent& vector) const {

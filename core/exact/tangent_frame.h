@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,9 @@ class TangentFrame {
   const EdgeView& view(Index halfedge) const;
   /// Angle of the direction to another point of a face at the point.
   double angle_in_face(Index face, const std::array<double, 3>& weights) const;
+  /// 1 if angles grow counter-clockwise as seen from where the corners of a face at the point are, otherwise
+  /// -1.
+  int orientation(Index face) const;
   /// Angle of the direction to a vertex of a face at the point.
   double angle_to(Index face, Index vertex) const;
 
@@ -59,6 +64,8 @@ class TangentFrame {
   Index first_halfedge() const { return first_halfedge_; }
   /// The angle that is scaled to 2 pi; on a border of the mesh, half of it is outside the surface.
   double full_turn() const { return full_turn_; }
+  /// An angle as it counts in vectors.
+  double scaled(double angle) const { return angle * (2.0 * std::numbers::pi / full_turn_); }
   Tangent vector(double angle, double length) const;
   /// In [0, full_turn()), for any vector that has a direction.
   double angle_of(const Tangent& vector) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "query/surface.h"
 #include "support/parallel.h"
@@ -150,6 +151,28 @@ LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>&
     std::ranges::for_each(*targets, add);
   } else {
     for (Index v = 0; v < surface_.mesh()->vertex_count(); ++v) add(v);
+  }
+  return found;
+}
+
+std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
+                                     const std::optional<PointList>& points, double max_distance,
+                                     const Progress& progress) {
+  const LocalSolver& solver = solved(sources, max_distance, 1, false, progress);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto at = [&](const SurfacePoint& point) -> Tangent {
+    if (!(solver.distance(point) < unreachable)) return {none, none};
+    const TangentFrame frame(*surface_.geometry()->windows, point);
+    return frame.vector(solver.last_leg(frame) + 0.5 * frame.full_turn(), 1.0);
+  };
+  std::vector<Tangent> found;
+  if (points) {
+    for (const SurfacePoint& point : *points) found.push_back(at(point));
+    return found;
+  }
+  const Mesh& mesh = *surface_.mesh();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    found.push_back(TangentFrame::exists_at(mesh, v) ? at(SurfacePoint::at_vertex(v)) : Tangent{none, none});
   }
   return found;
 }

@@ -69,6 +69,9 @@ class Query {
   /// `unreachable`. Exact. \pre The metric does not jump around the point.
   LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
                  int threads, const Progress& progress);
+  /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
+  std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
+                                double max_distance, const Progress& progress);
   /// Exact paths from one point to many: one propagation serves them all.
   void exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,
                    const std::function<void(std::size_t, ExactPath)>& found);

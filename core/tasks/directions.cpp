@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 
+#include "exact/surface_path.h"
 #include "support/parallel.h"
+#include "tasks/path_through.h"
 
 namespace vorogeo {
 
@@ -38,6 +42,19 @@ std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
   return frames;
 }
 
+void require_exact(const TaskOptions& options) {
+  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
+  throw InvalidInput("Directions are exact: an index and the quick method have none.");
+}
+
+void require_finite(const std::vector<Tangent>& vectors) {
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    if (std::isfinite(std::hypot(vectors[i][0], vectors[i][1]))) continue;
+    throw InvalidInput("Vector " + std::to_string(i) + " is " + std::to_string(vectors[i][0]) + ", " +
+                       std::to_string(vectors[i][1]) + "; give finite numbers.");
+  }
+}
+
 /// Answers are exact, without an index.
 void report(const TaskOptions& options, const Stopwatch& watch) {
   if (options.answered == nullptr) return;
@@ -66,9 +83,7 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options) {
   require_limit(max_distance);
-  if (options.by == AnswerMethod::index || options.by == AnswerMethod::quick) {
-    throw InvalidInput("Directions are exact: an index and the quick method have none.");
-  }
+  require_exact(options);
   const TangentFrame frame = frames_at(surface, std::vector{point}).front();
   std::optional<PointList> ends;
   if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
@@ -80,17 +95,66 @@ LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<
   return found;
 }
 
+std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
+                              const std::optional<PointList>& points, double max_distance,
+                              const TaskOptions& options) {
+  require_limit(max_distance);
+  require_exact(options);
+  if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
+  std::vector<ExactSource> from;
+  for (const SurfacePoint& source : points_on(*surface.mesh(), sources, "Source")) {
+    geometry_around(surface, source);
+    from.push_back({source});
+  }
+  std::optional<PointList> at;
+  if (points) at = points_on(*surface.mesh(), *points, "Point");
+  if (at) frames_at(surface, *at);
+  const Stopwatch watch;
+  auto found =
+      surface.lend([&](Query& query) { return query.gradient(from, at, max_distance, options.progress); });
+  report(options, watch);
+  return found;
+}
+
+std::vector<Tangent> transport(Surface& surface, const PointList& path, const std::vector<Tangent>& vectors) {
+  const Mesh& mesh = *surface.mesh();
+  const PointList points = points_on(mesh, path, "Point");
+  if (points.empty())
+    throw InvalidInput("The path has no point; give one that path() or path_through() found.");
+  require_finite(vectors);
+  TangentFrame here(geometry_around(surface, points[0]), points[0]);
+  // A vector of angle a at the first point has the angle sign a + turned here.
+  double sign = 1.0, turned = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i] == points[i - 1]) continue;
+    TangentFrame next(here.geometry(), points[i]);
+    const Index face = common_face(mesh, points[i - 1], points[i]);
+    if (face == no_index) refuse_step(mesh, points, i);
+    std::array<double, 3> from{}, to{};
+    weights_in_face(mesh, points[i - 1], face, from);
+    weights_in_face(mesh, points[i], face, to);
+    const double ahead = here.scaled(here.angle_in_face(face, to));
+    const double back = next.scaled(next.angle_in_face(face, from));
+    const double same = here.orientation(face) * next.orientation(face);
+    turned = back + std::numbers::pi + same * (turned - ahead);
+    sign *= same;
+    here = std::move(next);
+  }
+  std::vector<Tangent> carried;
+  for (const auto& [x, y] : vectors) {
+    const double angle = sign * std::atan2(y, x) + turned, length = std::hypot(x, y);
+    carried.push_back({length * std::cos(angle), length * std::sin(angle)});
+  }
+  return carried;
+}
+
 std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const std::vector<Tangent>& vectors,
                                AtBorder at_border, const TaskOptions& options) {
   if (points.size() != 1 && points.size() != vectors.size()) {
     throw InvalidInput("There are " + std::to_string(points.size()) + " points and " +
                        std::to_string(vectors.size()) + " vectors; give one vector for each, or one point.");
   }
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    if (std::isfinite(std::hypot(vectors[i][0], vectors[i][1]))) continue;
-    throw InvalidInput("Vector " + std::to_string(i) + " is " + std::to_string(vectors[i][0]) + ", " +
-                       std::to_string(vectors[i][1]) + "; give finite numbers.");
-  }
+  require_finite(vectors);
   const std::vector<TangentFrame> frames = frames_at(surface, points);
   std::vector<TracedEnd> ends(vectors.size());
   const Stopwatch watch;

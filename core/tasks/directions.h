@@ -23,6 +23,21 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options);
 
+/// The gradient of the distance from the nearest source, at all vertices or at some points: vectors of length
+/// 1 in the frames there, away from the source, against the direction in which the shortest path to it
+/// begins. NaN at sources, where no path leads or max_distance ends it, and at vertices that have no frame.
+/// Always exact; where several paths are shortest, of one of them. \throw as log_map(), and for points
+/// without a frame. Complexity: an exact field that keeps its windows.
+std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
+                              const std::optional<PointList>& points, double max_distance,
+                              const TaskOptions& options);
+
+/// Vectors at the first point of a path, carried along it in parallel to its last point: in the faces they
+/// keep their angle with the path, at a vertex their direction in its frame. \throw InvalidInput for an empty
+/// path, a point that is not on the mesh or has no frame, two consecutive ones without a common face (names
+/// them). Complexity: O(points).
+std::vector<Tangent> transport(Surface& surface, const PointList& path, const std::vector<Tangent>& vectors);
+
 /// The ends of straightest lines from points along vectors in the frames there, on all threads: of pairs, or
 /// of one point and each of the vectors. \throw as log_map(), for vectors that are not finite and for
 /// lists of different lengths; Cancelled. Complexity: O(faces crossed).

@@ -19,16 +19,6 @@ namespace vorogeo {
 
 namespace {
 
-/// The first face that holds both points; no_index if there is none.
-Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
-  Index common = no_index;
-  for_each_face_at(mesh, a, [&](Index face, const std::array<double, 3>&) {
-    std::array<double, 3> weights{};
-    if (common == no_index && weights_in_face(mesh, b, face, weights)) common = face;
-  });
-  return common;
-}
-
 /// Adds faces around a point until the strip ends in `face`; both its last face and `face` hold the point.
 bool go_on(const Mesh& mesh, const SurfacePoint& point, Index face, FaceStrip& strip) {
   if (point.is_vertex()) return turn_around(mesh, strip, point.vertex, face);

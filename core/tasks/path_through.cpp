@@ -24,6 +24,12 @@ void refuse_leg(const Mesh& mesh, std::size_t i, const SurfacePoint& from, std::
                      "): they are on two components.");
 }
 
+void refuse_step(const Mesh& mesh, const PointList& path, std::size_t i) {
+  throw InvalidInput("Points " + std::to_string(i - 1) + " (" + name_of(mesh, path[i - 1]) + ") and " +
+                     std::to_string(i) + " (" + name_of(mesh, path[i]) +
+                     ") of the path share no face; give one that path() or path_through() found.");
+}
+
 ExactPath path_through(Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {
   if (points.size() < 2) {
     throw InvalidInput("There are " + std::to_string(points.size()) +

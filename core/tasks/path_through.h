@@ -23,4 +23,7 @@ std::string name_of(const Mesh& mesh, const SurfacePoint& point);
 [[noreturn]] void refuse_leg(const Mesh& mesh, std::size_t i, const SurfacePoint& from, std::size_t j,
                              const SurfacePoint& to);
 
+/// Refuses point i of a path, which shares no face with the one before. \throw InvalidInput.
+[[noreturn]] void refuse_step(const Mesh& mesh, const PointList& path, std::size_t i);
+
 }  // namespace vorogeo

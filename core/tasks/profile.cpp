@@ -43,11 +43,7 @@ Profile profile(const Mesh& mesh, const PointList& path, const Point& up) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     double step = 0.0;
     if (i > 0) step = measured_length(mesh, std::array{points[i - 1], points[i]}).length;
-    if (!std::isfinite(step)) {
-      throw InvalidInput("Points " + std::to_string(i - 1) + " (" + name_of(mesh, points[i - 1]) + ") and " +
-                         std::to_string(i) + " (" + name_of(mesh, points[i]) +
-                         ") of the path share no face; give one that path() or path_through() found.");
-    }
+    if (!std::isfinite(step)) refuse_step(mesh, points, i);
     found.along.push_back(i > 0 ? found.along.back() + step : 0.0);
     found.height.push_back(dot(position_of(mesh, points[i]), up) / size);
     found.angle.push_back(std::acos(std::clamp(dot(normal_at(mesh, points[i]), up) / size, -1.0, 1.0)));

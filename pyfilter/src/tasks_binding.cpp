@@ -274,6 +274,20 @@ auto logarithms(const TaskOptions& options, const HeldSurface& held, const Point
   return std::tuple(map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)));
 }
 
+/// Vectors. Without `points`, of all vertices.
+auto gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+               const OptionalPoints& points, double max_distance) {
+  std::optional<PointList> at;
+  if (points) at = held.points(*points);
+  auto found = gradient(*held.surface, held.points(sources), at, max_distance, options);
+  return std::tuple(points ? std::move(found) : InputMap(held.mesh()).of_vertices(std::move(found)));
+}
+
+auto carried(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
+             const TangentArray& vectors) {
+  return std::tuple(transport(*held.surface, held.points(path), rows_of<2>(vectors)));
+}
+
 /// Points and lengths of lines.
 auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
                const TangentArray& vectors, bool slides) {
@@ -317,6 +331,8 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "tangent_frames", &axes_at);
   bind_question(surface, "log_map", &logarithms);
   bind_question(surface, "exp_map", &line_ends);
+  bind_question(surface, "gradient", &gradients);
+  bind_question(surface, "transport", &carried);
 }
 
 // ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete

@@ -423,9 +423,6 @@ class Surface(Tasks):
         rows = self._curve_rows(path)
         return Profile(*self._ask(self._shared.core.profile, rows, *check.direction("up", up), method=None))
 
-    def _curve_rows(self, curve: Points | GeodesicPath) -> point_lists.Rows:
-        return self._rows("curve", curve.surface_points if isinstance(curve, GeodesicPath) else curve)
-
     def _one_row(self, name: str, point: Points) -> point_lists.Rows:
         row = self._rows(name, point)
         if len(row[0]) != 1:

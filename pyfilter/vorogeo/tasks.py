@@ -172,6 +172,9 @@ class Tasks:
         """Checked points as the core takes them."""
         return point_lists.rows(name, points, len(self.vertices), least)
 
+    def _curve_rows(self, curve: Points | GeodesicPath) -> Rows:
+        return self._rows("curve", curve.surface_points if isinstance(curve, GeodesicPath) else curve)
+
     def _source_rows(self, sources: Sources, list_name: str = "sources") -> tuple[Rows, NDArray[np.int32]]:
         """Sources as points, and for each the position of its source in the list; a curve is one source."""
         if not point_lists.holds(sources, EdgeCurve):
@@ -734,6 +737,69 @@ class Tasks:
         ends = None if targets is None else self._rows("targets", targets)
         vector, distance = self._ask(self._shared.core.log_map, source, ends, limit, method="exact", progress=progress)
         return (vector, distance) if return_distance else vector
+
+    def gradient(
+        self,
+        sources: Points,
+        points: Points | None = None,
+        max_distance: float | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> NDArray[np.float64]:
+        """The gradient of the distance from the nearest source: which way leads straight away from it.
+
+        At each vertex or point a vector of length 1 in its frame (`tangent_frames`), against the direction in which the
+        shortest path to the source begins: exact, not the slope of a field that is linear in the faces. Where several
+        paths are shortest, of any of them. Always exact, with an index as well.
+
+        Parameters
+        ----------
+        sources : vertex ids, or SurfacePoints
+        points : k points, optional
+            None for all vertices; centres of faces are SurfacePoints.
+        max_distance : float, optional
+            Beyond it there is no gradient; None for no limit.
+
+        Returns
+        -------
+        ndarray, shape (n, 2) or (k, 2)
+            NaN at sources, where no path leads, and at vertices that have no frame; a point without one is refused.
+
+        Notes
+        -----
+        An exact field that keeps its windows, as an exact path does.
+        """
+        ends = None if points is None else self._rows("points", points)
+        limit, rows = check.max_distance(max_distance), self._rows("sources", sources, 1)
+        (vectors,) = self._ask(self._shared.core.gradient, rows, ends, limit, method="exact", progress=progress)
+        found: NDArray[np.float64] = vectors
+        return found
+
+    def transport(self, path: Points | GeodesicPath, vectors: ArrayLike) -> NDArray[np.float64]:
+        """Vectors at the first point of a path, carried along it in parallel to its last point.
+
+        In the faces and over their edges they keep their angle with the path; through a vertex they keep their
+        direction in its frame. Round a closed path they come back turned by the curvature inside.
+
+        Parameters
+        ----------
+        path : GeodesicPath, or k points
+            Of consecutive points, each two share a face.
+        vectors : array_like, shape (2,) or (k, 2)
+            In the frame of the first point (`tangent_frames`).
+
+        Returns
+        -------
+        ndarray, shape (k, 2)
+            In the frame of the last point.
+
+        Notes
+        -----
+        O(points). To many points, take the paths of `path(p, points)`.
+        """
+        rows, along = self._curve_rows(path), check.positions("vectors", vectors, 2)
+        (carried,) = self._ask(self._shared.core.transport, rows, along, method="exact")
+        found: NDArray[np.float64] = carried
+        return found
 
     def exp_map(
         self,

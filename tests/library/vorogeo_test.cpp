@@ -151,6 +151,17 @@ TEST(Library, DirectionsAreThoseOnThePaper) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(end[k], sheet.positions[v][k], 1e-12);
     }
   }
+  const auto gradient = vorogeo::gradient(surface, from);
+  EXPECT_TRUE(std::isnan(gradient[from][0]));
+  // Inside the sheet, all frames are the same.
+  const auto there = vorogeo::gradient(surface, from, {.points = sheet.vertex(13, 7)}).front();
+  EXPECT_NEAR(there[0], 0.6, 1e-12);
+  EXPECT_NEAR(there[1], -0.8, 1e-12);
+  EXPECT_EQ(there, gradient[sheet.vertex(13, 7)]);
+  const auto path = surface.path(from, sheet.vertex(13, 7));
+  const auto carried = vorogeo::transport(surface, path.surface_points, {{2.0, 3.0}}).front();
+  EXPECT_NEAR(carried[0], 2.0, 1e-9);
+  EXPECT_NEAR(carried[1], 3.0, 1e-9);
   const auto few = vorogeo::log_map(surface, from, {.targets = {0, {0, {0.5, 0.5, 0.0}}}, .limit = 0.5});
   EXPECT_TRUE(std::isnan(few.vector[0][0]));
   EXPECT_EQ(few.distance[1], unreachable);

@@ -132,6 +132,64 @@ def test_lines_lead_back_to_where_log_maps_say(name):
     assert (off[straight] <= 1e-9 * np.maximum(distance[chosen], np.ptp(vertices))[straight]).all()
 
 
+def unit(vectors):
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def some_flipped(faces):
+    turned = np.random.default_rng().random(len(faces)) < 0.3
+    return np.where(turned[:, None], faces[:, ::-1], faces)
+
+
+def test_on_a_plane_gradients_lead_straight_away_and_vectors_stay_as_they_are():
+    vertices, faces = plane_grid(9, 7, 1.6, 1.2)
+    faces = some_flipped(faces)
+    surface = vorogeo.Surface(vertices, faces)
+    source = vorogeo.SurfacePoints([40], [[0.3, 0.5, 0.2]])
+    centres = vorogeo.SurfacePoints(np.arange(len(faces)), np.full((len(faces), 3), 1 / 3))
+    place = source.positions(vertices, faces)[0]
+    inside = np.setdiff1d(np.arange(len(vertices)), [0, 8, 54, 62])  # at the corners of the sheet, angles are scaled
+    for points, places in ((inside, vertices[inside]), (centres, centres.positions(vertices, faces))):
+        frames = surface.tangent_frames(points)
+        gradient = np.einsum("ka,kac->kc", surface.gradient(source, points), frames[:, :2])
+        np.testing.assert_allclose(gradient, unit(places - place), atol=1e-9)
+    assert np.isnan(surface.gradient(source, source)).all()
+    assert np.isnan(surface.gradient([30, 31], max_distance=0.3)[[30, 31, 62]]).all()
+    np.testing.assert_array_equal(surface.gradient(source)[inside], surface.gradient(source, inside))
+    for target in inside:
+        path = surface.path(source, target)
+        before, after = (surface.tangent_frames(point)[0] for point in (source, target))
+        carried = surface.transport(path, [[1, 2], [0, 0]])
+        np.testing.assert_allclose(in_space(after, carried), in_space(before, np.array([[1, 2], [0, 0]])), atol=1e-9)
+
+
+def test_round_a_corner_of_a_cube_a_vector_turns_by_the_angle_that_is_missing_there():
+    vertices, faces = cube()
+    surface = vorogeo.Surface(vertices, some_flipped(faces))
+    corner = vertices.max(axis=0)
+    size = corner[0] - vertices.min()
+    ring = surface.snap(corner - 0.3 * size * np.array([[1, 1, 0], [0, 1, 1], [1, 0, 1]]))
+    (carried,) = surface.transport(surface.path_through(ring, closed=True), [3, 4])
+    np.testing.assert_allclose(np.abs(np.dot(carried, [3, 4])), 0, atol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(carried), 5, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk"])
+def test_a_direction_that_is_carried_along_its_line_is_the_gradient_at_the_end(name):
+    vertices, faces = real_mesh(name)
+    surface = vorogeo.Surface(vertices, faces)
+    vector, gradient = surface.log_map(17), surface.gradient(17)
+    np.testing.assert_allclose(np.linalg.norm(gradient[np.isfinite(vector[:, 0])][:17], axis=1), 1)
+    straight = 0
+    for target in np.random.default_rng().choice(np.flatnonzero(np.isfinite(gradient[:, 0])), 100):
+        path = surface.path(17, target, method="exact")
+        if (path.vertices[1:-1] >= 0).any():
+            continue
+        straight += 1
+        np.testing.assert_allclose(surface.transport(path, unit(vector[target]))[0], gradient[target], atol=1e-7)
+    assert straight > 3
+
+
 def test_a_constant_cost_scales_vectors_and_has_no_frames_in_space():
     vertices, faces = bent_grid(9, 8)
     dear = vorogeo.Surface(vertices, faces, metric=vorogeo.VertexCost(np.full(len(vertices), 3.0)))
@@ -158,6 +216,13 @@ def test_an_index_does_not_answer_for_directions():
         (lambda s: s.exp_map(1, [1, 2, 3]), r"vectors: has shape \(1, 3\)"),
         (lambda s: s.exp_map(1, [np.nan, 0]), r"vectors\[0\]: \[nan, 0.0\] is not finite"),
         (lambda s: s.exp_map(1, [1, 0], at_border="stop"), "at_border: 'stop' is unknown"),
+        (lambda s: s.gradient([]), "sources"),
+        (lambda s: s.gradient(1, 80), "There are no directions at vertex 80"),
+        (lambda s: s.transport([1, 2], [np.inf, 0]), "vectors"),
+        (
+            lambda s: s.transport([1, 71], [1, 0]),
+            r"Points 0 \(vertex 1\) and 1 \(vertex 71\) of the path share no face",
+        ),
         (lambda s: s.log_map(80), "There are no directions at vertex 80: no face has it"),
         (lambda s: s.exp_map(vorogeo.SurfacePoints([112], [[0.2, 0.3, 0.5]]), [1, 0]), "face 112: it has no area"),
     ],
