@@ -214,6 +214,19 @@ std::shared_ptr<const Mesh> mesh_of(std::vector<Point> positions, std::vector<st
     const auto sides = sides_by_face_tensor(positions, faces, options.face_tensor);
     metric = {sides, edge_points_for(positions, faces, sides)};
   }
+  if (!options.face_drift.empty()) {
+    require_count(options.face_drift.size(), faces.size(), "face_drift", "faces");
+    if (given.empty()) {
+      metric = {sides_by_face_cost(positions, faces, std::vector<double>(faces.size(), 1.0)),
+                usual_edge_points};
+    }
+    if (metric.points_per_edge == 0) {
+      throw InvalidInput("Both " + given +
+                         " and face_drift are given; give face_cost, face_tensor or neither.");
+    }
+    metric.drifts = drifts_by_face(positions, faces, metric.sides, options.face_drift);
+    given = "face_drift";
+  }
   if (is_given(options.side_lengths, "side_lengths", faces.size(), "faces")) metric = options.side_lengths;
   const GapLimit gap{options.gap, options.bridge_folds};
   return measured_mesh({std::move(positions), std::move(faces), std::move(metric), gap});
@@ -273,7 +286,8 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
     for (std::size_t i = 0; i < points.size(); ++i) {
       from.push_back({points[i], options.offsets.empty() ? 0.0 : options.offsets[i]});
     }
-    auto found = at.surface.field(from, options.limit, at.options.by, at.answered, at.options.progress);
+    inner::Surface& surface = options.to ? at.surface.reversed() : at.surface;
+    auto found = surface.field(from, options.limit, at.options.by, at.answered, at.options.progress);
     Field field;
     field.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     if (options.labels) field.label = InputMap(at.mesh).of_vertices(std::move(found.source));

@@ -123,7 +123,8 @@ struct SnappedPoint {
 
 // ---- Options and answers
 
-/// What distances are measured in, and on which part of the mesh. At most one of the first five is given.
+/// What distances are measured in, and on which part of the mesh. At most one is given of the first four and
+/// side_lengths.
 struct SurfaceOptions {
   /// By vertex, above 0, linear over each face: what a unit of length costs.
   std::vector<double> vertex_cost = {};
@@ -133,6 +134,9 @@ struct SurfaceOptions {
   std::vector<double> face_cost = {};
   /// By face: the squared length of a step v in it is v' G v; paths refract at edges.
   std::vector<Tensor> face_tensor = {};
+  /// By face, with face_cost, face_tensor or neither: a step v costs w . v more, and less on the way back. A
+  /// vector shorter than 1 in the metric of the face. Answered exactly, without an index.
+  std::vector<Point> face_drift = {};
   /// By face, each side opposite the corner of the same number: lengths instead of those in space.
   std::vector<std::array<double, 3>> side_lengths = {};
   /// By face or by vertex: false leaves the face, or all faces at the vertex, out of the surface.
@@ -162,6 +166,7 @@ struct FieldOptions {
   double limit = unreachable;        ///< distances above it are `unreachable`
   bool labels = false;               ///< also say which source is the nearest
   std::vector<double> offsets = {};  ///< added to the distances from each source; empty: 0
+  bool to = false;  ///< distances to the sources instead of from them; the same without face_drift
   Answer by = Answer::automatic;
   ProgressFunction progress = {};
 };

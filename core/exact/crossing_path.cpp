@@ -17,6 +17,20 @@ namespace {
 /// A crossing is a vertex if it is this near.
 constexpr double at_vertex = 1e-9;
 
+/// The drift from the first corner of a face, or the first vertex of an edge, to a joint at a fraction.
+double drift_to(const FaceNorms& norms, const PathJoint& joint, double fraction, Index face, Index edge) {
+  const Mesh& mesh = norms.mesh();
+  if (!mesh.is_one_way()) return 0.0;
+  const bool moves = joint.edge != no_index && (face != no_index || joint.edge == edge);
+  const SurfacePoint point = moves ? point_on_edge(mesh, joint.edge, fraction) : joint.point;
+  std::array<double, 3> weights{};
+  const Index h = face == no_index ? mesh.edge_halfedge(edge) : 3 * face;
+  weights_in_face(mesh, point, Mesh::face_of(h), weights);
+  if (face != no_index) return norms.drift_to(face, weights);
+  const bool forward = mesh.tail(h) == mesh.edge_vertices(edge)[0];
+  return weights[(forward ? Mesh::next_in_face(h) : h) % 3] * mesh.edge_drift(edge);
+}
+
 /// Where a joint lies as a function of its fraction, on the line of an edge or in the plane of a face.
 void place_joint(const FaceNorms& norms, const PathJoint& joint, Index face, Index edge,
                  PathPiece::Vector& at, PathPiece::Vector& along) {
@@ -51,9 +65,12 @@ void place_joint(const FaceNorms& norms, const PathJoint& joint, Index face, Ind
 }
 
 /// Keeps an end of a piece where its joint is.
-void fix(const PathJoint& joint, PathPiece::Vector& at, PathPiece::Vector& along) {
+void fix(const PathJoint& joint, PathPiece::Vector& at, PathPiece::Vector& along, double& drift_at,
+         double& drift_along) {
   at = {at[0] + joint.fraction * along[0], at[1] + joint.fraction * along[1]};
   along = {};
+  drift_at += joint.fraction * drift_along;
+  drift_along = 0.0;
 }
 
 }  // namespace
@@ -80,6 +97,14 @@ PathPiece CrossingPath::piece(std::size_t number) const {
   const auto& [face, edge] = passed_[number];
   place_joint(norms_, joints_[number], face, edge, piece.begin_at, piece.begin_along);
   place_joint(norms_, joints_[number + 1], face, edge, piece.end_at, piece.end_along);
+  // A wave came the other way.
+  const PathJoint& begin = joints_[number];
+  const PathJoint& end = joints_[number + 1];
+  const double at_begin = drift_to(norms_, begin, 0.0, face, edge);
+  const double at_end = drift_to(norms_, end, 0.0, face, edge);
+  piece.drift_at = at_begin - at_end;
+  piece.drift_begin = drift_to(norms_, begin, 1.0, face, edge) - at_begin;
+  piece.drift_end = at_end - drift_to(norms_, end, 1.0, face, edge);
   return piece;
 }
 
@@ -91,8 +116,10 @@ double CrossingPath::refract_between(std::size_t begin, std::size_t end) {
     pieces.push_back(piece(i));
     if (i > begin) crossing.push_back(joints_[i].fraction);
   }
-  fix(joints_[begin], pieces.front().begin_at, pieces.front().begin_along);
-  fix(joints_[end], pieces.back().end_at, pieces.back().end_along);
+  PathPiece& first = pieces.front();
+  PathPiece& last = pieces.back();
+  fix(joints_[begin], first.begin_at, first.begin_along, first.drift_at, first.drift_begin);
+  fix(joints_[end], last.end_at, last.end_along, last.drift_at, last.drift_end);
   const double length = refract(pieces, crossing);
   for (std::size_t i = begin + 1; i < end; ++i) {
     joints_[i] = joint_on(norms_.mesh(), joints_[i].edge, crossing[i - begin - 1]);

@@ -18,7 +18,9 @@ struct PathJoint {
 /// The point of an edge as a joint; a vertex if it is as near as rounding.
 PathJoint joint_on(const Mesh& mesh, Index edge, double fraction);
 
-/// Straight pieces across faces and along edges, from joint to joint. One object belongs to one thread.
+/// Straight pieces across faces and along edges, from joint to joint, back from a target towards its source:
+/// where the ways there and back differ, costs are those of the wave, which came the other way. One object
+/// belongs to one thread.
 class CrossingPath {
  public:
   CrossingPath(const FaceNorms& norms, const SurfacePoint& begin) : norms_(norms), joints_{{begin}} {}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace vorogeo {
@@ -14,11 +15,13 @@ constexpr double growth = 1.5;
 /// The reach is larger than the distance of the target by this factor, as the next one may be farther away.
 constexpr double reach_slack = 1.25;
 
-/// Of all faces. Where the metric jumps, the edges of a dear face are only as long as in its neighbours.
+/// Of all faces, each way. Where the metric jumps, the edges of a dear face are only as long as in its
+/// neighbours.
 double longest_side(const Mesh& mesh) {
   if (!mesh.metric_jumps()) return mesh.longest_edge_length();
   double longest = 0.0;
-  for (Index h = 0; h < 3 * mesh.face_count(); ++h) longest = std::max(longest, mesh.side_length(h));
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h)
+    longest = std::max(longest, mesh.side_length(h) + std::abs(mesh.drift(h)));
   return longest;
 }
 

@@ -101,7 +101,7 @@ void FaceNorms::place_points(Index per_edge) {
     }
     first_point_.push_back(first_point_.back() + static_cast<Index>(count));
     edge_of_point_.insert(edge_of_point_.end(), static_cast<std::size_t>(count), e);
-    longest_piece_ = std::max(longest_piece_, edge_cost(e) * spacing(e));
+    longest_piece_ = std::max({longest_piece_, along(e, spacing(e)), along(e, -spacing(e))});
   }
 }
 
@@ -132,6 +132,16 @@ void FaceNorms::find_thin_fans() {
   }
 }
 
+double FaceNorms::shift(Index halfedge) const {
+  const Index edge = mesh_->edge_of(halfedge);
+  const double length = mesh_->side_length(halfedge);
+  if (!mesh_->is_one_way() || !(length > 0.0)) return 0.0;
+  const double there = mesh_->drift(halfedge);
+  return ((mesh_->tail(halfedge) == mesh_->edge_vertices(edge)[0] ? there : -there) -
+          mesh_->edge_drift(edge)) /
+         length;
+}
+
 EdgeFrame FaceNorms::frame(Index halfedge) const {
   const auto corner = corners(Mesh::face_of(halfedge));
   const Place& tail = corner[halfedge % 3];
@@ -140,6 +150,13 @@ EdgeFrame FaceNorms::frame(Index halfedge) const {
   EdgeFrame frame;
   frame.along = mesh_->tail(halfedge) == mesh_->edge_vertices(mesh_->edge_of(halfedge))[0];
   frame.length = mesh_->side_length(halfedge);
+  if (mesh_->is_one_way()) {
+    const double there = mesh_->drift(halfedge);
+    frame.drift = frame.along ? there : -there;
+    frame.apex_drift = frame.along ? -mesh_->drift(Mesh::previous_in_face(halfedge))
+                                   : mesh_->drift(Mesh::next_in_face(halfedge));
+    frame.shift = shift(halfedge);
+  }
   const Place& first = frame.along ? tail : head;
   const Place side{apex[0] - first[0], apex[1] - first[1]};
   const double to_apex = std::sqrt(side[0] * side[0] + side[1] * side[1]);
@@ -174,13 +191,14 @@ Vector step_of(const PathPiece& piece, double begin, double end) {
           piece.end_at[1] + end * piece.end_along[1] - piece.begin_at[1] - begin * piece.begin_along[1]};
 }
 
-double length_of_chain(std::span<const PathPiece> pieces, const std::vector<double>& crossing,
-                       double height = 0.0) {
+double cost_of_chain(std::span<const PathPiece> pieces, const std::vector<double>& crossing,
+                     double height = 0.0) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Vector step =
-        step_of(pieces[i], i > 0 ? crossing[i - 1] : 0.0, i < crossing.size() ? crossing[i] : 0.0);
-    sum += std::hypot(step[0], step[1], height);
+    const double begin = i > 0 ? crossing[i - 1] : 0.0;
+    const double end = i < crossing.size() ? crossing[i] : 0.0;
+    const Vector step = step_of(pieces[i], begin, end);
+    sum += std::hypot(step[0], step[1], height) + pieces[i].drift(begin, end);
   }
   return sum;
 }
@@ -206,11 +224,11 @@ Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<
       return (dot(a, b) - dot(a, unit) * dot(b, unit)) / length;
     };
     if (i > 0) {
-      d.first[i - 1] += dot(begin, unit);
+      d.first[i - 1] += dot(begin, unit) + piece.drift_begin;
       d.diagonal[i - 1] += bend(begin, begin);
     }
     if (i < count) {
-      d.first[i] += dot(end, unit);
+      d.first[i] += dot(end, unit) + piece.drift_end;
       d.diagonal[i] += bend(end, end);
     }
     if (i > 0 && i < count) d.off_diagonal[i - 1] += bend(begin, end);
@@ -222,7 +240,7 @@ Derivatives derivatives_of(std::span<const PathPiece> pieces, const std::vector<
 void refract_smoothed(std::span<const PathPiece> pieces, double height, double scale,
                       std::vector<double>& crossing) {
   const std::size_t count = crossing.size();
-  double length = length_of_chain(pieces, crossing, height);
+  double length = cost_of_chain(pieces, crossing, height);
   std::vector<double> step(count);
   std::vector<double> factor(count);
   std::vector<double> next(count);
@@ -257,7 +275,7 @@ void refract_smoothed(std::span<const PathPiece> pieces, double height, double s
     double shorter = length;
     for (; share > 1e-10; share *= 0.5) {
       for (std::size_t i = 0; i < count; ++i) next[i] = std::clamp(crossing[i] + share * step[i], 0.0, 1.0);
-      shorter = length_of_chain(pieces, next, height);
+      shorter = cost_of_chain(pieces, next, height);
       if (shorter < length) break;
     }
     if (!(shorter < length * (1.0 - least_decrease))) break;
@@ -269,12 +287,12 @@ void refract_smoothed(std::span<const PathPiece> pieces, double height, double s
 }  // namespace
 
 double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing) {
-  const double first_length = length_of_chain(pieces, crossing);
+  const double first_length = cost_of_chain(pieces, crossing);
   if (crossing.empty()) return first_length;
   const double scale = first_length / static_cast<double>(pieces.size());
   std::vector<double> moved = crossing;
   for (const double part : smoothing) refract_smoothed(pieces, part * scale, scale, moved);
-  const double length = length_of_chain(pieces, moved);
+  const double length = cost_of_chain(pieces, moved);
   if (!(length < first_length)) return first_length;
   crossing = std::move(moved);
   return length;
@@ -298,7 +316,8 @@ constexpr double overlap = 0.05;
 double refracted_radius(double radius, const RayAtEdge& ray, bool into_face) {
   if (!(ray.dearer > 1.0 + same_cost)) return radius;
   const double in_face = 1.0 - ray.cosine * ray.cosine;
-  const double before = 1.0 / (ray.dearer * ray.dearer) - ray.cosine * ray.cosine;
+  const double on_edge = ray.cosine + ray.shift;
+  const double before = 1.0 / (ray.dearer * ray.dearer) - on_edge * on_edge;
   if (!(before > 0.0)) return into_face ? unreachable : 0.0;
   return into_face ? radius * in_face / before : radius * before / in_face;
 }
@@ -317,10 +336,11 @@ WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost)
   return {std::min(1.0, share + overlap), std::max(0.0, share - overlap)};
 }
 
-FaceBeam::FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double limit)
+FaceBeam::FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double limit,
+                   double shift)
     : distance_(wave.distance), at_(at), low_(low), high_(high), limit_(limit) {
-  const double cosine = wave.slope / dearer;
-  radius_ = std::min(refracted_radius(wave.radius, {cosine, dearer}, true), flattest * wave.distance);
+  const double cosine = std::clamp(wave.slope / dearer - shift, -1.0, 1.0);
+  radius_ = std::min(refracted_radius(wave.radius, {cosine, dearer, shift}, true), flattest * wave.distance);
   x_ = at - radius_ * cosine;
   y_ = -radius_ * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   if (dearer > 1.0 + same_cost) {

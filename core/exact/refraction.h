@@ -25,8 +25,17 @@ inline constexpr double no_height = 1e-7;
 struct EdgeFrame {
   double length = 0.0;  ///< of the edge, in this face
   double apex_x = 0.0;
-  double apex_y = 0.0;  ///< at least 0
-  bool along = true;    ///< whether the half-edge leaves the edge's first vertex
+  double apex_y = 0.0;      ///< at least 0
+  double drift = 0.0;       ///< of the edge, in this face (Mesh::drift), from its first vertex on
+  double apex_drift = 0.0;  ///< from there to the apex
+  double shift = 0.0;       ///< see RayAtEdge
+
+  /// The drift from the edge's first vertex to a point in the face of the half-edge.
+  double drift_to(Index halfedge, const std::array<double, 3>& weights) const {
+    const Index second = along ? Mesh::next_in_face(halfedge) : halfedge;
+    return weights[second % 3] * drift + weights[Mesh::previous_in_face(halfedge) % 3] * apex_drift;
+  }
+  bool along = true;  ///< whether the half-edge leaves the edge's first vertex
 };
 
 /// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
@@ -63,8 +72,18 @@ class FaceNorms {
     const auto corner = corners(face);
     return {weights[1] * corner[1][0] + weights[2] * corner[2][0], weights[2] * corner[2][1]};
   }
+  /// What is added to the length of a step from corner 0 to a point in a face.
+  double drift_to(Index face, const std::array<double, 3>& weights) const {
+    return weights[1] * mesh_->drift(3 * face) - weights[2] * mesh_->drift(3 * face + 2);
+  }
   /// Length of an edge in the cheapest of its faces.
   double edge_cost(Index edge) const { return mesh_->edge_length(edge); }
+  /// The cost of a step along an edge, by a part of it; below 0: towards its first vertex.
+  double along(Index edge, double part) const {
+    return std::abs(part) * edge_cost(edge) + part * mesh_->edge_drift(edge);
+  }
+  /// By how much the drift of an edge differs from what it is in the face of a half-edge; see RayAtEdge.
+  double shift(Index halfedge) const;
   EdgeFrame frame(Index halfedge) const;
 
   /// Point i of an edge: 0 and points_on(edge) + 1 are its first and second vertex.
@@ -110,18 +129,23 @@ class FaceNorms {
 // ---- Crossings of edges moved along their edges to where a path is shortest
 
 /// A straight piece of a path in the plane of its face (or on the line of its edge): where it begins and ends
-/// as functions of the crossings there, `at + t * along`.
+/// as functions of the crossings there, `at + t * along`. It costs its length and its drift.
 struct PathPiece {
   using Vector = std::array<double, 2>;
   Vector begin_at{};
   Vector begin_along{};
   Vector end_at{};
   Vector end_along{};
+  double drift_at = 0.0;
+  double drift_begin = 0.0;  ///< times the crossing where it begins
+  double drift_end = 0.0;
+
+  double drift(double begin, double end) const { return drift_at + begin * drift_begin + end * drift_end; }
 };
 
-/// The crossings t in [0, 1] of k edges between k + 1 pieces that make the sum of their lengths least. The
+/// The crossings t in [0, 1] of k edges between k + 1 pieces that make the sum of their costs least. The
 /// sum is convex, so the optimum of the sequence is found: Newton's method with a tridiagonal matrix.
-/// `crossing` holds the start and the result. \return the length.
+/// `crossing` holds the start and the result. \return the sum.
 double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing);
 
 // ---- Waves that reach a point of an edge, near it and in the faces behind it
@@ -134,6 +158,12 @@ inline constexpr double flattest = 1e9;
 struct RayAtEdge {
   double cosine = 0.0;
   double dearer = 1.0;
+  /// Where the drift of the edge is not that of the face: the difference, as a part of its length in the
+  /// face.
+  double shift = 0.0;
+
+  /// Of distances along the edge, less its drift, in units of its cost.
+  double slope() const { return (cosine + shift) * dearer; }
 };
 
 /// The radius of a wave after an edge into a dearer face, or (`into_face` false) as seen along the edge from
@@ -147,12 +177,13 @@ struct EdgeWave {
   double distance = unreachable;
   double slope = 0.0;   ///< along the edge, of its cost: -1 to 1
   double radius = 0.0;  ///< distance of the source
+  double drift = 0.0;   ///< of the edge, per unit of its cost
 
   /// The distance in a point of the edge that is `shift` in cost from this one.
   double along(double shift) const {
     const double change = shift * shift + 2.0 * shift * radius * slope;
     const double sum = std::sqrt(std::max(0.0, radius * radius + change)) + radius;
-    return sum > 0.0 ? distance + change / sum : distance;
+    return sum > 0.0 ? distance + change / sum + drift * shift : distance;
   }
 };
 
@@ -167,26 +198,27 @@ struct WaveParts {
 WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost);
 
 /// A wave in a face that it has entered through a part of a side: as of a source before the side, which lies
-/// on the x axis.
+/// on the x axis. Drifts inside the face are the caller's.
 class FaceBeam {
  public:
   /// `at`: of the wave's point on the side; `dearer`: how many times as long the side is in the face as in
-  /// its cheapest one; the part is from `low` to `high`. Distances of `limit` or more are left to other
-  /// beams.
+  /// its cheapest one, `shift` as of RayAtEdge; the part is from `low` to `high`. Distances of `limit` or
+  /// more are left to other beams.
   FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high,
-           double limit = unreachable);
+           double limit = unreachable, double shift = 0.0);
 
-  /// The distance of a point at height `y`; `unreachable` if the ray to it does not pass the part.
-  double distance(double x, double y) const {
+  /// The distance of a point at height `y`; `unreachable` if the ray to it does not pass the part. `drift`:
+  /// from the wave's point on the side to this one.
+  double distance(double x, double y, double drift = 0.0) const {
     const double at = crossing(x, y);
-    return at >= low_ && at <= high_ ? distance_inside(x, y) : unreachable;
+    return at >= low_ && at <= high_ ? distance_inside(x, y, drift) : unreachable;
   }
   /// The same of a point to which the ray does.
-  double distance_inside(double x, double y) const {
+  double distance_inside(double x, double y, double drift = 0.0) const {
     // No difference of large numbers, however flat the wave is.
     const double change = (x - at_) * (x - at_) + y * y + 2.0 * ((x - at_) * (at_ - x_) - y * y_);
     const double sum = std::sqrt((x - x_) * (x - x_) + (y - y_) * (y - y_)) + radius_;
-    const double found = sum > 0.0 ? distance_ + change / sum : distance_;
+    const double found = (sum > 0.0 ? distance_ + change / sum : distance_) + drift;
     return found < limit_ ? found : unreachable;
   }
   double crossing(double x, double y) const { return y > y_ ? (x_ * y - x * y_) / (y - y_) : x; }

@@ -89,12 +89,16 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     prefetch_step(mesh, points, i);
     MeasuredLength step;
-    for_each_common_face(mesh, points[i], points[i + 1],
-                         [&](Index face, const Weights& from, const Weights& to) {
-                           const MeasuredLength here = step_length(mesh, face, from, to);
-                           if (here.length < step.length) step = here;
-                           return mesh.metric_jumps();  // along an edge, the cheapest of its faces counts
-                         });
+    for_each_common_face(
+        mesh, points[i], points[i + 1], [&](Index face, const Weights& from, const Weights& to) {
+          MeasuredLength here = step_length(mesh, face, from, to);
+          if (mesh.is_one_way()) {
+            here.length +=
+                (to[1] - from[1]) * mesh.drift(3 * face) - (to[2] - from[2]) * mesh.drift(3 * face + 2);
+          }
+          if (here.length < step.length) step = here;
+          return mesh.metric_jumps();  // along an edge, the cheapest of its faces counts
+        });
     if (step.length == unreachable) {
       // A step from a vertex to itself has length 0 even if no face holds it.
       if (points[i].is_vertex() && points[i].vertex == points[i + 1].vertex) continue;

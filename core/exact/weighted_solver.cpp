@@ -81,6 +81,7 @@ void WeightedSolver::start_at(Index number) {
       const Index last = norms_->points_on(edge) + 1;
       const double cost = norms_->edge_cost(edge);
       const double dearer = cost > 0.0 ? mesh().side_length(h) / cost : 1.0;
+      const EdgeFrame frame = norms_->frame(h);
       const auto begin = norms_->on_edge(corner, h, 0.0);
       const auto end = norms_->on_edge(corner, h, 1.0);
       for (Index k = 0; k <= last; ++k) {
@@ -91,17 +92,20 @@ void WeightedSolver::start_at(Index number) {
             scale > 0.0
                 ? ((to[0] - from[0]) * (end[0] - begin[0]) + (to[1] - from[1]) * (end[1] - begin[1])) / scale
                 : 0.0;
-        reach(norms_->point(edge, k), {offset + length, number, no_index, face, cosine * dearer,
-                                       refracted_radius(length, {cosine, dearer}, false)});
+        const RayAtEdge ray{cosine, dearer, frame.shift};
+        const double drift = norms_->fraction(edge, k) * frame.drift - frame.drift_to(h, weights);
+        const double distance = offset + length + drift;
+        reach(norms_->point(edge, k),
+              {distance, number, no_index, face, ray.slope(), refracted_radius(length, ray, false)});
       }
       // Along its own edge, the cheaper face counts.
       if (weights[(i + 2) % 3] > 0.0) continue;
       const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
       const double at = weights[along ? (i + 1) % 3 : i];
       for (Index k = 0; k <= last; ++k) {
-        const double shift = (norms_->fraction(edge, k) - at) * cost;
-        reach(norms_->point(edge, k), {offset + std::abs(shift), number, no_index, no_index,
-                                       shift < 0.0 ? -1.0 : 1.0, std::abs(shift)});
+        const double part = norms_->fraction(edge, k) - at;
+        reach(norms_->point(edge, k), {offset + norms_->along(edge, part), number, no_index, no_index,
+                                       part < 0.0 ? -1.0 : 1.0, std::abs(part) * cost});
       }
     }
   });
@@ -178,7 +182,8 @@ void WeightedSolver::run_along(Index edge, Index from, Index to) {
   // Waves that run along an edge are as of a vertex at its end, or plane ones.
   const bool is_running = sign * own.slope >= 1.0;
   const double radius = norms_->is_vertex(point) ? 0.0 : is_running ? own.radius : unreachable;
-  reach(norms_->point(edge, to), {own.distance + length, own.source, point, no_index, sign, radius + length});
+  const double distance = own.distance + norms_->along(edge, sign * norms_->spacing(edge));
+  reach(norms_->point(edge, to), {distance, own.source, point, no_index, sign, radius + length});
 }
 
 double WeightedSolver::settled_distance() const { return std::min(settled_distance_, max_distance_); }
@@ -205,11 +210,10 @@ double WeightedSolver::least_rest(Index point) const {
   const auto [a, b] = mesh().edge_vertices(edge);
   const double at_first = least_rest_at(a);
   const double at_second = least_rest_at(b);
-  const double cost = norms_->edge_cost(edge);
   const auto [nearer, farther] = std::minmax(at_first, at_second);
-  if (!(farther < unreachable)) return nearer - cost;
+  if (!(farther < unreachable)) return nearer - std::max(norms_->along(edge, 1.0), norms_->along(edge, -1.0));
   const double t = norms_->fraction(edge, norms_->along_edge(point));
-  return std::max({0.0, at_first - t * cost, at_second - (1.0 - t) * cost});
+  return std::max({0.0, at_first - norms_->along(edge, t), at_second - norms_->along(edge, t - 1.0)});
 }
 
 /// Whether a point is so far beyond the limit that no distance within it depends on this one. Faces are
@@ -219,7 +223,8 @@ bool WeightedSolver::is_beyond_limit(Index point) const {
   if (through <= max_distance_) return false;
   double longest = 0.0;
   auto add = [&](Index edge) {
-    longest = std::max(longest, norms_->edge_cost(edge) * norms_->spacing(edge));
+    const double piece = norms_->spacing(edge);
+    longest = std::max({longest, norms_->along(edge, piece), norms_->along(edge, -piece)});
   };
   if (norms_->is_vertex(point)) {
     for (const Index corner : mesh().corners(point)) {
@@ -272,6 +277,7 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
   const double at = norms_->fraction(edge, from) * frame.length;
   auto rate_of = [](double cost, double length) { return length > 0.0 ? cost / length : 1.0; };
   const double rate = rate_of(norms_->edge_cost(edge), frame.length);
+  // Costs are those less the face's drift, which is the same on every way between two points.
   for (const Index side : {Mesh::next_in_face(halfedge), Mesh::previous_in_face(halfedge)}) {
     const Index other = mesh().edge_of(side);
     const Index last = norms_->points_on(other) + 1;
@@ -281,22 +287,30 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
     const double begin = base == mesh().edge_vertices(edge)[0] ? 0.0 : frame.length;
     const auto [low, high] = std::minmax(begin, frame.apex_x);
     const double cost = norms_->edge_cost(other) * (from_apex ? -1.0 : 1.0);
+    const double base_drift = begin > 0.0 ? frame.drift : 0.0;
+    const double other_shift = norms_->shift(side);
+    // Towards larger x, along the other side.
+    const double other_gain = (frame.apex_x > begin) == from_apex ? -other_shift : other_shift;
     for (Index k = 0; k <= last; ++k) {
       const double t = norms_->fraction(other, from_apex ? last - k : k);
       const double x = std::lerp(begin, frame.apex_x, t);
       const double y = frame.apex_y * t;
+      const double sign = std::copysign(1.0, x - at);
       double least_rate = 1.0;
-      if (x >= 0.0 && x <= frame.length) least_rate = std::min(least_rate, rate);
-      if (at >= low && at <= high) least_rate = std::min(least_rate, other_rate);
+      if (x >= 0.0 && x <= frame.length) least_rate = std::min(least_rate, rate - sign * frame.shift);
+      if (at >= low && at <= high) least_rate = std::min(least_rate, other_rate - sign * other_gain);
       const double straight = std::hypot(x - at, y);
       const double bent = least_rate * std::abs(x - at) + y;
-      const double distance = own.distance + std::min(straight, bent);
+      const double drift =
+          std::lerp(base_drift, frame.apex_drift, t) - norms_->fraction(edge, from) * frame.drift;
+      const double distance = own.distance + std::min(straight, bent) + drift;
       const bool bends = bent < straight;
       double rise = 0.0;  // of the distance from the side's base to the apex
       if (bends) rise = std::copysign(least_rate, x - at) * (frame.apex_x - begin) + frame.apex_y;
       if (!bends && straight > 0.0) {
         rise = ((x - at) * (frame.apex_x - begin) + y * frame.apex_y) / straight;
       }
+      rise += (from_apex ? -1.0 : 1.0) * other_shift * mesh().side_length(side);
       // In the dearer side, a wave of the cheaper one is plane.
       const bool is_plane = bends || other_rate > rate * (1.0 + 1e-9);
       reach(norms_->point(other, k),
@@ -311,9 +325,12 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
 /// The wave at a point of an edge. That of a vertex runs along.
 EdgeWave WeightedSolver::wave_at(Index edge, Index k) const {
   const PointState& state = state_[norms_->point(edge, k)];
-  if (k == 0) return {state.distance, 1.0, 0.0};
-  if (k > norms_->points_on(edge)) return {state.distance, -1.0, 0.0};
-  return {state.distance, state.slope, state.radius};
+  const double drift = mesh().is_one_way() && norms_->edge_cost(edge) > 0.0
+                           ? mesh().edge_drift(edge) / norms_->edge_cost(edge)
+                           : 0.0;
+  if (k == 0) return {state.distance, 1.0, 0.0, drift};
+  if (k > norms_->points_on(edge)) return {state.distance, -1.0, 0.0, drift};
+  return {state.distance, state.slope, state.radius, drift};
 }
 
 /// For which parts of a piece, from a point of an edge to the next, the waves of both are good.
@@ -336,16 +353,23 @@ class PointsAcross {
     FaceNorms::Place step{};       ///< from there to the apex
     FaceNorms::Place direction{};  ///< that, of length 1
     double dearer = 1.0;
+    double shift = 0.0;
+    double drift = 0.0;       ///< to its vertex on the side that is crossed
+    double drift_step = 0.0;  ///< from there to the apex
   };
   struct At {
     Index point;
     FaceNorms::Place place;
     FaceNorms::Place direction;  ///< of its side
     double dearer;               ///< as of RayAtEdge
+    double shift;                ///< likewise
+    double drift;                ///< from the first vertex of the side that is crossed
   };
 
   PointsAcross(const FaceNorms& norms, Index halfedge, const EdgeFrame& frame)
-      : apex_{frame.apex_x, frame.apex_y}, apex_point_(norms.mesh().apex(halfedge)) {
+      : apex_{frame.apex_x, frame.apex_y},
+        apex_drift_(frame.apex_drift),
+        apex_point_(norms.mesh().apex(halfedge)) {
     const Mesh& mesh = norms.mesh();
     const Index next = Mesh::next_in_face(halfedge);
     const Index previous = Mesh::previous_in_face(halfedge);
@@ -364,6 +388,9 @@ class PointsAcross {
       side.direction = {side.step[0] * scale, side.step[1] * scale};
       if (side.from_apex) side.direction = {-side.direction[0], -side.direction[1]};
       side.dearer = cost > 0.0 ? length / cost : 1.0;
+      side.shift = norms.shift(sides[i]);
+      side.drift = i == 0 ? 0.0 : frame.drift;
+      side.drift_step = frame.apex_drift - side.drift;
     }
   }
 
@@ -371,12 +398,13 @@ class PointsAcross {
   /// 1 to count().
   At at(Index number) const {
     const Index before = side_[0].pieces;
-    if (number == before) return {apex_point_, apex_, {1.0, 0.0}, 1.0};
+    if (number == before) return {apex_point_, apex_, {1.0, 0.0}, 1.0, 0.0, apex_drift_};
     const Side& side = side_[number > before];
     const Index k = number < before ? number : before + side.pieces - number;  // from the side to the apex
     const double t = static_cast<double>(k) / side.pieces;
     const Index point = side.first_point + (side.from_apex ? side.pieces - k : k) - 1;
-    return {point, {side.x + t * side.step[0], t * side.step[1]}, side.direction, side.dearer};
+    const FaceNorms::Place place{side.x + t * side.step[0], t * side.step[1]};
+    return {point, place, side.direction, side.dearer, side.shift, side.drift + t * side.drift_step};
   }
   /// Where a ray from a source through a point of the side meets the other two, between their numbers.
   double position(const FaceNorms::Place& source, double crossing) const {
@@ -392,6 +420,7 @@ class PointsAcross {
  private:
   std::array<Side, 2> side_;
   FaceNorms::Place apex_;
+  double apex_drift_;
   Index apex_point_;
 };
 
@@ -408,10 +437,11 @@ void WeightedSolver::cross_from_vertex(Index corner) {
   for (Index k = 1; k <= norms_->points_on(edge); ++k) {
     const double along = norms_->fraction(edge, k) * frame.length - frame.apex_x;
     const double length = std::sqrt(along * along + frame.apex_y * frame.apex_y);
-    const double cosine = length > 0.0 ? along / length : 0.0;
+    const RayAtEdge ray{length > 0.0 ? along / length : 0.0, dearer, frame.shift};
+    const double drift = norms_->fraction(edge, k) * frame.drift - frame.apex_drift;
     reach(norms_->point(edge, k),
-          {own.distance + length, own.source, mesh().tail(corner), Mesh::face_of(halfedge), cosine * dearer,
-           refracted_radius(length, {cosine, dearer}, false)});
+          {own.distance + length + drift, own.source, mesh().tail(corner), Mesh::face_of(halfedge),
+           ray.slope(), refracted_radius(length, ray, false)});
   }
 }
 
@@ -463,15 +493,17 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     const FaceNorms::Place ray{to.place[0] - source[0], to.place[1] - source[1]};
     const double radius = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
     const double cosine = radius > 0.0 ? (ray[0] * to.direction[0] + ray[1] * to.direction[1]) / radius : 0.0;
-    reach(to.point, {distance, state_[point].source, point, face, cosine * to.dearer,
-                     refracted_radius(radius, {cosine, to.dearer}, false)});
+    const RayAtEdge at_side{cosine, to.dearer, to.shift};
+    reach(to.point, {distance, state_[point].source, point, face, at_side.slope(),
+                     refracted_radius(radius, at_side, false)});
   };
   struct Rays {
     double first, last;  ///< where they meet the other sides
   };
   // The wave of point k where it passes between two places of the side, the first one lower.
   auto send = [&](Index k, double low, double high, double limit) {
-    const FaceBeam beam(wave_at(edge, k), place(k), dearer, low, high, limit);
+    const FaceBeam beam(wave_at(edge, k), place(k), dearer, low, high, limit, frame.shift);
+    const double gained = norms_->fraction(edge, k) * frame.drift;
     const FaceNorms::Place source = beam.source();
     Rays rays{0.0, across.count() + 1.0};
     if (!is_flat) rays = {across.position(source, beam.low()), across.position(source, beam.high())};
@@ -483,7 +515,8 @@ void WeightedSolver::cross(Index halfedge, Index from) {
       if (known.settled) continue;
       const auto& [x, y] = to.place;
       // Nothing that is not settled is nearer than what is.
-      const double found = is_flat ? beam.distance(x, y) : beam.distance_inside(x, y);
+      const double drift = to.drift - gained;
+      const double found = is_flat ? beam.distance(x, y, drift) : beam.distance_inside(x, y, drift);
       const double distance = std::max(found, reached);
       if (distance < known.distance) arrive(k, to, distance, source);
     }
@@ -493,11 +526,12 @@ void WeightedSolver::cross(Index halfedge, Index from) {
   auto fan = [&](Index k, double first, double second) {
     const PointState& own = state_[norms_->point(edge, k)];
     const FaceNorms::Place source{place(k), 0.0};
+    const double gained = norms_->fraction(edge, k) * frame.drift;
     const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(first)));
     const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(second)));
     for (Index number = begin; number <= end; ++number) {
       const PointsAcross::At to = across.at(number);
-      const double distance = own.distance + FaceNorms::apart(source, to.place);
+      const double distance = own.distance + FaceNorms::apart(source, to.place) + (to.drift - gained);
       if (distance < state_[to.point].distance) arrive(k, to, distance, source);
     }
   };
@@ -548,7 +582,8 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const auto& [source, offset] = sources_[s];
     std::array<double, 3> there{};
     if (!(offset < best.distance) || !weights_in_face(mesh(), source, face, there)) continue;
-    const double distance = offset + FaceNorms::apart(norms_->place(face, there), target);
+    const double drift = norms_->drift_to(face, weights) - norms_->drift_to(face, there);
+    const double distance = offset + FaceNorms::apart(norms_->place(face, there), target) + drift;
     if (distance < best.distance) best = {.distance = distance, .source = s, .face = face};
   }
   for (int i = 0; i < 3; ++i) {
@@ -559,6 +594,7 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
     const double x =
         weights[frame.along ? (i + 1) % 3 : i] * frame.length + weights[(i + 2) % 3] * frame.apex_x;
     const double y = weights[(i + 2) % 3] * frame.apex_y;
+    const double gained = frame.drift_to(h, weights);
     const double cost = norms_->edge_cost(edge);
     const double dearer = cost > 0.0 ? std::max(1.0, frame.length / cost) : 1.0;
     const double spacing = norms_->spacing(edge);
@@ -572,7 +608,8 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
       const PointState& first = state_[norms_->point(edge, k)];
       if (!(first.distance < unreachable)) continue;
       const double begin = norms_->fraction(edge, k) * frame.length;
-      take(first.distance + std::hypot(x - begin, y), k, norms_->fraction(edge, k));
+      auto drift_from = [&](Index from) { return gained - norms_->fraction(edge, from) * frame.drift; };
+      take(first.distance + std::hypot(x - begin, y) + drift_from(k), k, norms_->fraction(edge, k));
       if (k == last || !(state_[norms_->point(edge, k + 1)].distance < unreachable)) continue;
       const WaveParts parts = parts_of(edge, k);
       const double piece = spacing * frame.length;
@@ -580,9 +617,9 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
         if (end == 0 || end == last || !passes(norms_->point(edge, end), face)) continue;
         const double low = begin + (end == k ? 0.0 : parts.second_from) * piece;
         const double high = begin + (end == k ? parts.first_until : 1.0) * piece;
-        const FaceBeam beam(wave_at(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low,
-                            high);
-        take(beam.distance(x, y), end,
+        const FaceBeam beam(wave_at(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low, high,
+                            unreachable, frame.shift);
+        take(beam.distance(x, y, drift_from(end)), end,
              frame.length > 0.0 ? std::clamp(beam.crossing(x, y) / frame.length, 0.0, 1.0) : 0.0);
       }
     }
@@ -592,7 +629,6 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
 
 WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction, double below) const {
   BackStep best;
-  const double cost = norms_->edge_cost(edge);
   for (const Index s : face_sources_) {
     const auto& [source, offset] = sources_[s];
     std::array<double, 3> there{};
@@ -600,12 +636,12 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
     if (!(offset < best.distance) || !weights_in_face(mesh(), source, Mesh::face_of(h), there)) continue;
     if (there[Mesh::previous_in_face(h) % 3] > 0.0) continue;
     const bool along = mesh().tail(h) == mesh().edge_vertices(edge)[0];
-    const double distance =
-        offset + std::abs(there[along ? Mesh::next_in_face(h) % 3 : h % 3] - fraction) * cost;
+    const double at = there[along ? Mesh::next_in_face(h) % 3 : h % 3];
+    const double distance = offset + norms_->along(edge, fraction - at);
     if (distance < best.distance) best = {.distance = distance, .source = s, .edge = edge};
   }
   auto take = [&](Index from, double at, Index flat_face) {
-    const double distance = state_[from].distance + std::abs(at - fraction) * cost;
+    const double distance = state_[from].distance + norms_->along(edge, fraction - at);
     if (!(distance < best.distance && state_[from].distance < below)) return;
     best = {.distance = distance, .edge = edge, .fraction = at, .from = from, .flat_face = flat_face};
   };
@@ -712,8 +748,10 @@ void WeightedSolver::go_back_bent(Index point, CrossingPath& path) const {
     auto x_of = [&](const std::array<double, 3>& weights) {
       return std::clamp(weights[base] * frame.length + weights[apex] * frame.apex_x, 0.0, frame.length);
     };
-    const double shift = std::abs(x_of(here_weights) - x_of(from_weights));
-    const double along = shift * norms_->edge_cost(mesh().edge_of(h)) / frame.length;
+    const double shift = x_of(here_weights) - x_of(from_weights);
+    // Less the face's drift, which is the same on every way.
+    const double along =
+        std::abs(shift) * norms_->edge_cost(mesh().edge_of(h)) / frame.length - shift * frame.shift;
     for (const bool before : {true, false}) {
       if ((before ? from_weights : here_weights)[apex] != 0.0) continue;
       const auto& other = before ? here_weights : from_weights;

@@ -21,6 +21,7 @@
 namespace vorogeo {
 
 void require_buildable(const Mesh& mesh, const IndexOptions& options) {
+  require_both_ways_alike(mesh, "Indexes");
   if (!(options.delta >= 0.0 && options.delta < 1.0)) {
     throw InvalidInput("delta is " + std::to_string(options.delta) +
                        "; it must be at least 0 (nothing lost) and below 1.");

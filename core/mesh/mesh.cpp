@@ -57,9 +57,10 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
     throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
                        "; give 1 to 1000.");
   }
+  if (!metric.drifts.empty() && points_per_edge_ == 0) points_per_edge_ = usual_edge_points;
   if (metric.splits.empty()) {
     face_vertices_ = std::move(faces);
-    connect(metric.sides);
+    connect(metric.sides, metric.drifts);
     return;
   }
   for (const auto& [a, b] : middle_of_) {
@@ -86,7 +87,7 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
   first_bridge_ = input_face_.empty() ? given : static_cast<Index>(first - input_face_.begin());
 }
 
-void Mesh::connect(const SideLengths& sides) {
+void Mesh::connect(const SideLengths& sides, const SideLengths& drifts) {
   constexpr auto max_count = static_cast<std::size_t>(std::numeric_limits<Index>::max());
   if (positions_.size() > max_count || face_vertices_.size() > max_count / 3) {
     throw InvalidInput("The mesh is too large: at most 2147483647 vertices and 715827882 faces.");
@@ -98,6 +99,7 @@ void Mesh::connect(const SideLengths& sides) {
   leave_out_faces();
   link_edges();
   if (has_metric_) take_sides(sides);
+  if (!drifts.empty()) take_drifts(drifts);
   measure_edges();
   sort_fans();
   if (has_metric_) bound_straight_lines();
@@ -186,9 +188,9 @@ std::size_t Mesh::memory_bytes() const {
   auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
          bytes(middle_of_) + bytes(split_faces_) + bytes(halfedge_edge_) + bytes(next_around_edge_) +
-         bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(component_jumps_) +
-         bytes(edge_halfedge_) + bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) +
-         bytes(total_angle_) + bytes(component_);
+         bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(face_drifts_) +
+         bytes(edge_drift_) + bytes(component_jumps_) + bytes(edge_halfedge_) + bytes(corner_begin_) +
+         bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) + bytes(component_);
 }
 
 // ---- The scale that is advised for meshes that are too large or too small to compute with
@@ -533,10 +535,27 @@ std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Poin
 }
 
 void require_agreeing_faces(const Mesh& mesh, const std::string& what) {
+  require_both_ways_alike(mesh, what);
   if (!mesh.metric_jumps()) return;
   throw InvalidInput(what +
                      " need edges on whose length both faces agree, and this metric jumps at edges: take the "
                      "index or exact distances, or values at vertices.");
+}
+
+void require_both_ways_alike(const Mesh& mesh, const std::string& what) {
+  if (!mesh.is_one_way()) return;
+  throw InvalidInput(what +
+                     " take no metric by which a way back costs something else: take exact distance fields, "
+                     "distances of pairs and paths.");
+}
+
+Mesh Mesh::reversed() const {
+  Mesh mesh = *this;
+  for (auto& face : mesh.face_drifts_) {
+    for (double& drift : face) drift = -drift;
+  }
+  for (double& drift : mesh.edge_drift_) drift = -drift;
+  return mesh;
 }
 
 void Mesh::take_sides(const SideLengths& sides) {
@@ -578,13 +597,55 @@ void Mesh::take_sides(const SideLengths& sides) {
   }
 }
 
+/// Along an edge, each way costs what it does in the face where it is cheapest.
+void Mesh::take_drifts(const SideLengths& drifts) {
+  face_drifts_.resize(face_count());
+  for (Index f = 0; f < face_count(); ++f) {
+    const auto row = static_cast<std::size_t>(input_face(f));
+    if (row >= drifts.size()) {
+      throw InvalidInput("Face " + std::to_string(row) + " has no drifts: there are " +
+                         std::to_string(drifts.size()) +
+                         " rows of them; give one row of three for each face.");
+    }
+    face_drifts_[f] = drifts[row];
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(drifts[row][i]) < face_sides_[f][i] ||
+          (drifts[row][i] == 0.0 && face_sides_[f][i] == 0.0)) {
+        continue;
+      }
+      throw InvalidInput("Face " + std::to_string(row) + " has the drifts " + listed(drifts[row]) +
+                         " along sides of lengths " + listed(face_sides_[f]) +
+                         ": a step against them would cost nothing or less; give a smaller drift.");
+    }
+  }
+  if (std::ranges::all_of(face_drifts_, [](const auto& d) { return d == std::array{0.0, 0.0, 0.0}; })) {
+    face_drifts_.clear();
+    return;
+  }
+  edge_drift_.resize(edge_count());
+  for (const Index e : checked(edge_count())) {
+    double forth = unreachable;
+    double back = unreachable;
+    Index h = edge_halfedge_[e];
+    do {
+      const double along = tail(h) == edge_vertices_[e][0] ? drift(h) : -drift(h);
+      forth = std::min(forth, side_length(h) + along);
+      back = std::min(back, side_length(h) - along);
+      h = next_around_edge_[h];
+    } while (h != edge_halfedge_[e]);
+    edge_length_[e] = 0.5 * (forth + back);
+    edge_drift_[e] = 0.5 * (forth - back);
+  }
+}
+
 /// Where the faces of all edges agree, a metric that may jump is one that does not: such components are
 /// solved exactly.
 void Mesh::find_jumps() {
   component_jumps_.assign(component_count_, 0);
   for (const Index h : checked(3 * face_count())) {
     const double least = edge_length_[halfedge_edge_[h]];
-    if (side_length(h) > least * (1.0 + agreement_rounding)) component_jumps_[component_[tail(h)]] = 1;
+    const bool jumps = side_length(h) > least * (1.0 + agreement_rounding) || drift(h) != 0.0;
+    if (jumps) component_jumps_[component_[tail(h)]] = 1;
   }
   agrees_somewhere_ = false;
   for (Index f = 0; f < face_count() && !agrees_somewhere_; ++f) {
@@ -653,7 +714,13 @@ void Mesh::bound_straight_lines() {
     const double product = metric.determinant() / area;
     const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
     if (!(sum + root > 0.0)) return;
-    least = std::min(least, 2.0 * product / (sum + root));
+    // A step with the drift costs its length less the drift's norm times that.
+    const double a = drift(3 * f);
+    const double b = -drift(3 * f + 2);
+    const double drift_squared = metric.bb * a * a - 2.0 * metric.ab * a * b + metric.aa * b * b;
+    const double share = is_one_way() ? 1.0 - std::sqrt(drift_squared / metric.determinant()) : 1.0;
+    if (!(share > 0.0)) return;
+    least = std::min(least, 2.0 * product / (sum + root) * share * share);
   }
   if (least < unreachable) straight_scale_ = straight_slack * std::sqrt(least);
 }

@@ -69,8 +69,13 @@ struct Metric {
   /// Of the faces as given; none: lengths in space. In a face that is split, the longest has the length of
   /// the others together.
   SideLengths sides;
+  /// Of the same sides, where the way back costs something else: from the next corner to the one after it, a
+  /// step along the side costs its length and this, a step back its length less this. None: both ways cost
+  /// the same. Only where faces may disagree.
+  SideLengths drifts;
   /// Above 0, the faces of an edge may disagree, so that paths refract: where some do, the metric jumps at
-  /// edges. An edge is as long as in the face where it is shortest.
+  /// edges. An edge is as long as in the face where it is shortest; with drifts, which also count as jumps,
+  /// as half the least costs there and back together.
   Index points_per_edge = 0;
   FaceSplits splits;          ///< what to measure on instead of `sides`; empty if no face is split
   Index split_faces = 0;      ///< with a side longer than the two others together, and split for that
@@ -142,6 +147,10 @@ class Mesh {
   /// Whether edges have lengths other than those in space.
   bool has_metric() const { return has_metric_; }
   bool has_positions() const { return has_positions_; }
+  /// Whether some step costs something else than the step back.
+  bool is_one_way() const { return !face_drifts_.empty(); }
+  /// The same mesh on which every path costs what the path back costs here.
+  Mesh reversed() const;
   /// Whether the faces of some edge disagree on its length.
   bool metric_jumps() const { return !component_jumps_.empty(); }
   /// Whether faces of a component disagree on an edge; if not, its surface is made of flat faces.
@@ -162,6 +171,13 @@ class Mesh {
     return face_sides_.empty() ? edge_length_[halfedge_edge_[halfedge]]
                                : face_sides_[halfedge / 3][(halfedge + 2) % 3];
   }
+  /// What is added to the length of a half-edge from its tail to its head, in its face, and taken off it the
+  /// other way. Linear over the face.
+  double drift(Index halfedge) const {
+    return face_drifts_.empty() ? 0.0 : face_drifts_[halfedge / 3][(halfedge + 2) % 3];
+  }
+  /// The same of an edge from its first vertex, in whichever of its faces is cheapest each way.
+  double edge_drift(Index edge) const { return edge_drift_.empty() ? 0.0 : edge_drift_[edge]; }
   /// A lower bound of the length of every path between two points in space: their distance, with a metric
   /// multiplied by `straight_scale()`.
   double straight_bound(const Point& a, const Point& b) const {
@@ -231,7 +247,7 @@ class Mesh {
 
  private:
   /// All that follows from positions and faces. `sides`: none without a metric.
-  void connect(const SideLengths& sides);
+  void connect(const SideLengths& sides, const SideLengths& drifts = {});
   /// The faces are parts of the given ones.
   void count_given_faces(const std::vector<std::array<Index, 3>>& given,
                          const std::vector<Index>& given_face);
@@ -239,6 +255,7 @@ class Mesh {
   void leave_out_faces();
   void link_edges();
   void take_sides(const SideLengths& sides);
+  void take_drifts(const SideLengths& drifts);
   void require_agreement(Index edge, const SideLengths& sides) const;
   void bound_straight_lines();
   void measure_edges();
@@ -266,6 +283,8 @@ class Mesh {
   std::vector<std::array<Index, 2>> edge_vertices_;
   std::vector<double> edge_length_;
   SideLengths face_sides_;                     ///< of a metric that jumps
+  SideLengths face_drifts_;                    ///< empty if both ways cost the same everywhere
+  std::vector<double> edge_drift_;             ///< likewise
   std::vector<std::uint8_t> component_jumps_;  ///< of a metric that jumps
   std::vector<Index> edge_halfedge_;
   std::vector<Index> corner_begin_;
@@ -293,6 +312,10 @@ std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Poin
 
 /// Refuses a metric that jumps at edges. `what` begins the sentence: "Windows". \throw InvalidInput.
 void require_agreeing_faces(const Mesh& mesh, const std::string& what);
+
+/// Refuses a metric by which a way back costs something else. `what` begins the sentence: "An index".
+/// \throw InvalidInput.
+void require_both_ways_alike(const Mesh& mesh, const std::string& what);
 
 /// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
 /// accepted lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw

@@ -389,6 +389,42 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
   return sides;
 }
 
+SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                           const SideLengths& sides, std::span<const Point> drifts) {
+  // The sides of a needle do not determine its height.
+  constexpr long double least_area = 1e-10L;
+  require_one_for_each(drifts.size(), "drifts", faces.size(), "faces");
+  SideLengths along(faces.size(), {0.0, 0.0, 0.0});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (!is_usable(faces[f])) continue;
+    const Point& w = drifts[f];
+    auto refuse = [&](const std::string& what) {
+      throw InvalidInput("The drift of face " + std::to_string(f) + " " + what);
+    };
+    if (!std::isfinite(w[0] + w[1] + w[2])) refuse("is not finite; give three finite numbers.");
+    std::array<long double, 3> gain{};
+    for (int i = 0; i < 3; ++i) {
+      const Step side = edge_vector(positions, faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);
+      gain[i] = w[0] * side[0] + w[1] * side[1] + w[2] * side[2];
+      along[f][i] = static_cast<double>(gain[i]);
+    }
+    // Of the sides from corner 0 to corners 1 and 2.
+    const std::array<long double, 3> side{sides[f][0], sides[f][1], sides[f][2]};
+    const long double aa = side[2] * side[2];
+    const long double bb = side[1] * side[1];
+    const long double ab = 0.5L * (aa + bb - side[0] * side[0]);
+    const long double area = aa * bb - ab * ab;
+    if (!(area > least_area * aa * bb)) continue;
+    const long double squared =
+        (bb * gain[2] * gain[2] + 2.0L * ab * gain[2] * gain[1] + aa * gain[1] * gain[1]) / area;
+    if (!(squared < 1.0L)) {
+      refuse("has the norm " + std::to_string(static_cast<double>(std::sqrt(squared))) +
+             " in the lengths of the face: some step would cost nothing or less; give one below 1.");
+    }
+  }
+  return along;
+}
+
 // ---- Normals of vertices, bends of edges, and the principal directions of their sums
 
 namespace {

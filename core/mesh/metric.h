@@ -43,6 +43,12 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces,
                                  std::span<const Tensor> tensors);
 
+/// What a step gains or loses in each face besides its length: w . v, for a vector w of the face, such as a
+/// wind. Along the sides, as Metric takes it. \throw InvalidInput for a vector that is not finite, or one
+/// whose norm is not below 1 in the lengths of the face (some step would cost nothing or less), by face.
+SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                           const SideLengths& sides, std::span<const Point> drifts);
+
 // ---- Costs and tensors that follow from the shape of a surface: slopes and principal directions
 
 /// A cost for each vertex that grows with the slope: 1 + penalty * sin(angle between the surface and the

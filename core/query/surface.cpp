@@ -138,6 +138,15 @@ std::shared_ptr<const LocalGeometry> Surface::geometry() {
   return geometry_;
 }
 
+Surface& Surface::reversed() {
+  if (!mesh_->is_one_way()) return *this;
+  const std::lock_guard lock(mutex_);
+  if (!reversed_) {
+    reversed_ = std::make_unique<Surface>(std::make_shared<const Mesh>(mesh_->reversed()), options_);
+  }
+  return *reversed_;
+}
+
 void Surface::use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks) {
   const std::lock_guard lock(mutex_);
   landmarks_ = std::move(landmarks);
@@ -256,6 +265,7 @@ AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, A
   if (fields <= 0.0 && !index()) return AnswerMethod::exact;  // nothing is asked, so nothing is built
   if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
   if (method != AnswerMethod::automatic) return method;
+  if (mesh_->is_one_way()) return AnswerMethod::exact;
   if (reach <= short_reach()) return AnswerMethod::exact;
   if (index()) return AnswerMethod::index;
   // What an index saves: its own fields take as long as short ones.

@@ -73,6 +73,9 @@ class Surface {
   /// The same, where `build` is what builds it: with other options, or in a file.
   using IndexBuild = std::function<std::shared_ptr<const GeodesicIndex>(const Progress&)>;
   std::shared_ptr<const GeodesicIndex> build_index(const IndexBuild& build, const Progress& progress);
+  /// Asks for the ways back: distances of points to the sources instead of from them. Itself, where both ways
+  /// cost the same.
+  Surface& reversed();
   /// What all solvers on this mesh share, made when it is first asked for.
   std::shared_ptr<const LocalGeometry> geometry();
   RentOrBuy spent() const;
@@ -157,6 +160,7 @@ class Surface {
   RentOrBuy spent_;
   std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
   std::shared_ptr<const ExactLandmarks> landmarks_;
+  std::unique_ptr<Surface> reversed_;
   std::optional<double> area_;
   std::optional<double> field_seconds_;       ///< of an exact field, once it was estimated
   std::vector<std::unique_ptr<Query>> idle_;  ///< that no thread uses now

@@ -20,8 +20,10 @@ namespace {
 using SplitArrays = std::tuple<EdgeArray, FaceArray, IdArray, VertexArray>;
 
 /// Lengths of the sides of the faces, each opposite its corner; the number of points on each edge where its
-/// faces may disagree (0: they agree); and the faces that are split. Nothing for lengths in space.
-using SideArrays = std::optional<std::tuple<VertexArray, Index, std::optional<SplitArrays>>>;
+/// faces may disagree (0: they agree); the faces that are split; and drifts along the sides. Nothing for
+/// lengths in space.
+using SideArrays =
+    std::optional<std::tuple<VertexArray, Index, std::optional<SplitArrays>, std::optional<VertexArray>>>;
 
 /// Splits of the faces of a mesh of `vertices` and `given_faces`. \throw InvalidInput for numbers of vertices
 /// and faces that do not exist, and for faces without a given face or lengths: a metric may be a user's own.
@@ -66,8 +68,9 @@ HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const Si
     const Watch watch(report.part(0.0, reading_share), "Reading the mesh");
     MeshInput input{rows_of<3>(vertices), rows_of<3>(faces), {}, {gap, folds}};
     if (sides) {
-      const auto& [lengths, points_per_edge, splits] = *sides;
+      const auto& [lengths, points_per_edge, splits, drifts] = *sides;
       input.metric = {rows_of<3>(lengths), points_per_edge};
+      if (drifts) input.metric.drifts = rows_of<3>(*drifts);
       if (splits) input.metric.splits = splits_of(*splits, vertices.shape(0), faces.shape(0));
     }
     return {measured_mesh(std::move(input)), faces.shape(0)};
@@ -227,6 +230,7 @@ void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   bind_metric<const ValueArray&>(module, "sides_by_face_cost", sides_by_face_cost);
   bind_metric<const TensorArray&>(module, "sides_by_face_tensor", sides_by_face_tensor);
   bind_metric<const VertexArray&>(module, "edge_points_for", edge_points_for);
+  bind_metric<const VertexArray&, const VertexArray&>(module, "drifts_by_face", drifts_by_face);
   bind_metric<const PointArray&, double>(module, "slope_cost", slope_cost);
   bind_metric<double>(module, "curvature_tensors", curvature_tensors);
 }

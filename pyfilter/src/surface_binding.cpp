@@ -101,12 +101,14 @@ std::pair<double, double> vertex_distance(const HeldSurface& self, Index source,
   return {found, watch.seconds()};
 }
 
+/// `back`: distances of the vertices to the sources.
 auto field(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
-           const ValueArray& offsets, double max_distance) {
+           const ValueArray& offsets, double max_distance, bool back) {
   const PointList points = points_on(self.mesh(), self.points(source), "Source");
   std::vector<ExactSource> sources;
   for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets(i)});
-  auto found = self.surface->field(sources, max_distance, how.by, *how.answered, how.progress);
+  Surface& surface = back ? self.surface->reversed() : *self.surface;
+  auto found = surface.field(sources, max_distance, how.by, *how.answered, how.progress);
   const InputMap map(self.mesh());
   return std::tuple(map.of_vertices(std::move(found.distance)), map.of_vertices(std::move(found.source)));
 }

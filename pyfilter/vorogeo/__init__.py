@@ -31,12 +31,16 @@ from .mesh_check import check_mesh as check_mesh
 from .mesh_files import read_mesh as read_mesh
 from .metrics import EdgeLengths as EdgeLengths
 from .metrics import FaceCost as FaceCost
+from .metrics import FaceRanders as FaceRanders
 from .metrics import FaceTensor as FaceTensor
 from .metrics import MetricLengths as MetricLengths
 from .metrics import VertexCost as VertexCost
 from .metrics import VertexTensor as VertexTensor
 from .metrics import curvature_tensor as curvature_tensor
+from .metrics import hiking_time as hiking_time
 from .metrics import slope_cost as slope_cost
+from .metrics import tobler as tobler
+from .metrics import travel_time as travel_time
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin as load_plugin
 from .points import EdgeCurve as EdgeCurve

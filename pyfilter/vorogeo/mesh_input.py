@@ -55,7 +55,7 @@ class MeshInput:
     def core_mesh(self, report: Callable[[float, str], object] | None = None) -> _core.Mesh:
         """The mesh of the compiled core."""
         found = self.lengths
-        sides = None if found is None else (found.lengths, found.points, found.splits)
+        sides = None if found is None else (found.lengths, found.points, found.splits, found.drifts)
         return _core.read_mesh(self.vertices, self.measured_faces, sides, *self.gap, report)
 
 
@@ -80,7 +80,7 @@ def _lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32
     if isinstance(metric, type) or not isinstance(metric, Metric):
         raise InvalidInput(
             f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "
-            "or None for lengths in space."
+            "FaceRanders, or None for lengths in space."
         )
     return metric.edge_lengths(vertices, faces)
 

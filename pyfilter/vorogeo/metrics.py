@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol, runtime_checkable
 
@@ -53,6 +54,9 @@ class MetricLengths(NamedTuple):
         Results refer to the vertices and faces that were given.
     points : int
         Points on each edge from which faces are crossed, where the two faces of an edge disagree; 0 in other metrics.
+    drifts : ndarray of float64, shape (m, 3), or None
+        What is added to these lengths along each side, from the next corner to the one after it, and taken off them on
+        the way back; None where both ways cost the same.
     """
 
     lengths: NDArray[np.float64]
@@ -60,11 +64,12 @@ class MetricLengths(NamedTuple):
     split_faces: int = 0
     splits: FaceSplits | None = None
     points: int = 0
+    drifts: NDArray[np.float64] | None = None
 
 
 @runtime_checkable
 class Metric(Protocol):
-    """What paths cost: EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor."""
+    """What paths cost: EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor or FaceRanders."""
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
         """The lengths of the sides of all faces."""
@@ -228,6 +233,47 @@ class FaceTensor:
         return MetricLengths(sides, 0, points=points)
 
 
+@dataclass(frozen=True, eq=False)
+class FaceRanders:
+    """A Randers metric for each face, by which a way back costs something else: a step v costs sqrt(v' G v) + w . v.
+
+    Parameters
+    ----------
+    tensors : array_like, shape (m, 3, 3)
+        G, as for `FaceTensor`.
+    drift : array_like, shape (m, 3)
+        w: what a step costs more along it, and less against it. In the lengths of G it is shorter than 1 on the plane
+        of the face, so that every step costs something; its part across the face does not count.
+    points : int, optional
+        As for `FaceTensor`.
+
+    Notes
+    -----
+    `Surface.distance_field`, `distance`, `distances` and `path` answer, by the method "exact": from the sources, and
+    with ``to=True`` to them. Indexes, quick fields and tasks of many fields refuse it.
+
+    Examples
+    --------
+    >>> metric = vorogeo.FaceRanders(np.tile(np.eye(3), (len(faces), 1, 1)), 0.3 * downhill)
+    """
+
+    tensors: ArrayLike
+    drift: ArrayLike
+    points: int | None = None
+
+    def __post_init__(self) -> None:
+        _own(self, "tensors", (3, 3), "a symmetric 3 x 3 matrix for each face, of shape (m, 3, 3)")
+        _own(self, "drift", (3,), "a vector for each face, of shape (m, 3)")
+        if self.points is not None:
+            object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
+
+    def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
+        """The lengths of `FaceTensor`, and w . v for the sides v of each face."""
+        lengths = FaceTensor(self.tensors, self.points).edge_lengths(vertices, faces)
+        mesh = _arrays(self, vertices, faces)
+        return lengths._replace(drifts=_core.drifts_by_face(*mesh, lengths.lengths, np.asarray(self.drift)))
+
+
 def slope_cost(
     vertices: ArrayLike, faces: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), penalty: float = 1.0
 ) -> VertexCost:
@@ -245,7 +291,7 @@ def slope_cost(
     Returns
     -------
     VertexCost
-        The same uphill, downhill and along the slope: metrics are symmetric.
+        The same uphill, downhill and along the slope; `hiking_time` tells them apart.
     """
     towards = check.positions("up", up)
     if towards.shape != (1, 3):
@@ -277,6 +323,134 @@ def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0)
     """
     found = _core.curvature_tensors(*_mesh(vertices, faces), check.real("weight", weight, "a number"))
     return VertexTensor(found.reshape(-1, 3, 3))
+
+
+def travel_time(
+    vertices: ArrayLike, faces: ArrayLike, wind: ArrayLike, speed: float | ArrayLike = 1.0, points: int | None = None
+) -> FaceRanders:
+    """Time of a boat in a current or of an aircraft in wind: Zermelo's problem.
+
+    Parameters
+    ----------
+    vertices, faces, points
+        As for `Surface` and `FaceRanders`.
+    wind : array_like, shape (3,) or (m, 3)
+        The velocity of what carries it, in all faces or in each; its part across a face does not count.
+    speed : float or array_like, shape (m,), default 1
+        Its own speed, above that of the wind.
+
+    Returns
+    -------
+    FaceRanders
+        With the wind W of a speed below 1, lam = 1 - W . W: G = (lam I + W W') / lam**2 and w = -W / lam; other speeds
+        scale these.
+    """
+    positions, triangles = _mesh(vertices, faces)
+    count = len(triangles)
+    along, normal = _spread("wind", wind, (count, 3)), _normals(positions, triangles)
+    own = _spread("speed", speed, (count,))
+    relative = (along - (along * normal).sum(axis=1, keepdims=True) * normal) / own[:, None]
+    lam = 1 - (relative * relative).sum(axis=1)
+    bad = np.flatnonzero(~((lam > 0) & (own > 0) & np.isfinite(own)))
+    if bad.size:
+        f = int(bad[0])
+        raise InvalidInput(
+            f"wind: in face {f} it has {np.linalg.norm(relative[f]):g} times the speed {own[f]:g}, so there is no way "
+            "against it; give finite speeds above 0 that are greater than the wind's."
+        )
+    tensors = np.eye(3) / lam[:, None, None] + relative[:, :, None] * relative[:, None, :] / (lam**2)[:, None, None]
+    return FaceRanders(tensors / (own**2)[:, None, None], -relative / (lam * own)[:, None], points)
+
+
+def tobler(grade: ArrayLike) -> NDArray[np.float64]:
+    """Seconds per metre on the map at a grade (rise by distance on the map): Tobler's hiking function.
+
+    1 / speed of 6 exp(-3.5 abs(grade + 0.05)) km/h: fastest slightly downhill.
+    """
+    with np.errstate(over="ignore"):
+        pace: NDArray[np.float64] = 0.6 * np.exp(3.5 * np.abs(np.asarray(grade, dtype=np.float64) + 0.05))
+    return pace
+
+
+def hiking_time(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    pace: Callable[[NDArray[np.float64]], ArrayLike] = tobler,
+    up: ArrayLike = (0.0, 0.0, 1.0),
+    points: int | None = None,
+) -> FaceRanders:
+    """Time over terrain, or any cost that is one thing uphill and another downhill.
+
+    Parameters
+    ----------
+    vertices, faces, points
+        As for `Surface` and `FaceRanders`.
+    pace : function of an ndarray, default `tobler`
+        The cost per unit of length on the map at each grade: rise by length on the map, below 0 downhill. Above 0;
+        infinite for grades at which none can go, as with the limit of a wheelchair.
+    up : array_like, shape (3,)
+        The direction upwards, of any length.
+
+    Returns
+    -------
+    FaceRanders
+        In each face the cost straight up, straight down and on the level are those of `pace`, and those between follow
+        an ellipse around them. Where a gentler grade climbs (or descends) faster, a zigzag at that counts.
+    """
+    positions, triangles = _mesh(vertices, faces)
+    towards = check.positions("up", up)
+    size = float(np.linalg.norm(towards))
+    if towards.shape != (1, 3) or not size > 0:
+        raise InvalidInput(f"up: is {np.asarray(up).tolist()}; give one vector of three numbers, longer than 0.")
+    vertical, normal = towards[0] / size, _normals(positions, triangles)
+    rise = vertical - (normal @ vertical)[:, None] * normal
+    sine = np.linalg.norm(rise, axis=1)
+    uphill = np.divide(rise, sine[:, None], out=np.zeros_like(rise), where=sine[:, None] > 0)
+    grade = sine / np.maximum(np.sqrt(np.maximum(0.0, 1 - sine * sine)), 1e-6)
+    level = _pace_at(pace, np.zeros(1))[0]
+    ascent, descent = (_climb(pace, grade, sine, way) for way in (1.0, -1.0))
+    if not (np.isfinite(level) and np.isfinite(ascent).all() and np.isfinite(descent).all()):
+        raise InvalidInput("pace: is infinite on the level, or at all grades up or down; give finite costs near 0.")
+    mean, half = (ascent + descent) / 2, (ascent - descent) / 2
+    steep = (mean**2 - level**2)[:, None, None] * uphill[:, :, None] * uphill[:, None, :]
+    return FaceRanders(level**2 * np.eye(3) + steep, half[:, None] * uphill, points)
+
+
+def _climb(
+    pace: Callable[[NDArray[np.float64]], ArrayLike], grade: NDArray[np.float64], sine: NDArray[np.float64], way: float
+) -> NDArray[np.float64]:
+    """The cost of a unit of length straight up (way 1) or down (-1) each slope, or by zigzags at a gentler grade."""
+    grades = np.geomspace(1e-3, 1e3, 60001)
+    least = np.minimum.accumulate(_pace_at(pace, way * grades) / grades)
+    gentler = np.searchsorted(grades, grade, side="right")
+    by_zigzag = np.where(gentler > 0, least[np.maximum(gentler - 1, 0)] * sine, np.inf)
+    straight: NDArray[np.float64] = _pace_at(pace, way * grade) / np.sqrt(1 + grade * grade)
+    return np.minimum(straight, by_zigzag)
+
+
+def _pace_at(pace: Callable[[NDArray[np.float64]], ArrayLike], grades: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Its values, one above 0 for each grade."""
+    found = check.numbers("pace", pace(grades), "a function that returns a number above 0 for each grade")
+    if found.shape != grades.shape or not (found > 0).all():
+        raise InvalidInput("pace: returns other values than one above 0 for each grade; give such a function.")
+    return found
+
+
+def _normals(positions: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Unit normals; 0 for a face without area."""
+    a, b, c = (positions[faces[:, i]] for i in range(3))
+    normal = np.cross(b - a, c - a)
+    size = np.linalg.norm(normal, axis=1, keepdims=True)
+    return np.divide(normal, size, out=np.zeros_like(normal), where=size > 0)
+
+
+def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """Finite numbers for each face, or the same in all."""
+    wanted = f"finite numbers of shape {shape}, or {shape[1:] or 'one'} for all faces"
+    array = np.asarray(check.numbers(name, values, wanted), dtype=np.float64)
+    if array.shape not in (shape, shape[1:]) or not np.isfinite(array).all():
+        raise InvalidInput(f"{name}: has shape {array.shape} or a value that is not finite; give {wanted}.")
+    return np.broadcast_to(array, shape)
 
 
 def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any) -> MetricLengths:

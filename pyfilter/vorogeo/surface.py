@@ -45,7 +45,7 @@ class Surface(Tasks):
         Which faces belong to the surface, or which vertices (then the faces all of whose vertices do; if there are as
         many faces as vertices, a mask is one of faces). Distances neither cross nor see the others; vertices
         without a face are unreachable. Results refer to all vertices and faces.
-    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost or FaceTensor, optional
+    metric : EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor or FaceRanders, optional
         What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     gap, bridge_folds : float and bool, optional
         Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
@@ -135,6 +135,7 @@ class Surface(Tasks):
         *,
         offsets: ArrayLike | None = None,
         return_labels: Literal[False] = False,
+        to: bool = False,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
@@ -147,6 +148,7 @@ class Surface(Tasks):
         *,
         offsets: ArrayLike | None = None,
         return_labels: Literal[True],
+        to: bool = False,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
@@ -158,6 +160,7 @@ class Surface(Tasks):
         *,
         offsets: ArrayLike | None = None,
         return_labels: bool = False,
+        to: bool = False,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
         dtype: DTypeLike = np.float64,
@@ -175,6 +178,8 @@ class Surface(Tasks):
             Lengths added to the distances from each source, finite and 0 or more; the least sum is taken.
         return_labels : bool, default False
             Whether to return also the nearest source.
+        to : bool, default False
+            Distances to the sources instead of from them, which only differ in a metric that goes one way.
 
         Returns
         -------
@@ -187,7 +192,7 @@ class Surface(Tasks):
         rows, number = self._source_rows(sources)
         start = check.offsets(offsets, int(number[-1]) + 1)[number]
         found, label = self._ask(
-            self._shared.core.field, rows, start, limit, method=method, progress=progress, choices=METHODS
+            self._shared.core.field, rows, start, limit, bool(to), method=method, progress=progress, choices=METHODS
         )
         distance = found.astype(entry, copy=False)
         return (distance, np.where(label < 0, np.int32(-1), number[label])) if return_labels else distance
@@ -204,7 +209,8 @@ class Surface(Tasks):
         From an index, distances of vertices err by some hundredths of a percent; distances of other points are lengths
         of refined paths (`path`).
 
-        The result, a float or ndarray of float64 of shape (k,), is symmetric.
+        The result, a float or ndarray of float64 of shape (k,), is symmetric, except in a metric that goes one way
+        (`FaceRanders`).
         """
         count, core = len(self.vertices), self._shared.core
         # One distance takes less than the arrays that carry it.

@@ -259,6 +259,30 @@ TEST(Library, MetricsScaleLengths) {
   }
 }
 
+TEST(Library, DriftsMakeWaysDiffer) {
+  const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<vorogeo::Point> drift(2, {0.25, 0.0, 5.0});
+  for (const double cost : {1.0, 2.0}) {
+    const Surface surface(level, square, {.face_cost = std::vector(2, cost), .face_drift = drift});
+    EXPECT_NEAR(surface.distances_from(0)[2], cost * std::sqrt(2.0) + 0.25, 1e-12);
+    EXPECT_NEAR(surface.field(0, {.to = true}).distance[2], cost * std::sqrt(2.0) - 0.25, 1e-12);
+    EXPECT_NEAR(surface.distance(1, 3), cost * std::sqrt(2.0) - 0.25, 1e-12);
+    EXPECT_NEAR(surface.path(3, 1).length, cost * std::sqrt(2.0) + 0.25, 1e-12);
+  }
+  EXPECT_EQ(Surface(level, square, {.face_drift = {{0, 0, 0}, {0, 0, 0}}}).distances_from(0),
+            Surface(level, square, {.face_cost = {1.0, 1.0}}).distances_from(0));
+  const auto refusal = [&](const vorogeo::SurfaceOptions& options) {
+    return sentence_of<vorogeo::InvalidInput>([&] { Surface(level, square, options); });
+  };
+  EXPECT_NE(refusal({.face_drift = {{0, 0, 0}, {0, 1, 0}}}).find("drift of face 1"), std::string::npos);
+  EXPECT_NE(refusal({.vertex_cost = std::vector(4, 1.0), .face_drift = drift}).find("Both vertex_cost"),
+            std::string::npos);
+  Surface surface(level, square, {.face_drift = drift});
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.build_index(); }).find("Indexes"),
+            std::string::npos);
+}
+
 TEST(Library, SlopesCostAndPlanesKeepTheirLengths) {
   const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
   const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},

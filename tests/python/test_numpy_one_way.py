@@ -1,0 +1,214 @@
+"""Metrics by which a way back costs something else: against formulas, and what refuses them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import vorogeo
+from scipy.optimize import minimize_scalar
+
+from sample_meshes import bent_grid, plane_grid
+
+IDENTITY = np.eye(3)
+
+
+def shaken_plane(count=25):
+    """A grid over the unit square whose inner vertices are moved."""
+    vertices, faces = plane_grid(count, count)
+    inner = ((vertices[:, :2] > 1e-9) & (vertices[:, :2] < 1 - 1e-9)).all(axis=1)
+    vertices[inner, :2] += np.random.default_rng(2).uniform(-0.3, 0.3, (inner.sum(), 2)) / count
+    return vertices, faces
+
+
+def mosaic(seed=4, strongest=0.6, points=None):
+    """Random tensors and drifts on a bent grid."""
+    vertices, faces = bent_grid(18, 14)
+    random = np.random.default_rng(seed)
+    cost = random.uniform(1, 3, len(faces))
+    drift = random.normal(size=(len(faces), 3))
+    drift *= (strongest * random.uniform(0, 1, len(faces)) * cost / np.linalg.norm(drift, axis=1))[:, None]
+    return vertices, faces, vorogeo.FaceRanders(cost[:, None, None] ** 2 * IDENTITY, drift, points)
+
+
+def zermelo(step, wind, speed):
+    """Times of straight steps, each the least t for which the boat's own step is as long as speed times t."""
+    lam = speed**2 - wind @ wind
+    along = step @ wind
+    return (np.sqrt(along**2 + lam * (step * step).sum(axis=1)) - along) / lam
+
+
+@pytest.mark.parametrize("speed", [1.0, 2.5])
+def test_constant_wind_on_a_plane_is_zermelos(speed):
+    vertices, faces = shaken_plane()
+    wind = speed * np.array([0.6, -0.5, 0.0])
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, (*wind[:2], 7.0), speed))
+    source = 12 * 25 + 7
+    expected = zermelo(vertices - vertices[source], wind, speed)
+    np.testing.assert_allclose(surface.distance_field(source), expected, rtol=1e-9, atol=1e-12)
+    back = zermelo(vertices[source] - vertices, wind, speed)
+    np.testing.assert_allclose(surface.distance_field(source, to=True), back, rtol=1e-9, atol=1e-12)
+    ends = np.array([0, 24, 600, 624])
+    for there, here in ((surface.path(source, ends), expected), (surface.path(ends, source), back)):
+        for path, end in zip(there, ends, strict=True):
+            assert path.length == pytest.approx(here[end], rel=1e-9)
+            steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1).sum()
+            assert steps == pytest.approx(np.linalg.norm(vertices[end] - vertices[source]), rel=1e-9)
+
+
+def test_several_sources_and_points_of_faces():
+    vertices, faces = shaken_plane()
+    wind = np.array([0.0, 0.8, 0.0])
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, wind))
+    places = np.array([[0.21, 0.33, 0.0], [0.7, 0.62, 0.0]])
+    points = surface.snap(places)
+    times = np.stack([zermelo(vertices - place, wind, 1.0) for place in places]) + np.array([[0.0], [0.1]])
+    field, label = surface.distance_field(points, offsets=[0.0, 0.1], return_labels=True)
+    np.testing.assert_allclose(field, times.min(axis=0), rtol=1e-6)
+    clear = np.abs(times[0] - times[1]) > 1e-6
+    np.testing.assert_array_equal(label[clear], times.argmin(axis=0)[clear])
+    one_way, back = surface.distances(points[[0, 1]], points[[1, 0]])
+    assert one_way == pytest.approx(zermelo(places[1:] - places[:1], wind, 1.0)[0], rel=1e-6)
+    assert back == pytest.approx(zermelo(places[:1] - places[1:], wind, 1.0)[0], rel=1e-6)
+
+
+@pytest.mark.parametrize("to", [False, True])
+def test_paths_refract_where_the_wind_changes(to):
+    """Wind up the left half of a square and down the right half: the best crossing, by minimizing over it."""
+    vertices, faces = plane_grid(25, 25)
+    on_the_left = vertices[faces][:, :, 0].mean(axis=1) < 0.5
+    up = np.array([0.0, 0.7, 0.0])
+    winds = np.where(on_the_left[:, None], up, -up)
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, winds, points=24))
+    source = 6 * 25 + 6
+    targets = np.flatnonzero((vertices[:, 0] > 0.7) & (vertices[:, 1] > 0.3) & (vertices[:, 1] < 0.8))
+    way = -1.0 if to else 1.0
+
+    def time_by(y, end):
+        crossing = np.array([0.5, y, 0.0])
+        pieces = way * np.stack([crossing - vertices[source], end - crossing])
+        return zermelo(pieces[:1], up, 1.0)[0] + zermelo(pieces[1:], -up, 1.0)[0]
+
+    expected = [
+        minimize_scalar(time_by, bounds=(0, 1), args=(end,), method="bounded", options={"xatol": 1e-9}).fun
+        for end in vertices[targets]
+    ]
+    np.testing.assert_allclose(surface.distance_field(source, to=to)[targets], expected, rtol=1e-4)
+    ends = (targets[::9], source) if to else (source, targets[::9])
+    lengths = [path.length for path in surface.path(*ends)]
+    np.testing.assert_allclose(lengths, expected[::9], rtol=1e-8)
+
+
+def test_up_and_down_an_inclined_plane():
+    vertices, faces = shaken_plane()
+    grade = 0.2
+    vertices[:, 2] = grade * vertices[:, 0]
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.hiking_time(vertices, faces))
+    low, high, beside = 12 * 25, 12 * 25 + 24, 24
+    assert surface.distance(low, high) == pytest.approx(0.6 * np.exp(3.5 * (grade + 0.05)), rel=1e-9)
+    assert surface.distance(high, low) == pytest.approx(0.6 * np.exp(3.5 * (grade - 0.05)), rel=1e-9)
+    assert surface.distance(beside, 624) == pytest.approx(0.6 * np.exp(3.5 * 0.05), rel=1e-9)
+
+
+def test_a_slope_that_is_too_steep_is_climbed_by_zigzags():
+    """Where none can go up more than 1 in 12, a climb of h takes 12 h on the map; a wall has no map at all."""
+
+    def wheelchair(grade):
+        return np.where(np.abs(grade) <= 1 / 12, 1.0, np.inf)
+
+    for corners, climb in (([[0, 0, 0], [1, 0, 1], [0, 1, 0]], 1.0), ([[0, 0, 0], [0, 0, 2], [0, 1, 0]], 2.0)):
+        metric = vorogeo.hiking_time(np.array(corners, float), [[0, 1, 2]], wheelchair)
+        surface = vorogeo.Surface(np.array(corners, float), [[0, 1, 2]], metric=metric)
+        assert surface.distance(0, 1) == pytest.approx(12 * climb, rel=3e-4)
+        assert surface.distance(0, 2) == pytest.approx(1.0, rel=1e-9)
+
+
+def test_no_drift_is_the_metric_without_it():
+    vertices, faces = bent_grid(18, 14)
+    tensors = np.random.default_rng(1).uniform(1, 9, len(faces))[:, None, None] * IDENTITY
+    still = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(tensors, np.zeros((len(faces), 3))))
+    old = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceTensor(tensors))
+    np.testing.assert_array_equal(still.distance_field(5), old.distance_field(5))
+    np.testing.assert_array_equal(still.distance_field(5, to=True), old.distance_field(5))
+
+
+def test_a_drift_against_it_swaps_the_ways():
+    vertices, faces, metric = mosaic()
+    there = vorogeo.Surface(vertices, faces, metric=metric)
+    back = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(metric.tensors, -np.asarray(metric.drift)))
+    np.testing.assert_allclose(there.distance_field(5, to=True), back.distance_field(5), rtol=1e-12)
+    np.testing.assert_allclose(back.distance_field(5, to=True), there.distance_field(5), rtol=1e-12)
+    assert not np.allclose(there.distance_field(5), back.distance_field(5), rtol=1e-2)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_ways_that_agree_with_one_another(seed):
+    """Fields from and to, pairs and paths; and no way round is shorter."""
+    vertices, faces, metric = mosaic(seed, points=20)
+    surface = vorogeo.Surface(vertices, faces, metric=metric)
+    ends = np.random.default_rng(seed).choice(len(vertices), 7, replace=False)
+    fields = np.stack([surface.distance_field(int(v)) for v in ends])
+    to = np.stack([surface.distance_field(int(v), to=True) for v in ends])
+    matrix = fields[:, ends]
+    np.testing.assert_allclose(to[:, ends].T, matrix, rtol=2e-3)
+    detours = (matrix[:, :, None] + matrix[None, :, :]).min(axis=1)
+    assert (matrix <= detours * (1 + 2e-3) + 1e-12).all()
+    # From one point to others one run serves all, to one point from others each has its own.
+    for paths, lengths in (
+        (surface.path(int(ends[0]), ends[1:]), matrix[0, 1:]),
+        (surface.path(ends[1:], int(ends[0])), matrix[1:, 0]),
+    ):
+        np.testing.assert_allclose([path.length for path in paths], lengths, rtol=2e-3)
+
+
+def test_an_edge_between_two_winds_is_followed_by_both():
+    """Two strips whose winds blow against each other: along the edge between, both ways go with the wind."""
+    count = 40
+    x = np.linspace(0, 1, count)
+    vertices = np.vstack([np.column_stack([x, np.full(count, y), 0 * x]) for y in (-0.3, 0.0, 0.3)])
+    a = (np.arange(2)[:, None] * count + np.arange(count - 1)).ravel()
+    faces = np.vstack([np.column_stack([a, a + 1, a + count + 1]), np.column_stack([a, a + count + 1, a + count])])
+    above = vertices[faces][:, :, 1].mean(axis=1) > 0
+    winds = np.where(above[:, None], [0.5, 0.0, 0.0], [-0.5, 0.0, 0.0])
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, winds))
+    assert surface.distance(count, 2 * count - 1) == pytest.approx(1 / 1.5, rel=1e-12)
+    assert surface.distance(2 * count - 1, count) == pytest.approx(1 / 1.5, rel=1e-12)
+    there = surface.distance_field(count)[count : 2 * count]
+    np.testing.assert_allclose(there, x / 1.5, rtol=1e-12)
+
+
+def test_refusals():
+    vertices, faces, metric = mosaic()
+    count = len(faces)
+    strong = np.zeros((count, 3))
+    strong[7] = (
+        3
+        * (vertices[faces[7, 1]] - vertices[faces[7, 0]])
+        / np.linalg.norm(vertices[faces[7, 1]] - vertices[faces[7, 0]])
+    )
+    same = np.tile(IDENTITY, (count, 1, 1))
+    for drift, sentence in (
+        (strong, "The drift of face 7 has the norm 3.0"),
+        (np.full((count, 3), np.nan), "The drift of face 0 is not finite"),
+    ):
+        with pytest.raises(vorogeo.InvalidInput, match=sentence):
+            vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(same, drift))
+    with pytest.raises(vorogeo.InvalidInput, match="drifts"):
+        vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(same, strong[1:]))
+    with pytest.raises(vorogeo.InvalidInput, match="no way against it"):
+        vorogeo.travel_time(vertices, faces, strong)
+    with pytest.raises(vorogeo.InvalidInput, match="pace"):
+        vorogeo.hiking_time(vertices, faces, lambda grade: 0 * grade)
+    with pytest.raises(vorogeo.InvalidInput, match="infinite"):
+        vorogeo.hiking_time(vertices, faces, lambda grade: np.where(grade > 0, np.inf, 1.0))
+    with pytest.raises(vorogeo.InvalidInput, match="Indexes take no metric"):
+        vorogeo.GeodesicIndex(vertices, faces, metric=metric)
+    surface = vorogeo.Surface(vertices, faces, metric=metric)
+    for ask in (
+        lambda: surface.distance_field(0, method="index"),
+        lambda: surface.distance_field(0, method="quick"),
+        lambda: surface.voronoi([0, 5]),
+        lambda: surface.distance_matrix([0, 5]),
+        lambda: surface.build_index(),
+    ):
+        with pytest.raises(vorogeo.InvalidInput, match="take no metric by which a way back costs something else"):
+            ask()
