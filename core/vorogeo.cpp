@@ -464,8 +464,9 @@ struct Query::State {
   }
   /// Exactly what reaches a small part of the surface, as Surface answers it.
   AnswerMethod within(double limit, std::size_t sources) const {
+    if (!is_automatic || by == AnswerMethod::exact) return by;
     const double reach = static_cast<double>(sources) * surface->reach_of(limit);
-    return is_automatic && reach <= surface->short_reach() ? AnswerMethod::exact : by;
+    return reach <= surface->short_reach() ? AnswerMethod::exact : by;
   }
 
   std::shared_ptr<inner::Surface> surface;

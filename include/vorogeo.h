@@ -508,7 +508,7 @@ VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vec
 
 /// A polygon of shortest paths.
 struct Polygon {
-  double area = 0.0;  ///< of the inside: the smaller of the two sides
+  double area = 0.0;  ///< of the inside: the side without border of the surface, else the smaller
   double perimeter = 0.0;
   std::vector<double> angles;  ///< of the inside at each point, in radians
   double curvature = 0.0;      ///< sum of the angle defects of the vertices inside

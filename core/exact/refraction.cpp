@@ -132,10 +132,10 @@ void FaceNorms::find_thin_fans() {
   }
 }
 
-double FaceNorms::shift(Index halfedge) const {
+double FaceNorms::one_way_shift(Index halfedge) const {
   const Index edge = mesh_->edge_of(halfedge);
   const double length = mesh_->side_length(halfedge);
-  if (!mesh_->is_one_way() || !(length > 0.0)) return 0.0;
+  if (!(length > 0.0)) return 0.0;
   const double there = mesh_->drift(halfedge);
   return ((mesh_->tail(halfedge) == mesh_->edge_vertices(edge)[0] ? there : -there) -
           mesh_->edge_drift(edge)) /

@@ -306,7 +306,7 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
       const double distance = own.distance + std::min(straight, bent) + drift;
       const bool bends = bent < straight;
       double rise = 0.0;  // of the distance from the side's base to the apex
-      if (bends) rise = std::copysign(least_rate, x - at) * (frame.apex_x - begin) + frame.apex_y;
+      if (bends) rise = sign * least_rate * (frame.apex_x - begin) + frame.apex_y;
       if (!bends && straight > 0.0) {
         rise = ((x - at) * (frame.apex_x - begin) + y * frame.apex_y) / straight;
       }

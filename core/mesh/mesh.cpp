@@ -57,6 +57,9 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
     throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
                        "; give 1 to 1000.");
   }
+  if (!metric.drifts.empty() && (metric.sides.empty() || !metric.splits.empty())) {
+    throw InvalidInput("Drifts need the lengths of the sides, in faces that are not split.");
+  }
   if (!metric.drifts.empty() && points_per_edge_ == 0) points_per_edge_ = usual_edge_points;
   if (metric.splits.empty()) {
     face_vertices_ = std::move(faces);
@@ -608,6 +611,11 @@ void Mesh::take_drifts(const SideLengths& drifts) {
                          " rows of them; give one row of three for each face.");
     }
     face_drifts_[f] = drifts[row];
+    const auto& [a, b, c] = drifts[row];
+    if (!(std::abs(a + b + c) <= 1e-9 * (face_sides_[f][0] + face_sides_[f][1] + face_sides_[f][2]))) {
+      throw InvalidInput("Face " + std::to_string(row) + " has the drifts " + listed(drifts[row]) +
+                         ", which do not sum to 0 round the face; give those of one vector.");
+    }
     for (int i = 0; i < 3; ++i) {
       if (std::abs(drifts[row][i]) < face_sides_[f][i] ||
           (drifts[row][i] == 0.0 && face_sides_[f][i] == 0.0)) {

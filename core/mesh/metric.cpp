@@ -414,7 +414,19 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
     const long double bb = side[1] * side[1];
     const long double ab = 0.5L * (aa + bb - side[0] * side[0]);
     const long double area = aa * bb - ab * ab;
-    if (!(area > least_area * aa * bb)) continue;
+    if (!(area > least_area * aa * bb)) {
+      // There is no room for a drift across: it is that along the longest side, at the foot of the apex.
+      const auto longest = static_cast<int>(std::ranges::max_element(side) - side.begin());
+      const int next = (longest + 1) % 3, before = (longest + 2) % 3;
+      if (!(side[longest] > 0.0L)) continue;
+      const long double long_squared = side[longest] * side[longest];
+      const long double foot = std::clamp(
+          (long_squared + side[before] * side[before] - side[next] * side[next]) / (2.0L * long_squared),
+          0.0L, 1.0L);
+      along[f][before] = static_cast<double>(-foot * gain[longest]);
+      along[f][next] = -along[f][longest] - along[f][before];
+      continue;
+    }
     const long double squared =
         (bb * gain[2] * gain[2] + 2.0L * ab * gain[2] * gain[1] + aa * gain[1] * gain[1]) / area;
     if (!(squared < 1.0L)) {

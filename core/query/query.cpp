@@ -159,10 +159,11 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
                                      const std::optional<PointList>& points, double max_distance,
                                      const Progress& progress) {
   const LocalSolver& solver = solved(sources, max_distance, 1, false, progress);
+  const auto geometry = surface_.geometry();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto at = [&](const SurfacePoint& point) -> Tangent {
     if (!(solver.distance(point) < unreachable)) return {none, none};
-    const TangentFrame frame(*surface_.geometry()->windows, point);
+    const TangentFrame frame(*geometry->windows, point);
     return frame.vector(solver.last_leg(frame) + 0.5 * frame.full_turn(), 1.0);
   };
   std::vector<Tangent> found;
@@ -172,7 +173,9 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
   }
   const Mesh& mesh = *surface_.mesh();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    found.push_back(TangentFrame::exists_at(mesh, v) ? at(SurfacePoint::at_vertex(v)) : Tangent{none, none});
+    const Index known = mesh.representative(v);
+    found.push_back(TangentFrame::exists_at(mesh, known) ? at(SurfacePoint::at_vertex(known))
+                                                         : Tangent{none, none});
   }
   return found;
 }

@@ -22,7 +22,7 @@ namespace {
 /// Queries kept for the next call, for each thread of a task; each holds memory for the whole mesh.
 constexpr int max_idle_per_thread = 2;
 
-/// Tasks of so many whole fields ask for the price of an index before they begin.
+/// Tasks that save so many whole fields ask for the price of an index before they begin.
 constexpr double many_fields = 16.0;
 
 /// Number of pairs in one call from which landmarks usually save more time than they cost (docs/figures.md).

@@ -125,9 +125,12 @@ fs::path folder_of(const fs::path& file) {
 /// "NAME.vorogeo-" of all temporaries of a target; shortened so that the name with its suffix is not too
 /// long. Paths are put together as the system writes them: text may lose characters.
 fs::path prefix_of(const fs::path& target) {
-  fs::path prefix = target.filename().native().substr(
-      0, longest_name - std::string(mark).size() - 8 - std::string(ending).size());
-  return prefix += mark;
+  const fs::path::string_type name = target.filename().native();
+  std::size_t size = longest_name - std::string(mark).size() - 8 - std::string(ending).size();
+  if constexpr (sizeof(fs::path::value_type) == 1) {
+    while (size < name.size() && (name[size] & 0xc0) == 0x80) --size;  // inside a character
+  }
+  return fs::path(name.substr(0, size)) += mark;
 }
 
 /// The name of a new temporary of a target.

@@ -75,7 +75,7 @@ class BandSum {
   double distance_between(const Corner& a, const Corner& b) const {
     Point step{};
     for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) step[k] += (b.weights[i] - a.weights[i]) * at_[i][k];
+      for (int k = 0; k < 3; ++k) step[k] += (b.weights[i] - a.weights[i]) * (at_[i][k] - at_[0][k]);
     }
     return std::hypot(step[0], step[1], step[2]);
   }
@@ -120,7 +120,9 @@ class BandSum {
       return;
     }
     const double wanted = width_ / parts_per_width;
-    if (side <= wanted && add_cut(part, share, side > wanted / parts_per_part)) return;
+    const bool is_least = share < 0x1p-96;  // weights have no digits for smaller parts
+    const bool may_refuse = side > wanted / parts_per_part && !is_least;
+    if ((side <= wanted || is_least) && add_cut(part, share, may_refuse)) return;
     const Corner middle = between(part[longest], part[(longest + 1) % 3], 0.5);
     const Corner& apex = part[(longest + 2) % 3];
     add({part[longest], middle, apex}, 0.5 * share);
@@ -187,7 +189,7 @@ Band band(Surface& surface, const PointList& given, double width, const TaskOpti
     limit = std::max(limit, width + std::ranges::max(mesh.side_lengths(f)));
   }
   BandSum sum(mesh, width, workers.field_at_points(sources, limit));
-  for (Index f = 0; f < mesh.first_bridge(); ++f) sum.add(f);
+  for (const Index f : checked(mesh.first_bridge())) sum.add(f);
   return sum.sum();
 }
 

@@ -148,7 +148,7 @@ class MeshCutter {
     for (const Piece& piece : pieces) {
       if (division.add_line(piece.from, piece.to).back() == piece.to) continue;
       throw Error("The line could not be drawn through face " + std::to_string(mesh_.input_face(face)) +
-                  ", which has too little area for it.");
+                  ": its points lie nearer to each other than weights are rounded.");
     }
     // Once more, as later lines have crossed earlier ones.
     for (const Piece& piece : pieces) {
@@ -222,11 +222,10 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
   std::vector<double> levels(given_levels.begin(), given_levels.end());
   std::ranges::sort(levels);
   levels.erase(std::ranges::unique(levels).begin(), levels.end());
-  // By point, the fewest and the most levels below it and at it.
-  std::vector<std::array<Index, 2>> below;
+  // By point, how many levels are at most its value.
+  std::vector<Index> below;
   for (const double value : values) {
-    const auto [first, last] = std::ranges::equal_range(levels, value);
-    below.push_back({static_cast<Index>(first - levels.begin()), static_cast<Index>(last - levels.begin())});
+    below.push_back(static_cast<Index>(std::ranges::upper_bound(levels, value) - levels.begin()));
   }
   MeshCutter cutter(mesh);
   const auto is_finite = [&](Index face) {
@@ -247,8 +246,8 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
         const double t = crossing(values[a], values[b], mesh.edge_length(edge), *next, interpolation);
         const Index point = cutter.on_edge(edge, t);
         end[falls ? 0 : 1] = point;
-        if (static_cast<std::size_t>(point) == below.size()) below.push_back({number, number + 1});
-        below[point] = {std::min(below[point][0], number), std::max(below[point][1], number + 1)};
+        if (static_cast<std::size_t>(point) == below.size()) below.push_back(0);
+        below[point] = std::max(below[point], number + 1);
       }
       cutter.add_piece(f, end[0], end[1]);
     }
@@ -257,7 +256,7 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
   for (std::size_t f = 0; f < cut.faces.size(); ++f) {
     Index region = static_cast<Index>(levels.size());
     for (const Index point : cut.faces[f]) {
-      if (static_cast<std::size_t>(point) < below.size()) region = std::min(region, below[point][1]);
+      if (static_cast<std::size_t>(point) < below.size()) region = std::min(region, below[point]);
     }
     cut.region.push_back(is_finite(cut.face_of[f]) ? region : no_index);
   }

@@ -24,7 +24,7 @@ struct CutMesh {
   /// Along the lines, in their direction; each once.
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::vector<Index>> lines;  ///< by line given, the points that it passes
-  std::vector<Index> side;  ///< by face: 1 to the left of a line, -1 to the right, 0 beside none or both
+  std::vector<Index> side;  ///< by face, as it is turned: 1 left of a line, -1 right, 0 beside none or both
 };
 
 /// A side of a face by its ends, the smaller first.

@@ -18,20 +18,24 @@ namespace {
 /// Lines handed to a thread at a time.
 constexpr std::size_t lines_at_once = 64;
 
+void require_agreeing_around(Surface& surface, const SurfacePoint& point) {
+  const Mesh& mesh = *surface.mesh();
+  const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
+  // A vertex without faces may be all that is left where the metric does not jump.
+  if (!surface.geometry()->windows || mesh.metric_jumps_in(mesh.component(corner)))
+    require_agreeing_faces(mesh, "Directions");
+}
+
 /// Which the surface keeps.
 const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
   const Mesh& mesh = *surface.mesh();
-  const auto geometry = surface.geometry();
-  const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
-  // A vertex without faces may be all that is left where the metric does not jump.
-  if (!geometry->windows || mesh.metric_jumps_in(mesh.component(corner)))
-    require_agreeing_faces(mesh, "Directions");
+  require_agreeing_around(surface, point);
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
                        ": with this metric, it is measured in parts; take a vertex.");
   }
-  return *geometry->windows;
+  return *surface.geometry()->windows;
 }
 
 std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
@@ -103,7 +107,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   std::vector<ExactSource> from;
   for (const SurfacePoint& source : points_on(*surface.mesh(), sources, "Source")) {
-    geometry_around(surface, source);
+    require_agreeing_around(surface, source);
     from.push_back({source});
   }
   std::optional<PointList> at;
@@ -122,12 +126,16 @@ std::vector<Tangent> transport(Surface& surface, const PointList& path, const st
   if (points.empty())
     throw InvalidInput("The path has no point; give one that path() or path_through() found.");
   require_finite(vectors);
+  geometry_around(surface, points[points.size() - 1]);
   TangentFrame here(geometry_around(surface, points[0]), points[0]);
   // A vector of angle a at the first point has the angle sign a + turned here.
   double sign = 1.0, turned = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i] == points[i - 1]) continue;
     TangentFrame next(here.geometry(), points[i]);
+    if (is_same_point(mesh, points[i - 1], points[i]) && points[i].face == points[i - 1].face) {
+      here = std::move(next);  // a step of rounding has no direction
+      continue;
+    }
     const Index face = common_face(mesh, points[i - 1], points[i]);
     if (face == no_index) refuse_step(mesh, points, i);
     std::array<double, 3> from{}, to{};

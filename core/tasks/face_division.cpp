@@ -54,7 +54,7 @@ void FaceDivision::insert_into_side(Index a, Index b, Index point) {
 void FaceDivision::add_point(Index point, const Weights& weights) {
   if (!place_.try_emplace(point, Place{weights[1], weights[2]}).second) return;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Part part = parts_[k];
+    const Part& part = parts_[k];
     std::vector<std::size_t> on_sides;
     bool is_inside = true;
     for (std::size_t i = 0; i < part.size(); ++i) {
@@ -73,12 +73,14 @@ void FaceDivision::add_point(Index point, const Weights& weights) {
                std::hypot(p[0] - q[0], p[1] - q[1]);
       };
       const std::size_t i = *std::ranges::min_element(on_sides, {}, outside);
-      insert_into_side(part[i], part[(i + 1) % part.size()], point);
+      const auto [a, b] = std::pair(part[i], part[(i + 1) % part.size()]);
+      insert_into_side(a, b, point);
       return;
     }
+    const Part whole = part;
     parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(k));
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      parts_.push_back({point, part[i], part[(i + 1) % part.size()]});
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      parts_.push_back({point, whole[i], whole[(i + 1) % whole.size()]});
     }
     return;
   }

@@ -73,7 +73,7 @@ Section Cutter::follow(Index first, Index end) const {
   std::vector<SurfacePoint> line{point_};
   double length = 0.0;
   auto add = [&](const SurfacePoint& next) {
-    if (is_same_point(mesh_, line.back(), next)) return;
+    if (line.back() == next) return;
     length += distance_between(position_of(mesh_, line.back()), position_of(mesh_, next));
     line.push_back(next);
   };

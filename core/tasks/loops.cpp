@@ -150,7 +150,7 @@ class LoopTask {
   const ExactGeometry& geometry() { return *surface_.geometry()->windows; }
   SurfacePath leg(const SurfacePoint& from, const SurfacePoint& to) {
     Answered answered;
-    return surface_.path(from, to, options_.by, {.exact = true}, answered).path;
+    return surface_.path(from, to, options_.by, {.exact = true, .certify = false}, answered).path;
   }
   /// A polyline through points, back to the first.
   std::vector<SurfacePoint> closed_line(const PointList& given) {
@@ -162,7 +162,7 @@ class LoopTask {
     std::vector<SurfacePoint> line{points[0]};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t next = (i + 1) % points.size();
-      if (is_same_point(mesh, points[i], points[next])) continue;
+      if (points[i] == points[next]) continue;
       if (common_face(mesh, points[i], points[next]) != no_index) {
         line.push_back(points[next]);
         continue;
@@ -414,6 +414,7 @@ SurfacePath loop_like(Surface& surface, LoopTask& task, const SurfacePoint& poin
     throw InvalidInput("No path leads from " + name_of(task.mesh, point) +
                        " to the curve: they are on two components.");
   }
+  if (line.size() == 1) refuse_slip(task.mesh, line[0]);
   line.pop_back();
   std::ranges::rotate(line, line.begin() + (nearest < std::ssize(line) ? nearest : 0));
   std::vector<SurfacePoint> loop = leg.points;

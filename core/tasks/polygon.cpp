@@ -13,6 +13,7 @@
 #include "mesh/vectors.h"
 #include "support/error.h"
 #include "tasks/cut.h"
+#include "tasks/path_through.h"
 
 namespace vorogeo {
 
@@ -27,11 +28,9 @@ std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, c
   std::vector<ExactPath> legs;
   for (ExactPath& one : surface.paths({points, ends}, options.by, {.exact = true},
                                       options.answered ? *options.answered : answered, options.progress)) {
-    const std::string from = std::to_string(legs.size());
-    const std::string to = std::to_string((legs.size() + 1) % points.size());
+    const std::size_t i = legs.size();
     if (one.path.points.empty()) {
-      throw InvalidInput("No path leads from point " + from + " to point " + to +
-                         " of the polygon: they are in different components.");
+      refuse_leg(*surface.mesh(), i, points[i], (i + 1) % points.size(), ends[i]);
     }
     legs.push_back(std::move(one));
   }
@@ -130,6 +129,25 @@ class CutSurface {
     return places;
   }
 
+  /// The faces at the border of the surface, but for where lines run along it.
+  std::vector<Index> faces_at_border() const {
+    std::set<std::pair<Index, Index>> along;
+    for (const auto& [a, b] : cut_.edges) along.insert(std::minmax(a, b));
+    std::vector<Index> faces;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      const bool is_single = (k == 0 || sides_[k - 1].ends != sides_[k].ends) &&
+                             (k + 1 == sides_.size() || sides_[k + 1].ends != sides_[k].ends);
+      if (is_single && !along.contains(sides_[k].ends)) faces.push_back(sides_[k].face);
+    }
+    return faces;
+  }
+  bool lines_are_border() const {
+    return std::ranges::all_of(cut_.edges, [&](const auto& edge) {
+      const std::pair<Index, Index> ends = std::minmax(edge[0], edge[1]);
+      return std::ranges::equal_range(sides_, ends, {}, &FaceSide::ends).size() == 1;
+    });
+  }
+
   /// Calls visit(ends, how many faces are chosen) for each edge.
   template <class IsChosen, class Visit>
   void count_at_edges(IsChosen&& is_chosen, Visit&& visit) const {
@@ -168,19 +186,22 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
                        ".");
   }
   GeodesicPolygon polygon;
+  require_both_ways_alike(mesh, "Polygons");
   polygon.legs = legs_between(surface, points, options);
   std::vector<std::vector<SurfacePoint>> lines;
   for (const ExactPath& leg : polygon.legs) {
     polygon.perimeter += leg.path.length;
     lines.push_back(leg.path.points);
   }
+  const Watch watch(options.progress, "Polygon");
   const CutMesh cut = cut_along(mesh, lines);
   require_simple(cut.lines);
   const CutSurface parts(mesh, cut);
 
   // The two sides, and their areas.
   const auto at_first = std::ranges::find_if(cut.faces, [&](const std::array<Index, 3>& face) {
-    return std::ranges::find(face, cut.lines[0][0]) != face.end();
+    return std::ranges::find(face, cut.lines[0][0]) != face.end() &&
+           std::ranges::find(face, cut.lines[0][1]) != face.end();
   });
   const std::vector<Index> side = parts.sides(cut.region[at_first - cut.faces.begin()]);
   std::array<double, 2> area{};
@@ -191,13 +212,19 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
     is_there[own] = true;
     area[own] += area_of(parts.corners(static_cast<Index>(f)));
   }
-  if (!is_there[0] || !is_there[1]) {
+  const auto at_border = parts.faces_at_border();
+  const bool is_all = is_there[0] && !is_there[1] && parts.lines_are_border();
+  if (!is_there[0] || (!is_there[1] && !is_all)) {
     throw InvalidInput(
         "The legs of the polygon have the same side left and right, as around a handle or a tube or from "
-        "border to "
-        "border, so it has no inside; give points around a part that they can separate.");
+        "border to border, so it has no inside; give points around a part that they can separate.");
   }
-  const Index inside = area[1] < area[0] ? 1 : 0;
+  std::array<bool, 2> has_border{};
+  for (const Index f : at_border) {
+    if (side[cut.region[f]] != no_index) has_border[side[cut.region[f]]] = true;
+  }
+  const bool is_second = has_border[0] != has_border[1] ? has_border[0] : area[1] < area[0];
+  const Index inside = !is_all && is_second ? 1 : 0;
   polygon.area = area[inside];
 
   // Angles, and the borders and Euler characteristic of the inside.
@@ -232,9 +259,7 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
   polygon.gauss_bonnet = 2.0 * pi * euler;
   for (const auto& [point, sum] : angle) {
     const auto found = border_edges.find(point);
-    const bool is_corner =
-        std::ranges::any_of(cut.lines, [&](const auto& leg) { return leg.front() == point; });
-    if (point >= mesh.vertex_count() && !is_corner) continue;
+    if (point >= mesh.vertex_count() && !ends_of_legs.contains(point)) continue;
     if (found != border_edges.end()) {
       polygon.gauss_bonnet -= 0.5 * pi * found->second - sum;
       continue;

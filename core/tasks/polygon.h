@@ -8,8 +8,8 @@
 namespace vorogeo {
 
 struct GeodesicPolygon {
-  double area = 0.0;           ///< of the inside: the smaller of the two sides
-  double perimeter = 0.0;      ///< of all legs
+  double area = 0.0;       ///< of the inside: the side without border of the surface, else the smaller one
+  double perimeter = 0.0;  ///< of all legs
   std::vector<double> angles;  ///< by point, of the inside, in radians
   /// Sum of the angle defects of the vertices inside. The angles sum to (n - 2) pi and this, where the inside
   /// is a disk and no leg turns at a vertex.

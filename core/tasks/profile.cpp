@@ -13,10 +13,29 @@
 
 namespace vorogeo {
 
+namespace {
+
+/// Whether two faces run along an edge of both in opposite directions; true if they share none.
+bool are_turned_alike(const Mesh& mesh, Index a, Index b) {
+  for (Index h = 3 * a; h < 3 * a + 3; ++h) {
+    for (Index g = 3 * b; g < 3 * b + 3; ++g) {
+      if (mesh.edge_of(h) == mesh.edge_of(g)) return mesh.tail(h) != mesh.tail(g);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
   Point sum{};
+  Index before = no_index;
+  bool is_turned = false;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
     if (mesh.is_bridge(face)) return;
+    // Faces around a vertex come one beside the other.
+    if (before != no_index && !are_turned_alike(mesh, before, face)) is_turned = !is_turned;
+    before = face;
     const auto& [a, b, c] = mesh.face_vertices(face);
     const Point& p = mesh.position(a);
     const Point normal = cross(minus(mesh.position(b), p), minus(mesh.position(c), p));
@@ -24,7 +43,7 @@ Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
     if (!(length > 0.0)) return;
     const auto corner = std::ranges::find(weights, 1.0) - weights.begin();
     const double part = corner < 3 ? mesh.corner_angle(3 * face + static_cast<Index>(corner)) : 1.0;
-    sum = moved(sum, (dot(sum, normal) < 0.0 ? -part : part) / length, normal);
+    sum = moved(sum, (is_turned ? -part : part) / length, normal);
   });
   const double length = length_of(sum);
   return length > 0.0 ? moved({}, 1.0 / length, sum) : Point{};

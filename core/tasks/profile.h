@@ -17,7 +17,8 @@ Point normal_at(const Mesh& mesh, const SurfacePoint& point);
 struct Profile {
   std::vector<double> along;   ///< length of the path up to the point
   std::vector<double> height;  ///< of its position in the direction `up`
-  std::vector<double> angle;   ///< of the normal with `up`, in radians: 0 on level ground, pi/2 on a wall
+  std::vector<double>
+      angle;  ///< of the normal with `up`, in radians: 0 on level ground turned upwards, pi/2 on a wall
 };
 
 /// \throw InvalidInput for a point that is not on the mesh, two consecutive ones without a common face (names

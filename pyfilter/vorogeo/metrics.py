@@ -250,7 +250,7 @@ class FaceRanders:
     Notes
     -----
     `Surface.distance_field`, `distance`, `distances` and `path` answer, by the method "exact": from the sources, and
-    with ``to=True`` to them. Indexes, quick fields and tasks of many fields refuse it.
+    with ``to=True`` to them. Indexes, quick fields and tasks refuse it.
 
     Examples
     --------
@@ -349,9 +349,12 @@ def travel_time(
     count = len(triangles)
     along, normal = _spread("wind", wind, (count, 3)), _normals(positions, triangles)
     own = _spread("speed", speed, (count,))
+    if not (own > 0).all():
+        f = int(np.flatnonzero(~(own > 0))[0])
+        raise InvalidInput(f"speed: is {own[f]:g} in face {f}; give finite numbers above 0.")
     relative = (along - (along * normal).sum(axis=1, keepdims=True) * normal) / own[:, None]
     lam = 1 - (relative * relative).sum(axis=1)
-    bad = np.flatnonzero(~((lam > 0) & (own > 0) & np.isfinite(own)))
+    bad = np.flatnonzero(~(lam > 0))
     if bad.size:
         f = int(bad[0])
         raise InvalidInput(
@@ -398,11 +401,9 @@ def hiking_time(
         an ellipse around them. Where a gentler grade climbs (or descends) faster, a zigzag at that counts.
     """
     positions, triangles = _mesh(vertices, faces)
-    towards = check.positions("up", up)
-    size = float(np.linalg.norm(towards))
-    if towards.shape != (1, 3) or not size > 0:
-        raise InvalidInput(f"up: is {np.asarray(up).tolist()}; give one vector of three numbers, longer than 0.")
-    vertical, normal = towards[0] / size, _normals(positions, triangles)
+    towards = np.array(check.direction("up", up))
+    towards /= np.abs(towards).max()
+    vertical, normal = towards / np.linalg.norm(towards), _normals(positions, triangles)
     rise = vertical - (normal @ vertical)[:, None] * normal
     sine = np.linalg.norm(rise, axis=1)
     uphill = np.divide(rise, sine[:, None], out=np.zeros_like(rise), where=sine[:, None] > 0)
@@ -441,7 +442,8 @@ def _normals(positions: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArra
     a, b, c = (positions[faces[:, i]] for i in range(3))
     normal = np.cross(b - a, c - a)
     size = np.linalg.norm(normal, axis=1, keepdims=True)
-    return np.divide(normal, size, out=np.zeros_like(normal), where=size > 0)
+    units: NDArray[np.float64] = np.divide(normal, size, out=np.zeros_like(normal), where=size > 0)
+    return units
 
 
 def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:

@@ -274,13 +274,16 @@ class Profile(NamedTuple):
 
     length: Annotated[NDArray[np.float64], "Shape (p,). Of the path up to the point."]
     height: Annotated[NDArray[np.float64], "Shape (p,). Of the point, in the direction `up`."]
-    angle: Annotated[NDArray[np.float64], "Shape (p,). Of the normal with `up`, in radians: 0 on level ground."]
+    angle: Annotated[
+        NDArray[np.float64],
+        "Shape (p,). Of the normal with `up`, in radians: 0 on level ground turned upwards, pi if downwards.",
+    ]
 
 
 @documented
 @dataclass(frozen=True)
 class GeodesicPolygon:
-    """A polygon of shortest paths and its inside, the smaller of the two parts that they separate."""
+    """A polygon of shortest paths and its inside: the side without border of the surface, else the smaller one."""
 
     area: float = doc("Of the inside.")
     perimeter: float = doc("Sum of the lengths of all legs.")

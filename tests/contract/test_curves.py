@@ -176,6 +176,16 @@ def test_profiles_have_heights_and_slopes(random: Rng) -> None:
     assert np.abs(np.cos(along.angle)) == pytest.approx(np.sqrt(0.5), abs=1e-12)
 
 
+def test_on_a_sharp_ridge_the_normal_leads_upwards() -> None:
+    vertices = np.array([[-1, 0, 0], [1, 0, 0], [0, 0, 3], [-1, 1, 0], [1, 1, 0], [0, 1, 3]], dtype=float)
+    faces = np.array([[2, 0, 3], [2, 3, 5], [5, 4, 1], [1, 2, 5]], dtype=np.int32)
+    for turned in (faces, np.vstack([faces[:2], faces[2:, ::-1]])):
+        surface = vorogeo.Surface(vertices, turned)
+        _, height, angle = surface.profile(vorogeo.SurfacePoints([1, 1], [[0.3, 0, 0.7], [0.7, 0, 0.3]]))
+        np.testing.assert_allclose(height, 3)
+        np.testing.assert_allclose(np.sin(angle), 0, atol=1e-9)
+
+
 REFUSED: dict[str, tuple[Any, str]] = {
     "two components": (lambda: ask.surface(PARTS).path_through([3, 100, 200]),
                        r"from point 1 \(vertex 100\) to point 2 \(vertex 200\): they are on two components"),
@@ -191,6 +201,8 @@ REFUSED: dict[str, tuple[Any, str]] = {
                               "Every loop through vertex 30 contracts to it"),
     "a loop like one that slips off": (lambda: ask.surface(PRISM).shortest_loop(30, [30, 31, 43]),
                                        "slips off: pulled tight, it contracts to a point, at vertex 30"),
+    "a loop like a point": (lambda: ask.surface(PRISM).shortest_loop(30, [77, 77]),
+                            "slips off: pulled tight, it contracts to a point, at vertex 77"),
     "a section with ends": (lambda: ask.surface(PRISM).girth(77, [1.0, 0.1, 0]),
                             r"through vertex 77 is not closed: it meets the border at the edge between vertex \d+ and"),
     "a plane that touches": (lambda: ask.surface(BOX).girth(0, [1.0, 1, 1]), "only touches the surface at vertex 0"),

@@ -99,6 +99,24 @@ def test_a_polygon_of_a_plane_is_the_flat_one(by: str) -> None:
     assert sorted(parts) == pytest.approx(sorted([area, size[0] * size[1] - area]))
 
 
+@pytest.mark.parametrize("margin", [0.05, 0.0])
+def test_the_inside_of_a_polygon_is_the_side_without_border(margin: float) -> None:
+    shape = table.named("plane")
+    low, size = shape.vertices.min(axis=0), np.ptp(shape.vertices, axis=0)
+    corners = low + size * np.abs(np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]) - [margin, margin, 0])
+    polygon = ask.surface(shape).polygon(ask.surface(shape).snap(corners))
+    assert polygon.area == pytest.approx((1 - 2 * margin) ** 2 * size[0] * size[1], rel=1e-9)
+    assert polygon.angles == pytest.approx(np.full(4, np.pi / 2))
+    assert polygon.gauss_bonnet == pytest.approx(0, abs=1e-9)
+
+
+def test_a_disk_of_almost_no_radius_has_almost_no_area() -> None:
+    shape = table.named("plane")
+    surface = ask.surface(shape)
+    for radius in (1e-9, 1e-15, 1e-16, 1e-300):
+        assert 0 <= surface.disk_area(surface.snap(shape.vertices.mean(axis=0)), radius) <= 1e-15
+
+
 def test_sets_are_as_far_apart_as_their_points() -> None:
     shape = table.named("plane")
     first, second = shape.sources[:2], shape.sources[2:]

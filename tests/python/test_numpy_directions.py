@@ -163,6 +163,16 @@ def test_on_a_plane_gradients_lead_straight_away_and_vectors_stay_as_they_are():
         np.testing.assert_allclose(in_space(after, carried), in_space(before, np.array([[1, 2], [0, 0]])), atol=1e-9)
 
 
+def test_gradients_over_a_bridged_gap_and_steps_of_rounding():
+    one = plane_grid(5, 5)
+    vertices, faces = np.vstack([one[0], one[0] + [1.0, 0, 0]]), np.vstack([one[1], one[1] + 25])
+    gradient = vorogeo.Surface(vertices, faces, gap=1e-3).gradient(12)
+    assert np.isnan(gradient[12]).all()
+    np.testing.assert_allclose(np.linalg.norm(np.delete(gradient, 12, axis=0), axis=1), 1)
+    near = vorogeo.SurfacePoints([9, 9], [[0.3, 0.5, 0.2], [0.3 + 1e-15, 0.5 - 1e-15, 0.2]])
+    np.testing.assert_allclose(vorogeo.Surface(*one).transport(near, [1, 2]), [[1, 2]], atol=1e-9)
+
+
 def test_round_a_corner_of_a_cube_a_vector_turns_by_the_angle_that_is_missing_there():
     vertices, faces = cube()
     surface = vorogeo.Surface(vertices, some_flipped(faces))

@@ -149,6 +149,28 @@ def test_a_drift_against_it_swaps_the_ways():
     assert not np.allclose(there.distance_field(5), back.distance_field(5), rtol=1e-2)
 
 
+def test_a_constant_drift_shifts_distances_over_t_junctions_too():
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0, 0], [0.4, -1, 0]])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [0, 4, 1], [0, 5, 4], [4, 5, 1]])
+    cost, drift = np.array([1, 1, 1, 9, 9.0]), np.array([0.5, 0.3, 0])
+    tensors = np.eye(3) * (cost**2)[:, None, None]
+    along = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(tensors, np.tile(drift, (5, 1)), points=30))
+    level = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceTensor(tensors, points=30))
+    for source in range(6):
+        expected = level.distance_field(source) + (vertices - vertices[source]) @ drift
+        np.testing.assert_allclose(along.distance_field(source), expected, atol=1e-9)
+        for target in range(6):
+            assert along.path(source, target).length == pytest.approx(expected[target], rel=1e-4, abs=1e-9)
+
+
+def test_needles_take_the_drift_along_them():
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0.5, 1e-6, 0], [0.5, 1, 0]])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [2, 1, 3]])
+    drift = np.array([[0.2, -3e5, 0], [0.2, 0, 0], [0.2, 0, 0]])
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(np.tile(np.eye(3), (3, 1, 1)), drift))
+    np.testing.assert_allclose(surface.distance_field(0), [0, 1.2, 0.6, np.sqrt(1.25) + 0.1], rtol=1e-3)
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_ways_that_agree_with_one_another(seed):
     """Fields from and to, pairs and paths; and no way round is shorter."""
