@@ -2,11 +2,8 @@
 #include "index/border_pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <span>
 
 #include "mesh/outliers.h"
@@ -111,11 +108,10 @@ constexpr double first_entries_per_vertex = 110.0;
 constexpr double longer_per_step = 1.1;
 constexpr int max_steps = 8;
 constexpr Index max_pieces = 32;
-/// Most points that are added: this many for each vertex of the mesh, and some more on tiny meshes. Meshes as
-/// people have them take up to 0.2; patches of a few needles each would take any number, and tables and runs
-/// grow with its square.
-constexpr double added_per_vertex = 2.0;
-constexpr double added_anyway = 128.0;
+/// Tables with so many times the entries that they should have at most are hopeless: on a mesh of needles,
+/// which borders cross everywhere, filling them takes longer than thousands of exact fields. So edges get
+/// fewer points, and an automatic partition is one patch.
+constexpr double hopeless_entries = 8.0;
 
 /// A border edge, and its length in roots of the area of the smallest adjacent patch.
 struct BorderEdge {
@@ -134,14 +130,15 @@ double wanted_length(const Mesh& mesh) {
 
 /// How long pieces of border edges may be.
 struct PieceLength {
-  double longest;     ///< in those roots
-  bool near_saddles;  ///< whether pieces near saddle vertices are shorter
+  double longest;           ///< in those roots
+  bool near_saddles;        ///< whether pieces near saddle vertices are shorter
+  Index most = max_pieces;  ///< of an edge
 };
 
 Index pieces_of(const BorderEdge& border, const PieceLength& lengths) {
   const double longest = lengths.longest * (lengths.near_saddles ? border.piece_factor : 1.0);
   return static_cast<Index>(
-      std::clamp(std::ceil(border.length / longest), 1.0, static_cast<double>(max_pieces)));
+      std::clamp(std::ceil(border.length / longest), 1.0, static_cast<double>(lengths.most)));
 }
 
 /// The border edges between patches that have an area.
@@ -235,8 +232,9 @@ PieceLength longest_pieces(const Mesh& mesh) {
   return {wanted_length(mesh) * std::pow(longer_per_step, max_steps), false};
 }
 
-/// The finest pieces for which tables keep to their share, else the longest that may be. Where tables have no
-/// room for shorter pieces near saddle vertices, all are as long.
+/// The finest pieces for which tables keep to their share, else the longest that may be, and so few of an
+/// edge that tables are not hopeless. Where tables have no room for shorter pieces near saddle vertices, all
+/// are as long.
 PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders) {
   for (const bool near_saddles : {true, false}) {
     PieceLength lengths{wanted_length(mesh), near_saddles};
@@ -244,23 +242,10 @@ PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::spa
       if (expected_entries(mesh, partition, borders, lengths) <= 1.0) return lengths;
     }
   }
-  return longest_pieces(mesh);
-}
-
-/// Clamps the numbers of pieces to the largest limit that keeps the points added within their bound.
-void limit_pieces(std::vector<Index>& pieces, Index vertices) {
-  std::array<std::int64_t, max_pieces + 1> edges_with{};
-  for (Index count : pieces) ++edges_with[count];
-  const double most = added_per_vertex * vertices + added_anyway;
-  Index limit = 1;
-  std::int64_t added = 0;
-  std::int64_t longer = std::accumulate(edges_with.begin() + 2, edges_with.end(), std::int64_t{0});
-  // With one piece more, each edge that wants it has one more point.
-  for (; limit < max_pieces && static_cast<double>(added + longer) <= most; ++limit) {
-    added += longer;
-    longer -= edges_with[limit + 1];
-  }
-  for (Index& count : pieces) count = std::min(count, limit);
+  PieceLength lengths = longest_pieces(mesh);
+  while (lengths.most > 1 && expected_entries(mesh, partition, borders, lengths) > hopeless_entries)
+    --lengths.most;
+  return lengths;
 }
 
 }  // namespace
@@ -270,7 +255,6 @@ std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition)
   const PieceLength lengths = choose_pieces(mesh, partition, borders);
   std::vector<Index> pieces(mesh.edge_count(), 1);
   for (const BorderEdge& border : borders) pieces[border.edge] = pieces_of(border, lengths);
-  limit_pieces(pieces, mesh.vertex_count());
   return pieces;
 }
 
@@ -284,9 +268,6 @@ namespace {
 
 /// With more patches than this, some ten thousand vertices, an exact run takes over a tenth of a second.
 constexpr Index few_patches = 24;
-/// So many times the entries that tables should have at most, at the least: on a mesh of needles, which
-/// borders cross everywhere, filling them takes longer than thousands of exact fields.
-constexpr double hopeless_entries = 8.0;
 /// Of the entries that tables should have at most: with fewer, another partition would save little.
 constexpr double many_entries = 0.55;
 /// Another partition has to have fewer than this part of the entries of the usual one.
