@@ -128,11 +128,11 @@ double wanted_length(const Mesh& mesh) {
              : longest_border_edge;
 }
 
-/// How long pieces of border edges may be.
+/// How long pieces of border edges may be, and how many.
 struct PieceLength {
   double longest;           ///< in those roots
   bool near_saddles;        ///< whether pieces near saddle vertices are shorter
-  Index most = max_pieces;  ///< of an edge
+  Index most = max_pieces;  ///< how many an edge may have
 };
 
 Index pieces_of(const BorderEdge& border, const PieceLength& lengths) {
@@ -232,9 +232,9 @@ PieceLength longest_pieces(const Mesh& mesh) {
   return {wanted_length(mesh) * std::pow(longer_per_step, max_steps), false};
 }
 
-/// The finest pieces for which tables keep to their share, else the longest that may be, and so few of an
-/// edge that tables are not hopeless. Where tables have no room for shorter pieces near saddle vertices, all
-/// are as long.
+/// The finest pieces for which tables keep to their share, else the longest that may be, and fewer of an edge
+/// where tables would be hopeless even so. Where tables have no room for shorter pieces near saddle vertices,
+/// all are as long.
 PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders) {
   for (const bool near_saddles : {true, false}) {
     PieceLength lengths{wanted_length(mesh), near_saddles};

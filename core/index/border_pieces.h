@@ -38,8 +38,8 @@ class NearSaddles {
 /// Number of pieces of each edge of the mesh: 1 unless it is a border edge that is long for the patches
 /// beside it. How long an edge may be follows from the mean angle defect of the mesh: the stronger paths bend
 /// at its vertices, the less the distances at both ends of an edge tell of those between; near a saddle
-/// vertex, pieces are shorter (NearSaddles). Where tables would become too large, edges may be longer.
-/// Complexity: O(edges).
+/// vertex, pieces are shorter (NearSaddles). Where tables would become too large, edges may be longer, and
+/// where they would still take many times their share, edges have fewer pieces. Complexity: O(edges).
 std::vector<Index> pieces_of_edges(const Mesh& mesh, const Partition& partition);
 
 /// About how many entries tables would have, as a multiple of the most they should have, if all border edges

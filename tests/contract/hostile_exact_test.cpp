@@ -11,7 +11,6 @@
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
-#include "index/index_data.h"
 #include "query/path_query.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
@@ -210,27 +209,6 @@ TEST(IndexContract, FieldsEndWhereAnotherVertexLiesAtTheSource) {
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     if (solver.distance(v) == unreachable) continue;
     EXPECT_NEAR(field[v], solver.distance(v), 0.1 * solver.distance(v) + 1e-9) << v;
-  }
-}
-
-TEST(IndexContract, TablesOfPatchesOfAFewNeedlesTakeNoMoreThanEightTimesTheirShare) {
-  // Whose borders are walls hundreds of times as long as wide. The table between them alone has a row and a
-  // column for each place on a border.
-  const auto mesh = test::make_mesh(test::hostile_mesh(704420, 600).soup);
-  IndexOptions options;
-  options.first_layer_patches = options.second_layer_patches = 2;
-  const auto index = GeodesicIndex::build(mesh, options);
-  const double places = index->data().first.node_count();
-  EXPECT_LE(places * places, 8.0 * (250.0 + 110.0) * mesh->vertex_count());
-  test::IndexQuery query(index, 1);
-  ExactSolver solver(mesh);
-  for (const Index source : {0, 333, 797}) {
-    solver.run_from_vertices(std::array{source});
-    const std::vector<double> field = query.distance_field(std::array{source});
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      if (solver.distance(v) < unreachable)
-        EXPECT_NEAR(field[v], solver.distance(v), 0.01 * solver.distance(v));
-    }
   }
 }
 

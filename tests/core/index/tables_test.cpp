@@ -15,6 +15,7 @@
 #include "index/patch_layer.h"
 #include "index/transit_table.h"
 #include "support/error.h"
+#include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
 
@@ -153,6 +154,26 @@ TEST(BorderPieces, TablesKeepToTheirShare) {
       lay_out_patches(surface, surface.second_layer, partition.second_layer_count, {}, TableOrder::lines);
   EXPECT_LE(static_cast<double>(layer.table_begin.back()), 1.02 * 360.0 * mesh->vertex_count());
   EXPECT_GE(static_cast<double>(layer.table_begin.back()), 150.0 * mesh->vertex_count());
+}
+
+TEST(BorderPieces, TablesOfPatchesOfAFewNeedlesKeepToEightTimesTheirShare) {
+  // Walls hundreds of times as long as wide are borders. The transit table alone has a row and a column for
+  // each place on those of the first layer.
+  const auto index = test::make_index(test::hostile_mesh(704420, 600).soup, 2, 2);
+  const Mesh& mesh = *index->mesh();
+  const double places = index->data().first.node_count();
+  EXPECT_LE(places * places, 8.0 * 360.0 * mesh.vertex_count());
+  test::IndexQuery query(index, 1);
+  ExactSolver solver(index->mesh());
+  for (const Index source : {0, 333, 797}) {
+    solver.run_from_vertices(std::array{source});
+    const std::vector<double> field = query.distance_field(std::array{source});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double exact = solver.distance(v);
+      if (exact == unreachable) continue;
+      EXPECT_NEAR(field[v], exact, 0.01 * exact) << source << " to " << v;
+    }
+  }
 }
 
 // Vertices far outside the rest change neither the distances of others nor the time of a build; hubs, faces
