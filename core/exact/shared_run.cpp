@@ -79,7 +79,7 @@ void SharedRun::run(ExactSolver::State& first, const Progress* progress) {
       work(static_cast<int>(own), worker == 0 && watch ? &*watch : nullptr);
     } catch (...) {
       step_ = ended;
-      step_.notify_all();
+      announce_step();
       throw;
     }
   });
@@ -109,7 +109,10 @@ void SharedRun::work(int own, Watch* watch) {
       checkpoint();
     }
     for (int look = 0; look < looks && step_ == step; ++look) std::this_thread::yield();
-    step_.wait(step);
+    {
+      std::unique_lock lock(mutex_);
+      next_step_begins_.wait(lock, [&] { return step_ != step; });
+    }
     step = step_;
   }
 }
@@ -139,7 +142,7 @@ void SharedRun::begin_next_step() {
   int step = step_;
   if (front == unreachable) {
     step_ = ended;
-    step_.notify_all();
+    announce_step();
     return;
   }
   const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
@@ -152,7 +155,13 @@ void SharedRun::begin_next_step() {
   reached_ = std::min(1.0, static_cast<double>(reached) / all_.front()->mesh.vertex_count());
   unfinished_ = solvers();
   // A thread that failed has ended the run.
-  if (step != ended && step_.compare_exchange_strong(step, step + 1)) step_.notify_all();
+  if (step != ended && step_.compare_exchange_strong(step, step + 1)) announce_step();
+}
+
+void SharedRun::announce_step() {
+  // Whoever has looked at the step before it changed waits by now.
+  { const std::lock_guard lock(mutex_); }
+  next_step_begins_.notify_all();
 }
 
 std::size_t SharedRun::window_count() const {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -46,6 +48,7 @@ class SharedRun {
   void take_step(int solver);
   /// Called by whoever took the last solver's step.
   void begin_next_step();
+  void announce_step();
 
   Territories territories_;
   std::vector<std::unique_ptr<ExactSolver::State>> others_;
@@ -62,6 +65,9 @@ class SharedRun {
   std::atomic<int> step_{0};
   std::vector<std::atomic<int>> next_step_;  ///< of each solver
   std::atomic<int> unfinished_{0};
+  // For threads that wait for a step.
+  std::mutex mutex_;
+  std::condition_variable next_step_begins_;
 };
 
 }  // namespace vorogeo

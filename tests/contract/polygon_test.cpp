@@ -132,7 +132,7 @@ TEST(PolygonContract, WhatIsNoPolygonIsRefused) {
       "same side left and right");
   const test::Soup two = test::two_components(plane, test::icosphere(1));
   has(refused(two, {corners[0], corners[1], vertex(static_cast<Index>(plane.positions.size()) + 5)}),
-      "from point 1 to point 2");
+      "from point 1 (face");
 }
 
 }  // namespace
