@@ -238,17 +238,12 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
     for (auto next = std::ranges::upper_bound(levels, low); next != levels.end() && *next <= high; ++next) {
       const auto number = static_cast<Index>(next - levels.begin());
       std::array<Index, 2> end{no_index, no_index};  // greater values lie to the left
-      for (int i = 0; i < 3; ++i) {
-        const bool falls = values[corners[i]] >= *next;
-        if (falls == (values[corners[(i + 1) % 3]] >= *next)) continue;
-        const Index edge = mesh.edge_of(3 * f + i);
-        const auto [a, b] = mesh.edge_vertices(edge);
-        const double t = crossing(values[a], values[b], mesh.edge_length(edge), *next, interpolation);
+      for_each_crossing(mesh, values, f, *next, interpolation, [&](Index edge, double t, bool falls) {
         const Index point = cutter.on_edge(edge, t);
         end[falls ? 0 : 1] = point;
         if (static_cast<std::size_t>(point) == below.size()) below.push_back(0);
         below[point] = std::max(below[point], number + 1);
-      }
+      });
       cutter.add_piece(f, end[0], end[1]);
     }
   }

@@ -18,24 +18,25 @@ namespace {
 /// Lines handed to a thread at a time.
 constexpr std::size_t lines_at_once = 64;
 
-void require_agreeing_around(Surface& surface, const SurfacePoint& point) {
-  const Mesh& mesh = *surface.mesh();
+void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& point) {
+  const Mesh& mesh = *geometry.mesh;
   const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
   // A vertex without faces may be all that is left where the metric does not jump.
-  if (!surface.geometry()->windows || mesh.metric_jumps_in(mesh.component(corner)))
+  if (!geometry.windows || mesh.metric_jumps_in(mesh.component(corner)))
     require_agreeing_faces(mesh, "Directions");
 }
 
 /// Which the surface keeps.
 const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
   const Mesh& mesh = *surface.mesh();
-  require_agreeing_around(surface, point);
+  const auto geometry = surface.geometry();
+  require_agreeing_around(*geometry, point);
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
                        ": with this metric, it is measured in parts; take a vertex.");
   }
-  return *surface.geometry()->windows;
+  return *geometry->windows;
 }
 
 std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
@@ -57,13 +58,6 @@ void require_finite(const std::vector<Tangent>& vectors) {
     throw InvalidInput("Vector " + std::to_string(i) + " is " + std::to_string(vectors[i][0]) + ", " +
                        std::to_string(vectors[i][1]) + "; give finite numbers.");
   }
-}
-
-/// Answers are exact, without an index.
-void report(const TaskOptions& options, const Stopwatch& watch) {
-  if (options.answered == nullptr) return;
-  *options.answered = {};
-  options.answered->seconds = watch.seconds();
 }
 
 }  // namespace
@@ -95,7 +89,7 @@ LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<
   LogMap found = surface.lend([&](Query& query) {
     return query.log_map(frame, ends, max_distance, surface.threads(), options.progress);
   });
-  report(options, watch);
+  report_exact(options, watch);
   return found;
 }
 
@@ -107,7 +101,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   std::vector<ExactSource> from;
   for (const SurfacePoint& source : points_on(*surface.mesh(), sources, "Source")) {
-    require_agreeing_around(surface, source);
+    require_agreeing_around(*surface.geometry(), source);
     from.push_back({source});
   }
   std::optional<PointList> at;
@@ -116,7 +110,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
   const Stopwatch watch;
   auto found =
       surface.lend([&](Query& query) { return query.gradient(from, at, max_distance, options.progress); });
-  report(options, watch);
+  report_exact(options, watch);
   return found;
 }
 
@@ -173,7 +167,7 @@ std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const 
       ends[i] = trace(frames[frames.size() == 1 ? 0 : i], vectors[i], at_border);
     }
   });
-  report(options, watch);
+  report_exact(options, watch);
   return ends;
 }
 

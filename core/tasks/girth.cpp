@@ -212,12 +212,10 @@ Girth girth(Surface& surface, const SurfacePoint& given, const std::optional<Poi
     found.tape_length += distance_between(found.tape[i], found.tape[(i + 1) % found.tape.size()]);
   }
   found.loop = tightened(*surface.geometry()->windows, found.section.points);
-  if (options.answered != nullptr) {
-    *options.answered = {AnswerMethod::exact, stopwatch.seconds(), 0.0, {}};
-    if (found.loop.points.size() == 1) {
-      options.answered->remark = "The loop slips off: pulled tight, it contracts to a point, at " +
-                                 name_of(mesh, found.loop.points[0]) + "; section and tape are as they are.";
-    }
+  report_exact(options, stopwatch);
+  if (options.answered != nullptr && found.loop.points.size() == 1) {
+    options.answered->remark = "The loop slips off: pulled tight, it contracts to a point, at " +
+                               name_of(mesh, found.loop.points[0]) + "; section and tape are as they are.";
   }
   return found;
 }

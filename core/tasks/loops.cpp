@@ -175,8 +175,7 @@ class LoopTask {
   }
   /// A loop is not proven to be shortest.
   ExactPath answer(SurfacePath path) const {
-    if (options_.answered != nullptr)
-      *options_.answered = {AnswerMethod::exact, stopwatch_.seconds(), 0.0, {}};
+    report_exact(options_, stopwatch_);
     return {std::move(path), false};
   }
 

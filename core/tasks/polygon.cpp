@@ -129,34 +129,13 @@ class CutSurface {
     return places;
   }
 
-  /// The faces at the border of the surface, but for where lines run along it.
-  std::vector<Index> faces_at_border() const {
-    std::set<std::pair<Index, Index>> along;
-    for (const auto& [a, b] : cut_.edges) along.insert(std::minmax(a, b));
-    std::vector<Index> faces;
-    for (std::size_t k = 0; k < sides_.size(); ++k) {
-      const bool is_single = (k == 0 || sides_[k - 1].ends != sides_[k].ends) &&
-                             (k + 1 == sides_.size() || sides_[k + 1].ends != sides_[k].ends);
-      if (is_single && !along.contains(sides_[k].ends)) faces.push_back(sides_[k].face);
-    }
-    return faces;
-  }
-  bool lines_are_border() const {
-    return std::ranges::all_of(cut_.edges, [&](const auto& edge) {
-      const std::pair<Index, Index> ends = std::minmax(edge[0], edge[1]);
-      return std::ranges::equal_range(sides_, ends, {}, &FaceSide::ends).size() == 1;
-    });
-  }
-
-  /// Calls visit(ends, how many faces are chosen) for each edge.
-  template <class IsChosen, class Visit>
-  void count_at_edges(IsChosen&& is_chosen, Visit&& visit) const {
+  /// Calls visit(ends, sides of faces) for each edge.
+  template <class Visit>
+  void for_each_edge(Visit&& visit) const {
     for (auto next = sides_.begin(); next != sides_.end();) {
       const auto first = next;
-      int count = 0;
-      for (; next != sides_.end() && next->ends == first->ends; ++next)
-        count += is_chosen(next->face) ? 1 : 0;
-      visit(first->ends, count);
+      while (next != sides_.end() && next->ends == first->ends) ++next;
+      visit(first->ends, std::span(first, next));
     }
   }
 
@@ -212,16 +191,23 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
     is_there[own] = true;
     area[own] += area_of(parts.corners(static_cast<Index>(f)));
   }
-  const auto at_border = parts.faces_at_border();
-  const bool is_all = is_there[0] && !is_there[1] && parts.lines_are_border();
+  std::set<std::pair<Index, Index>> along;
+  for (const auto& [a, b] : cut.edges) along.insert(std::minmax(a, b));
+  std::array<bool, 2> has_border{};
+  bool lines_are_border = true;
+  parts.for_each_edge([&](const std::pair<Index, Index>& ends, std::span<const FaceSide> faces) {
+    const Index own = side.empty() ? no_index : side[cut.region[faces[0].face]];
+    if (along.contains(ends)) {
+      lines_are_border = lines_are_border && faces.size() == 1;
+    } else if (faces.size() == 1 && own != no_index) {
+      has_border[own] = true;
+    }
+  });
+  const bool is_all = is_there[0] && !is_there[1] && lines_are_border;
   if (!is_there[0] || (!is_there[1] && !is_all)) {
     throw InvalidInput(
         "The legs of the polygon have the same side left and right, as around a handle or a tube or from "
         "border to border, so it has no inside; give points around a part that they can separate.");
-  }
-  std::array<bool, 2> has_border{};
-  for (const Index f : at_border) {
-    if (side[cut.region[f]] != no_index) has_border[side[cut.region[f]]] = true;
   }
   const bool is_second = has_border[0] != has_border[1] ? has_border[0] : area[1] < area[0];
   const Index inside = !is_all && is_second ? 1 : 0;
@@ -243,7 +229,8 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
     for (int i = 0; i < 3; ++i) angle[cut.faces[f][i]] += angle_at(corners, i);
   }
   std::map<Index, int> border_edges;  // by point
-  parts.count_at_edges(is_inside, [&](const std::pair<Index, Index>& ends, int count) {
+  parts.for_each_edge([&](const std::pair<Index, Index>& ends, std::span<const FaceSide> faces) {
+    const auto count = std::ranges::count_if(faces, is_inside, &FaceSide::face);
     if (count > 0) --euler;
     if (count != 1) return;
     ++border_edges[ends.first];

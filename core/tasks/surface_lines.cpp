@@ -115,19 +115,14 @@ Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<con
     auto next = std::upper_bound(order.begin(), order.end(), low,
                                  [&](double value, Index level) { return value < levels[level]; });
     for (; next != order.end() && levels[*next] <= high; ++next) {
-      const double level = levels[*next];
       Index end[2];
       int ends = 0;
-      for (int i = 0; i < 3 && ends < 2; ++i) {
-        if ((at[i] >= level) == (at[(i + 1) % 3] >= level)) continue;
-        const Index edge = mesh.edge_of(3 * f + i);
-        const auto [a, b] = mesh.edge_vertices(edge);
-        const double t = crossing(values[a], values[b], mesh.edge_length(edge), level, interpolation);
+      for_each_crossing(mesh, values, f, levels[*next], interpolation, [&](Index edge, double t, bool) {
         end[ends++] = builder.on_edge(edge, t, static_cast<std::uint64_t>(*next));
         if (static_cast<std::size_t>(end[ends - 1]) == result.level_of_point.size()) {
           result.level_of_point.push_back(*next);
         }
-      }
+      });
       if (ends == 2 && builder.add_segment(end[0], end[1])) result.level_of_segment.push_back(*next);
     }
   }

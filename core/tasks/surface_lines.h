@@ -90,4 +90,19 @@ void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
 /// ends: a fraction in [0, 1], counted from the first end.
 double crossing(double at_first, double at_second, double length, double level, Interpolation interpolation);
 
+/// Calls visit(edge, fraction along it, falls) for the two sides of a face on which a field passes a level,
+/// if there are such: falls is whether the side, as the face is turned, begins at or above it.
+template <class Visit>
+void for_each_crossing(const Mesh& mesh, std::span<const double> values, Index face, double level,
+                       Interpolation interpolation, Visit&& visit) {
+  const auto& corners = mesh.face_vertices(face);
+  for (int i = 0; i < 3; ++i) {
+    const bool falls = values[corners[i]] >= level;
+    if (falls == (values[corners[(i + 1) % 3]] >= level)) continue;
+    const Index edge = mesh.edge_of(3 * face + i);
+    const auto [a, b] = mesh.edge_vertices(edge);
+    visit(edge, crossing(values[a], values[b], mesh.edge_length(edge), level, interpolation), falls);
+  }
+}
+
 }  // namespace vorogeo

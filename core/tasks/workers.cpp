@@ -26,6 +26,12 @@ std::vector<ExactSource> as_sources(const PointList& points) {
 
 }  // namespace
 
+void report_exact(const TaskOptions& options, const Stopwatch& watch) {
+  if (options.answered == nullptr) return;
+  *options.answered = {};
+  options.answered->seconds = watch.seconds();
+}
+
 void require_radius(double radius) {
   if (radius >= 0.0) return;
   throw InvalidInput("The radius is " + std::to_string(radius) +

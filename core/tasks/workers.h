@@ -29,6 +29,9 @@ struct TaskOptions {
 /// Voronoi region: with a margin, as these differ in size.
 inline double reach_of_regions(double sites) { return std::min(1.0, 4.0 / std::max(1.0, sites)); }
 
+/// Notes in `options.answered`, if it is wanted, that a task was answered exactly and without workers.
+void report_exact(const TaskOptions& options, const Stopwatch& watch);
+
 /// \throw InvalidInput for a radius that is negative or NaN.
 void require_radius(double radius);
 
