@@ -1,21 +1,39 @@
 #!/usr/bin/env bash
 # Builds what is uploaded to PyPI: the source archive, a wheel for Python 3.11 and one for Python 3.12 and later, both with
-# the plugins inside. docs/releasing.md says what to do with them.
+# the plugins inside; and the wheel for Windows. docs/releasing.md says what to do with them.
 #
-# Usage: pyfilter/build_wheels.sh
-#   They are left in build/wheels/dist. Compilers and Pythons are those of Debian roots (build/roots, made once, some 2 GB),
-#   the C and C++ libraries those of Debian 11, so that the wheels run on every system with glibc 2.31 or later. A PyMeshLab
-#   version whose headers cannot be had is named and left out. VOROGEO_JOBS: compilers at a time (default: one per core).
-# Exit status 77 with a sentence on the standard error where no root can be made.
+# Usage: pyfilter/build_wheels.sh [--platform linux | --platform windows]
+#   They are left in build/wheels/dist. Compilers and Pythons are those of Debian roots (build/roots, made once, some 2 GB).
+#   linux, the default: the source archive and the two wheels. The C and C++ libraries are those of Debian 11, so that the
+#   wheels run on every system with glibc 2.31 or later. A PyMeshLab version whose headers cannot be had is named and left out.
+#   windows: the wheel for Python 3.11, compiled by mingw-w64; the numpy part.
+#   VOROGEO_JOBS: compilers at a time (default: one per core).
+# Exit status 77 with a sentence on the standard error where no root can be made, or no Python for Windows be had.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+case "$*" in
+  "" | "--platform linux") platform=linux ;;
+  "--platform windows") platform=windows ;;
+  *) echo "build_wheels.sh: unknown arguments '$*'; usage: pyfilter/build_wheels.sh [--platform linux | --platform windows]" >&2; exit 2 ;;
+esac
 jobs="${VOROGEO_JOBS:-$(nproc)}"
 version="$(cat VERSION)"
 out=build/wheels
 mkdir -p "$out/dist"
-rm -f "$out"/dist/*
 say() { echo "wheels: $*"; }
+
+inside=()
+# Usage: run_in_root BUILDER NAME [VARIABLE=VALUE...] COMMAND...
+run_in_root() {
+  local builder="$1" name="$2" log="$out/$2.log"
+  shift 2
+  say "$name in build/roots/builder-$builder (log: $log)"
+  if ! tests/roots/in_root.sh "build/roots/builder-$builder" ${inside[@]+"${inside[@]}"} env "$@" >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    exit 1
+  fi
+}
 
 # The tree of the source archive: what compiles, with the settings of pyfilter/pyproject.toml at the top. By itself it builds
 # the numpy part, which needs no more than a compiler and the headers of Eigen.
@@ -31,6 +49,18 @@ stage() {
     pyfilter/pyproject.toml >"$out/source/pyproject.toml"
 }
 
+if [ "$platform" = windows ]; then
+  pyfilter/wheels/obtain_windows_python.sh >/dev/null
+  tests/roots/make_root.sh build/roots/builder-windows bookworm --no-install-recommends g++-mingw-w64-x86-64-posix cmake \
+    ninja-build python3 python3-venv libeigen3-dev ca-certificates wine wine64
+  rm -f "$out"/dist/*win_amd64.whl
+  stage
+  run_in_root windows windows CMAKE_BUILD_PARALLEL_LEVEL="$jobs" bash /project/pyfilter/wheels/build_for_windows.sh
+  ls -l "$out"/dist/*win_amd64.whl
+  exit
+fi
+
+find "$out/dist" -type f ! -name '*win_amd64.whl' -delete
 # Headers are obtained by this system and handed into the roots.
 hosts=()
 inside=(--bind build/roots/sysroot /sysroot)
@@ -47,15 +77,10 @@ done
 
 # Usage: build SUITE TAG
 build() {
-  local log="$out/$2.log"
   tests/roots/make_root.sh "build/roots/builder-$1" "$1" --no-install-recommends g++-12 cmake ninja-build ca-certificates \
     python3 python3-dev python3-venv
-  say "$2 in Debian's $1 (log: $log)"
-  if ! tests/roots/in_root.sh "build/roots/builder-$1" "${inside[@]}" env "${variables[@]}" \
-      bash /project/pyfilter/wheels/build_in_root.sh "$2" "$version" "$(IFS=';'; echo "${hosts[*]}")" >"$log" 2>&1; then
-    tail -n 30 "$log" >&2
-    exit 1
-  fi
+  run_in_root "$1" "$2" "${variables[@]}" bash /project/pyfilter/wheels/build_in_root.sh "$2" "$version" \
+    "$(IFS=';'; echo "${hosts[*]}")"
 }
 
 tests/roots/make_root.sh build/roots/sysroot bullseye --no-install-recommends libc6-dev libstdc++-10-dev libeigen3-dev \

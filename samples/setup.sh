@@ -5,10 +5,10 @@
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
 #   packages of samples/requirements.txt, the core in build/core, around it the plugin for PyMeshLab 2025.7 in
 #   build/plugin-2025.07-double, and the Python package vorogeo in .venv.
-#   --tests: also what only the tests need: GoogleTest, debootstrap, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
+#   --tests: also what only the tests need: GoogleTest, debootstrap, Maven, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
 #   and build/venv-2023 with their plugins and vorogeo. The core is then that of the C++ tests, in build/release. 2023.12 is
 #   left out where the headers of MeshLab 2023.12 cannot be had; build/logs/headers-2023.12.log has the reason.
-#   --daily: as --tests, without the older PyMeshLab versions.
+#   --daily: as --tests, without the older PyMeshLab versions and Maven.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
 #   the packages it is compared with, and the programs in build/bench. What cannot be obtained is named and left out.
 #
@@ -61,6 +61,9 @@ packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyr
           libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
 if [ "$with_tests" = yes ]; then
   packages+=(libgtest-dev clang-format g++-aarch64-linux-gnu debootstrap)
+fi
+if [ "$with_older" = yes ]; then
+  packages+=(maven)  # brings CPython for Windows
 fi
 if [ "$for_bench" = yes ]; then
   packages+=(libcgal-dev linux-perf)

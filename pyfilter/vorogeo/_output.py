@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import mmap
 import os
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -76,12 +77,22 @@ def matrix(
         if rows * columns == 0:
             yield np.empty((rows, columns), entry)
         else:
-            array = np.memmap(file.temporary, entry, "r+", len(head), (rows, columns))
+            with open(file.temporary, "r+b", opener=_opener(file)) as opened:
+                array = np.memmap(opened, entry, "r+", len(head), (rows, columns))
             yield array
             array.flush()
         file.finish()
     finally:
         file.discard()
+
+
+def _opener(file: _core.OutputFile) -> Callable[[str, int], int] | None:
+    """How Python opens the file: on Windows by the handle of the core, as by its name nobody could rename it."""
+    if sys.platform != "win32":
+        return None
+    import msvcrt
+
+    return lambda _, flags: msvcrt.open_osfhandle(file.duplicate(), flags)
 
 
 def _given(rows: int, columns: int, out: NDArray[Any], dtype: DTypeLike | None) -> NDArray[Any]:

@@ -38,4 +38,4 @@ python -m build --wheel --no-isolation --outdir "raw-$tag" -C "build-dir=$PWD/bu
 
 # Checks every symbol version against the tag and writes the tag into the wheel. Qt and meshlab-common come with PyMeshLab.
 auditwheel repair --plat "$platform" --only-plat --exclude 'libQt5*' --exclude libmeshlab-common.so --wheel-dir dist "raw-$tag"/*.whl
-python /project/tests/wheels/show_wheel.py dist/*"$tag"*.whl
+python /project/tests/wheels/show_wheel.py dist/*"$tag"-manylinux*.whl

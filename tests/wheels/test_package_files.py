@@ -18,7 +18,9 @@ import pytest
 
 PROJECT = Path(__file__).parents[2]
 WHEEL = os.environ.get("VOROGEO_WHEEL")
+ON_LINUX = pytest.mark.skipif("win_amd64" in str(WHEEL), reason="Windows has neither plugins nor paths to libraries")
 QT_AND_HOST = {f"libQt5{part}.so.5" for part in ("Core", "Gui", "Widgets", "OpenGL", "Xml")} | {"libmeshlab-common.so"}
+WINDOWS = {"kernel32.dll", "msvcrt.dll", "python311.dll"}
 RUNTIME = {"libstdc++.so.6", "libgcc_s.so.1", "libm.so.6", "libc.so.6", "libpthread.so.0", "ld-linux-x86-64.so.2"}
 
 
@@ -77,6 +79,7 @@ def test_program_is_declared(info):
     assert "vorogeo = vorogeo.cli.main:main" in (info / "entry_points.txt").read_text().splitlines()
 
 
+@ON_LINUX
 def test_binaries_need_the_runtime_and_plugins_also_what_comes_with_pymeshlab(folder):
     found = binaries(folder)
     assert len(found) >= 2
@@ -86,6 +89,7 @@ def test_binaries_need_the_runtime_and_plugins_also_what_comes_with_pymeshlab(fo
         assert needed <= allowed, file
 
 
+@ON_LINUX
 def test_plugins_look_for_libraries_in_pymeshlab_and_the_extension_nowhere(folder):
     for file in binaries(folder):
         paths = re.findall(r"(RPATH|RUNPATH).*\[(.+)\]", dynamic(file))
@@ -93,6 +97,7 @@ def test_plugins_look_for_libraries_in_pymeshlab_and_the_extension_nowhere(folde
         assert paths == expected, file
 
 
+@ON_LINUX
 def test_neither_qt_nor_meshlab_is_inside(folder, info):
     names = (info / "RECORD").read_text().splitlines()
     libraries = {line.split(",")[0] for line in names if re.search(r"\.so(\.|,)", line)}
@@ -100,6 +105,7 @@ def test_neither_qt_nor_meshlab_is_inside(folder, info):
     assert len([file for file in folder.rglob("*.so*") if "Qt5" in file.name]) == 0 or WHEEL is None
 
 
+@ON_LINUX
 @pytest.mark.skipif(WHEEL is None, reason="the installed package is made for this system alone")
 def test_symbols_are_no_newer_than_the_tag(folder, info):
     tag = re.search(r"^Tag: (\S+)-manylinux_2_(\d+)_x86_64$", (info / "WHEEL").read_text(), flags=re.MULTILINE)
@@ -108,3 +114,16 @@ def test_symbols_are_no_newer_than_the_tag(folder, info):
     for file in binaries(folder):
         symbols = subprocess.run(["readelf", "-V", file], capture_output=True, text=True, check=True).stdout
         assert max(int(minor) for minor in re.findall(r"\bGLIBC_2\.(\d+)", symbols)) <= int(tag[2]), file
+
+
+@pytest.mark.skipif("win_amd64" not in str(WHEEL), reason="this is no wheel for Windows")
+def test_the_extension_for_windows_needs_nothing_that_has_to_be_brought_and_exports_its_start_alone(folder, info):
+    assert re.search(r"^Tag: cp311-cp311-win_amd64$", (info / "WHEEL").read_text(), flags=re.MULTILINE)
+    assert Path(str(WHEEL)).name.endswith("-cp311-cp311-win_amd64.whl")
+    (file,) = folder.rglob("*.pyd")
+    assert not list(folder.rglob("*.dll"))
+    assert not list(folder.rglob("*.so"))
+    tables = subprocess.run(["objdump", "-p", file], capture_output=True, text=True, check=True).stdout
+    assert {name.lower() for name in re.findall(r"DLL Name: (\S+)", tables)} <= WINDOWS
+    assert re.findall(r"\+base\[ *\d+\] +\w+ (\w+)$", tables, flags=re.MULTILINE) == ["PyInit__core"]
+    assert "class OutputFile" in (folder / "vorogeo" / "_core.pyi").read_text()

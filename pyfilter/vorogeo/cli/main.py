@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import glob
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -21,6 +22,8 @@ _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwr
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program with these arguments, those of the process if None; its exit status."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # a name may have characters that it cannot hold
     whole = parser()
     try:
         given = whole.parse_args(arguments)
@@ -53,7 +56,9 @@ def _run(given: Any) -> int:
     options = {name: value for name, value in vars(given).items() if name not in _NOT_IN_JOBS}
     options["progress"] = not given.quiet
     many = len(meshes) > 1 or any(Path(word).is_dir() or glob.has_magic(word) for word in given.mesh)
-    folder = given.out is not None and (many or given.out.endswith(os.sep) or Path(given.out).is_dir())
+    folder = given.out is not None and (
+        many or given.out.endswith((os.sep, os.altsep or os.sep)) or Path(given.out).is_dir()
+    )
     if not folder and not many:
         return _run_one(given, meshes[0], options)
     if not given.out:
@@ -97,7 +102,8 @@ def _run_many(given: Any, meshes: list[Path], options: dict[str, Any]) -> int:
     batch.prepare_folder(folder, {"command": given.command, "format": ending[1:], **lasting}, given.overwrite)
     options["progress"] = False
     if options.get("threads") is None:
-        options["threads"] = max(1, len(os.sched_getaffinity(0)) // given.jobs)
+        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        options["threads"] = max(1, cores // given.jobs)
     todo = [mesh for mesh in meshes if given.overwrite or not batch.is_done(mesh, places[mesh])]
     jobs = [Job(given.command, str(mesh), str(places[mesh]), options) for mesh in todo]
     return _report(given, jobs, len(meshes) - len(todo))

@@ -37,10 +37,10 @@ def failure(error: BaseException) -> str:
 def run_in_own_process(job: Job) -> tuple[bool, str]:
     """Whether it succeeded, and its line; a job that takes its process down is a failure like any other."""
     done = subprocess.run(
-        [sys.executable, "-m", "vorogeo.cli.worker"],
+        [sys.executable, "-X", "utf8", "-m", "vorogeo.cli.worker"],  # names of files may have any characters
         input=json.dumps(job.as_dict()),
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=False,
     )
     if done.returncode == 0:
