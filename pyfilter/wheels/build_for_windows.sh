@@ -22,5 +22,6 @@ cd unpacked-windows/vorogeo-*
 export WINEPREFIX=/opt/vorogeo-wine WINEDEBUG=-all
 wine "$VOROGEO_WINDOWS_PYTHON/python.exe" "$(python -c 'import nanobind; print(nanobind.__path__[0])')/stubgen.py" \
   --module _core --import vorogeo --output-file vorogeo/_core.pyi </dev/null 2>&1 | cat
+sed -i 's/\r$//' vorogeo/_core.pyi
 cd ../..
 python -m wheel pack --dest-dir dist unpacked-windows/vorogeo-*
