@@ -121,7 +121,7 @@ def prism(rows: int = 14) -> Shape:
     def along(p: Floats) -> Floats:
         turn = np.arctan2(p[:, 1], p[:, 0]) / (2 * np.pi) % 1 * sides
         facet = np.floor(turn + 1e-9)
-        corner = np.exp(2j * np.pi * facet / sides)
+        corner = np.cos(2 * np.pi * facet / sides) + 1j * np.sin(2 * np.pi * facet / sides)
         return side * facet + np.abs(p[:, 0] + 1j * p[:, 1] - corner)
 
     def between(a: Floats, b: Floats) -> Floats:
@@ -151,7 +151,7 @@ def cone(name: str, tilt: Floats) -> Shape:
         pairs = c + np.roll(c, -1, axis=1)
         which = pairs.argmax(axis=1)
         rows = np.arange(len(c))
-        place = c[rows, which] + c[rows, (which + 1) % rays] * np.exp(1j * sector)
+        place = c[rows, which] + c[rows, (which + 1) % rays] * (np.cos(sector) + 1j * np.sin(sector))
         return np.abs(place), which * sector + np.angle(place)
 
     def between(a: Floats, b: Floats) -> Floats:
