@@ -312,12 +312,6 @@ void OutputFile::map() {
   }
 }
 
-std::intptr_t OutputFile::duplicate() const {
-  const std::intptr_t handle = system::duplicate(descriptor_);
-  if (handle < 0) fail("it cannot be opened again", static_cast<int>(-handle));
-  return handle;
-}
-
 std::span<std::byte> OutputFile::mapped() const {
   return mapping_ ? mapping_->bytes() : std::span<std::byte>();
 }

@@ -141,9 +141,6 @@ class OutputFile {
   void reserve(std::uint64_t offset, std::uint64_t bytes);
   /// Maps all of it to memory that can be written. \throw FileError if the file system cannot.
   void map();
-  /// Another handle of the open file, which the caller closes: a descriptor, on Windows a HANDLE. \throw
-  /// FileError.
-  std::intptr_t duplicate() const;
   /// Empty if it is not mapped.
   std::span<std::byte> mapped() const;
   /// What keeps it mapped, also beyond the life of this object. Call after map().

@@ -23,9 +23,6 @@ enum class Opening {
 /// error.
 int open(const std::filesystem::path& file, Opening opening);
 void close(int descriptor);
-/// A handle of the same open file for code with a C library of its own: a descriptor, on Windows a HANDLE; or
-/// minus the error.
-std::intptr_t duplicate(int descriptor);
 /// Whether a file of that name is the open one.
 bool has_name(int descriptor, const std::filesystem::path& name);
 /// Locks it for this descriptor, until that is closed. EWOULDBLOCK if another one has it locked.

@@ -50,10 +50,6 @@ int open(const fs::path& file, Opening opening) {
 
 void close(int descriptor) { ::close(descriptor); }
 
-std::intptr_t duplicate(int descriptor) {
-  return result_or_error<std::intptr_t>(::fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
-}
-
 bool has_name(int descriptor, const fs::path& name) {
   struct stat own {};
   struct stat named {};

@@ -85,14 +85,6 @@ int open(const fs::path& file, Opening opening) {
 
 void close(int descriptor) { ::_close(descriptor); }
 
-std::intptr_t duplicate(int descriptor) {
-  const HANDLE process = ::GetCurrentProcess();
-  HANDLE handle = nullptr;
-  const BOOL made =
-      ::DuplicateHandle(process, handle_of(descriptor), process, &handle, 0, FALSE, DUPLICATE_SAME_ACCESS);
-  return made ? reinterpret_cast<std::intptr_t>(handle) : -std::intptr_t{last_error()};
-}
-
 bool has_name(int descriptor, const fs::path& name) {
   const HANDLE other = ::CreateFileW(name.c_str(), 0, shared, nullptr, OPEN_EXISTING,
                                      FILE_FLAG_OPEN_REPARSE_POINT | FILE_FLAG_BACKUP_SEMANTICS, nullptr);

@@ -356,7 +356,6 @@ void bind_output(nb::module_& module) {
   nb::class_<OutputFile>(module, "OutputFile")
       .def_static("make", &make)
       .def_prop_ro("temporary", &OutputFile::temporary)
-      .def("duplicate", &OutputFile::duplicate)
       .def("finish", &OutputFile::finish, nb::call_guard<nb::gil_scoped_release>())
       .def("discard", &OutputFile::discard);
 }

@@ -77,7 +77,7 @@ def matrix(
         if rows * columns == 0:
             yield np.empty((rows, columns), entry)
         else:
-            with open(file.temporary, "r+b", opener=_opener(file)) as opened:
+            with open(file.temporary, "r+b", opener=_OPENER) as opened:
                 array = np.memmap(opened, entry, "r+", len(head), (rows, columns))
             yield array
             array.flush()
@@ -86,13 +86,33 @@ def matrix(
         file.discard()
 
 
-def _opener(file: _core.OutputFile) -> Callable[[str, int], int] | None:
-    """How Python opens the file: on Windows by the handle of the core, as by its name nobody could rename it."""
+def reopened(result: NDArray[Any], out: Output) -> NDArray[Any]:
+    """The result; if it went to a file, that file mapped read-only under its final name."""
+    if out is None or isinstance(out, np.ndarray) or result.size == 0:
+        return result
+    rows, columns = result.shape
+    with open(check.file_path(out), "rb", opener=_OPENER) as opened:
+        return np.memmap(opened, result.dtype, "r", len(_head(rows, columns, result.dtype)), (rows, columns))
+
+
+def _open_shared(name: str | os.PathLike[str], flags: int) -> int:
+    """Open a file so that others may rename and replace it, which Windows does not allow unless it is asked to."""
     if sys.platform != "win32":
-        return None
+        return os.open(name, flags)
+    import ctypes
     import msvcrt
 
-    return lambda _, flags: msvcrt.open_osfhandle(file.duplicate(), flags)
+    read, write, share_read_write_delete, existing = 0x80000000, 0x40000000, 7, 3
+    access = read | (write if flags & os.O_RDWR else 0)
+    create = ctypes.WinDLL("kernel32", use_last_error=True).CreateFileW
+    create.restype = ctypes.c_void_p
+    handle = create(ctypes.c_wchar_p(os.fspath(name)), access, share_read_write_delete, None, existing, 0, None)
+    if handle == ctypes.c_void_p(-1).value:
+        raise ctypes.WinError(ctypes.get_last_error())
+    return msvcrt.open_osfhandle(handle, flags)
+
+
+_OPENER = _open_shared if sys.platform == "win32" else None
 
 
 def _given(rows: int, columns: int, out: NDArray[Any], dtype: DTypeLike | None) -> NDArray[Any]:

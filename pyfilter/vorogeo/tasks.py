@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import _core
 from . import points as point_lists
-from ._output import Output, matrix, releasing, require_memory
+from ._output import Output, matrix, releasing, reopened, require_memory
 from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
@@ -252,7 +252,7 @@ class Tasks:
         shape = len(rows[0]), len(rows[0] if columns is None else columns[0])
         with matrix(*shape, out, max_bytes, dtype) as result:
             self._fill(self._shared.core.fill_matrix, result, rows, columns, how, method=method, progress=progress)
-        return _reopened(result, out)
+        return reopened(result, out)
 
     def _fill(self, question: Callable[..., Any], result: NDArray[Any], *arguments: Any, **how: Any) -> None:
         """Fill an array, if it has entries; a large file hands its pages back meanwhile."""
@@ -290,7 +290,7 @@ class Tasks:
         rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
         with matrix(len(rows[0]), len(self.vertices), out, max_bytes, dtype) as result:
             self._fill(self._shared.core.fill_fields, result, rows, limit, method=method, progress=progress)
-        return _reopened(result, out)
+        return reopened(result, out)
 
     def pairs_within(
         self,
@@ -841,14 +841,6 @@ class Tasks:
             )
         ends, length = self._ask(self._shared.core.exp_map, rows, along, slides, method="exact", progress=progress)
         return (surface_points(ends), length) if return_length else surface_points(ends)
-
-
-def _reopened(result: NDArray[Any], out: Output) -> NDArray[Any]:
-    """The result; if it went to a file, that file mapped read-only under its final name."""
-    if out is None or isinstance(out, np.ndarray) or result.size == 0:
-        return result
-    mapped: NDArray[Any] = np.load(check.file_path(out), mmap_mode="r")
-    return mapped
 
 
 def paths_of(found: Any) -> list[GeodesicPath]:

@@ -123,7 +123,7 @@ ARGUMENTS: dict[str, tuple[Callable[[], Any], str]] = {
     "a quick path": (lambda: ask.path("quick", SHAPE, 0, 1), "method: 'quick' is unknown"),
     "an unknown way to a matrix": (lambda: ask.matrix("index", SHAPE, [0], entries="x"), "entries: 'x' is unknown"),
     "a method of the literature": (lambda: vorogeo.distance_field(*ask.mesh(SHAPE), 0, method="x"), "method: 'x'"),
-    "whole numbers as result": (lambda: ask.field("exact", SHAPE, 0, dtype=int), "dtype: int64 is not possible"),
+    "whole numbers as result": (lambda: ask.field("exact", SHAPE, 0, dtype=np.int64), "dtype: int64 is not possible"),
     "a type that is none": (lambda: ask.matrix("pairs", SHAPE, [0], dtype="real"), "dtype: 'real'"),
     "pairs of other lengths": (lambda: ask.distance("exact", SHAPE, [0, 1], [2]), "source has 2 points, target 1"),
     "pairs of an index": (lambda: ask.distance("index", SHAPE, [0, 1], [2]), "source has 2 points, target 1"),
