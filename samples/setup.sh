@@ -63,7 +63,7 @@ if [ "$with_tests" = yes ]; then
   packages+=(libgtest-dev clang-format g++-aarch64-linux-gnu debootstrap)
 fi
 if [ "$with_older" = yes ]; then
-  packages+=(maven)  # brings CPython for Windows
+  packages+=(maven clang-16 libc++-16-dev)  # brings CPython for Windows; what compiles as on macOS
 fi
 if [ "$for_bench" = yes ]; then
   packages+=(libcgal-dev linux-perf)

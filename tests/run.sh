@@ -188,21 +188,28 @@ if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"
   fi
 fi
 
-# The core for arm64: that it compiles without a warning. There is no such machine to run it on. The units are
-# those of the release build.
-compile_for_arm64() {
+# That the core and the header compile without a warning where there is no machine to run them on: for arm64, and with the C++
+# library of macOS. The units are those of the release build. The samples see the header as users do.
+# Usage: compile_for COMPILER OPTIONS...
+compile_for() {
   local unit
-  for unit in build/release/core/CMakeFiles/vorogeo_{core,methods}.dir/Unity/*.cxx \
-              core/index/scans.cpp core/vorogeo.cpp; do
-    aarch64-linux-gnu-g++ -std=c++20 -O1 -Wall -Wextra -Wno-psabi -Werror -fsyntax-only -Icore -Iinclude -isystem /usr/include/eigen3 "$unit" || return 1
+  for unit in build/release/core/CMakeFiles/vorogeo_{core,methods}.dir/Unity/*.cxx core/index/scans.cpp core/vorogeo.cpp \
+              samples/cpp/{first_field,many_pairs,path_to_obj}.cpp ${vcg:+samples/cpp/from_vcg.cpp}; do
+    "$@" -std=c++20 -O1 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -Icore -Iinclude -isystem /usr/include/eigen3 \
+      ${vcg:+-isystem "$vcg"} "$unit" || return 1
   done
 }
-if [ "$all" = yes ]; then
-  if command -v aarch64-linux-gnu-g++ >/dev/null; then
-    check "core for arm64" compile_for_arm64
+# Usage: compile_check NAME COMPILER OPTIONS...
+compile_check() {
+  if command -v "$2" >/dev/null; then
+    check "$1" compile_for "${@:2}"
   else
-    echo "skip core for arm64: no aarch64-linux-gnu-g++" >>"$checks"
+    echo "skip $1: no $2" >>"$checks"
   fi
+}
+if [ "$all" = yes ]; then
+  compile_check "core for arm64" aarch64-linux-gnu-g++ -Wno-psabi
+  compile_check "core with libc++" clang++-16 -stdlib=libc++
 fi
 
 # The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be

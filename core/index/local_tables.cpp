@@ -67,7 +67,8 @@ void TableRoom::note_filled(std::size_t part, Contents contents, TableScale scal
   if (in_file_) record.checksum = checksum_of(contents);
   record.scale = scale;
   record.complete = complete ? 1 : 0;
-  std::atomic_ref(record.filled).store(1, std::memory_order_release);
+  std::atomic_thread_fence(std::memory_order_release);
+  record.filled = 1;
 }
 
 // ---- From distances in single precision to entries of 15 bits

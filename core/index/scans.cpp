@@ -234,7 +234,7 @@ float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const 
           Floats sum;
           decode(wide, sum);
           sum += from[row];
-          lane = (wide != infinite_entry_16) & (sum < lane) ? sum : lane;
+          lane = ((wide != infinite_entry_16) & (sum < lane)) ? sum : lane;
         }
         // The last part is the same for all rows.
         Floats last;
@@ -399,7 +399,7 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
           Floats sum;
           decode(wide, sum);
           sum += seeds.distance[lane];
-          found = (wide != infinite_entry_15) & (sum < found) ? sum : found;
+          found = ((wide != infinite_entry_15) & (sum < found)) ? sum : found;
         };
         // The best seed first: it rules out most of the others.
         Index best = 0;

@@ -111,9 +111,11 @@ VOROGEO_INLINE Number unfolded_gain(Number source, Number target, const BorderSa
   // Where the straight line meets the edge, from the end at which the crossing is.
   const Number height = source_sine + target_off / away;
   const Number crossing = source_cosine * target_off + target_along * source_sine;
-  const bool valid = (std::fabs(source_difference) <= length) & (std::fabs(target_difference) <= length) &
-                     (height > Number{0}) & (crossing > Number{0}) & (crossing < length * height) &
-                     (gain > Number{0}) & (gain <= two * target) & (gain <= two * away);
+  const Number source_size = std::fabs(source_difference);
+  const Number target_size = std::fabs(target_difference);
+  const bool valid = (source_size <= length) & (target_size <= length) & (height > Number{0}) &
+                     (crossing > Number{0}) & (crossing < length * height) & (gain > Number{0}) &
+                     (gain <= two * target) & (gain <= two * away);
   return valid ? gain : Number{0};
 }
 
@@ -212,7 +214,7 @@ VOROGEO_INLINE Number crossing_gain(const Crossing<Number>& at, Number lowest) {
   const Number longer = by_before > by_after ? by_before : by_after;
   const Number unfolded = is_one_path ? longer : Number{0};
   const Number parabola = parabola_gain(at.source, at.target, before, after, lowest);
-  return is_one_path & (parabola > unfolded) ? parabola : unfolded;
+  return (is_one_path & (parabola > unfolded)) ? parabola : unfolded;
 }
 
 /// Distance across the border by the same formulas, without those that the result does not need; at most the

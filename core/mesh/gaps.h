@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -24,7 +25,11 @@ struct SideOfFace {
   Index face;
   int corner;
 
-  auto operator<=>(const SideOfFace&) const = default;
+  bool operator==(const SideOfFace&) const = default;
+  auto operator<=>(const SideOfFace& other) const {  // the C++ library of macOS does not compare arrays so
+    return std::tie(ends[0], ends[1], face, corner) <=>
+           std::tie(other.ends[0], other.ends[1], other.face, other.corner);
+  }
 };
 
 /// The sides of all usable faces, sorted by ends and then by faces: those of one edge stand together.

@@ -24,6 +24,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Waits for its end; the C++ library of macOS has no std::jthread.
+struct JoinedThread : std::thread {
+  using std::thread::thread;
+  JoinedThread(JoinedThread&&) noexcept = default;
+  ~JoinedThread() {
+    if (joinable()) join();
+  }
+};
+
 /// What the workers of one parallel_for share.
 struct Shared {
   std::atomic<std::size_t> next{0};
@@ -66,7 +75,7 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
   const int helpers = static_cast<int>(std::min<std::size_t>(resolve_thread_count(threads),
                                                              std::max<std::size_t>(count, 1))) -
                       1;
-  std::vector<std::jthread> workers;
+  std::vector<JoinedThread> workers;
   workers.reserve(helpers);
   for (int worker = 1; worker <= helpers; ++worker) {
     {

@@ -101,10 +101,13 @@ void copy_rights(const fs::path& from, int descriptor) {
 
 bool is_full(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
 
-int reserve(int descriptor, std::uint64_t offset, std::uint64_t bytes) {
-  int error = 0;
+int reserve([[maybe_unused]] int descriptor, [[maybe_unused]] std::uint64_t offset,
+            [[maybe_unused]] std::uint64_t bytes) {
+  int error = ENOTSUP;
+#if _POSIX_ADVISORY_INFO > 0
   do error = ::posix_fallocate(descriptor, static_cast<off_t>(offset), static_cast<off_t>(bytes));
   while (error == EINTR);
+#endif
   return error;
 }
 
@@ -175,7 +178,7 @@ std::int64_t system_available() {
     if (name == "MemAvailable:") return kilobytes * 1024;
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return unknown;
+  return std::int64_t{::sysconf(_SC_PHYS_PAGES)} * ::sysconf(_SC_PAGESIZE);  // not Linux: all there is
 }
 
 std::int64_t group_available() {

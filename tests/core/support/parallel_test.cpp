@@ -301,7 +301,7 @@ TEST(ThreadClock, CountsOwnWorkOnly) {
   work(0.02);
   EXPECT_GE(std::chrono::steady_clock::now() - on_the_wall, std::chrono::milliseconds(15));
   std::this_thread::sleep_for(std::chrono::milliseconds(40));
-  std::jthread([] { work(0.04); }).join();
+  std::thread([] { work(0.04); }).join();
   const double worked = thread_seconds() - start;
   EXPECT_GE(worked, 0.02);
   EXPECT_LT(worked, 0.04);
