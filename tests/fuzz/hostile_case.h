@@ -81,7 +81,7 @@ void check_index(HostileCase& hostile);
 /// the first of them. Part of check_index().
 void check_paths(HostileCase& hostile, const std::shared_ptr<const GeodesicIndex>& index,
                  const std::vector<Index>& targets, const SurfacePoint& inside);
-/// Complains about steps that cost more than ten times what they cost on a scan. After check_index().
+/// Complains about steps that cost too many times what they cost on a scan. After check_index().
 void check_costs(HostileCase& hostile, ScanCosts& scans);
 
 }  // namespace vorogeo::test

@@ -32,13 +32,27 @@ struct Cost {
 };
 using Costs = std::array<Cost, step_count>;
 
+/// How many times the cost of a scan each step may take on a hostile mesh; more is a finding. Ten, but for
+/// the times of pairs and exact paths. Tables or short exact runs answer these on a scan, where among needles
+/// a run crosses all faces: with 4,000 vertices it takes as long as 50 to 100 answers from tables, and with
+/// 50 whose coordinates are rounded to an edge (seeds 746, 893 and 936) as long as 20 to 80 short runs.
+inline constexpr Costs most_of_a_scan{{
+    {10.0, 10.0},   // exact field
+    {10.0, 10.0},   // build
+    {10.0, 10.0},   // field
+    {100.0, 10.0},  // pairs
+    {100.0, 10.0},  // exact paths
+    {10.0, 10.0},   // Voronoi regions
+}};
+
 /// Runs a function and measures it.
 Cost cost_of(const std::function<void()>& run);
 
-/// Costs of all steps on a scan of about this size (a power of two), measured once per process.
+/// Costs of all steps on a scan that has at least as many vertices, and at most some more than twice as many,
+/// measured once per process.
 class ScanCosts {
  public:
-  /// `measure`: runs all steps on a mesh; the costs are then those per vertex.
+  /// `measure`: runs all steps on a mesh.
   explicit ScanCosts(std::function<Costs(const HostileMesh&, const IndexOptions&)> measure)
       : measure_(std::move(measure)) {}
   const Costs& of(std::size_t vertices, const IndexOptions& options);
