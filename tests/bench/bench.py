@@ -23,6 +23,7 @@ PAGES = {
     "matrices": "matrices of all distances as float32 in a file, beside other packages",
     "paths": "refined and exact paths of many random pairs against exact fields",
     "choosing": "the time of 1 to 1,000 fields by the automatic choice and by each fixed one",
+    "directions": "log maps, traced lines and transported vectors beside potpourri3d",
     "growth": "time and memory against the size of the mesh",
     "hot_spots": "the functions that take the time, by perf",
     "gaps": "bridging",

@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from numpy.typing import NDArray
 
 import meshes
 
@@ -162,6 +163,35 @@ def trade_off(title: str, rows: Sequence[dict[str, Any]], file: Path) -> None:
     figure.legend(handles, labels, loc="outside right center", fontsize=8, frameon=False)
     figure.suptitle(f"{title}: forms, patch sizes and delta (the numbers at the marks)", fontsize=11)
     save(figure, file)
+
+
+def log_maps(vertices: NDArray[np.float64], faces: NDArray[np.int32], maps: dict[str, NDArray[np.float64]]) -> None:
+    """Log maps of one vertex side by side, seen from there: the angle as a hue, with rings of distance."""
+    source = vertices[int(np.argmin(np.linalg.norm(maps["VoroGeo"], axis=1)))]
+    normals = np.cross(*(vertices[faces[:, i]] - vertices[faces[:, 0]] for i in (1, 2)))
+    near = np.linalg.norm(vertices[faces].mean(axis=1) - source, axis=1)
+    sight = normals[near < np.percentile(near, 5)].sum(axis=0)
+    sight /= np.linalg.norm(sight)
+    across = np.cross(np.eye(3)[np.argmin(np.abs(sight))], sight)
+    across /= np.linalg.norm(across)
+    seen = (vertices - source) @ np.column_stack([across, np.cross(sight, across), sight])
+    front = np.flatnonzero(normals @ sight > 0)
+    front = front[np.argsort(seen[faces[front], 2].mean(axis=1))]
+    corners = seen[faces[front], :2]
+    ring = 0.06 * np.ptp(vertices, axis=0).max()
+    figure, panels = plt.subplots(1, len(maps), figsize=(4 * len(maps), 4.4), layout="constrained")
+    for axes, (title, vectors) in zip(panels, maps.items(), strict=True):
+        mean = vectors[faces[front]].mean(axis=1)
+        hue = np.nan_to_num(np.arctan2(mean[:, 1], mean[:, 0]) / (2 * np.pi) % 1)
+        dark = np.nan_to_num(np.linalg.norm(vectors, axis=1)[faces[front]].mean(axis=1) / ring).astype(int) % 2
+        colours = mpl.colors.hsv_to_rgb(np.column_stack([hue, np.full(len(hue), 0.75), 1.0 - 0.18 * dark]))
+        axes.add_collection(
+            mpl.collections.PolyCollection(corners, facecolors=colours, edgecolors="face", linewidths=0.1)
+        )
+        axes.set(title=title, aspect="equal")
+        axes.autoscale_view()
+        axes.axis("off")
+    save(figure, meshes.PICTURES / "log_maps.png")
 
 
 def save(figure: Any, file: Path) -> None:
