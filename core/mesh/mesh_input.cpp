@@ -76,7 +76,6 @@ SurfacePoint InputMap::in_parts(Index first, const std::array<double, 3>& weight
   return best;
 }
 
-/// The weights of the corners of the given face in a point that has `weights` in its part `face`.
 std::array<double, 3> InputMap::weights_out(Index face, const std::array<double, 3>& weights) const {
   const auto& given = mesh_.given_corners(face);
   if (given == mesh_.face_vertices(face)) return weights;

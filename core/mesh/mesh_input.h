@@ -53,6 +53,9 @@ class InputMap {
   /// The given face that holds a point, the first of those at a vertex that was added; no_index at a vertex
   /// that was given. \pre The point is not in a bridge.
   Index face_at(const SurfacePoint& point) const;
+  /// The weights of the corners of the given face in a point that has `weights` in a face that is it or a
+  /// part of it.
+  std::array<double, 3> weights_out(Index face, const std::array<double, 3>& weights) const;
 
   /// Values of all vertices without those of vertices that were added.
   template <class T>
@@ -71,7 +74,6 @@ class InputMap {
 
  private:
   SurfacePoint in_parts(Index first, const std::array<double, 3>& weights) const;
-  std::array<double, 3> weights_out(Index face, const std::array<double, 3>& weights) const;
   bool is_given(const SurfacePoint& point) const {
     return point.is_vertex() && point.vertex < mesh_.given_vertex_count();
   }
