@@ -159,7 +159,7 @@ const std::vector<ComparedMethod>& compared_methods() {
 RichParameterList comparison_parameters(const MeshDocument& document) {
   QStringList titles;
   for (const ComparedMethod& method : compared_methods()) titles.append(method.title);
-  return list_of(start_parameters(document, "the nearest vertex that has a face"),
+  return list_of(start_parameters(document, "Where distances start: at the nearest vertex that has a face"),
                  RichEnum("method", 0, titles, "Method",
                           "The method that is judged. MeshLab 2022.02 has no heat method."),
                  RichEnum("reference", 1, titles, "Reference",

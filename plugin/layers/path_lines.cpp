@@ -1,22 +1,29 @@
 // From surface points to positions and segments.
 #include "layers/path_lines.h"
 
-#include <span>
-
 namespace vorogeo::plugin {
 
 PathLines lines_of(const Mesh& mesh, const SurfacePath& path) {
+  std::vector<Point> positions;
+  for (const SurfacePoint& point : path.points) positions.push_back(position_of(mesh, point));
+  PathLines result = lines_through(positions);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    // In the metric of the mesh, which may be another than that of its positions.
+    result.along[i] = result.along[i - 1] + measured_length(mesh, std::span(&path.points[i - 1], 2)).length;
+  }
+  return result;
+}
+
+PathLines lines_through(std::span<const Point> points) {
   PathLines result;
-  for (const SurfacePoint& point : path.points) {
-    const Point at = position_of(mesh, point);
-    const auto number = static_cast<Index>(result.lines.points.size());
+  for (const Point& point : points) {
+    const auto number = static_cast<Index>(result.along.size());
     double walked = 0.0;
     if (number > 0) {
       result.lines.segments.push_back({number - 1, number});
-      // In the metric of the mesh, which may be another than that of its positions.
-      walked = result.along.back() + measured_length(mesh, std::span(&point - 1, 2)).length;
+      walked = result.along.back() + distance_between(result.lines.points.back(), point);
     }
-    result.lines.points.push_back(at);
+    result.lines.points.push_back(point);
     result.along.push_back(walked);
   }
   return result;

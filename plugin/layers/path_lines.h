@@ -1,6 +1,7 @@
 // Paths over a surface as polylines, with the length walked up to each of their points.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "exact/surface_path.h"
@@ -16,6 +17,8 @@ struct PathLines {
 
 /// Without points for a path that has none.
 PathLines lines_of(const Mesh& mesh, const SurfacePath& path);
+/// Straight from each point in space to the next, with lengths in space.
+PathLines lines_through(std::span<const Point> points);
 
 /// Adds the polylines of `more`.
 void append(PathLines& to, const PathLines& more);

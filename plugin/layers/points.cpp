@@ -141,15 +141,14 @@ SnappedPoint start_of(const FilterCall& call, const LayerSurface& layer, const M
 
 }  // namespace
 
-RichParameterList start_parameters(const MeshDocument& document, const QString& where) {
+RichParameterList start_parameters(const MeshDocument& document, const QString& what) {
   return list_of(
-      RichPosition(
-          "start_point", document.mm()->cm.bbox.min, "Start point",
-          "Where distances start: at " + where +
-              ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. Used if the start "
-              "vertex is -1."),
+      RichPosition("start_point", document.mm()->cm.bbox.min, "Start point",
+                   what +
+                       ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. Used if the "
+                       "start vertex is -1."),
       RichInt("vertex_index", -1, "Start vertex",
-              "Number of the vertex where distances start, counted from 0; -1: the start point is used."));
+              "Number of a vertex instead, counted from 0; -1: the start point is used."));
 }
 
 SnappedPoint start_point(const FilterCall& call, LayerSurface& layer) {
@@ -158,6 +157,11 @@ SnappedPoint start_point(const FilterCall& call, LayerSurface& layer) {
     const SnappedPoint found = layer.locator()->nearest(given);
     return SnappedPoint{at_corner(*mesh, found.point), found.distance};
   });
+}
+
+Results about_start(const LayerSurface& layer, const Mesh& mesh, const SnappedPoint& start) {
+  const HostPlace place = layer.host_place(mesh, start.point);
+  return {{"start_vertex", place.vertex}, {"start_face", place.face}, {"snap_distance", start.distance}};
 }
 
 SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer) {

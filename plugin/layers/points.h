@@ -69,9 +69,9 @@ std::vector<Index> selected_vertices(const FilterCall& call, const LayerSurface&
 
 // ---- The source of a filter that takes only one: a vertex by number, or what is nearest to a point
 
-/// The parameters start_point (a point picker in the window) and vertex_index. `where`: ends the sentence
-/// "Where distances start: ..." about the point.
-RichParameterList start_parameters(const MeshDocument& document, const QString& where);
+/// The parameters start_point (a point picker in the window) and vertex_index. `what`: begins the tooltip of
+/// the point, such as "Where distances start: at the nearest point of the surface".
+RichParameterList start_parameters(const MeshDocument& document, const QString& what);
 
 /// The start vertex named by number, otherwise the point of the surface nearest to the start point: a vertex
 /// if it is one up to single precision. Logs which. \throw InvalidInput for a number without a vertex and a
@@ -80,6 +80,10 @@ SnappedPoint start_point(const FilterCall& call, LayerSurface& layer);
 
 /// The same, but in place of a point in a face the nearest vertex that has a face: no path reaches others.
 SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer);
+
+/// Where a start point is, as returned values: start_vertex and start_face, one of which is -1, and
+/// snap_distance.
+Results about_start(const LayerSurface& layer, const Mesh& mesh, const SnappedPoint& start);
 
 // ---- The two points of a filter for one pair
 

@@ -1,11 +1,17 @@
 // What filters leave behind: distances as vertex quality, and new layers.
 #include "layers/results.h"
 
+#include <vcg/complex/algorithms/update/normal.h>
 #include <vcg/complex/allocate.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <numbers>
 #include <sstream>
+
+#include "mesh/mesh_input.h"
 
 namespace vorogeo::plugin {
 
@@ -15,6 +21,12 @@ vcg::Color4b color_of_distance(double distance, double largest) {
   if (!std::isfinite(distance)) return grey();
   vcg::Color4b color;
   color.SetColorRamp(0.0F, static_cast<float>(largest), static_cast<float>(distance));
+  return color;
+}
+
+vcg::Color4b color_of_angle(double angle) {
+  vcg::Color4b color;
+  color.SetHSVColor(static_cast<float>(angle / (2.0 * std::numbers::pi)), 0.75F, 1.0F);
   return color;
 }
 
@@ -72,6 +84,91 @@ QVariant add_surface_point_layer(FilterCall& call, const QString& name, const La
   new_layer(call.document, call.layer, name, positions, {}, true);
   return as_vector(numbers);
 }
+
+// ---- Parts of a cut mesh
+
+namespace {
+
+/// What a part has if the layer that was cut has it. Normals are always there.
+constexpr int attributes_of_parts = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY |
+                                    MeshModel::MM_VERTTEXCOORD | MeshModel::MM_FACECOLOR |
+                                    MeshModel::MM_FACEQUALITY | MeshModel::MM_WEDGTEXCOORD;
+
+using CornerWeights = std::array<double, 3>;
+
+/// Between the corners of a face, of which corner(i) has these; in the texture of the nearest one.
+template <class Corner>
+vcg::TexCoord2<float> tex_coord_between(const CornerWeights& weights, Corner&& corner) {
+  double u = 0.0, v = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    u += weights[i] * corner(i).U();
+    v += weights[i] * corner(i).V();
+  }
+  vcg::TexCoord2<float> between(static_cast<float>(u), static_cast<float>(v));
+  between.N() = corner(static_cast<int>(std::ranges::max_element(weights) - weights.begin())).N();
+  return between;
+}
+
+/// What varies over a face, at a place in it.
+void interpolate(CVertexO& vertex, const CFaceO& face, const CornerWeights& weights, bool has_tex_coord) {
+  double quality = 0.0;
+  Point3m normal(0, 0, 0);
+  std::array<double, 4> color{};
+  for (int i = 0; i < 3; ++i) {
+    if (weights[i] == 0.0) continue;  // a quality that is not finite stays at its corner
+    quality += weights[i] * face.cV(i)->cQ();
+    normal += face.cV(i)->cN() * static_cast<Scalarm>(weights[i]);
+    for (int k = 0; k < 4; ++k) color[k] += weights[i] * face.cV(i)->cC()[k];
+  }
+  const bool is_corner = std::ranges::max(weights) == 1.0;
+  vertex.Q() = static_cast<Scalarm>(quality);
+  vertex.N() = is_corner ? normal : normal.Normalize();
+  // Rounded, which VCG's mixture is not: one colour stays as it is.
+  for (int k = 0; k < 4; ++k) vertex.C()[k] = static_cast<unsigned char>(std::lround(color[k]));
+  if (has_tex_coord) vertex.T() = tex_coord_between(weights, [&](int i) { return face.cV(i)->cT(); });
+}
+
+}  // namespace
+
+void add_part_layer(FilterCall& call, const QString& name, const LayerSurface& layer, const Mesh& mesh,
+                    const CutMesh& cut, std::span<const Index> faces) {
+  std::vector<Index> vertices;
+  for (const Index f : faces) vertices.insert(vertices.end(), cut.faces[f].begin(), cut.faces[f].end());
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  std::vector<Point> positions;
+  for (const Index v : vertices) positions.push_back(position_of(mesh, cut.points[v]));
+
+  const InputMap input(mesh);
+  const MeshModel& whole = call.layer;
+  MeshModel& part = new_layer(call.document, whole, name, positions, {}, true);
+  part.updateDataMask(whole.dataMask() & attributes_of_parts);
+  part.cm.textures = whole.cm.textures;
+  for (const auto& [file, image] : whole.getTextures()) part.addTexture(file, image);
+  vcg::tri::Allocator<CMeshO>::AddFaces(part.cm, faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Index cut_from = cut.face_of[faces[f]];
+    const CFaceO& given = whole.cm.face[layer.host_face(mesh, cut_from)];
+    CFaceO& face = part.cm.face[f];
+    for (int i = 0; i < 3; ++i) {
+      const Index corner = cut.faces[faces[f]][i];
+      CVertexO& vertex = part.cm.vert[std::ranges::lower_bound(vertices, corner) - vertices.begin()];
+      face.V(i) = &vertex;
+      CornerWeights weights{};
+      weights_in_face(mesh, cut.points[corner], cut_from, weights);
+      weights = input.weights_out(cut_from, weights);
+      interpolate(vertex, given, weights, part.hasDataMask(MeshModel::MM_VERTTEXCOORD));
+      if (part.hasDataMask(MeshModel::MM_WEDGTEXCOORD)) {
+        face.WT(i) = tex_coord_between(weights, [&](int k) { return given.cWT(k); });
+      }
+    }
+    if (part.hasDataMask(MeshModel::MM_FACECOLOR)) face.C() = given.cC();
+    if (part.hasDataMask(MeshModel::MM_FACEQUALITY)) face.Q() = given.cQ();
+  }
+  vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(part.cm);
+}
+
+// ---- Lengths
 
 std::string logged_length(double length) {
   std::ostringstream text;

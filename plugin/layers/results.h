@@ -9,6 +9,7 @@
 #include "host/filter_row.h"
 #include "layers/layer_surface.h"
 #include "mesh/surface_point.h"
+#include "tasks/cut.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {
@@ -26,11 +27,15 @@ inline vcg::Color4b grey() { return {160, 160, 160, 255}; }
 /// Along the host's ramp from red to blue; grey without a distance.
 vcg::Color4b color_of_distance(double distance, double largest);
 
+/// On the host's colour wheel, where `angle` is in [0, 2 pi].
+vcg::Color4b color_of_angle(double angle);
+
 /// Distances, one for each core vertex, as quality and colours. `host_vertices`: their numbers in the layer.
 void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
                      std::span<const double> distances, double largest);
 
-// ---- Layers that filters add to the document: points and polylines on the surface of the current layer
+// ---- Layers that filters add to the document: points, polylines and parts of the surface of the current
+// layer
 
 /// Adds a layer with vertices and edges, and with `quality` (a value for each vertex, or none). It has the
 /// transform of the layer `on` which it lies. `make_current`: as the host does for filters that generate.
@@ -41,6 +46,12 @@ void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QStri
 /// host, -1 for a point that is not a vertex, as Eigen::VectorXd.
 QVariant add_surface_point_layer(FilterCall& call, const QString& name, const LayerSurface& layer,
                                  const Mesh& mesh, const PointList& points);
+
+/// Faces of a cut mesh of the current layer as a layer, which becomes current. Its vertices and faces have
+/// the colours, quality, normals and texture coordinates that the cut layer has there: between the corners of
+/// a face these are interpolated. Vertices keep their order.
+void add_part_layer(FilterCall& call, const QString& name, const LayerSurface& layer, const Mesh& mesh,
+                    const CutMesh& cut, std::span<const Index> faces);
 
 // ---- Lengths and numbers
 
