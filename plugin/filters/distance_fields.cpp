@@ -1,8 +1,11 @@
-// Filters that write a distance field: from a point, the selection, the border, a layer or edges.
+// Filters that write a distance field: from a point, the selection, the border, a layer or edges; and the
+// directions of paths from a point.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <numbers>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "tasks/curve_sources.h"
+#include "tasks/directions.h"
 
 namespace vorogeo::plugin {
 
@@ -69,13 +73,29 @@ Reach reach_of(const Mesh& mesh, const std::vector<ExactSource>& sources,
   return reach;
 }
 
+/// Logs why vertices got no distance; `limit`: what they may lie beyond. \return reached_vertices,
+/// unreachable_vertices, vertices_beyond_max_distance, and max_distance, the largest distance found.
+Results about_reach(const FilterCall& call, const Reach& reach, const char* limit) {
+  if (reach.no_path > 0) {
+    call.log("No path leads to " + std::to_string(reach.no_path) +
+             " vertices, in other components than the sources; their quality is -1 and their colour grey");
+  }
+  if (reach.beyond > 0) {
+    call.log(std::to_string(reach.beyond) + " vertices lie beyond the " + limit +
+             "; their quality is -1 and their colour grey");
+  }
+  return {{"reached_vertices", reach.reached},
+          {"unreachable_vertices", reach.no_path},
+          {"vertices_beyond_max_distance", reach.beyond},
+          {"max_distance", reach.largest}};
+}
+
 /// Writes the distances from the nearest source into the quality of all vertices, and colours along a ramp.
 /// Reads max_distance. Nothing is changed before everything is computed. `numbers`: one for each source; the
 /// vertices get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
 ///
-/// Returns source_points where there are numbers, otherwise source_vertices (0 for a point in a face); and
-/// reached_vertices, unreachable_vertices, vertices_beyond_max_distance, max_distance (the largest distance
-/// found), seconds (of the distances alone), and what about_answer() does.
+/// Returns source_points where there are numbers, otherwise source_vertices (0 for a point in a face);
+/// seconds (of the distances alone); and what about_reach() and about_answer() do.
 Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
                              AnswerMethod method, const std::vector<Index>& numbers = {}) {
   const double limit = max_distance_of(call);
@@ -106,20 +126,9 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   text << "Distances from " << sources.size() << kind << " to " << reach.reached << " vertices, the largest "
        << logged_length(reach.largest) << ", in " << std::setprecision(3) << answered.seconds << " s";
   call.log(text.str());
-  if (reach.no_path > 0) {
-    call.log("No path leads to " + std::to_string(reach.no_path) +
-             " vertices, in other components than the sources; their quality is -1 and their colour grey");
-  }
-  if (reach.beyond > 0) {
-    call.log(std::to_string(reach.beyond) +
-             " vertices lie beyond the max distance; their quality is -1 and their colour grey");
-  }
+  results.merge(about_reach(call, reach, "max distance"));
   const int count = numbers.empty() && !at_vertices ? 0 : static_cast<int>(sources.size());
   results[numbers.empty() ? "source_vertices" : "source_points"] = count;
-  results["reached_vertices"] = reach.reached;
-  results["unreachable_vertices"] = reach.no_path;
-  results["vertices_beyond_max_distance"] = reach.beyond;
-  results["max_distance"] = reach.largest;
   results["seconds"] = answered.seconds;
   return results;
 }
@@ -157,16 +166,13 @@ FilterRow field_row(const char* menu_name, const char* python_name, const QStrin
 
 // ---- Distance from a given point, from the selection, from the border
 
-constexpr const char* start_meaning = "the nearest point of the surface";
+constexpr const char* start_meaning = "Where distances start: at the nearest point of the surface";
 
 Results distances_from_point(FilterCall& call, AnswerMethod method) {
   const auto layer = layer_of(call);
   const SnappedPoint start = start_point(call, *layer);
   Results results = write_distance_field(call, *layer, {{start.point}}, method);
-  const HostPlace place = layer->host_place(*layer->mesh(), start.point);
-  results["start_vertex"] = place.vertex;
-  results["start_face"] = place.face;
-  results["snap_distance"] = start.distance;
+  results.merge(about_start(*layer, *layer->mesh(), start));
   return results;
 }
 
@@ -296,6 +302,77 @@ Results distances_from_edges(FilterCall& call) {
   return results;
 }
 
+// ---- Directions from a point
+
+RichParameterList directions_parameters(const MeshDocument& document) {
+  return list_of(start_parameters(document, "Where paths start: at the nearest point of the surface"),
+                 length_parameter(
+                     document, "radius", 0.1, "Radius (0: no limit)",
+                     "Greatest geodesic distance, half of what the texture coordinates span; 0: that of the "
+                     "farthest vertex."));
+}
+
+Results directions_from_point(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const double radius = length_of(call, "radius", true);
+  const SnappedPoint start = start_point(call, *layer);
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return log_map(surface, start.point, std::nullopt, radius > 0.0 ? radius : unreachable,
+                   TaskOptions{AnswerMethod::exact, progress, &by});
+  };
+  auto [map, answered, results] = ask_surface(call, *layer, "Geodesic directions", ask);
+  const Reach reach = reach_of(*mesh, {{start.point}}, map.distance);
+  rest_if_large(*layer, answered, reach.reached);
+  call.progress.report(1.0, "Writing texture coordinates, quality and colours");
+
+  call.layer.updateDataMask(MeshModel::MM_VERTTEXCOORD | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  const double reached = radius > 0.0 ? radius : reach.largest;
+  const double scale = reached > 0.0 ? 0.5 / reached : 0.0;
+  for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
+    CVertexO& vertex = call.layer.cm.vert[layer->host_vertex(v)];
+    vertex.T() = {0.0F, 0.0F};
+    vertex.Q() = static_cast<Scalarm>(quality_without_distance);
+    vertex.C() = grey();
+    if (!std::isfinite(map.distance[v])) continue;
+    const auto [x, y] = map.vector[v];
+    const double angle = std::atan2(y, x);
+    const double turn = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+    vertex.T() = {static_cast<float>(0.5 + scale * x), static_cast<float>(0.5 + scale * y)};
+    vertex.Q() = static_cast<Scalarm>(turn);
+    vertex.C() = color_of_angle(turn);
+  }
+  std::ostringstream text;
+  text << "Directions of paths to " << reach.reached << " vertices, the farthest "
+       << logged_length(reach.largest) << " away, in " << std::setprecision(3) << answered.seconds << " s";
+  call.log(text.str());
+  results.merge(about_reach(call, reach, "radius"));
+  results.merge(about_start(*layer, *mesh, start));
+  results["seconds"] = answered.seconds;
+  return results;
+}
+
+QString help_on_directions() {
+  return "<p>The directions in which the shortest paths from a given point to all vertices begin: the "
+         "logarithmic map of the point. The texture coordinates of each vertex are its place on the plane "
+         "that touches the surface at the point, so that a picture can be laid onto the surface there: the "
+         "point is at (0.5, 0.5), <b>Radius</b> is half the width of the picture, and a step away from the "
+         "point keeps its length and its direction. The quality is the angle of the direction, from 0 to 2 "
+         "pi; it is shown as a colour wheel. Vertices that no path leads to, or only one longer than the "
+         "radius, get texture coordinates (0, 0), quality <b>-1</b> and grey.</p><p>Paths start at the point "
+         "of the surface nearest to <b>Start point</b>, which need not be a vertex, or, if its number is "
+         "given, at <b>Start vertex</b>. Angles grow counter-clockwise as seen from the front of the faces; "
+         "at a vertex they begin at the edge that leaves it in its last face, on a border at the border edge "
+         "after which its faces follow, and are scaled so that they sum to 2 pi (on a border, to pi); in a "
+         "face they begin at the side from its first corner to its second.</p><p>How to choose: exact up to "
+         "rounding, without an index; <b>Radius</b> shortens the propagation. The larger it is on a curved "
+         "surface, the more the picture is stretched away from the point.</p><p>See:<br/><i>Joseph S. B. "
+         "Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete geodesic "
+         "problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/><i>Ryan Schmidt, Cindy Grimm, Brian "
+         "Wyvill</i><br/><b>\"Interactive decal compositing with discrete exponential maps\"</b><br/>ACM "
+         "Transactions on Graphics 25(3), 2006.</p>";
+}
+
 QString help_on_curves() {
   return "<p>Lines are replaced by points at most <b>Spacing</b> apart, ends included. The distance is then "
          "never too short and at most half the spacing too long, at a distance d much larger than the "
@@ -366,7 +443,13 @@ std::vector<FilterRow> distance_rows() {
                 "<p>Geodesic distance of every vertex from the nearest selected edge, or from the nearest "
                 "border edge if <b>From the border</b> is ticked.</p>" +
                     help_on_curves() + "</p>" + chosen,
-                from_edges_parameters, distances_from_edges)};
+                from_edges_parameters, distances_from_edges),
+      {"Geodesic directions from a given point (VoroGeo)",
+       "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),
+       FilterPlugin::FilterClass(FilterPlugin::Texture | FilterPlugin::VertexColoring |
+                                 FilterPlugin::Quality),
+       MeshModel::MM_VERTTEXCOORD | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+       directions_parameters, directions_from_point}};
 }
 
 }  // namespace vorogeo::plugin

@@ -1,6 +1,8 @@
-// Filters for two points: their distance, and the shortest path as a layer.
+// Filters for paths: the distance of two points; shortest paths between two and through several points, and
+// girths, as layers.
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 #include "filters/rows.h"
@@ -9,6 +11,8 @@
 #include "layers/path_lines.h"
 #include "layers/points.h"
 #include "layers/results.h"
+#include "tasks/girth.h"
+#include "tasks/path_through.h"
 
 namespace vorogeo::plugin {
 
@@ -53,7 +57,40 @@ Results distance_between_points(FilterCall& call) {
   return results;
 }
 
-// ---- Filter: the shortest path between two points as a polyline layer
+// ---- Filters: shortest paths between two points and through several, as polyline layers
+
+/// Adds a path as a layer, in which the vertices are selected from which a step runs over a gap; logs its
+/// length. \return length, certified, points, steps_over_gaps, gap_length.
+Results add_path_layer(FilterCall& call, const Mesh& mesh, const ExactPath& result) {
+  const PathLines polyline = lines_of(mesh, result.path);
+  const std::vector<bool> over_gap = steps_over_gaps(mesh, result.path.points);
+  double gap_length = 0.0;
+  std::vector<std::size_t> marked;
+  for (std::size_t i = 0; i < over_gap.size(); ++i) {
+    if (!over_gap[i]) continue;
+    gap_length += polyline.along[i + 1] - polyline.along[i];
+    marked.push_back(i);
+  }
+  std::ostringstream text;
+  if (polyline.lines.points.empty()) {
+    text << "No path: the points lie in different components";
+  } else {
+    add_polyline_layer(call.document, call.layer, "Geodesic path", polyline.lines, polyline.along, true);
+    text << "Path of length " << logged_length(result.path.length) << " over " << polyline.lines.points.size()
+         << " points";
+    if (!marked.empty()) {
+      text << "; " << marked.size() << " of its steps run over gaps, a length of "
+           << logged_length(gap_length) << ", from selected vertices";
+      for (const std::size_t point : marked) call.document.mm()->cm.vert[point].SetS();
+    }
+  }
+  call.log(text.str());
+  return {{"length", result.path.length},
+          {"certified", result.certified},
+          {"points", static_cast<int>(polyline.lines.points.size())},
+          {"steps_over_gaps", static_cast<int>(marked.size())},
+          {"gap_length", gap_length}};
+}
 
 RichParameterList path_parameters(const MeshDocument& document) {
   return list_of(
@@ -76,40 +113,76 @@ Results draw_path(FilterCall& call) {
     return surface.path(source.point, target.point, method, {exact, certify}, answered, progress);
   };
   auto answer = ask_surface(call, *layer, "Shortest path", ask);
-  const ExactPath& result = answer.found;
   rest_if_large(*layer, answer.answered, mesh->vertex_count());
   call.progress.report(1.0, "Shortest path");
-  const PathLines polyline = lines_of(*mesh, result.path);
-  const std::vector<bool> over_gap = steps_over_gaps(*mesh, result.path.points);
-  double gap_length = 0.0;
-  std::vector<std::size_t> marked;
-  for (std::size_t i = 0; i < over_gap.size(); ++i) {
-    if (!over_gap[i]) continue;
-    gap_length += polyline.along[i + 1] - polyline.along[i];
-    marked.push_back(i);
-  }
-  std::ostringstream text;
-  if (polyline.lines.points.empty()) {
-    text << "No path: the points lie in different components";
-  } else {
-    add_polyline_layer(call.document, call.layer, "Geodesic path", polyline.lines, polyline.along, true);
-    text << "Path of length " << logged_length(result.path.length) << " over " << polyline.lines.points.size()
-         << " points";
-    if (!marked.empty()) {
-      text << "; " << marked.size() << " of its steps run over gaps, a length of "
-           << logged_length(gap_length) << ", from selected vertices";
-      for (const std::size_t point : marked) call.document.mm()->cm.vert[point].SetS();
-    }
-  }
-  call.log(text.str());
-  Results results = {{"length", result.path.length},
-                     {"certified", result.certified},
-                     {"points", static_cast<int>(polyline.lines.points.size())},
-                     {"steps_over_gaps", static_cast<int>(marked.size())},
-                     {"gap_length", gap_length},
-                     {"seconds", answer.answered.seconds}};
+  Results results = add_path_layer(call, *mesh, answer.found);
+  results["seconds"] = answer.answered.seconds;
   results.merge(about_end_points(ends));
   results.merge(answer.about);
+  return results;
+}
+
+RichParameterList path_through_parameters(const MeshDocument& document) {
+  return list_of(task_point_parameters(document, "points that the path shall pass through"),
+                 RichBool("closed", false, "Closed", "From the last point back to the first one."));
+}
+
+Results draw_path_through(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const TaskPoints points = task_points(call, *layer, "that the path shall pass through");
+  const bool closed = call.parameters.getBool("closed");
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return path_through(surface, points.points, closed, TaskOptions{AnswerMethod::automatic, progress, &by});
+  };
+  auto [whole, answered, results] = ask_surface(call, *layer, "Shortest path through points", ask);
+  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
+  call.progress.report(1.0, "Shortest path through points");
+  results.merge(add_path_layer(call, *layer->mesh(), whole));
+  results["seconds"] = answered.seconds;
+  results["snap_distance"] = points.snap_distance;
+  return results;
+}
+
+// ---- Filter: how far it is round a limb, as polyline layers
+
+RichParameterList girth_parameters(const MeshDocument& document) {
+  return list_of(
+      start_parameters(document, "Where the girth is measured: at the nearest point of the surface"),
+      RichDirection("normal", Point3m(0, 0, 0), "Normal (0: chosen)",
+                    "The plane is at right angles to it; 0 0 0: that of the shortest section."));
+}
+
+Results draw_girth(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const SnappedPoint start = start_point(call, *layer);
+  const Point3m given = call.parameters.getPoint3m("normal");
+  std::optional<Point> normal;
+  if (given != Point3m(0, 0, 0)) normal = Point{double(given[0]), double(given[1]), double(given[2])};
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return girth(surface, start.point, normal, TaskOptions{AnswerMethod::exact, progress, &by});
+  };
+  auto [limb, answered, results] = ask_surface(call, *layer, "Girth", ask);
+  call.progress.report(1.0, "Girth");
+  // Section and tape are measured in space, whatever the metric.
+  std::vector<Point> section;
+  for (const SurfacePoint& point : limb.section.points) section.push_back(position_of(*mesh, point));
+  std::vector<Point> tape = limb.tape;
+  tape.push_back(tape.front());
+  const auto add = [&](const char* name, const PathLines& line, bool make_current) {
+    add_polyline_layer(call.document, call.layer, name, line.lines, line.along, make_current);
+  };
+  add("Girth: tape", lines_through(tape), false);
+  if (limb.loop.points.size() > 1) add("Girth: loop", lines_of(*mesh, limb.loop), false);
+  add("Girth: section", lines_through(section), true);
+  call.log("Girth: section " + logged_length(limb.section.length) + ", tape " +
+           logged_length(limb.tape_length) + ", loop " + logged_length(limb.loop.length));
+  results["section_length"] = limb.section.length;
+  results["tape_length"] = limb.tape_length;
+  results["loop_length"] = limb.loop.length;
+  results["normal"] = as_vector(limb.normal);
+  results["seconds"] = answered.seconds;
+  results.merge(about_start(*layer, *mesh, start));
   return results;
 }
 
@@ -137,7 +210,36 @@ std::vector<FilterRow> path_rows() {
            "and no layer if the points lie in different components, the number of <i>points</i> and whether "
            "it is <i>certified</i>.</p>" +
            help_on_choosing() + references_of_index(),
-       FilterPlugin::Measure, MeshModel::MM_NONE, path_parameters, draw_path}};
+       FilterPlugin::Measure, MeshModel::MM_NONE, path_parameters, draw_path},
+      {"Shortest path through points (VoroGeo)", "generate_polyline_by_vorogeo_path_through_points",
+       "<p>The shortest path over the surface that passes points in their order, as a new polyline layer, "
+       "which becomes the current one; the quality of its vertices is the length up to there. With "
+       "<b>Closed</b> it goes from the last point back to the first. Vertices from which a step runs over a "
+       "bridged gap are selected.</p>" +
+           help_on_task_points() +
+           "<p>How to choose: the vertices of a point layer are passed in the order in which that has them, "
+           "selected ones in that of their numbers. Each leg is the exact shortest path; an index only makes "
+           "it faster.</p><p>Returns the <i>length</i>, the number of <i>points</i> and whether the path is "
+           "<i>certified</i>: proven to be the shortest through these points.</p>" +
+           references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, path_through_parameters, draw_path_through},
+      {"Geodesic girth at a point (VoroGeo)", "generate_polyline_by_vorogeo_girth",
+       "<p>How far it is round a limb, in three ways, each as a new polyline layer whose quality is the "
+       "length so far. The <i>section</i>, which becomes the current layer, is where a plane through the "
+       "point cuts the surface; only its part through the point counts, not other limbs. The <i>tape</i> is "
+       "its convex hull, as a tape measure spans hollows. The <i>loop</i> is the section pulled tight on the "
+       "surface: it slides to the nearest place where it cannot become shorter. Where nothing holds it, "
+       "there is no such layer, and the log says where it slips off.</p><p>The point is the one of the "
+       "surface nearest to <b>Start point</b>, which need not be a vertex, or, if its number is given, "
+       "<b>Start vertex</b>.</p><p>How to choose: leave <b>Normal</b> at 0 on a limb; the plane "
+       "is then the one of the shortest closed section through the normal of the surface. Beside an edge or "
+       "a corner that may be one that cuts it off: give the normal there. Section and tape are measured in "
+       "space, the loop in the metric. A section that meets a border is an error.</p><p>Returns "
+       "<i>section_length</i>, <i>tape_length</i>, <i>loop_length</i> (0 where it slips off) and the "
+       "<i>normal</i>. The mesh is not changed.</p><p>See:<br/><i>George D. Birkhoff</i><br/><b>\"Dynamical "
+       "systems with two degrees of freedom\"</b><br/>Transactions of the American Mathematical Society "
+       "18(2), 1917.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, girth_parameters, draw_girth}};
 }
 
 }  // namespace vorogeo::plugin

@@ -1,11 +1,15 @@
-// Filters that divide the surface: Voronoi regions, patches in colours, isolines, extent and disks.
+// Filters that divide the surface: Voronoi regions, patches in colours, isolines and cuts along them, extent
+// and disks.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <span>
+#include <sstream>
 #include <string>
 
 #include "filters/rows.h"
+#include "host/ticking.h"
 #include "layers/answering.h"
 #include "layers/points.h"
 #include "layers/results.h"
@@ -13,6 +17,8 @@
 #include "mesh/outliers.h"
 #include "patches/partition.h"
 #include "support/error.h"
+#include "tasks/bands.h"
+#include "tasks/cut.h"
 #include "tasks/extent.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -111,10 +117,10 @@ Results color_patches(FilterCall& call) {
           {"index_seconds", is_reused ? 0.0 : index->statistics().seconds}};
 }
 
-// ---- Filter: lines of equal vertex quality as a polyline layer
+// ---- Filters: lines of equal vertex quality as a polyline layer, and the parts between them as layers
 
-RichParameterList isolines_parameters(const MeshDocument&) {
-  return list_of(RichInt("line_number", 10, "Lines",
+RichParameterList level_parameters(int lines) {
+  return list_of(RichInt("line_number", lines, "Lines",
                          "Number of values, evenly spaced between the least and the greatest quality."),
                  RichString("values", "", "Values",
                             "The values themselves, separated by spaces or semicolons; used if not empty."),
@@ -139,18 +145,24 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
   return values;
 }
 
-Results draw_isolines(FilterCall& call) {
-  const auto layer = layer_of(call);
+/// The quality of the vertices as a field, and the values wanted of it.
+struct QualityLevels {
+  std::vector<double> field;
+  std::vector<double> values;
+  Interpolation interpolation;
+};
+
+QualityLevels quality_levels(const FilterCall& call, LayerSurface& layer) {
   if (!call.layer.hasDataMask(MeshModel::MM_VERTQUALITY)) {
     throw InvalidInput("The vertices have no quality. Compute a distance first.");
   }
   const bool is_distance = call.parameters.getBool("is_distance");
-  const auto mesh = layer->mesh();
+  const auto mesh = layer.mesh();
   std::vector<double> field(static_cast<std::size_t>(mesh->given_vertex_count()));
   double low = unreachable;
   double high = -unreachable;
   for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
-    const double quality = call.layer.cm.vert[layer->host_vertex(v)].cQ();
+    const double quality = call.layer.cm.vert[layer.host_vertex(v)].cQ();
     field[v] = is_distance && quality < 0.0 ? unreachable : quality;
     if (!std::isfinite(field[v])) continue;
     low = std::min(low, field[v]);
@@ -159,10 +171,15 @@ Results draw_isolines(FilterCall& call) {
   if (low > high) {
     throw InvalidInput("No vertex has a quality that a line could be drawn for. Compute a distance first.");
   }
-  const auto values = values_of(call, low, high);
+  return {std::move(field), values_of(call, low, high),
+          is_distance ? Interpolation::distance : Interpolation::linear};
+}
+
+Results draw_isolines(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto [field, values, interpolation] = quality_levels(call, *layer);
   call.progress.report(0.0, "Isolines");
-  const Isolines found =
-      isolines(*mesh, field, values, is_distance ? Interpolation::distance : Interpolation::linear);
+  const Isolines found = isolines(*layer->mesh(), field, values, interpolation);
   std::vector<double> quality;
   for (Index level : found.level_of_point) quality.push_back(values[level]);
   call.progress.report(1.0, "Isolines");
@@ -174,7 +191,43 @@ Results draw_isolines(FilterCall& call) {
           {"values", as_vector(values)}};
 }
 
-// ---- Filters: select a geodesic disk, and bound the geodesic diameter and radius
+QString name_of_part(std::size_t region, const std::vector<double>& values) {
+  if (region > values.size()) return "Part without distance";
+  if (region == 0) return QString("Part below %1").arg(values.front());
+  if (region == values.size()) return QString("Part from %1").arg(values.back());
+  return QString("Part from %1 to %2").arg(values[region - 1]).arg(values[region]);
+}
+
+Results cut_along_isolines(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  QualityLevels levels = quality_levels(call, *layer);
+  std::vector<double>& values = levels.values;
+  std::ranges::sort(values);
+  values.erase(std::ranges::unique(values).begin(), values.end());
+  const CutMesh cut = run_ticking(call.progress, "Cutting along isolines", [&](const Progress&) {
+    return cut_at_levels(*mesh, levels.field, values, levels.interpolation);
+  });
+  // By region; those without a distance come last.
+  const auto region_without = static_cast<Index>(values.size()) + 1;
+  std::vector<std::vector<Index>> faces(values.size() + 2);
+  for (Index f = 0; f < static_cast<Index>(cut.faces.size()); ++f) {
+    faces[cut.region[f] == no_index ? region_without : cut.region[f]].push_back(f);
+  }
+  std::vector<int> regions;
+  for (std::size_t region = 0; region < faces.size(); ++region) {
+    if (faces[region].empty()) continue;
+    const QString name = name_of_part(region, values);
+    add_part_layer(call, name, *layer, *mesh, cut, faces[region]);
+    regions.push_back(region > values.size() ? no_index : static_cast<int>(region));
+    call.log(name.toStdString() + ": " + std::to_string(faces[region].size()) + " faces");
+  }
+  return {{"parts", static_cast<int>(regions.size())},
+          {"regions", as_vector(regions)},
+          {"values", as_vector(values)}};
+}
+
+// ---- Filters: select a geodesic disk, measure its area, and bound the geodesic diameter and radius
 
 RichParameterList disk_parameters(const MeshDocument& document) {
   return list_of(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."),
@@ -185,16 +238,19 @@ RichParameterList disk_parameters(const MeshDocument& document) {
                  exact_parameter());
 }
 
+TaskPoints disk_sources(const FilterCall& call, LayerSurface& layer) {
+  if (call.parameters.getInt("vertex_index") == -1) {
+    return task_points(call, layer, "around which the disk shall lie");
+  }
+  TaskPoints sources;
+  sources.points = std::vector<Index>{vertex_of(call, layer, "vertex_index")};
+  return sources;
+}
+
 Results select_disk(FilterCall& call) {
   const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", true);
-  const int number = call.parameters.getInt("vertex_index");
-  TaskPoints sources;
-  if (number != -1) {
-    sources.points = std::vector<Index>{vertex_of(call, *layer, "vertex_index")};
-  } else {
-    sources = task_points(call, *layer, "around which the disk shall lie");
-  }
+  const TaskPoints sources = disk_sources(call, *layer);
   auto [disk, answered, results] =
       ask_task(call, *layer, "Geodesic disk", geodesic_disk, sources.points, radius);
   const auto mesh = layer->mesh();
@@ -211,6 +267,22 @@ Results select_disk(FilterCall& call) {
            std::to_string(disk.faces.size()) + " faces");
   results["selected_vertices"] = static_cast<int>(disk.vertices.size());
   results["selected_faces"] = static_cast<int>(disk.faces.size());
+  results["snap_distance"] = sources.snap_distance;
+  return results;
+}
+
+Results measure_disk(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const double radius = length_of(call, "radius", true);
+  const TaskPoints sources = disk_sources(call, *layer);
+  auto [disk, answered, results] =
+      ask_task(call, *layer, "Area of a geodesic disk", band, sources.points, radius);
+  std::ostringstream text;
+  text << "Within " << logged_length(radius) << " lies an area of " << std::setprecision(7) << disk.area
+       << " square mesh units; its border is " << logged_length(disk.border_length) << " long";
+  call.log(text.str());
+  results["area"] = disk.area;
+  results["border_length"] = disk.border_length;
   results["snap_distance"] = sources.snap_distance;
   return results;
 }
@@ -281,7 +353,24 @@ std::vector<FilterRow> region_rows() {
        "Otherwise any quality is interpolated linearly.</p><p>Returns the number of <i>segments</i>, their "
        "<i>length</i> and the <i>values</i>. First run one of the distance filters.</p>" +
            references_of_index(),
-       FilterPlugin::Quality, MeshModel::MM_NONE, isolines_parameters, draw_isolines},
+       FilterPlugin::Quality, MeshModel::MM_NONE, [](const MeshDocument&) { return level_parameters(10); },
+       draw_isolines},
+      {"Cut along isolines of a geodesic distance (VoroGeo)", "generate_splitting_by_vorogeo_isolines",
+       "<p>Cuts the surface along the lines on which the quality of the vertices has given values: the parts "
+       "between them become layers, of which the last is the current one. Faces are divided where a line "
+       "crosses them, so borders follow the lines, and parts have the same points along a line. Vertices and "
+       "faces keep colours, quality, normals and texture coordinates; at new vertices these are "
+       "interpolated. The current layer is not changed.</p><p>How to choose: the values are <b>Lines</b> "
+       "evenly spaced ones between the least and the greatest quality, or those in <b>Values</b>, such as "
+       "<tt>0.1 0.2 0.5</tt>. If <b>Quality is a distance</b> is ticked, lines run as in <i>Isolines of a "
+       "geodesic distance (VoroGeo)</i>, and faces at vertices with negative quality (without a distance) "
+       "are a part of their own; otherwise any quality is interpolated linearly.</p><p>Returns the number of "
+       "<i>parts</i>; for each of them, in <i>regions</i>, how many values are at most its quality, or -1 "
+       "without a distance; and the <i>values</i>, in ascending order. First run one of the distance "
+       "filters.</p>" +
+           references_of_index(),
+       FilterPlugin::FilterClass(FilterPlugin::Layer | FilterPlugin::Quality), MeshModel::MM_NONE,
+       [](const MeshDocument&) { return level_parameters(1); }, cut_along_isolines},
       {"Select a geodesic disk (VoroGeo)", "compute_selection_by_vorogeo_geodesic_disk",
        "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
        "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "
@@ -291,6 +380,14 @@ std::vector<FilterRow> region_rows() {
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),
        FilterPlugin::Selection, MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT, disk_parameters,
        select_disk},
+      {"Area of a geodesic disk (VoroGeo)", "get_vorogeo_area_of_geodesic_disk",
+       "<p>The area of the surface within the geodesic distance <b>Radius</b> of <b>Vertex</b> or, if this "
+       "is -1, of the nearest of the selected vertices or of other points given; and the length of its "
+       "border, to which borders of the mesh do not count. Faces that the border crosses count in part, "
+       "along its arcs, so that disks on flat parts of the surface have the area of circles. The mesh is not "
+       "changed.</p><p>Returns <i>area</i> and <i>border_length</i>.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, disk_parameters, measure_disk},
       {"Geodesic diameter and centre (VoroGeo)", "get_vorogeo_diameter_and_centre",
        "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
        "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "
