@@ -33,14 +33,19 @@ FARTHEST = "generate_sampling_vorogeo_farthest_point"
 POISSON = "generate_sampling_vorogeo_poisson_disk"
 LLOYD = "generate_sampling_vorogeo_lloyd_relaxation"
 ISOLINES = "generate_polyline_by_vorogeo_isolines"
+CUT = "generate_splitting_by_vorogeo_isolines"
 DISK = "compute_selection_by_vorogeo_geodesic_disk"
+AREA = "get_vorogeo_area_of_geodesic_disk"
 EXTENT = "get_vorogeo_diameter_and_centre"
 FROM_LAYER = "compute_scalar_by_vorogeo_distance_from_layer_per_vertex"
 FROM_EDGES = "compute_scalar_by_vorogeo_distance_from_edges_per_vertex"
 PATH = "generate_polyline_by_vorogeo_geodesic_path"
+PATH_THROUGH = "generate_polyline_by_vorogeo_path_through_points"
+GIRTH = "generate_polyline_by_vorogeo_girth"
+DIRECTIONS = "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex"
 
 # What the host may take a filter to change.
-VERTEX_COLOR, VERTEX_QUALITY, FACE_COLOR = 0x8, 0x10, 0x8000
+VERTEX_COLOR, VERTEX_QUALITY, VERTEX_TEXTURE, FACE_COLOR = 0x8, 0x10, 0x400, 0x8000
 VERTEX_SELECTION, FACE_SELECTION = 0x1000000, 0x2000000
 FIELD = VERTEX_COLOR | VERTEX_QUALITY
 TASK_POINTS = {"point_layer", "surface_points", "max_snap_distance"}
@@ -62,15 +67,20 @@ FILTERS: dict[str, tuple[set[str], int]] = {
         FIELD,
     ),
     FROM_EDGES: ({"from_border", "spacing", "method", "max_distance"}, FIELD),
+    DIRECTIONS: ({"start_point", "vertex_index", "radius"}, FIELD | VERTEX_TEXTURE),
     TWO_POINTS: ({"method"} | END_POINTS, 0),
     PATH: ({"method", "exact", "certify"} | END_POINTS, 0),
+    PATH_THROUGH: ({"closed"} | TASK_POINTS, 0),
+    GIRTH: ({"start_point", "vertex_index", "normal"}, 0),
     MATRIX: ({"matrix_file", "exact"} | TASK_POINTS, 0),
     PAIRS_WITHIN: ({"radius", "matrix_file", "exact"} | TASK_POINTS, 0),
     NEAREST: ({"source_layer", "neighbour_number", "matrix_file", "exact"} | TASK_POINTS, 0),
     PATCHES: ({"layer"}, FACE_COLOR),
     VORONOI: ({"borders", "exact"} | TASK_POINTS, FACE_COLOR | VERTEX_QUALITY),
     ISOLINES: ({"line_number", "values", "is_distance"}, 0),
+    CUT: ({"line_number", "values", "is_distance"}, 0),
     DISK: ({"radius", "vertex_index", "exact"} | TASK_POINTS, VERTEX_SELECTION | FACE_SELECTION),
+    AREA: ({"radius", "vertex_index", "exact"} | TASK_POINTS, 0),
     EXTENT: ({"fields", "vertex_index", "exact"}, 0),
     FARTHEST: ({"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS, 0),
     POISSON: ({"radius", "seed", "exact"}, 0),
@@ -83,7 +93,7 @@ ALL_FILTERS = [name for name in FILTERS if name not in (SAVE_INDEX, LOAD_INDEX)]
 FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
 FROM_A_SELECTION = [FROM_SELECTION, EXACT_FROM_SELECTION]
 FIELDS = [*FROM_A_POINT, *FROM_A_SELECTION, FROM_BORDER]
-OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK]
+OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH]
 
 PROJECT = Path(__file__).resolve().parents[2]
 

@@ -7,7 +7,10 @@ import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
+    AREA,
     COMPARISON,
+    CUT,
+    DIRECTIONS,
     DISK,
     EXACT_FROM_POINT,
     EXTENT,
@@ -18,6 +21,7 @@ from support import (
     FROM_BORDER,
     FROM_EDGES,
     FROM_LAYER,
+    GIRTH,
     INDEX,
     ISOLINES,
     LLOYD,
@@ -29,6 +33,7 @@ from support import (
     PAIRS_WITHIN,
     PATCHES,
     PATH,
+    PATH_THROUGH,
     POISSON,
     SAVE_INDEX,
     TWO_POINTS,
@@ -106,10 +111,13 @@ REFUSED = [
             {"vertex_index": n},
             f'"Start vertex" (vertex_index) is {n}, but the vertices of the current layer are numbered from 0 to 15',
         )
-        for name in (*FROM_A_POINT, COMPARISON)
+        for name in (*FROM_A_POINT, COMPARISON, DIRECTIONS, GIRTH)
         for n in (-2, 16, 2**31 - 1)
     ],
-    *[(name, {"start_point": [0, np.nan, 0]}, "(start_point) has a coordinate that is NaN") for name in FROM_A_POINT],
+    *[
+        (name, {"start_point": [0, np.nan, 0]}, "(start_point) has a coordinate that is NaN")
+        for name in (*FROM_A_POINT, DIRECTIONS, GIRTH)
+    ],
     *[
         (name, {"max_distance": length(value)}, f"(max_distance) is {value}")
         for name in FIELDS
@@ -150,11 +158,15 @@ REFUSED = [
     (FARTHEST, {"sample_number": 0}, "(sample_number) is 0"),
     (FARTHEST, {"radius": NEGATIVE}, "(radius) is -1"),
     (LLOYD, {"rounds": -1}, "(rounds) is -1"),
-    (DISK, {"vertex_index": 9999}, "(vertex_index) is 9999"),
-    (DISK, {"radius": NEGATIVE}, "(radius) is -1"),
+    *[(name, {"vertex_index": 9999}, "(vertex_index) is 9999") for name in (DISK, AREA)],
+    *[(name, {"radius": NEGATIVE}, "(radius) is -1") for name in (DISK, AREA, DIRECTIONS)],
     (EXTENT, {"fields": 1}, "(fields) is 1"),
-    (ISOLINES, {"values": "1 two"}, "(values) holds 'two'"),
-    (ISOLINES, {"line_number": 0}, "(line_number) is 0"),
+    *[(name, {"values": "1 two"}, "(values) holds 'two'") for name in (ISOLINES, CUT)],
+    *[(name, {"line_number": 0}, "(line_number) is 0") for name in (ISOLINES, CUT)],
+    (PATH_THROUGH, {}, "There are 1 points to pass through; give at least two"),
+    (GIRTH, {"vertex_index": 5}, "is not closed: it meets the border at the edge between"),
+    (GIRTH, {"vertex_index": 5, "normal": [0, 0, 1]}, "The plane only touches the surface at vertex 5"),
+    (GIRTH, {"vertex_index": 5, "normal": [np.nan, 0, 0]}, "The normal of the plane has length nan"),
     (METHOD_TABLE, {"methods": "walking"}, "The method walking is not known"),
     (METHOD_TABLE, {"methods": "svg(K)"}, "The list of methods cannot be read"),
     (METHOD_TABLE, {"sources": 0}, "Give 1 or more"),

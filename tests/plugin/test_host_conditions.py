@@ -8,6 +8,7 @@ import pytest
 from support import (
     ALL_FILTERS,
     COMPARISON,
+    CUT,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     FROM_BORDER,
@@ -15,6 +16,7 @@ from support import (
     FROM_LAYER,
     FROM_POINT,
     FROM_SELECTION,
+    GIRTH,
     INDEX,
     LOAD_INDEX,
     NEAREST,
@@ -36,18 +38,27 @@ from support import (
 NEEDED = {FROM_LAYER: "source_layer=1", NEAREST: "source_layer=1", FROM_EDGES: "from_border=true"}
 
 
-def rectangle(size: float):
-    """A mesh of its own for every test, so that no test finds the index of another, and a layer of points."""
-    vertices, faces = grid(12, 12, spacing=size)
+def surface_for(name: str, size: float):
+    """A mesh of its own for every test, so that no test finds the index of another, and a layer of points.
+
+    For a girth a ball: sections of a rectangle meet its border.
+    """
+    vertices, faces = sphere(2) if name == GIRTH else grid(12, 12)
+    vertices = vertices * size
     ms = mesh_set(vertices, faces)
     select_vertices(ms, [0, 50])
     ms.add_mesh(pymeshlab.Mesh(vertices[[3, 40]]), "points", set_as_current=False)
     return ms
 
 
+def rectangle(size: float):
+    """The same for all filters but a girth."""
+    return surface_for("", size)
+
+
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_cancelled_filter_changes_nothing(name):
-    ms = rectangle(1.0 + ALL_FILTERS.index(name) / 64)
+    ms = surface_for(name, 1.0 + ALL_FILTERS.index(name) / 64)
     for _ in range(2):
         with fails_and_changes_nothing(ms, "Cancelled: nothing was changed."):
             ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""), calls_allowed=0)
@@ -57,7 +68,7 @@ def test_cancelled_filter_changes_nothing(name):
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_filter_works_without_a_progress_function(name):
-    ms = rectangle(2.0)
+    ms = surface_for(name, 2.0)
     numbers = NEEDED.get(name, "")
     result = ms.apply_filter("probe_apply", filter=name, numbers=numbers, without_callback=True)
     assert result["probe_calls"] == 0
@@ -65,7 +76,7 @@ def test_filter_works_without_a_progress_function(name):
 
 @pytest.mark.parametrize("name", ALL_FILTERS)
 def test_progress_only_grows(name):
-    ms = rectangle(3.0 + ALL_FILTERS.index(name) / 64)
+    ms = surface_for(name, 3.0 + ALL_FILTERS.index(name) / 64)
     result = ms.apply_filter("probe_apply", filter=name, numbers=NEEDED.get(name, ""))
     assert result["probe_calls"] > 0
     assert not result["probe_percentage_fell"]
@@ -108,6 +119,16 @@ def test_deleted_elements_make_a_border():
 def test_deleted_faces_have_no_patch(name):
     result = rectangle(6.0).apply_filter("probe_apply", filter=name, deleted_faces="3;4;5")
     assert result["vertices" if name == INDEX else "patches"] > 0
+
+
+def test_parts_leave_deleted_elements_out():
+    ms = rectangle(6.5)
+    ms.compute_scalar_by_function_per_vertex(q="x + 2 * y")
+    deleted = {"deleted_vertices": "0;30", "deleted_faces": "200;230"}
+    assert ms.apply_filter("probe_apply", filter=CUT, numbers="line_number=3", **deleted)["parts"] == 4
+    vertices = np.vstack([ms.mesh(i).vertex_matrix() for i in range(2, 6)])
+    quality = np.concatenate([ms.mesh(i).vertex_scalar_array() for i in range(2, 6)])
+    np.testing.assert_allclose(quality, vertices @ [1, 2, 0], atol=1e-9)
 
 
 @pytest.mark.parametrize(

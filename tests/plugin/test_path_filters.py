@@ -1,15 +1,21 @@
-"""The filters for shortest paths and for sources that are points, lines or edges."""
+"""The filters for shortest paths, girths and directions, and for sources that are points, lines or edges."""
 
 from __future__ import annotations
+
+import colorsys
 
 import numpy as np
 import pymeshlab
 import pytest
 from support import (
+    DIRECTIONS,
     FROM_EDGES,
     FROM_LAYER,
+    GIRTH,
     PATH,
+    PATH_THROUGH,
     exact_distances,
+    fails_and_changes_nothing,
     field,
     grid,
     layer_count,
@@ -55,6 +61,82 @@ def test_no_path_is_no_layer():
     assert result["length"] == np.inf
     assert result["points"] == 0
     assert layer_count(ms) == 1
+
+
+def test_no_path_through_points_of_two_components_is_refused():
+    ms = mesh_set(*side_by_side(grid(4, 4), grid(4, 4)))
+    with fails_and_changes_nothing(ms, "No path leads from point 1 (vertex 3) to point 2 (vertex 40)"):
+        ms.apply_filter(PATH_THROUGH, surface_points="0; 3; 40")
+    assert layer_count(ms) == 1
+
+
+def prism():
+    """Over an L, which is 8 round, ten high."""
+    corners = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2.0]])
+    i, j = np.arange(6), np.roll(np.arange(6), -1)
+    sides = np.concatenate([np.column_stack([i, j, j + 6]), np.column_stack([i, j + 6, i + 6])])
+    fan = np.array([[0, k, k + 1] for k in range(1, 5)])
+    vertices = np.column_stack([np.tile(corners, (2, 1)), np.repeat([0.0, 10.0], 6)])
+    return vertices, np.concatenate([sides, fan[:, ::-1], fan + 6]).astype(np.int32)
+
+
+@pytest.mark.parametrize("normal", [[0, 0, 0], [0, 0, -2]])
+def test_girth_of_a_prism(normal):
+    ms = mesh_set(*prism())
+    found = ms.apply_filter(GIRTH, start_point=[0, 0.75, 4.125], normal=np.array(normal, float))
+    tape = 6 + 2**0.5  # straight across the hollow
+    for name, expected in (("section", 8), ("tape", tape), ("loop", 8)):
+        assert found[f"{name}_length"] == pytest.approx(expected, rel=1e-6), name
+    np.testing.assert_allclose(np.abs(found["normal"]), [0, 0, 1], atol=1e-4)
+    assert (found["start_vertex"], found["snap_distance"]) == (-1, pytest.approx(0, abs=1e-6))
+    assert (layer_count(ms), ms.current_mesh_id()) == (4, 3)
+    for layer, expected in ((1, tape), (2, 8), (3, 8)):
+        line = ms.mesh(layer)
+        assert line.edge_number() == line.vertex_number() - 1
+        assert line.vertex_scalar_array().max() == pytest.approx(expected, rel=1e-6)
+        np.testing.assert_allclose(line.vertex_matrix()[[0, -1], 2], 4.125, atol=1e-3)
+        np.testing.assert_allclose(line.vertex_matrix()[0], line.vertex_matrix()[-1], atol=1e-9)
+
+
+def test_a_loop_that_slips_off_is_no_layer():
+    ms = mesh_set(*sphere(3))
+    found = ms.apply_filter(GIRTH, start_point=[0.6, 0.08, 0.796], normal=[0, 0, 1])
+    assert found["loop_length"] == 0
+    assert found["section_length"] == pytest.approx(2 * np.pi * np.hypot(0.6, 0.08), rel=0.03)
+    assert found["tape_length"] <= found["section_length"] + 1e-9
+    assert layer_count(ms) == 3
+
+
+@pytest.mark.parametrize("radius", [0, 2.25])
+def test_directions_in_the_plane(radius):
+    vertices, faces = grid(12, 9, 0.5)
+    centre = 4 * 13 + 6
+    ms = mesh_set(vertices, faces)
+    found = ms.apply_filter(DIRECTIONS, vertex_index=centre, radius=length(radius))
+    # The frame: from the vertex to the next corner of the last face that has it.
+    last = faces[np.flatnonzero((faces == centre).any(axis=1))[-1]]
+    x = vertices[np.roll(last, -1)[last == centre][0]] - vertices[centre]
+    x /= np.linalg.norm(x)
+    steps = vertices - vertices[centre]
+    vector = np.column_stack([steps @ x, steps @ [-x[1], x[0], 0]])
+    distance = np.linalg.norm(steps, axis=1)
+    reached = distance <= (radius or np.inf)
+    assert found["reached_vertices"] == reached.sum()
+    assert found["vertices_beyond_max_distance"] == (~reached).sum()
+    assert found["max_distance"] == pytest.approx(distance[reached].max(), rel=1e-12)
+    assert (found["start_vertex"], found["snap_distance"]) == (centre, 0)
+    mesh = ms.current_mesh()
+    expected = np.where(reached[:, None], 0.5 + vector / (2 * (radius or distance.max())), 0)
+    np.testing.assert_allclose(mesh.vertex_tex_coord_matrix(), expected, atol=1e-6)
+    angle = np.arctan2(vector[:, 1], vector[:, 0])
+    others = reached & (distance > 0)
+    np.testing.assert_allclose(np.exp(1j * field(ms)[others]), np.exp(1j * angle[others]), atol=1e-9)
+    assert field(ms)[reached].min() >= 0
+    np.testing.assert_array_equal(field(ms)[~reached], -1)
+    colors = mesh.vertex_color_matrix() * 255
+    np.testing.assert_allclose(colors[~reached], np.tile([160, 160, 160, 255], (np.sum(~reached), 1)))
+    wheel = [colorsys.hsv_to_rgb(turn / (2 * np.pi), 0.75, 1) for turn in field(ms)[others]]
+    np.testing.assert_allclose(colors[others, :3], 255 * np.array(wheel), atol=1.01)
 
 
 @pytest.mark.parametrize("method", ["index", "exact"])

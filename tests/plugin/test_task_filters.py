@@ -1,4 +1,4 @@
-"""Filters for matrices, regions, samplings, isolines, disks, extents: values and layers, points given in every way."""
+"""Filters for matrices, regions, samplings, isolines, cuts, disks, extents: values, layers, points in every way."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ import vorogeo
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from support import (
+    AREA,
+    CUT,
     DISK,
     EXACT_FROM_POINT,
     EXTENT,
@@ -22,6 +24,7 @@ from support import (
     NEAREST,
     PAIRS_WITHIN,
     PATCHES,
+    PATH_THROUGH,
     POISSON,
     TWO_POINTS,
     VORONOI,
@@ -212,6 +215,33 @@ def test_disk_selects_vertices_and_faces(ms, points):
         assert found["selected_vertices"] == inside.sum()
 
 
+def test_area_of_disks_of_the_plane(ms, points):
+    radius = 0.15  # the disks are apart; of those around vertices on the upper border half is there
+    disks = np.where(points.at[:, 1] > 3 - 1e-9, 0.5, 1.0).sum()
+    found = ms.apply_filter(AREA, radius=length(radius), exact=True, **points.parameters)
+    assert found["area"] == pytest.approx(disks * np.pi * radius**2, rel=1e-4)
+    assert found["border_length"] == pytest.approx(disks * 2 * np.pi * radius, rel=1e-4)
+    assert found["snap_distance"] == pytest.approx(points.moved)
+    found = ms.apply_filter(AREA, radius=length(1.2), vertex_index=7 * 21 + 10, exact=True)
+    assert found["area"] == pytest.approx(np.pi * 1.2**2, rel=1e-4)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_path_through_points_in_their_order(ms, points, closed):
+    found = ms.apply_filter(PATH_THROUGH, closed=closed, **points.parameters)
+    passed = points.at[[0, 1, 2, 3, 0]] if closed else points.at
+    legs = np.linalg.norm(np.diff(passed, axis=0), axis=1)
+    assert found["length"] == pytest.approx(legs.sum(), rel=1e-9)
+    assert found["certified"]
+    assert found["snap_distance"] == pytest.approx(points.moved)
+    path = ms.current_mesh()
+    assert path.edge_number() == found["points"] - 1
+    along = path.vertex_scalar_array()
+    for place, walked in zip(passed, np.concatenate([[0], np.cumsum(legs)]), strict=True):
+        there = np.linalg.norm(path.vertex_matrix() - place, axis=1) < 1e-9
+        assert np.abs(along[there] - walked).min() < 1e-9
+
+
 def test_numpy_writes_points_as_the_filters_read_them(ms):
     index = vorogeo.GeodesicIndex(*arrays(ms))
     points = index.snap(BESIDE)
@@ -244,6 +274,92 @@ def test_isolines_end_where_no_distance_is():
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
     assert len(ms.apply_filter(ISOLINES, line_number=3)["values"]) == 3
     assert ms.current_mesh().vertex_matrix()[:, 0].max() <= 1
+
+
+def areas(vertices, faces):
+    """Of triangles."""
+    a, b, c = vertices[faces].transpose(1, 0, 2)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def with_attributes(vertices, faces, quality):
+    """A layer whose attributes are linear functions of the place or constant; by face the number of the face."""
+    numbers = np.arange(len(faces), dtype=float)
+    ms = pymeshlab.MeshSet()
+    mesh = pymeshlab.Mesh(
+        vertex_matrix=vertices,
+        face_matrix=faces,
+        v_scalar_array=quality,
+        f_scalar_array=numbers,
+        v_color_matrix=np.column_stack([(vertices[:, :2] + 1) / 5, np.full((len(vertices), 2), 0.63)]),
+        f_color_matrix=np.tile([0.2, 0.4, 0.6, 1.0], (len(faces), 1)),
+        v_tex_coords_matrix=vertices[:, :2],
+        w_tex_coords_matrix=vertices[faces].reshape(-1, 3)[:, :2] + numbers.repeat(3)[:, None],
+    )
+    ms.add_mesh(mesh)
+    return ms
+
+
+def assert_attributes_are_kept(part, whole):
+    """Those of with_attributes()."""
+    at, corners = part.vertex_matrix(), part.face_matrix()
+    np.testing.assert_allclose(part.vertex_normal_matrix(), np.tile([0, 0, 1], (len(at), 1)), atol=1e-9)
+    colors = part.vertex_color_matrix() * 255
+    np.testing.assert_allclose(colors[:, :2], (at[:, :2] + 1) * 51, atol=2)  # rounded before and after
+    np.testing.assert_array_equal(np.unique(colors[:, 2:], axis=0), whole.vertex_color_matrix()[:1, 2:] * 255)
+    np.testing.assert_allclose(part.vertex_tex_coord_matrix(), at[:, :2], atol=1e-6)
+    face = part.face_scalar_array().astype(int)
+    expected = at[corners].reshape(-1, 3)[:, :2] + face.repeat(3)[:, None]
+    np.testing.assert_allclose(part.wedge_tex_coord_matrix(), expected, atol=1e-4)
+    np.testing.assert_array_equal(part.face_color_matrix(), whole.face_color_matrix()[face])
+    # Each face lies in the one whose number it has: to the left of its edges.
+    a, b, c = whole.vertex_matrix()[whole.face_matrix()[face]][..., :2].transpose(1, 0, 2)
+    for tail, head in ((a, b), (b, c), (c, a)):
+        edge, step = (head - tail)[:, None], at[corners][..., :2] - tail[:, None]
+        assert (edge[..., 0] * step[..., 1] - edge[..., 1] * step[..., 0] > -1e-9).all()
+
+
+def test_a_cut_along_isolines_makes_parts_of_the_plane():
+    centre = 7 * 21 + 10
+    distance = np.linalg.norm(VERTICES - VERTICES[centre], axis=1)
+    ms = with_attributes(VERTICES, FACES, distance)
+    found = ms.apply_filter(CUT, values="1.2 0.5 1.2")
+    assert found["parts"] == 3
+    assert (layer_count(ms), ms.current_mesh_id()) == (4, 3)
+    np.testing.assert_array_equal(found["regions"], [0, 1, 2])
+    np.testing.assert_array_equal(found["values"], [0.5, 1.2])
+    parts = [ms.mesh(i) for i in (1, 2, 3)]
+    sizes = [areas(part.vertex_matrix(), part.face_matrix()).sum() for part in parts]
+    assert sum(sizes) == pytest.approx(12, rel=1e-12)
+    np.testing.assert_allclose(sizes[:2], np.pi * np.array([0.25, 1.44 - 0.25]), rtol=0.02)
+    for part, (low, high) in zip(parts, [(0, 0.5), (0.5, 1.2), (1.2, 9)], strict=True):
+        assert_attributes_are_kept(part, ms.mesh(0))
+        radius = np.linalg.norm(part.vertex_matrix() - VERTICES[centre], axis=1)
+        assert low - 1e-9 <= radius.min()
+        assert radius.max() <= high + 1e-9
+        np.testing.assert_allclose(part.vertex_scalar_array(), radius, atol=0.025)  # linear between vertices
+    np.testing.assert_array_equal(ms.mesh(0).vertex_matrix(), VERTICES)
+
+
+def test_a_cut_by_quality_where_the_metric_splits_faces():
+    vertices, faces = np.array([[0, 0, 0], [2, 0, 0], [1, 0.5, 0], [1, -1, 0.0]]), np.array([[0, 1, 2], [1, 0, 3]])
+    ms = with_attributes(vertices, faces, np.array([5.0, 5, 2, 5]))
+    found = ms.apply_filter(CUT, values="3", is_distance=False, metric="Vertex quality as cost")
+    np.testing.assert_array_equal(found["regions"], [0, 1])
+    sizes = [areas(ms.mesh(i).vertex_matrix(), ms.mesh(i).face_matrix()).sum() for i in (1, 2)]
+    # Below 3 is a third of the height of the upper face.
+    np.testing.assert_allclose(sizes, [0.5 / 9, 1.5 - 0.5 / 9], rtol=1e-9)
+    for i in (1, 2):
+        assert_attributes_are_kept(ms.mesh(i), ms.mesh(0))
+
+
+def test_what_has_no_distance_is_a_part_of_its_own():
+    ms = mesh_set(*side_by_side(sphere(3), sphere(2)))
+    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
+    found = ms.apply_filter(CUT, values="1")
+    np.testing.assert_array_equal(found["regions"], [0, 1, -1])
+    assert ms.current_mesh().face_number() == len(sphere(2)[1])
+    assert ms.current_mesh().vertex_matrix()[:, 0].min() > 5
 
 
 def test_diameter_and_centre_bounds_hold():
