@@ -117,12 +117,12 @@ void interpolate(CVertexO& vertex, const CFaceO& face, const CornerWeights& weig
   for (int i = 0; i < 3; ++i) {
     if (weights[i] == 0.0) continue;  // a quality that is not finite stays at its corner
     quality += weights[i] * face.cV(i)->cQ();
-    normal += face.cV(i)->cN() * static_cast<Scalarm>(weights[i]);
+    Point3m direction = face.cV(i)->cN();  // of any length, as hosts sum them up
+    normal += direction.Normalize() * static_cast<Scalarm>(weights[i]);
     for (int k = 0; k < 4; ++k) color[k] += weights[i] * face.cV(i)->cC()[k];
   }
-  const bool is_corner = std::ranges::max(weights) == 1.0;
   vertex.Q() = static_cast<Scalarm>(quality);
-  vertex.N() = is_corner ? normal : normal.Normalize();
+  vertex.N() = normal.Normalize();
   // Rounded, which VCG's mixture is not: one colour stays as it is.
   for (int k = 0; k < 4; ++k) vertex.C()[k] = static_cast<unsigned char>(std::lround(color[k]));
   if (has_tex_coord) vertex.T() = tex_coord_between(weights, [&](int i) { return face.cV(i)->cT(); });
